@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Load, stiffness and contact area of one asperity of radius R pressed in by the approach omega: the three laws.
+///
+///     HertzLaw              load (4/3) sqrt(R) omega^(3/2)       stiffness 2 sqrt(R omega)          eq. (3.7)
+///     FractalLaw            load (4/3) sqrt(R) omega^(3/2)       stiffness f * 2 sqrt(R omega)      eqs. (3.7), (3.14)
+///     FractalConsistentLaw  load f * (4/3) sqrt(R) omega^(3/2)   stiffness f * 2 sqrt(R omega)
+///     all                   area pi R omega                                                         eq. (3.11)
+///     f = (2/3) (3-D)/(2-D)
+///
+/// The paper differentiates the load along the family of asperities of a fractal surface, not for one given asperity, so
+/// that its stiffness is f >= 4/3 times the derivative of its load (docs/errata.md). FractalLaw is the paper as printed;
+/// FractalConsistentLaw integrates the load from the same stiffness, so that stiffness = d load / d omega; HertzLaw is the
+/// paper's "statistical elastic model". Loads and stiffnesses are divided by the effective modulus E.
+///
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.7), (3.11), (3.14).
+/// Units       omega, R [m]; load/E [m^2], stiffness/E [m], area [m^2]
+/// Valid       omega >= 0, R > 0, 1 < D < 2 (f diverges as D -> 2)
+/// Accuracy    4 ulp (tests/asperity/laws_test.cpp)
+
+#include <fstiff/surface/fractal.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace fstiff {
+
+/// What the contact integrals need of an asperity law: load/E, stiffness/E and area for scalars or Eigen arrays of
+/// approaches \p omega and radii \p radius (element by element; both arrays of one shape).
+template <class Law, class Value>
+concept AsperityLaw = requires(const Law& law, const Value& omega, const Value& radius) {
+    law.load(omega, radius);
+    law.stiffness(omega, radius);
+    law.area(omega, radius);
+};
+
+/// A law whose load is load_factor sqrt(R) omega^(3/2), whose stiffness is stiffness_factor sqrt(R omega) and whose area is
+/// pi R omega: its integrals over the peaks reduce to one dimension.
+template <class Law>
+concept PowerLaw = requires(const Law& law) {
+    law.load_factor();
+    law.stiffness_factor();
+};
+
+namespace detail {
+
+/// The common form of the three laws; \p Derived supplies the two factors.
+template <class Derived>
+struct HertzianForm {
+    template <class Value>
+    [[nodiscard]] auto load(const Value& omega, const Value& radius) const {
+        using std::sqrt;
+        return self().load_factor() * omega * sqrt(radius * omega);
+    }
+    template <class Value>
+    [[nodiscard]] auto stiffness(const Value& omega, const Value& radius) const {
+        using std::sqrt;
+        return self().stiffness_factor() * sqrt(radius * omega);
+    }
+    template <class Value>
+    [[nodiscard]] auto area(const Value& omega, const Value& radius) const {
+        return self().area_factor() * radius * omega;
+    }
+
+private:
+    const Derived& self() const { return static_cast<const Derived&>(*this); }
+};
+
+}  // namespace detail
+
+/// f = (2/3) (3-D)/(2-D): how many times the stiffness (3.14) exceeds that of one Hertzian asperity. At least 4/3.
+/// \throws domain_error unless 1 < D < 2.
+template <Real T>
+[[nodiscard]] constexpr T fractal_stiffness_factor(T fractal_dimension) {
+    require_fractal_dimension(fractal_dimension);
+    return 2 * (3 - fractal_dimension) / (3 * (2 - fractal_dimension));
+}
+
+/// Hertz: the stiffness is the derivative of the load.
+template <Real T>
+struct HertzLaw : detail::HertzianForm<HertzLaw<T>> {
+    [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
+    [[nodiscard]] static constexpr T stiffness_factor() { return T(2); }
+    [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
+};
+
+/// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
+template <Real T>
+class FractalLaw : public detail::HertzianForm<FractalLaw<T>> {
+public:
+    /// \throws domain_error unless 1 < D < 2.
+    explicit constexpr FractalLaw(T fractal_dimension) : factor_(fractal_stiffness_factor(fractal_dimension)) {}
+    [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
+    [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
+    [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
+
+private:
+    T factor_;
+};
+
+/// Stiffness (3.14) and the load that it is the derivative of.
+template <Real T>
+class FractalConsistentLaw : public detail::HertzianForm<FractalConsistentLaw<T>> {
+public:
+    /// \throws domain_error unless 1 < D < 2.
+    explicit constexpr FractalConsistentLaw(T fractal_dimension) : factor_(fractal_stiffness_factor(fractal_dimension)) {}
+    [[nodiscard]] constexpr T load_factor() const { return 4 * factor_ / 3; }
+    [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
+    [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
+
+private:
+    T factor_;
+};
+
+}  // namespace fstiff

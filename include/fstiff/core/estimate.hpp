@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// A computed number with what is known of its error and its cost.
+
+#include <fstiff/core/concepts.hpp>
+
+#include <limits>
+
+namespace fstiff {
+
+/// \p error is an absolute bound on |value - true value|, in the units of \p value; inputs count as exact.
+template <Real T>
+struct Estimate {
+    T value{};
+    T error{};
+    int evaluations{};  ///< points at which the integrand was evaluated (0: closed form)
+};
+
+/// In another unit; \p factor >= 0. A product in the subnormal range is rounded to a multiple of the least number, not to a
+/// relative epsilon, and the error says so.
+template <Real T>
+[[nodiscard]] constexpr Estimate<T> operator*(const Estimate<T>& estimate, T factor) {
+    const T value = estimate.value * factor;
+    const bool subnormal = value < std::numeric_limits<T>::min() && estimate.value > 0;
+    return {value, estimate.error * factor + (subnormal ? std::numeric_limits<T>::denorm_min() : T(0)), estimate.evaluations};
+}
+
+}  // namespace fstiff

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The version of fstiff: the one place it is written. CMakeLists.txt, the command and the package file read it from here.
+
+#define FSTIFF_VERSION_MAJOR 0
+#define FSTIFF_VERSION_MINOR 1
+#define FSTIFF_VERSION_PATCH 0
+#define FSTIFF_VERSION "0.1.0"

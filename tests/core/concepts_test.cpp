@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which types are scalars of fstiff.
+#include <fstiff/core/concepts.hpp>
+
+#include "support/catch.hpp"
+
+TEST_CASE("the three floating-point types are Real, integers and pointers are not", "[concepts]") {
+    CHECK((fstiff::Real<float>));
+    CHECK((fstiff::Real<double>));
+    CHECK((fstiff::Real<long double>));
+    CHECK(!(fstiff::Real<int>));
+    CHECK(!(fstiff::Real<bool>));
+    CHECK(!(fstiff::Real<double*>));
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/math/error_function.hpp>
+#include <fstiff/math/gaussian_moment.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <gsl/gsl_sf_hyperg.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using fstiff::gaussian_moment;
+namespace detail = fstiff::detail;
+
+namespace {
+
+/// F_a(x) by its definition: v = exp(u - exp(-u)) and the trapezoidal rule, in long double.
+long double by_quadrature(long double a, long double x) {
+    const long double step = 1 / 128.0L;
+    const long double scale = x > 1 ? 1 / x : 1;  // for large x it falls as exp(-x v)
+    long double sum = 0;
+    for (long double u = -5; u < 6; u += step) {
+        const long double fall = std::exp(-u);
+        const long double v = scale * std::exp(u - fall);
+        const long double exponent = x > 0 ? v * (v / 2 + x) : (v + x) * (v + x) / 2;
+        sum += std::pow(v, a) * std::exp(-exponent) * v * (1 + fall) * step;
+    }
+    return sum * (x > 0 ? std::exp(-x * x / 2) : 1.0L);
+}
+
+/// The accuracy that the header states, in epsilon.
+constexpr double stated = 16, stated_five_halves = 40;
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("F_a agrees with its definition", "", float, double, long double) {
+    using T = TestType;
+    for (const double a : {0.0, 0.5, 1.0, 1.5, 2.5})
+        for (const double x : {-40.0, -9.5, -5.01, -4.99, -2.0, -0.3, -0.01, 0.0, 0.01, 0.5, 1.5, 4.0, 8.0, 11.0}) {
+            const T at = static_cast<T>(x);
+            const long double truth = by_quadrature(a, at);
+            INFO("a " << a << " x " << x);
+            // the reference itself is good to 1e-17: that is 150 epsilon of long double
+            const double bound = (a == 2.5 ? stated_five_halves : stated) + (sizeof(T) > 8 ? 200 : 0);
+            CHECK(test::ulps(gaussian_moment(T(a), at), static_cast<T>(truth)) <= T(bound));
+        }
+}
+
+TEST_CASE("F_0 and F_1 agree with erfc") {
+    for (const double x : {-6.0, -3.0, 0.0, 0.7, 3.0, 10.0, 30.0}) {
+        const long double closed = std::sqrt(std::numbers::pi_v<long double> / 2) * std::erfc(x / std::numbers::sqrt2_v<long double>);
+        INFO("x " << x);
+        CHECK(test::ulps<double>(gaussian_moment(0.0, x), static_cast<double>(closed)) <= stated);
+    }
+    for (const double x : {-6.0, -3.0, 0.0, 0.7}) {
+        const long double g = std::exp(-0.5L * x * x);
+        const long double closed = g - x * std::sqrt(std::numbers::pi_v<long double> / 2) * std::erfc(x / std::numbers::sqrt2_v<long double>);
+        CHECK(test::ulps<double>(gaussian_moment(1.0, x), static_cast<double>(closed)) <= stated);
+    }
+}
+
+TEST_CASE("F_a agrees with Tricomi's function of GSL") {
+    // F_a(x) = Gamma(a+1) 2^(-(a+1)/2) exp(-x^2/2) U((a+1)/2, 1/2, x^2/2) for x > 0
+    for (const double a : {0.0, 0.5, 1.0, 1.5, 2.5})
+        for (const double x : {0.2, 1.0, 3.0, 7.0}) {
+            const double tricomi = gsl_sf_hyperg_U((a + 1) / 2, 0.5, x * x / 2);
+            const double other = std::tgamma(a + 1) * std::pow(2.0, -(a + 1) / 2) * std::exp(-x * x / 2) * tricomi;
+            INFO("a " << a << " x " << x);
+            CHECK(test::relative_error(gaussian_moment(a, x), other) < 1e-11);  // GSL's own error
+        }
+}
+
+TEST_CASE("the recurrence F_{a+1} = a F_{a-1} - x F_a holds where it does not cancel") {
+    for (const double x : {-100.0, -20.0, -5.0, -1.0, -0.1}) {
+        INFO("x " << x);
+        CHECK(test::ulps(gaussian_moment(1.5, x) * 1.5 - x * gaussian_moment(2.5, x),
+                         gaussian_moment(1.5, x) * 1.5 - x * (1.5 * gaussian_moment(0.5, x) - x * gaussian_moment(1.5, x))) <= 100);
+    }
+}
+
+TEST_CASE("double agrees with long double at random points and at the seams") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto check = [](double x) {
+        INFO("x " << x);
+        const auto same = [x]<int A>() {
+            const auto truth = detail::scaled_moment<A>(static_cast<long double>(x));
+            return test::ulps(static_cast<long double>(detail::scaled_moment<A>(x)), truth) * (0x1p-63L / 0x1p-52L);
+        };
+        CHECK(same.operator()<0>() <= stated);
+        CHECK(same.operator()<1>() <= stated);
+        CHECK(same.operator()<2>() <= stated);
+        CHECK(same.operator()<3>() <= stated);
+        CHECK(same.operator()<5>() <= stated_five_halves);
+    };
+    for (const double seam : {0.0, -5.0})
+        for (const double step : {0.0, 1e-15, -1e-15, 1e-9, -1e-9}) check(seam + step);
+    for (int i = 0; i < 3000; ++i) {
+        check(40 * uniform(random));
+        check(-6 * uniform(random));
+        check(-5 / (uniform(random) + 1e-6));
+    }
+}
+
+TEMPLATE_TEST_CASE("erf on lanes agrees with std::erf", "", float, double, long double) {
+    using T = TestType;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> start(0, 5), step(0, 1);
+    std::array<T, 8> y, out;
+    for (int i = 0; i < 5000; ++i) {
+        const T first = T(start(random)), increment = T(step(random));
+        for (std::size_t j = 0; j < 8; ++j) y[j] = first + increment * T(j);
+        detail::erf_ascending(detail::Lanes<T>::load(y.data()), y.front(), y.back()).store(out.data());
+        for (std::size_t j = 0; j < 8; ++j) {
+            INFO("y " << y[j]);
+            REQUIRE(test::ulps(out[j], T(std::erf(static_cast<long double>(y[j])))) <= 4);
+        }
+    }
+}
+
+TEST_CASE("F_a is finite at the ends and refuses what is no number") {
+    CHECK(gaussian_moment(0.5, 1e300) == 0);
+    CHECK(test::ulps(gaussian_moment(0.0, -1e300), std::sqrt(2 * std::numbers::pi)) <= 2);
+    CHECK(std::isfinite(gaussian_moment(0.5, -1e300)));
+    CHECK(test::refusal([] { static_cast<void>(gaussian_moment(0.75, 1.0)); }) == "a = 0.75: must be 0, 1/2, 1, 3/2 or 5/2");
+    CHECK(test::refusal([] { static_cast<void>(gaussian_moment(0.5, std::nan(""))); }).starts_with("x = nan"));
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// How far a computed number is from the truth: relative, and in units in the last place. Never Approx, which accepts five digits.
+#include <fstiff/core/error.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace test {
+
+/// |computed - truth| / |truth|; |computed| where the truth is 0; infinity for NaN, so that no comparison lets it pass.
+template <fstiff::Real T>
+T relative_error(T computed, T truth) {
+    const T difference = std::abs(computed - truth);
+    const T error = truth == 0 ? difference : difference / std::abs(truth);
+    return std::isnan(error) ? std::numeric_limits<T>::infinity() : error;
+}
+
+/// relative_error in units of epsilon.
+template <fstiff::Real T>
+T ulps(T computed, T truth) {
+    return relative_error(computed, truth) / std::numeric_limits<T>::epsilon();
+}
+
+/// What the call throws as a fstiff::domain_error, or "" when it does not throw.
+template <class Call>
+std::string refusal(const Call& call) {
+    try {
+        call();
+    } catch (const fstiff::domain_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+}  // namespace test
