@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The contact integrals: moments of the peaks that stand above a separation.
+///
+///     J[a,b](eta; r, theta) = int_0^inf int_eta^inf t^b (zeta - eta)^a p_peak(zeta, t) dzeta dt          eqs. (4.5), (4.9)
+///
+///     contacts   N J[0,0]                                  load       (4/3) E N sigma^(3/2) sigma_kappa^(-1/2) J[3/2,-1/2]
+///     real area  pi N (sigma/sigma_kappa) J[1,-1]          stiffness  2 E N sigma^(1/2) sigma_kappa^(-1/2) J[1/2,-1/2]
+///     dJ[a,b]/deta = -a J[a-1,b]
+///
+/// The integral over the height zeta is closed, c^(a+1) F_a(x) (math/gaussian_moment.hpp); what is left is one dimension,
+/// by a trapezoidal rule whose nodes all quantities share (contact/peak_sums.hpp).
+///
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9).
+/// Units       dimensionless
+/// Valid       0 <= r < 1, 0 < theta < pi/2, any finite eta >= -1e6; far beyond the peaks the value underflows to 0 and
+///             log_contact_integral goes on
+/// Accuracy    relative_tolerance, and at the default 2e-14 (double): 3e-15 relative on the plain and 6e-15 on the hard table
+///             of tests/data; the error returned covers the true one (tests/contact/contact_integrals_test.cpp)
+
+#include <fstiff/contact/peak_sums.hpp>
+#include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/estimate.hpp>
+#include <fstiff/peaks/peak_density.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace fstiff {
+
+template <Real T>
+struct IntegralOptions {
+    /// Relative error to aim at, between 100 epsilon and 0.1.
+    T relative_tolerance = 100 * std::numeric_limits<T>::epsilon();
+};
+
+/// J[0,0], J[3/2,-1/2], J[1/2,-1/2] and J[1,-1]; what was not asked for is 0. Each value times exp(log_scale).
+template <Real T>
+struct ContactIntegrals {
+    Estimate<T> contacts;
+    Estimate<T> load;
+    Estimate<T> stiffness;
+    Estimate<T> area;
+    T log_scale{};
+};
+
+namespace detail {
+
+template <Real T>
+struct ScaledIntegrals {
+    std::array<Estimate<T>, 4> of_power;  ///< for a = i/2, without exp(log_scale)
+    T log_scale;
+};
+
+template <Real T>
+ScaledIntegrals<T> scaled_integrals(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T eta, T tolerance) {
+    require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
+    require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance", tolerance,
+            "at least 50 epsilon of the scalar type and at most 0.1");
+    const T digits = -std::log(tolerance);
+    const PeakProblem<T> problem(peaks, eta, minus_two_b, digits + 5);
+    const PeakSums<T> sums = peak_sums(problem, digits);
+    ScaledIntegrals<T> out{{}, -problem.floor * problem.floor / 2};
+    const T root_c = std::sqrt(problem.c);
+    // rounding (z inherits that of t), and what the extrapolation of the rule's error may miss: more with few nodes
+    const T least = std::numeric_limits<T>::epsilon() * (8 + problem.floor) + tolerance * (tolerance > T(1e-8) ? T(0.5) : T(0.04));
+    T factor = 1 / (2 * problem.theta);  // c^a / (2 theta)
+    for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
+        if (minus_two_b[i] == absent) continue;
+        const T value = factor * sums.value[i];
+        out.of_power[i] = {value, value * (sums.relative_error[i] + least), sums.nodes};
+    }
+    return out;
+}
+
+}  // namespace detail
+
+/// The integrals of \p wanted at the separation \p eta (in rms heights), over shared nodes.
+/// The values leave out exp(log_scale), so that they neither under- nor overflow; contact_integrals multiplies it in.
+/// \throws domain_error unless |eta| <= 1e6 and the tolerance is within its range.
+template <Real T>
+[[nodiscard]] ContactIntegrals<T> scaled_contact_integrals(const PeakDensity<T>& peaks, T eta, Quantity wanted = Quantity::all,
+                                                           const IntegralOptions<T>& options = {}) {
+    const auto when = [wanted](Quantity quantity, int minus_two_b) {
+        return has(wanted, quantity) ? minus_two_b : detail::absent;
+    };
+    const detail::PowerSet set{when(Quantity::contacts, 0), when(Quantity::stiffness, 1), when(Quantity::real_area, 2),
+                               when(Quantity::pressure, 1)};
+    const auto j = detail::scaled_integrals(set, peaks, eta, options.relative_tolerance);
+    return {j.of_power[0], j.of_power[3], j.of_power[1], j.of_power[2], j.log_scale};
+}
+
+/// The integrals of \p wanted at the separation \p eta; log_scale is 0. \throws as scaled_contact_integrals.
+template <Real T>
+[[nodiscard]] ContactIntegrals<T> contact_integrals(const PeakDensity<T>& peaks, T eta, Quantity wanted = Quantity::all,
+                                                    const IntegralOptions<T>& options = {}) {
+    const ContactIntegrals<T> j = scaled_contact_integrals(peaks, eta, wanted, options);
+    const T scale = detail::gaussian(std::max(eta, T(0)));
+    return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, T(0)};
+}
+
+/// J[a,b] at the separation \p eta. \throws domain_error unless a is 0, 1/2, 1 or 3/2 and b is 0, -1/2 or -1, and as above.
+template <Real T>
+[[nodiscard]] Estimate<T> contact_integral(T a, T b, const PeakDensity<T>& peaks, T eta,
+                                           const IntegralOptions<T>& options = {}) {
+    const auto j = detail::scaled_integrals(detail::one_power(a, b), peaks, eta, options.relative_tolerance);
+    return j.of_power[static_cast<std::size_t>(2 * a)] * detail::gaussian(std::max(eta, T(0)));
+}
+
+/// log J[a,b] and its absolute error: goes on where J itself underflows. \throws as contact_integral.
+template <Real T>
+[[nodiscard]] Estimate<T> log_contact_integral(T a, T b, const PeakDensity<T>& peaks, T eta,
+                                               const IntegralOptions<T>& options = {}) {
+    const auto j = detail::scaled_integrals(detail::one_power(a, b), peaks, eta, options.relative_tolerance);
+    const Estimate<T>& scaled = j.of_power[static_cast<std::size_t>(2 * a)];
+    const T value = std::log(scaled.value) + j.log_scale;
+    return {value, scaled.error / scaled.value + 2 * std::numeric_limits<T>::epsilon() * std::abs(value), scaled.evaluations};
+}
+
+}  // namespace fstiff

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// How the asperities feel one another: the mean pressure lowers the mean plane.
+///
+///     eta_new = eta_old - Delta(eta_old),   Delta = p L/(E sigma)                   eq. (4.11), L = sqrt(A0)
+///
+/// Under the pressure p the plane between the peaks sinks by p L/E, so that the peaks meet at an effective separation that is
+/// larger than the nominal one: eta_nominal = eta_effective - Delta(eta_effective). With eta_old read as effective and eta_new
+/// as nominal the printed formula is this, explicit at a given pressure. Then 1/K = 1/K_effective + L/E: the compliance of
+/// the bulk under a patch of size L is added, and K <= E/L whatever the interface.
+///
+/// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729-734; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014),
+///             eq. (4.11); the readings are discussed in docs/errata.md.
+/// Units       L [m]
+/// Valid       L > 0 for every reading but none
+
+#include <fstiff/core/error.hpp>
+
+namespace fstiff {
+
+enum class InteractionReading {
+    none,                  ///< asperities do not feel one another: the stiffness of the interface alone
+    effective_separation,  ///< the integrals at eta_effective; separation and stiffness those of the nominal planes
+    as_printed             ///< stiffness, area and contacts at eta_new against the pressure at eta_old, as the paper plots them
+};
+
+template <Real T>
+struct Interaction {
+    InteractionReading reading = InteractionReading::none;
+    T length{};  ///< L [m]: sqrt(A0) in the paper, 1/sqrt(D_p), or the size of the loaded patch
+
+    /// \throws domain_error unless the length suits the reading.
+    constexpr void validate() const {
+        if (reading != InteractionReading::none) require_positive("interaction length", length);
+    }
+};
+
+}  // namespace fstiff

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The quantities of a contact, as a set: what is not asked for is not computed.
+
+namespace fstiff {
+
+enum class Quantity : unsigned { none = 0, contacts = 1, pressure = 2, stiffness = 4, real_area = 8, all = 15 };
+
+[[nodiscard]] constexpr Quantity operator|(Quantity a, Quantity b) {
+    return static_cast<Quantity>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+
+/// Whether \p set contains any quantity of \p some.
+[[nodiscard]] constexpr bool has(Quantity set, Quantity some) {
+    return (static_cast<unsigned>(set) & static_cast<unsigned>(some)) != 0;
+}
+
+}  // namespace fstiff
