@@ -24,14 +24,14 @@ TEMPLATE_TEST_CASE("N points integrate polynomials of degree 2N-1", "", float, d
     CHECK(std::abs(odd) <= 10 * std::numeric_limits<T>::epsilon());
 }
 
-TEST_CASE("nodes and weights agree with GSL's") {
-    gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(50);
-    const auto& rule = GaussLegendre<double, 50>::get();
-    for (std::size_t i = 0; i < 50; ++i) {
+TEST_CASE("nodes and weights agree with GSL's table for 64 points") {
+    gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(64);
+    const auto& rule = GaussLegendre<double, 64>::get();
+    for (std::size_t i = 0; i < 64; ++i) {
         double node = 0, weight = 0;
         gsl_integration_glfixed_point(-1, 1, i, &node, &weight, table);
         bool found = false;  // GSL orders them differently from version to version; both lose digits near the ends (1 - x^2)
-        for (std::size_t j = 0; j < 50; ++j)
+        for (std::size_t j = 0; j < 64; ++j)
             found = found || (std::abs(rule.node[j] - node) < 1e-15 && test::relative_error(rule.weight[j], weight) < 2e-13);
         CHECK(found);
     }

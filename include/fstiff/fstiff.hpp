@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Everything above the opt-in adapters, layer by layer. Written by tools/check_layers.cmake.
+
+#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/estimate.hpp>
+#include <fstiff/core/version.hpp>
+#include <fstiff/math/error_function.hpp>
+#include <fstiff/math/gauss_legendre.hpp>
+#include <fstiff/math/gaussian_moment.hpp>
+#include <fstiff/math/gaussian_moment_table.hpp>
+#include <fstiff/math/lanes.hpp>
+#include <fstiff/math/root.hpp>
+#include <fstiff/surface/fractal.hpp>
+#include <fstiff/surface/roughness.hpp>
+#include <fstiff/surface/structure_constant.hpp>
+#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/profile/detrend.hpp>
+#include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/peak_statistics.hpp>
+#include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/structure_function.hpp>
+#include <fstiff/asperity/fractal_asperity.hpp>
+#include <fstiff/asperity/laws.hpp>
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/peaks/from_profile.hpp>
+#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/contact/contact_integrals.hpp>
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/paper_integrals.hpp>
+#include <fstiff/contact/peak_sums.hpp>
+#include <fstiff/contact/quantity.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/tensor_integrals.hpp>
+#include <fstiff/contact/validity.hpp>
+#include <fstiff/io/delimited.hpp>
+#include <fstiff/io/quantity.hpp>

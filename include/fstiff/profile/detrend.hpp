@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Removes the form of a profile: its mean, least-squares line or least-squares parabola.
+///
+/// The polynomials are orthogonal over the points that exist, the residual is formed with the rounding error of each
+/// product and sum carried along, and the fit is repeated on what it left: an offset or a tilt far above the roughness
+/// costs nothing but the digits that it had already cost in the data.
+///
+/// Units       heights [m]
+/// Valid       at least as many points as coefficients, every height finite or NaN (missing; stays missing)
+/// Accuracy    offset or tilt of 1e6 times the roughness: heights within 4e-16 of the largest height before removal
+///             (tests/profile/detrend_test.cpp)
+
+#include <fstiff/profile/profile.hpp>
+
+#include <array>
+
+namespace fstiff {
+
+enum class Form { none, mean, line, parabola };
+
+/// \p profile without the \p form.
+/// \throws domain_error when it has fewer points than the form has coefficients, or an infinite height.
+template <Real T>
+[[nodiscard]] Profile<T> detrend(const Profile<T>& profile, Form form);
+
+namespace detail {
+
+/// Number of polynomial coefficients of a form.
+constexpr std::size_t coefficients(Form form) { return static_cast<std::size_t>(form); }
+
+/// The first three polynomials that are orthogonal over the positions u at which points exist.
+template <Real T>
+struct OrthogonalPolynomials {
+    T centre{}, slope_shift{}, mean_square{};
+
+    std::array<T, 3> operator()(T u) const {
+        const T p1 = u - centre;
+        return {T(1), p1, (p1 - slope_shift) * p1 - mean_square};
+    }
+};
+
+/// value + carry -= product of \p a and \p b, nothing rounded but the carry.
+template <Real T>
+void subtract_product(T& value, T& carry, T a, T b) {
+    const T product = a * b;
+    const T product_error = std::fma(a, b, -product);
+    const T next = value - product;
+    const T subtracted = value - next;  // two-sum of value and -product
+    carry += ((value - (next + subtracted)) + (subtracted - product)) - product_error;
+    value = next;
+}
+
+}  // namespace detail
+
+template <Real T>
+Profile<T> detrend(const Profile<T>& profile, Form form) {
+    const std::size_t terms = detail::coefficients(form);
+    for (const T z : profile.heights)
+        require(std::isnan(z) || std::abs(z) <= std::numeric_limits<T>::max(), "height", z,
+                "finite, or NaN for a missing point");
+    Profile<T> result = profile;
+    if (terms == 0) return result;
+    const std::size_t points = profile.present();
+    if (points < terms)
+        throw domain_error("profile has " + std::to_string(points) + " points: must be at least " +
+                           std::to_string(terms) + " to remove this form");
+
+    using S = detail::Sum<T>;
+    const auto count = static_cast<S>(points);
+    const S last = static_cast<S>(profile.size() > 1 ? profile.size() - 1 : 1);
+    const auto position = [&](std::size_t i) { return 2 * static_cast<S>(i) / last - 1; };  // in [-1, 1]
+    const auto mean_over_points = [&](const auto& f) {
+        detail::CompensatedSum<S> sum;
+        for (std::size_t i = 0; i < profile.size(); ++i)
+            if (!std::isnan(profile.heights[i])) sum.add(f(i));
+        return sum.value() / count;
+    };
+    detail::OrthogonalPolynomials<S> p;
+    p.centre = mean_over_points(position);
+    p.mean_square =
+        mean_over_points([&](std::size_t i) { return (position(i) - p.centre) * (position(i) - p.centre); });
+    if (terms == 3)
+        p.slope_shift = mean_over_points([&](std::size_t i) {
+                            const S u = position(i) - p.centre;
+                            return u * u * u;
+                        }) /
+                        p.mean_square;
+    std::array<S, 3> norm{};
+    for (std::size_t k = 0; k < terms; ++k)
+        norm[k] = mean_over_points([&](std::size_t i) { return p(position(i))[k] * p(position(i))[k]; });
+
+    std::vector<S> value(profile.heights.begin(), profile.heights.end()), carry(profile.size(), S(0));
+    for (int pass = 0; pass < 2; ++pass) {
+        for (std::size_t k = 0; k < terms; ++k) {
+            const S c =
+                mean_over_points([&](std::size_t i) { return p(position(i))[k] * (value[i] + carry[i]); }) / norm[k];
+            for (std::size_t i = 0; i < value.size(); ++i)
+                detail::subtract_product(value[i], carry[i], c, p(position(i))[k]);
+        }
+    }
+    for (std::size_t i = 0; i < value.size(); ++i) result.heights[i] = static_cast<T>(value[i] + carry[i]);
+    return result;
+}
+
+}  // namespace fstiff

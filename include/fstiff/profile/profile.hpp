@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// A measured profile: heights at equal spacing, some of which may be missing.
+///
+/// Units       heights and spacing [m]
+/// Valid       spacing > 0; every height finite, or NaN where the point is missing
+
+#include <fstiff/core/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace fstiff {
+
+template <Real T>
+struct Profile {
+    std::vector<T> heights;  ///< z(i spacing) [m]; NaN marks a missing point
+    T spacing{};             ///< between neighbours [m]
+
+    [[nodiscard]] std::size_t size() const { return heights.size(); }
+
+    /// Points that are not missing.
+    [[nodiscard]] std::size_t present() const {
+        return static_cast<std::size_t>(
+            std::count_if(heights.begin(), heights.end(), [](T z) { return !std::isnan(z); }));
+    }
+
+    [[nodiscard]] T length() const { return heights.empty() ? T(0) : static_cast<T>(heights.size() - 1) * spacing; }
+
+    /// \throws domain_error unless the spacing is positive, no height infinite, at least \p least points exist and they
+    /// are not all of one height.
+    void validate(std::size_t least = 16) const;
+};
+
+/// Mean of the heights that exist [m]. \throws domain_error when there is none.
+template <Real T>
+[[nodiscard]] T mean_height(const Profile<T>& profile);
+
+/// Rq: root of the mean square of the heights about their mean [m]. \throws domain_error when no point exists.
+template <Real T>
+[[nodiscard]] T rms_height(const Profile<T>& profile);
+
+namespace detail {
+
+/// Sums of float are kept in double.
+template <Real T>
+using Sum = std::conditional_t<std::is_same_v<T, float>, double, T>;
+
+/// A sum that carries its rounding error along (Neumaier 1974).
+template <Real T>
+class CompensatedSum {
+public:
+    void add(T term) {
+        const T next = sum_ + term;
+        error_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
+        sum_ = next;
+    }
+    T value() const { return sum_ + error_; }
+
+private:
+    T sum_{}, error_{};
+};
+
+}  // namespace detail
+
+template <Real T>
+void Profile<T>::validate(std::size_t least) const {
+    require_positive("spacing", spacing);
+    bool varies = false;
+    std::size_t count = 0;
+    T first{};
+    for (const T z : heights) {
+        if (std::isnan(z)) continue;
+        require(std::abs(z) <= std::numeric_limits<T>::max(), "height", z, "finite, or NaN for a missing point");
+        if (count++ == 0) first = z;
+        varies = varies || z != first;
+    }
+    if (count < least)
+        throw domain_error("profile has " + std::to_string(count) + " points: must be at least " +
+                           std::to_string(least));
+    require(varies, "profile of constant height", first, "of varying height");
+}
+
+template <Real T>
+T mean_height(const Profile<T>& profile) {
+    detail::CompensatedSum<detail::Sum<T>> sum;
+    std::size_t count = 0;
+    for (const T z : profile.heights)
+        if (!std::isnan(z)) {
+            sum.add(z);
+            ++count;
+        }
+    if (count == 0) throw domain_error("profile has 0 points: must be at least 1");
+    return static_cast<T>(sum.value() / static_cast<detail::Sum<T>>(count));
+}
+
+template <Real T>
+T rms_height(const Profile<T>& profile) {
+    const T mean = mean_height(profile);
+    T largest = 0;  // scaled by, so that no square leaves the range of numbers
+    for (const T z : profile.heights)
+        if (!std::isnan(z)) largest = std::max(largest, std::abs(z - mean));
+    if (largest == T(0)) return T(0);
+    detail::CompensatedSum<detail::Sum<T>> squares, firsts;
+    std::size_t count = 0;
+    for (const T z : profile.heights)
+        if (!std::isnan(z)) {
+            const detail::Sum<T> scaled = (z - mean) / largest;
+            squares.add(scaled * scaled);
+            firsts.add(scaled);
+            ++count;
+        }
+    const auto n = static_cast<detail::Sum<T>>(count);
+    const auto offset = firsts.value() / n;  // what the rounding of the mean left behind
+    return largest * static_cast<T>(std::sqrt(squares.value() / n - offset * offset));
+}
+
+}  // namespace fstiff

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff: normal contact stiffness of rough surfaces. Exit codes are listed in output.hpp and at the end of --help.
+#include "commands.hpp"
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/version.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace {
+
+using namespace fstiff::cli;
+
+/// One line on standard error, whatever the message holds.
+void say(std::string message) {
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+    std::cerr << "fstiff: " << message << '\n';
+}
+
+int execute(const Command& command) {
+    const Report report = command.execute();
+    deliver(report.document, command.output->file);
+    for (const std::string& line : report.diagnostics) say(line);
+    return report.status;
+}
+
+int run_main(int argc, char** argv) {
+    CLI::App app{"Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
+                 "fstiff"};
+    app.set_version_flag("--version", "fstiff " FSTIFF_VERSION);
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, 4 result outside validity or not "
+        "converged.\n"
+        "Example:\n  fstiff run");
+    const std::vector<Command> commands{add_run(app), add_fit(app), add_peaks(app), add_integral(app),
+                                        add_ultrasound(app)};
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        const auto chosen = app.get_subcommands();
+        if (chosen.empty() && !app.remaining().empty())
+            say(app.remaining().front() +
+                ": is no subcommand or option; must be one of run, fit, peaks, integral, ultrasound; see fstiff "
+                "--help");
+        else
+            say(std::string(error.what()) + "; see fstiff " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
+                "--help");
+        return usage_error;
+    }
+    for (const Command& command : commands)
+        if (command.app->parsed()) return execute(command);
+    return usage_error;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run_main(argc, argv);
+    } catch (const Usage& error) {
+        say(error.what());
+        return usage_error;
+    } catch (const fstiff::domain_error& error) {
+        say(error.what());
+        return input_error;
+    } catch (const std::bad_alloc&) {
+        say("out of memory");
+        return internal_error;
+    } catch (const std::exception& error) {
+        say(std::string("internal error: ") + error.what());
+        return internal_error;
+    }
+}

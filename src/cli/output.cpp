@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output.hpp"
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/version.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <random>
+#include <system_error>
+
+namespace fstiff::cli {
+namespace {
+
+std::string number(double value, int digits) {
+    if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
+    char text[64];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
+    return {text, end};
+}
+
+/// Number of characters of UTF-8 text: all bytes but the continuation bytes.
+std::size_t width(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+}
+
+[[noreturn]] void cannot_write(const std::string& file) {
+    throw domain_error(file + ": cannot be written; the folder must exist and be writable");
+}
+
+void write_bytes(const std::filesystem::path& path, const std::string& document, const std::string& shown) {
+    std::ofstream stream(path, std::ios::binary);
+    stream << document << std::flush;
+    if (!stream) cannot_write(shown);
+}
+
+/// False when the stream breaks or never ends.
+bool read_stream(std::istream& stream, std::string& bytes) {
+    constexpr std::size_t most = std::size_t(1) << 30;
+    char chunk[65536];
+    while (stream.read(chunk, sizeof chunk) || stream.gcount() > 0) {
+        bytes.append(chunk, static_cast<std::size_t>(stream.gcount()));
+        if (bytes.size() > most) throw domain_error("the input is longer than 1 GiB, which is the most that is read");
+    }
+    return !stream.bad();
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& app, OutputOptions& options, Format initial) {
+    options.format = initial;
+    static const std::map<std::string, Format> formats{
+        {"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}};
+    const auto shown =
+        std::find_if(formats.begin(), formats.end(), [&](const auto& f) { return f.second == initial; })->first;
+    app.add_option_function<std::string>(
+           "--format", [&options](const std::string& name) { options.format = formats.at(name); },
+           "table, csv or json; default " + shown)
+        ->type_name("FORMAT")
+        ->check(CLI::IsMember({"table", "csv", "json"}));
+    app.add_option("-o,--output", options.file, "write to FILE instead of standard output")->type_name("FILE");
+}
+
+std::string exact(double value) { return number(value, 17); }
+std::string rounded(double value, int digits) { return number(value, digits); }
+
+std::string shortest(double value) {
+    char text[64];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+Json json_number(double value) {
+    exact(value);
+    return value;
+}
+
+std::string list_of(std::span<const std::string_view> items) {
+    std::string text;
+    for (const auto item : items) text += (text.empty() ? "\"" : ", \"") + std::string(item) + "\"";
+    return text;
+}
+
+std::string TextTable::str(std::string_view indent) const {
+    std::vector<std::size_t> widths(rows_.front().size());
+    for (const auto& row : rows_)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+    std::string text;
+    for (const auto& row : rows_) {
+        text += indent;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            text += std::string((i ? 2 : 0) + widths[i] - width(row[i]), ' ') + row[i];
+        text += '\n';
+    }
+    return text;
+}
+
+std::string csv_line(const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i ? "," : "") + cells[i];
+    return text + '\n';
+}
+
+Json json_document(std::string_view command) {
+    Json document;
+    document["schema_version"] = 1;
+    document["fstiff_version"] = FSTIFF_VERSION;
+    document["command"] = command;
+    return document;
+}
+
+// Bytes that are no UTF-8 (of a file name, a header line) become U+FFFD: a document is always valid JSON.
+std::string json_text(const Json& document) {
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void deliver(const std::string& document, const std::string& file) {
+    namespace fs = std::filesystem;
+    if (file.empty()) {
+        std::cout << document << std::flush;
+        if (!std::cout) throw domain_error("standard output cannot be written");
+        return;
+    }
+    std::error_code error;
+    fs::path target = fs::weakly_canonical(file, error);  // the file behind a symbolic link, which stays a link
+    if (error) target = file;
+    if (fs::is_directory(target, error)) throw domain_error(file + ": is a folder; the output must be a file");
+    const bool exists = fs::exists(target, error);
+    if (exists && !fs::is_regular_file(target, error))
+        return write_bytes(target, document, file);  // /dev/stdout, a pipe
+
+    fs::path partial = target;
+    partial += ".partial-" + std::to_string(std::random_device{}());
+    try {
+        write_bytes(partial, document, file);
+        if (exists) fs::permissions(partial, fs::status(target).permissions());
+        fs::rename(partial, target);
+    } catch (...) {
+        fs::remove(partial, error);
+        cannot_write(file);
+    }
+}
+
+std::string read_all(const std::string& file) {
+    std::string bytes;
+    if (file == "-") {
+        if (!read_stream(std::cin, bytes)) throw domain_error("standard input: cannot be read");
+    } else {
+        std::error_code error;
+        if (!std::filesystem::exists(file, error)) throw domain_error(file + ": no such file");
+        if (std::filesystem::is_directory(file, error))
+            throw domain_error(file + ": is a folder; the input must be a file");
+        std::ifstream stream(file, std::ios::binary);
+        if (!stream || !read_stream(stream, bytes)) throw domain_error(file + ": cannot be read");
+    }
+    if (bytes.find_first_not_of(" \t\r\n") == std::string::npos) throw domain_error(display_name(file) + ": is empty");
+    return bytes;
+}
+
+std::string display_name(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+}  // namespace fstiff::cli

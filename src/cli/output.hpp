@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a subcommand hands back, and how it is written: one document, numbers that no locale touches and that are never NaN.
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// Exit codes of the command.
+enum Status : int { success = 0, internal_error = 1, usage_error = 2, input_error = 3, doubtful_result = 4 };
+
+/// Options that do not fit together: exit code 2.
+class Usage : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+enum class Format { table, csv, json };
+
+struct OutputOptions {
+    Format format = Format::table;
+    std::string file;  ///< empty: standard output
+};
+
+/// Adds --format and --output; \p initial is the format without --format.
+void add_output_options(CLI::App& app, OutputOptions& options, Format initial = Format::table);
+
+/// The one document of a subcommand, what else there is to say (on standard error), and how it ended.
+struct Report {
+    std::string document;
+    std::vector<std::string> diagnostics;
+    Status status = success;
+};
+
+/// A subcommand: what CLI11 parsed it into, and what to do then.
+struct Command {
+    CLI::App* app;
+    const OutputOptions* output;
+    std::function<Report()> execute;
+};
+
+/// 17 significant digits, '.' as the decimal mark. \throws std::logic_error for NaN and infinity, which are never printed.
+std::string exact(double value);
+/// The same for people: \p digits significant digits.
+std::string rounded(double value, int digits = 5);
+/// The fewest digits that read back as the same number, for echoing what somebody wrote.
+std::string shortest(double value);
+/// A number for a JSON document, guarded as above.
+Json json_number(double value);
+/// \p items quoted as "a", "b", "c".
+std::string list_of(std::span<const std::string_view> items);
+
+/// Columns of text for people, right-aligned under one header line.
+class TextTable {
+public:
+    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    std::string str(std::string_view indent = "  ") const;
+
+private:
+    std::vector<std::vector<std::string>> rows_;
+};
+
+/// Cells joined by commas, with a line end.
+std::string csv_line(const std::vector<std::string>& cells);
+
+/// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
+Json json_document(std::string_view command);
+std::string json_text(const Json& document);
+
+/// Writes \p document to \p file (beside it first, then renamed), or to standard output when \p file is empty.
+/// \throws domain_error naming the file that cannot be written.
+void deliver(const std::string& document, const std::string& file);
+
+/// All bytes of \p file; "-" is standard input. \throws domain_error naming a file that is missing, unreadable or empty.
+std::string read_all(const std::string& file);
+/// How messages call \p file.
+std::string display_name(const std::string& file);
+
+}  // namespace fstiff::cli

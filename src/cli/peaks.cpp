@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff peaks: the density of peak heights and curvatures, its moments and its height marginal.
+#include "commands.hpp"
+#include "profile_options.hpp"
+
+#include <fstiff/core/version.hpp>
+#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/profile/peak_statistics.hpp>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace fstiff::cli {
+namespace {
+
+struct Options {
+    OutputOptions output;
+    std::optional<double> r, rho1, rho2;
+    std::string theta;
+    bool exponential = false;
+    ProfileOptions profile;
+    std::string heights;
+};
+
+using Numbers = std::vector<std::pair<std::string, double>>;
+
+struct Source {
+    PeakDensity<double> density;
+    std::string from;
+    std::optional<Measured> measured;
+    std::optional<PeakStatistics<double>> statistics;
+};
+
+Source choose(const Options& options) {
+    const bool angles = options.r || !options.theta.empty() || options.exponential;
+    const bool correlations = options.rho1 || options.rho2;
+    const bool file = !options.profile.file.empty();
+    if (int(angles) + int(correlations) + int(file) != 1)
+        throw Usage("give one of --r and --theta, --theta and --exponential, --rho1 and --rho2, --profile");
+    if (correlations) {
+        if (!options.rho1 || !options.rho2) throw Usage("--rho1 and --rho2 belong together; give both");
+        return {PeakDensity<double>::from_autocorrelation(*options.rho1, *options.rho2), "rho1, rho2", {}, {}};
+    }
+    if (file) {
+        Measured measured = measure(options.profile);
+        const auto statistics = about_file(options.profile.file, [&] { return peak_statistics(measured.profile); });
+        return {PeakDensity<double>(statistics.r, statistics.theta), "profile", std::move(measured), statistics};
+    }
+    if (options.theta.empty() || options.exponential == options.r.has_value())
+        throw Usage("--theta needs one of --r and --exponential beside it");
+    const double theta = io::parse_angle(options.theta, "--theta");
+    if (options.exponential) return {PeakDensity<double>::exponential(theta), "exponential autocorrelation", {}, {}};
+    return {PeakDensity<double>(*options.r, theta), "r, theta", {}, {}};
+}
+
+Numbers moments(const Source& source) {
+    const auto& p = source.density;
+    Numbers numbers{{"r", p.r()},
+                    {"theta", p.theta()},
+                    {"peak_ratio", p.peak_ratio()},
+                    {"mean_height", p.mean_height()},
+                    {"height_variance", p.height_variance()},
+                    {"height_skewness", p.height_skewness()},
+                    {"height_kurtosis", p.height_kurtosis()}};
+    for (int n = 1; n <= 4; ++n) numbers.emplace_back("curvature_moment_" + std::to_string(n), p.curvature_moment(n));
+    if (const auto& s = source.statistics)
+        numbers.insert(numbers.end(), {{"rms_height_m", s->rms_height},
+                                       {"rms_slope", s->rms_slope},
+                                       {"rms_curvature_per_m", s->rms_curvature},
+                                       {"rho1", s->rho1},
+                                       {"rho2", s->rho2},
+                                       {"counted_peak_ratio", s->counted_peak_ratio},
+                                       {"peaks_per_m", s->peaks_per_length}});
+    return numbers;
+}
+
+/// The points of --heights FROM,TO,COUNT, within which the density is a normal number.
+std::vector<double> parse_heights(const std::string& text) {
+    constexpr double farthest = 30;
+    constexpr int most = 100000;
+    const auto refuse = [&] {
+        return Usage("--heights = \"" + text +
+                     "\": must be FROM,TO,COUNT with -30 <= FROM < TO <= 30 and a COUNT from 2 to 100000");
+    };
+    std::vector<double> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, ',');) {
+        try {
+            parts.push_back(io::parse_number(part, "--heights"));
+        } catch (const domain_error&) {
+            throw refuse();
+        }
+    }
+    if (parts.size() != 3 || !(parts[0] < parts[1]) || parts[0] < -farthest || parts[1] > farthest || parts[2] < 2 ||
+        parts[2] > most || parts[2] != std::floor(parts[2]))
+        throw refuse();
+    std::vector<double> heights;
+    for (double i = 0; i < parts[2]; ++i) {
+        const double share = i / (parts[2] - 1);
+        heights.push_back((1 - share) * parts[0] + share * parts[1]);
+    }
+    return heights;
+}
+
+std::string csv(const Source& source, const std::vector<double>& heights) {
+    std::vector<std::string> names, cells;
+    if (heights.empty()) {
+        for (const auto& [name, value] : moments(source)) {
+            names.push_back(name);
+            cells.push_back(exact(value));
+        }
+        return csv_line(names) + csv_line(cells);
+    }
+    std::string text = csv_line({"r", "theta", "height", "density"});
+    for (const double zeta : heights)
+        text += csv_line({exact(source.density.r()), exact(source.density.theta()), exact(zeta),
+                          exact(source.density.height_marginal(zeta))});
+    return text;
+}
+
+std::string json(const Options& options, const Source& source, const std::vector<double>& heights) {
+    Json document = json_document("peaks");
+    document["from"] = source.from;
+    document["equations"] = {{"density", "(4.4)"}, {"peak_ratio", "(4.3)"}};
+    if (source.measured) {
+        document["source"] = json_source(options.profile, *source.measured);
+        document["points"] = source.measured->record.points;
+        document["spacing_m"] = json_number(source.measured->profile.spacing);
+        document["detrend"] = options.profile.form;
+    }
+    for (const auto& [name, value] : moments(source)) document[name] = json_number(value);
+    if (!heights.empty()) {
+        Json zeta = Json::array(), density = Json::array();
+        for (const double height : heights) {
+            zeta.push_back(json_number(height));
+            density.push_back(json_number(source.density.height_marginal(height)));
+        }
+        document["heights"] = {{"height", zeta}, {"density", density}};
+    }
+    return json_text(document);
+}
+
+std::string table(const Options& options, const Source& source, const std::vector<double>& heights) {
+    const auto& p = source.density;
+    std::string text = "fstiff " FSTIFF_VERSION ": peak density (4.4) from " + source.from;
+    if (source.measured) {
+        text += " " + display_name(options.profile.file) + "\n";
+        for (const std::string& decision : source.measured->record.sentences())
+            text += "  file              " + decision + "\n";
+        text += "  form removed      " + options.profile.form + "; Rq " +
+                rounded(source.measured->rms_height_as_read * 1e6) + " µm before, " +
+                rounded(source.measured->rms_height * 1e6) + " µm after";
+    }
+    text += "\n  r, theta          " + rounded(p.r(), 6) + ", " + rounded(p.theta(), 6) + " rad\n";
+    text += "  peaks/ordinates   " + rounded(p.peak_ratio(), 6) + " (4.3)";
+    if (const auto& s = source.statistics) text += ", counted " + rounded(s->counted_peak_ratio, 6);
+    text += "\n  peak height       mean " + rounded(p.mean_height()) + ", variance " + rounded(p.height_variance()) +
+            ", skewness " + rounded(p.height_skewness()) + ", kurtosis " + rounded(p.height_kurtosis(), 6) +
+            " (in rms heights)\n";
+    text += "  peak curvature    E t^n, n = 1 to 4: ";
+    for (int n = 1; n <= 4; ++n) text += (n > 1 ? ", " : "") + rounded(p.curvature_moment(n), 6);
+    text += " (in rms curvatures)\n";
+    if (const auto& s = source.statistics) {
+        text += "  ordinates         rms height " + rounded(s->rms_height * 1e6) + " µm, rms slope " +
+                rounded(s->rms_slope) + ", rms curvature " + rounded(s->rms_curvature * 1e-6) + " /µm, rho1 " +
+                rounded(s->rho1, 6) + ", rho2 " + rounded(s->rho2, 6) + "\n";
+    }
+    if (!heights.empty()) {
+        TextTable rows({"height", "density"});
+        for (const double height : heights) rows.add({rounded(height), rounded(p.height_marginal(height), 6)});
+        text += "\n" + rows.str();
+    }
+    return text;
+}
+
+Report execute(const Options& options) {
+    const auto heights = options.heights.empty() ? std::vector<double>{} : parse_heights(options.heights);
+    const Source source = choose(options);
+    Report report;
+    report.document = options.output.format == Format::csv    ? csv(source, heights)
+                      : options.output.format == Format::json ? json(options, source, heights)
+                                                              : table(options, source, heights);
+    return report;
+}
+
+}  // namespace
+
+Command add_peaks(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("peaks", "Density of peak heights and curvatures: parameters, moments, height marginal");
+    command->add_option("--r", options->r, "r of the density (4.4), with --theta: at least 0 and less than 1");
+    command->add_option("--theta", options->theta, "angle: a number of radians, \"pi/4\" or \"45 deg\"");
+    command->add_flag("--exponential", options->exponential, "r from --theta as for an exponential autocorrelation");
+    command->add_option("--rho1", options->rho1, "autocorrelation at one sampling step, with --rho2");
+    command->add_option("--rho2", options->rho2, "autocorrelation at two sampling steps");
+    command->add_option("--profile", options->profile.file, "measured profile, delimited text; - is standard input");
+    add_profile_options(*command, options->profile);
+    command->add_option("--heights", options->heights,
+                        "FROM,TO,COUNT: table of the density of the height alone (Fig. 2)");
+    add_output_options(*command, options->output);
+    command->footer(
+        "Heights are in rms heights, curvatures in rms curvatures of the ordinates.\n"
+        "Example:\n  fstiff peaks --r 0.5 --theta pi/3 --heights=-4,4,9");
+    return {command, &options->output, [options] { return execute(*options); }};
+}
+
+}  // namespace fstiff::cli

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff run: a scene to its curves, one per law and peak density.
+#include "builtin_scene.hpp"
+#include "commands.hpp"
+#include "scene.hpp"
+
+#include <fstiff/asperity/laws.hpp>
+#include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/validity.hpp>
+#include <fstiff/core/version.hpp>
+#include <fstiff/peaks/peak_density.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace fstiff::cli {
+namespace {
+
+struct Options {
+    OutputOptions output;
+    std::string scene;
+};
+
+/// One law on one peak density, at every point of the scene.
+struct Curve {
+    Law law;
+    std::optional<double> theta, r;      // none: Greenwood-Williamson
+    std::optional<double> rms_gradient;  // of the surface, for p*
+    std::vector<ContactState<double>> states;
+};
+
+struct Results {
+    double modulus = 0;  // effective [Pa]
+    std::optional<double> plasticity_index;
+    std::vector<Curve> curves;
+    std::vector<std::string> warnings;
+    Status status = success;
+};
+
+Quantity wanted(const Scene& scene) {
+    Quantity set = Quantity::pressure;
+    if (scene.stiffness) set = set | Quantity::stiffness;
+    if (scene.real_area) set = set | Quantity::real_area;
+    if (scene.contacts) set = set | Quantity::contacts;
+    return set;
+}
+
+template <class Contact>
+void fill(Curve& curve, const Scene& scene, const Contact& contact) {
+    for (const double point : scene.points) {
+        try {
+            curve.states.push_back(scene.at_separations ? contact.at_separation(point, wanted(scene))
+                                                        : contact.at_pressure(point, wanted(scene)));
+        } catch (const domain_error& error) {
+            throw domain_error(scene.points_where + "law " + std::string(name_of(curve.law)) + ": " + error.what());
+        }
+        const ContactState<double>& state = curve.states.back();
+        for (const Estimate<double>* value :
+             {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction, &state.contact_density})
+            if (!std::isfinite(value->value) || !std::isfinite(value->error))
+                throw domain_error(
+                    scene.points_where + "law " + std::string(name_of(curve.law)) + ": a result for " +
+                    shortest(point) +
+                    " is beyond the range of double precision; the values of the scene must be less extreme");
+        if (!scene.at_separations) curve.states.back().pressure.value = point;  // as asked for, to the last digit
+    }
+}
+
+Interaction<double> interaction(const Scene& scene) {
+    Interaction<double> result;
+    result.reading = scene.reading == Reading::effective_separation ? InteractionReading::effective_separation
+                     : scene.reading == Reading::as_printed         ? InteractionReading::as_printed
+                                                                    : InteractionReading::none;
+    if (result.reading != InteractionReading::none)
+        result.length = scene.length == InteractionLength::nominal        ? std::sqrt(*scene.nominal_area)
+                        : scene.length == InteractionLength::peak_spacing ? 1 / std::sqrt(scene.surface.peak_density)
+                                                                          : scene.given_length;
+    return result;
+}
+
+PeakDensity<double> peak_density(const Peaks& peaks) {
+    try {
+        return peaks.r ? PeakDensity<double>(*peaks.r, peaks.theta) : PeakDensity<double>::exponential(peaks.theta);
+    } catch (const domain_error& error) {
+        throw domain_error(peaks.where + error.what());
+    }
+}
+
+Curve compute(const Scene& scene, Law law, const PeakDensity<double>& peaks, double modulus) {
+    Curve curve{law, peaks.theta(), peaks.r(), rms_gradient(scene.surface, peaks), {}};
+    RoughContactOptions<double> options;
+    options.interaction = interaction(scene);
+    const auto with = [&](const auto& asperity) {
+        fill(curve, scene, RoughContact(scene.surface, peaks, asperity, modulus, options));
+    };
+    if (law == Law::fractal)
+        with(FractalLaw<double>(*scene.fractal_dimension));
+    else if (law == Law::fractal_consistent)
+        with(FractalConsistentLaw<double>(*scene.fractal_dimension));
+    else
+        with(HertzLaw<double>{});
+    return curve;
+}
+
+/// "from 3e+06 Pa on" for the first point of a curve where \p doubtful holds.
+template <class Test>
+std::optional<std::size_t> first(const Curve& curve, const Test& doubtful) {
+    const auto found = std::find_if(curve.states.begin(), curve.states.end(), doubtful);
+    return found == curve.states.end() ? std::nullopt
+                                       : std::optional(static_cast<std::size_t>(found - curve.states.begin()));
+}
+
+std::string title(const Curve& curve) {
+    std::string text(name_of(curve.law));
+    if (curve.theta) text += ", theta = " + rounded(*curve.theta) + ", r = " + rounded(*curve.r);
+    return text;
+}
+
+/// A warning for all curves that have a point where \p doubtful holds; \p text begins the sentence.
+template <class Test>
+void warn_if_any(Results& results, const std::string& text, const Test& doubtful) {
+    std::size_t count = 0;
+    std::string where;
+    for (const Curve& curve : results.curves) {
+        const auto point = first(curve, [&](const ContactState<double>& state) { return doubtful(curve, state); });
+        if (point && count++ == 0)
+            where = title(curve) + " at p = " + rounded(curve.states[*point].pressure.value / 1e6) + " MPa";
+    }
+    if (count > 0)
+        results.warnings.push_back(text + " (" + std::to_string(count) + " of " +
+                                   std::to_string(results.curves.size()) + " curves, the first " + where + ")");
+}
+
+void add_warnings(const Scene& scene, Results& results) {
+    using State = ContactState<double>;
+    if (results.plasticity_index && *results.plasticity_index > 1)
+        results.warnings.push_back("plasticity index " + rounded(*results.plasticity_index, 3) +
+                                   " is above 1: the peaks yield at first loading; an elastic K is that of unloading");
+    if (const double product = scene.surface.rms_height * scene.surface.peak_radius * scene.surface.peak_density;
+        product < minimum_gaussian_product<double>)
+        results.warnings.push_back(
+            "sigma R D_p = " + rounded(product, 3) + " is below " + rounded(minimum_gaussian_product<double>, 3) +
+            ", the least of an isotropic Gaussian surface: R and D_p are those of islands, not of summits");
+    warn_if_any(results, "p* is above 0.01: asperities that do not feel one another give too small a K there",
+                [&](const Curve& curve, const State& state) {
+                    return curve.rms_gradient &&
+                           dimensionless_pressure(state.pressure.value, results.modulus, *curve.rms_gradient) >
+                               largest_dimensionless_pressure<double>;
+                });
+    warn_if_any(results, "the separation is below 0: the mean planes have passed each other",
+                [](const Curve&, const State& state) { return state.separation.value < 0; });
+    if (scene.surface.max_peak_height > 0)
+        warn_if_any(
+            results, "the separation is above the highest peak: real surfaces do not touch there",
+            [&](const Curve&, const State& state) { return state.separation.value > scene.surface.max_peak_height; });
+    if (scene.contacts && scene.nominal_area)
+        warn_if_any(
+            results, "fewer than 10 contacts on the nominal area: a mean over peaks says little there",
+            [&](const Curve&, const State& state) { return state.contact_density.value * *scene.nominal_area < 10; });
+    if (scene.reading != Reading::none &&
+        std::count(scene.laws.begin(), scene.laws.end(), Law::greenwood_williamson) > 0)
+        results.warnings.push_back("interaction is not applied to greenwood_williamson");
+
+    const std::size_t before = results.warnings.size();
+    if (scene.real_area)
+        warn_if_any(results, "the real area exceeds the nominal area: the model does not hold there",
+                    [](const Curve&, const State& state) { return state.real_area_fraction.value > 1; });
+    if (scene.stiffness)
+        warn_if_any(results, "the stiffness has an error above 1e-6 of its size: the integrals did not converge there",
+                    [](const Curve&, const State& state) {
+                        return state.stiffness.error >
+                               std::max(1e-6 * state.stiffness.value, std::numeric_limits<double>::min());
+                    });
+    if (results.warnings.size() > before) results.status = doubtful_result;
+}
+
+Results compute(const Scene& scene) {
+    Results results;
+    results.modulus = effective_modulus(scene.upper, scene.lower);
+    if (scene.yield_strength)
+        results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
+    for (const Law law : scene.laws) {
+        if (law == Law::greenwood_williamson) {
+            Curve curve{law, {}, {}, {}, {}};
+            fill(curve, scene, GreenwoodWilliamson<double>(scene.surface, results.modulus));
+            results.curves.push_back(std::move(curve));
+            continue;
+        }
+        for (const Peaks& peaks : scene.peaks)
+            results.curves.push_back(compute(scene, law, peak_density(peaks), results.modulus));
+    }
+    add_warnings(scene, results);
+    return results;
+}
+
+/// The machine-readable columns of one row; law, theta and r stand before them.
+std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const ContactState<double>& state) {
+    std::vector<std::pair<std::string, double>> row{{"pressure_Pa", state.pressure.value}, {"eta", state.eta}};
+    if (scene.separation) row.emplace_back("separation_m", state.separation.value);
+    if (scene.stiffness) {
+        row.emplace_back("stiffness_Pa_per_m", state.stiffness.value);
+        row.emplace_back("stiffness_error_Pa_per_m", state.stiffness.error);
+    }
+    if (scene.real_area) row.emplace_back("real_area_fraction", state.real_area_fraction.value);
+    if (scene.contacts) row.emplace_back("contacts_per_m2", state.contact_density.value);
+    return row;
+}
+
+std::string csv(const Scene& scene, const Results& results) {
+    std::vector<std::string> header{"law", "theta", "r"};
+    for (const auto& [name, value] : numbers(scene, {})) header.push_back(name);
+    std::string text = csv_line(header);
+    for (const Curve& curve : results.curves)
+        for (const auto& state : curve.states) {
+            std::vector<std::string> cells{std::string(name_of(curve.law)), curve.theta ? exact(*curve.theta) : "",
+                                           curve.r ? exact(*curve.r) : ""};
+            for (const auto& [name, value] : numbers(scene, state)) cells.push_back(exact(value));
+            text += csv_line(cells);
+        }
+    return text;
+}
+
+Json equations(Law law) {
+    switch (law) {
+        case Law::fractal:
+            return {{"load", "(3.7)"}, {"stiffness", "(3.14), (4.9)"}, {"peaks", "(4.4)"}};
+        case Law::fractal_consistent:
+            return {{"load", "integral of (3.14)"}, {"stiffness", "(3.14), (4.9)"}, {"peaks", "(4.4)"}};
+        case Law::hertz:
+            return {{"load", "(3.7)"}, {"stiffness", "derivative of (3.7)"}, {"peaks", "(4.4)"}};
+        case Law::greenwood_williamson:
+            return {{"load", "(3.7)"}, {"stiffness", "derivative of (3.7)"}, {"peaks", "Gaussian, one radius"}};
+    }
+    return {};
+}
+
+std::string json(const Scene& scene, const Results& results) {
+    Json document = json_document("run");
+    document["scene"] = {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}};
+    Json& inputs = document["inputs"] = Json::object();
+    for (const Input& input : scene.inputs) {
+        Json& entry = inputs[input.key] = {{"written", input.written}};
+        if (input.value) entry["value"] = json_number(*input.value);
+        if (!input.unit.empty()) entry["unit"] = input.unit;
+    }
+    document["effective_modulus_Pa"] = json_number(results.modulus);
+    if (results.plasticity_index) document["plasticity_index"] = json_number(*results.plasticity_index);
+    Json& laws = document["laws"] = Json::object();
+    for (const Law law : scene.laws) laws[std::string(name_of(law))] = equations(law);
+    Json& rows = document["rows"] = Json::array();
+    for (const Curve& curve : results.curves)
+        for (const auto& state : curve.states) {
+            Json row{{"law", name_of(curve.law)}};
+            if (curve.theta) row["theta"] = json_number(*curve.theta);
+            if (curve.r) row["r"] = json_number(*curve.r);
+            for (const auto& [name, value] : numbers(scene, state)) row[name] = json_number(value);
+            rows.push_back(std::move(row));
+        }
+    document["warnings"] = results.warnings;
+    return json_text(document);
+}
+
+std::string table(const Scene& scene, const Results& results) {
+    const auto& s = scene.surface;
+    std::string text = "fstiff " FSTIFF_VERSION ": " + scene.name + " (" + scene.file + ")\n";
+    text += "  surface   sigma " + rounded(s.rms_height * 1e6) + " µm, R " + rounded(s.peak_radius * 1e6) +
+            " µm, D_p " + rounded(s.peak_density * 1e-6) + " /mm²";
+    if (s.max_peak_height > 0) text += ", R_p " + rounded(s.max_peak_height * 1e6) + " µm";
+    if (scene.fractal_dimension) text += ", D " + rounded(*scene.fractal_dimension);
+    if (scene.fractal_roughness) text += ", G " + rounded(*scene.fractal_roughness) + " m";
+    const auto material = [](const Material<double>& m) {
+        return rounded(m.youngs_modulus / 1e9) + " GPa, nu " + rounded(m.poisson_ratio);
+    };
+    text += "\n  material  upper " + material(scene.upper) + "; lower " + material(scene.lower) +
+            "; effective modulus " + rounded(results.modulus / 1e9) + " GPa";
+    if (scene.yield_strength) text += "; yield strength " + rounded(*scene.yield_strength / 1e6) + " MPa";
+    text += "\n  contact   ";
+    if (scene.nominal_area) text += "nominal area " + rounded(*scene.nominal_area * 1e6) + " mm², ";
+    const auto how = interaction(scene);
+    text += how.reading == InteractionReading::none
+                ? "no interaction"
+                : std::string("interaction ") +
+                      (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
+                      " over " + rounded(how.length * 1e3) + " mm";
+    if (results.plasticity_index) text += ", plasticity index " + rounded(*results.plasticity_index, 3);
+    text += "\n";
+
+    for (const Curve& curve : results.curves) {
+        text += "\n" + title(curve) + "\n";
+        std::vector<std::string> header{"p [MPa]"};
+        if (curve.rms_gradient) header.push_back("p*");
+        header.push_back("eta");
+        if (scene.separation) header.push_back("separation [µm]");
+        if (scene.stiffness) header.insert(header.end(), {"K/A0 [GPa/µm]", "K/A0 [Pa/m]", "error [Pa/m]"});
+        if (scene.real_area) header.insert(header.end(), {"real area", "mean pressure [GPa]"});
+        if (scene.contacts) header.push_back("contacts [1/mm²]");
+        TextTable rows(header);
+        for (const auto& state : curve.states) {
+            std::vector<std::string> row{rounded(state.pressure.value / 1e6)};
+            if (curve.rms_gradient)
+                row.push_back(
+                    rounded(dimensionless_pressure(state.pressure.value, results.modulus, *curve.rms_gradient), 3));
+            row.push_back(rounded(state.eta));
+            if (scene.separation) row.push_back(rounded(state.separation.value * 1e6));
+            if (scene.stiffness)
+                row.insert(row.end(), {rounded(state.stiffness.value / 1e15), rounded(state.stiffness.value, 6),
+                                       rounded(state.stiffness.error, 2)});
+            if (scene.real_area) {
+                const double area = state.real_area_fraction.value;
+                row.insert(row.end(), {rounded(area), area > 0 ? rounded(state.pressure.value / area / 1e9) : "-"});
+            }
+            if (scene.contacts) row.push_back(rounded(state.contact_density.value * 1e-6));
+            rows.add(std::move(row));
+        }
+        text += rows.str();
+    }
+    if (scene.stiffness || scene.real_area) text += "\n";
+    if (scene.stiffness) text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
+    if (scene.real_area) text += "mean pressure is that on the real area\n";
+    for (const std::string& warning : results.warnings) text += "warning: " + warning + "\n";
+    return text;
+}
+
+Report execute(const Options& options) {
+    const Scene scene = options.scene.empty() ? parse_scene(builtin_scene, "built-in scene")
+                                              : parse_scene(read_all(options.scene), display_name(options.scene));
+    const Results results = compute(scene);
+    Report report;
+    report.status = results.status;
+    if (options.output.format == Format::table) {
+        report.document = table(scene, results);
+    } else {
+        report.document = options.output.format == Format::csv ? csv(scene, results) : json(scene, results);
+        for (const std::string& warning : results.warnings) report.diagnostics.push_back("warning: " + warning);
+    }
+    return report;
+}
+
+}  // namespace
+
+Command add_run(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("run", "Stiffness, separation and real area of a scene against pressure");
+    command->add_option(
+        "scene", options->scene,
+        "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper");
+    add_output_options(*command, options->output);
+    command->footer(
+        "The keys of a scene are in docs/scene.md. Exit code 4: a real area above the nominal one, or no convergence.\n"
+        "Example:\n  fstiff run --format csv");
+    return {command, &options->output, [options] { return execute(*options); }};
+}
+
+}  // namespace fstiff::cli

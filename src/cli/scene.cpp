@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.hpp"
+
+#include "output.hpp"
+#include "sha256.hpp"
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/io/quantity.hpp>
+#include <fstiff/surface/fractal.hpp>
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+#include <string_view>
+
+namespace fstiff::cli {
+namespace {
+
+using io::Dimension;
+
+constexpr std::array<std::pair<std::string_view, Law>, 4> law_names{
+    {{"fractal", Law::fractal},
+     {"fractal_consistent", Law::fractal_consistent},
+     {"hertz", Law::hertz},
+     {"greenwood_williamson", Law::greenwood_williamson}}};
+
+std::string_view si_unit(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::length:
+            return "m";
+        case Dimension::area:
+            return "m^2";
+        case Dimension::inverse_area:
+            return "1/m^2";
+        case Dimension::pressure:
+            return "Pa";
+        case Dimension::angle:
+            return "rad";
+        default:
+            return "";
+    }
+}
+
+/// A quantity as an example of how to write one.
+std::string_view example(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::area:
+            return "195 mm^2";
+        case Dimension::inverse_area:
+            return "500 /mm^2";
+        case Dimension::pressure:
+            return "10 MPa";
+        default:
+            return "0.8 um";
+    }
+}
+
+/// The text of a value for messages and for the echo of the inputs.
+std::string written(const toml::node& node) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* number = node.as_floating_point())
+        return std::isfinite(number->get()) ? shortest(number->get()) : std::isnan(number->get()) ? "nan" : "inf";
+    if (const auto* number = node.as_integer()) return std::to_string(number->get());
+    if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
+    if (node.is_array()) return node.as_array()->empty() ? "[]" : "[...]";
+    if (node.is_table()) return "{...}";
+    return "a date or a time";
+}
+
+/// What all parts of one scene share: where it stands for messages, and the record of its inputs.
+struct Source {
+    std::string file;
+    std::vector<Input> inputs;
+
+    std::string at(const toml::node& node) const {
+        const auto line = node.source().begin.line;
+        return line > 0 ? file + ":" + std::to_string(line) : file;
+    }
+    [[noreturn]] void refuse(const toml::node& node, const std::string& key, const std::string& reason) const {
+        const std::string value = node.is_string() ? "\"" + written(node) + "\"" : written(node);
+        throw domain_error(at(node) + ": " + key + " = " + value + ": " + reason);
+    }
+    /// Runs a check or a reader of the library and puts the place before what it throws.
+    template <class Call>
+    auto located(const toml::node& node, const Call& call) const {
+        try {
+            return call();
+        } catch (const domain_error& error) {
+            throw domain_error(at(node) + ": " + error.what());
+        }
+    }
+    void record(std::string key, std::string text, std::optional<double> value = {}, std::string_view unit = {}) {
+        inputs.push_back({std::move(key), std::move(text), value, std::string(unit)});
+    }
+
+    double quantity(const toml::node& node, const std::string& key, Dimension dimension) {
+        if (node.is_number())
+            refuse(node, key,
+                   "a number without a unit; write it as a text such as \"" + std::string(example(dimension)) + "\"");
+        if (!node.is_string()) refuse(node, key, "must be a text such as \"" + std::string(example(dimension)) + "\"");
+        const double value = located(node, [&] { return io::parse_quantity(written(node), dimension, key); });
+        record(key, written(node), value, si_unit(dimension));
+        return value;
+    }
+    double positive(const toml::node& node, const std::string& key, Dimension dimension) {
+        const double value = quantity(node, key, dimension);
+        if (!(value > 0) || !std::isfinite(value)) refuse(node, key, "must be finite and greater than 0");
+        return value;
+    }
+    double number(const toml::node& node, const std::string& key) {
+        if (!node.is_number()) refuse(node, key, "must be a plain number");
+        const double value = *node.value<double>();
+        if (!std::isfinite(value)) refuse(node, key, "must be a finite number");
+        record(key, written(node), value);
+        return value;
+    }
+    std::string text(const toml::node& node, const std::string& key) {
+        if (!node.is_string()) refuse(node, key, "must be a text in quotation marks");
+        record(key, written(node));
+        return written(node);
+    }
+    /// One of \p allowed, by its place in that list.
+    std::size_t choice(const toml::node& node, const std::string& key, std::span<const std::string_view> allowed) {
+        const auto found = std::find(allowed.begin(), allowed.end(), node.is_string() ? written(node) : "");
+        if (found == allowed.end()) refuse(node, key, "must be one of " + list_of(allowed));
+        record(key, written(node));
+        return static_cast<std::size_t>(found - allowed.begin());
+    }
+    /// A non-empty list of choices, none twice.
+    std::vector<std::size_t> choices(const toml::node& node, const std::string& key,
+                                     std::span<const std::string_view> allowed) {
+        if (!node.is_array() || node.as_array()->empty())
+            refuse(node, key, "must be a list of one or more of " + list_of(allowed));
+        std::vector<std::size_t> chosen;
+        for (std::size_t i = 0; i < node.as_array()->size(); ++i) {
+            const toml::node& item = (*node.as_array())[i];
+            const std::string item_key = key + "[" + std::to_string(i) + "]";
+            chosen.push_back(choice(item, item_key, allowed));
+            if (std::count(chosen.begin(), chosen.end(), chosen.back()) > 1)
+                refuse(item, item_key, "is there twice; each may be named once");
+        }
+        return chosen;
+    }
+};
+
+/// A table of the scene with the path of its keys; a key outside \p valid is refused with the list of them.
+class Section {
+public:
+    Section(Source& source, const toml::table& table, std::string path, std::initializer_list<std::string_view> valid)
+        : source_(source), table_(table), path_(std::move(path)) {
+        for (const auto& [key, node] : table)
+            if (std::find(valid.begin(), valid.end(), key.str()) == valid.end())
+                throw domain_error(source.at(node) + ": " + this->key(key.str()) + ": unknown key; valid keys" +
+                                   (path_.empty() ? "" : " of " + path_) + " are " +
+                                   list_of({valid.begin(), valid.size()}));
+    }
+    std::string key(std::string_view name) const { return (path_.empty() ? "" : path_ + ".") + std::string(name); }
+    /// The place of the section itself, for messages.
+    const toml::node& node() const { return table_; }
+    const toml::node* find(std::string_view name) const { return table_.get(name); }
+    const toml::node& at(std::string_view name, const std::string& why = "is missing; the scene needs it") const {
+        if (const auto* found = find(name)) return *found;
+        throw domain_error((path_.empty() ? source_.file : source_.at(table_)) + ": " + key(name) + ": " + why);
+    }
+    const toml::table& subtable(std::string_view name) const {
+        const toml::node& found = at(name, "is missing; the scene needs this section");
+        if (!found.is_table()) source_.refuse(found, key(name), "must be a section of keys");
+        return *found.as_table();
+    }
+
+    double positive(std::string_view name, Dimension dimension) const {
+        return source_.positive(at(name), key(name), dimension);
+    }
+    std::optional<double> optional_positive(std::string_view name, Dimension dimension) const {
+        return find(name) ? std::optional(positive(name, dimension)) : std::nullopt;
+    }
+
+private:
+    Source& source_;
+    const toml::table& table_;
+    std::string path_;
+};
+
+Material<double> read_material(Source& source, const Section& body, std::optional<double>& yield_strength) {
+    Material<double> material{};
+    material.youngs_modulus = body.positive("youngs_modulus", Dimension::pressure);
+    const toml::node& nu = body.at("poisson_ratio");
+    material.poisson_ratio = source.number(nu, body.key("poisson_ratio"));
+    try {
+        (void)effective_modulus(material, material);
+    } catch (const domain_error& error) {
+        throw domain_error(source.at(nu) + ": " + body.key(error.what()));
+    }
+    if (const auto yield = body.optional_positive("yield_strength", Dimension::pressure))
+        yield_strength = yield_strength ? std::min(*yield_strength, *yield) : *yield;
+    return material;
+}
+
+void read_materials(Source& source, const toml::table& table, Scene& scene) {
+    const Section material(source, table, "material", {"upper", "lower"});
+    const std::initializer_list<std::string_view> keys{"youngs_modulus", "poisson_ratio", "yield_strength"};
+    scene.upper = read_material(source, Section(source, material.subtable("upper"), "material.upper", keys),
+                                scene.yield_strength);
+    scene.lower = material.find("lower")
+                      ? read_material(source, Section(source, material.subtable("lower"), "material.lower", keys),
+                                      scene.yield_strength)
+                      : scene.upper;
+    if (!material.find("lower")) source.record("material.lower", "as material.upper (default)");
+}
+
+void read_surface(Source& source, const toml::table& table, Scene& scene) {
+    const Section surface(
+        source, table, "surface",
+        {"rms_height", "peak_radius", "peak_density", "max_peak_height", "fractal_dimension", "fractal_roughness"});
+    scene.surface.rms_height = surface.positive("rms_height", Dimension::length);
+    scene.surface.peak_radius = surface.positive("peak_radius", Dimension::length);
+    scene.surface.peak_density = surface.positive("peak_density", Dimension::inverse_area);
+    scene.surface.max_peak_height = surface.optional_positive("max_peak_height", Dimension::length).value_or(0);
+    if (const auto* node = surface.find("fractal_dimension")) {
+        const double dimension = source.number(*node, surface.key("fractal_dimension"));
+        try {
+            require_fractal_dimension(dimension);
+        } catch (const domain_error& error) {
+            throw domain_error(source.at(*node) + ": " + surface.key(error.what()));
+        }
+        scene.fractal_dimension = dimension;
+    }
+    scene.fractal_roughness = surface.optional_positive("fractal_roughness", Dimension::length);
+}
+
+/// A list of quantities, or { from, to, count, spacing }. Pressures are positive; separations may have either sign.
+std::vector<double> read_points(Source& source, const toml::node& node, const std::string& key, Dimension dimension) {
+    const bool pressures = dimension == Dimension::pressure;
+    const auto one = [&](const toml::node& item, const std::string& item_key) {
+        return pressures ? source.positive(item, item_key, dimension) : source.quantity(item, item_key, dimension);
+    };
+    if (const auto* list = node.as_array()) {
+        if (list->empty()) source.refuse(node, key, "is an empty list; at least one value is needed");
+        std::vector<double> points;
+        for (std::size_t i = 0; i < list->size(); ++i)
+            points.push_back(one((*list)[i], key + "[" + std::to_string(i) + "]"));
+        return points;
+    }
+    if (!node.is_table())
+        source.refuse(node, key, "must be a list of quantities or a table { from, to, count, spacing }");
+
+    constexpr long long most = 100000;
+    constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
+    const Section range(source, *node.as_table(), key, {"from", "to", "count", "spacing"});
+    const double from = one(range.at("from"), range.key("from"));
+    const double to = one(range.at("to"), range.key("to"));
+    const toml::node& count_node = range.at("count");
+    const auto* count = count_node.as_integer();
+    if (!count || count->get() < 2 || count->get() > most)
+        source.refuse(count_node, range.key("count"), "must be a whole number from 2 to " + std::to_string(most));
+    source.record(range.key("count"), written(count_node), static_cast<double>(count->get()));
+    if (!(from < to)) source.refuse(range.at("to"), range.key("to"), "must be greater than " + range.key("from"));
+    const bool log =
+        range.find("spacing") ? source.choice(*range.find("spacing"), range.key("spacing"), spacings) == 0 : pressures;
+    if (!range.find("spacing")) source.record(range.key("spacing"), std::string(spacings[log ? 0 : 1]) + " (default)");
+    if (log && !(from > 0))
+        source.refuse(range.at("from"), range.key("from"), "must be greater than 0 for spacing = \"log\"");
+
+    std::vector<double> points;
+    const auto last = static_cast<double>(count->get() - 1);
+    for (double i = 0; i <= last; ++i) {
+        const double share = i / last;
+        points.push_back(log ? std::exp((1 - share) * std::log(from) + share * std::log(to))
+                             : (1 - share) * from + share * to);
+    }
+    points.front() = from;
+    points.back() = to;
+    return points;
+}
+
+Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path) {
+    if (!node.is_table())
+        source.refuse(node, path, "must be a table such as { theta = \"pi/4\", r = \"exponential\" }");
+    const Section section(source, *node.as_table(), path, {"theta", "r"});
+    Peaks peaks;
+    peaks.where = source.at(node) + ": " + path + ".";
+
+    const toml::node& theta = section.at("theta");
+    if (theta.is_string()) {
+        peaks.theta = source.located(theta, [&] { return io::parse_angle(written(theta), section.key("theta")); });
+        source.record(section.key("theta"), written(theta), peaks.theta, "rad");
+    } else {
+        if (!theta.is_number())
+            source.refuse(theta, section.key("theta"),
+                          "must be a number of radians or a text such as \"pi/4\" or \"45 deg\"");
+        peaks.theta = source.number(theta, section.key("theta"));
+        source.inputs.back().unit = "rad";
+    }
+    const toml::node& r = section.at("r");
+    if (r.is_string() && written(r) == "exponential")
+        source.record(section.key("r"), written(r));
+    else if (!r.is_number())
+        source.refuse(r, section.key("r"), "must be a number or \"exponential\"");
+    else
+        peaks.r = source.number(r, section.key("r"));
+    return peaks;
+}
+
+void read_interaction(Source& source, const Section& contact, Scene& scene) {
+    const toml::node* node = contact.find("interaction");
+    const std::string key = contact.key("interaction");
+    const std::string allowed =
+        "must be \"none\" or a table such as { reading = \"effective_separation\", length = \"nominal\" }";
+    if (!node) return source.record(key, "none (default)");
+    if (node->is_string()) {
+        if (written(*node) != "none") source.refuse(*node, key, allowed);
+        return source.record(key, "none");
+    }
+    if (!node->is_table()) source.refuse(*node, key, allowed);
+    const Section table(source, *node->as_table(), key, {"reading", "length"});
+    constexpr std::array<std::string_view, 3> readings{"none", "effective_separation", "as_printed"};
+    scene.reading = static_cast<Reading>(source.choice(table.at("reading"), table.key("reading"), readings));
+
+    const toml::node* length = table.find("length");
+    const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
+    if (text == "nominal" || text == "peak_spacing") {
+        scene.length = text == "nominal" ? InteractionLength::nominal : InteractionLength::peak_spacing;
+        source.record(table.key("length"), length ? text : "nominal (default)");
+    } else {
+        scene.length = InteractionLength::given;
+        scene.given_length = source.positive(*length, table.key("length"), Dimension::length);
+    }
+    if (scene.reading != Reading::none && scene.length == InteractionLength::nominal && !scene.nominal_area)
+        throw domain_error(source.at(*node) + ": " + contact.key("nominal_area") +
+                           ": is missing; interaction length \"nominal\" is its square root");
+}
+
+void read_contact(Source& source, const toml::table& table, Scene& scene) {
+    const Section contact(source, table, "contact",
+                          {"nominal_area", "pressures", "separations", "laws", "peaks", "interaction"});
+    scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
+
+    const toml::node* pressures = contact.find("pressures");
+    const toml::node* separations = contact.find("separations");
+    if (pressures && separations)
+        throw domain_error(source.at(*separations) + ": " + contact.key("separations") +
+                           ": must not stand beside contact.pressures; give one of the two");
+    scene.at_separations = separations != nullptr;
+    const std::string key = contact.key(separations ? "separations" : "pressures");
+    if (separations)
+        scene.points = read_points(source, *separations, key, Dimension::length);
+    else if (pressures)
+        scene.points = read_points(source, *pressures, key, Dimension::pressure);
+    else
+        contact.at("pressures", "is missing; the scene needs contact.pressures or contact.separations");
+    scene.points_where = source.at(separations ? *separations : *pressures) + ": " + key + ": ";
+
+    std::array<std::string_view, law_names.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = law_names[i].first;
+    if (const auto* laws = contact.find("laws")) {
+        for (const auto i : source.choices(*laws, contact.key("laws"), names))
+            scene.laws.push_back(law_names[i].second);
+    } else {
+        if (scene.fractal_dimension) scene.laws.push_back(Law::fractal);
+        scene.laws.insert(scene.laws.end(), {Law::hertz, Law::greenwood_williamson});
+        source.record(contact.key("laws"), scene.fractal_dimension ? "fractal, hertz, greenwood_williamson (default)"
+                                                                   : "hertz, greenwood_williamson (default)");
+    }
+    for (const Law law : scene.laws)
+        if ((law == Law::fractal || law == Law::fractal_consistent) && !scene.fractal_dimension)
+            throw domain_error(source.at(*contact.find("laws")) + ": surface.fractal_dimension: is missing; law \"" +
+                               std::string(name_of(law)) + "\" needs it");
+
+    if (const auto* peaks = contact.find("peaks")) {
+        if (!peaks->is_array() || peaks->as_array()->empty())
+            source.refuse(*peaks, contact.key("peaks"),
+                          "must be a list of tables such as { theta = \"pi/4\", r = \"exponential\" }");
+        for (std::size_t i = 0; i < peaks->as_array()->size(); ++i)
+            scene.peaks.push_back(
+                read_one_peaks(source, (*peaks->as_array())[i], contact.key("peaks") + "[" + std::to_string(i) + "]"));
+    } else {
+        for (const char* theta : {"pi/4", "pi/3"})
+            scene.peaks.push_back({io::parse_angle(theta, "theta"), std::nullopt, source.file + ": contact.peaks."});
+        source.record(contact.key("peaks"), "theta = pi/4 and pi/3, r = exponential (default)");
+    }
+    read_interaction(source, contact, scene);
+}
+
+void read_output(Source& source, const toml::table* table, Scene& scene) {
+    constexpr std::array<std::string_view, 4> names{"stiffness", "separation", "real_area", "contacts"};
+    const std::array<bool*, 4> flags{&scene.stiffness, &scene.separation, &scene.real_area, &scene.contacts};
+    static const toml::table none;
+    const Section output(source, table ? *table : none, "output", {"quantities"});
+    if (const auto* quantities = output.find("quantities")) {
+        for (const auto i : source.choices(*quantities, output.key("quantities"), names)) *flags[i] = true;
+    } else {
+        for (bool* flag : flags) *flag = true;
+        source.record(output.key("quantities"), "stiffness, separation, real_area, contacts (default)");
+    }
+}
+
+/// TOML allows characters beyond ASCII in quotation marks and comments only; toml++ 3.3 runs into undefined behaviour on some
+/// of them elsewhere, so that a forgotten quotation mark before a µ is told here.
+void refuse_bare_unicode(std::string_view text, const std::string& file) {
+    std::size_t line = 1;
+    std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    const auto step = [&] { line += text[i++] == '\n' ? 1 : 0; };
+    while (i < text.size()) {
+        const char c = text[i];
+        if (c == '#') {
+            while (i < text.size() && text[i] != '\n') ++i;
+        } else if (c == '"' || c == '\'') {
+            const std::string_view mark =
+                text.substr(i, 3) == std::string(3, c) ? text.substr(i, 3) : text.substr(i, 1);
+            i += mark.size();
+            while (i < text.size() && text.substr(i, mark.size()) != mark && (mark.size() == 3 || text[i] != '\n')) {
+                if (c == '"' && text[i] == '\\' && i + 1 < text.size()) step();
+                step();
+            }
+            i = std::min(i + mark.size(), text.size());
+        } else if (static_cast<unsigned char>(c) >= 0x80) {
+            throw domain_error(
+                file + ":" + std::to_string(line) +
+                ": is no TOML: a character beyond ASCII stands outside quotation marks; it must stand inside");
+        } else {
+            step();
+        }
+    }
+}
+
+}  // namespace
+
+std::string_view name_of(Law law) {
+    return std::find_if(law_names.begin(), law_names.end(), [law](const auto& entry) { return entry.second == law; })
+        ->first;
+}
+
+Scene parse_scene(const std::string& text, const std::string& file) {
+    Source source{file, {}};
+    refuse_bare_unicode(text, file);
+    toml::table root;
+    try {
+        root = toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        throw domain_error(file + ":" + std::to_string(error.source().begin.line) +
+                           ": is no TOML: " + std::string(error.description()));
+    }
+    Scene scene;
+    scene.file = file;
+    scene.sha256 = sha256(text);
+
+    const Section top(source, root, "", {"name", "surface", "material", "contact", "output"});
+    if (const auto* name = top.find("name"))
+        scene.name = source.text(*name, "name");
+    else
+        scene.name = std::filesystem::path(file).stem().string();
+    read_surface(source, top.subtable("surface"), scene);
+    read_materials(source, top.subtable("material"), scene);
+    read_contact(source, top.subtable("contact"), scene);
+    read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
+    scene.inputs = std::move(source.inputs);
+    return scene;
+}
+
+}  // namespace fstiff::cli

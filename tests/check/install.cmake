@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs component dev of BUILD under PREFIX and checks that it holds the headers of SOURCE and the package files alone.
+cmake_minimum_required(VERSION 3.25)
+
+file(REMOVE_RECURSE ${PREFIX})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --component dev COMMAND_ERROR_IS_FATAL ANY)
+
+file(GLOB_RECURSE headers RELATIVE ${SOURCE} ${SOURCE}/include/fstiff/*.hpp)
+file(GLOB_RECURSE installed RELATIVE ${PREFIX} ${PREFIX}/*)
+set(package ${installed})
+list(REMOVE_ITEM package ${headers})
+list(REMOVE_ITEM headers ${installed})
+if(headers)
+    message(FATAL_ERROR "not installed: ${headers}")
+endif()
+foreach(name IN ITEMS config config-version targets)
+    if(NOT "share/cmake/fstiff/fstiff-${name}.cmake" IN_LIST package)
+        message(FATAL_ERROR "fstiff-${name}.cmake is not installed")
+    endif()
+endforeach()
+list(FILTER package EXCLUDE REGEX "^share/cmake/fstiff/fstiff-[a-z-]+\\.cmake$")
+if(package)
+    message(FATAL_ERROR "installed beside the library: ${package}")
+endif()

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# tools/check_layers.cmake on small trees in WORK: it accepts a good one, and names what is wrong with each bad one.
+cmake_minimum_required(VERSION 3.25)
+set(script ${CMAKE_CURRENT_LIST_DIR}/../../tools/check_layers.cmake)
+
+# check(expected path text): the good tree with one more header; `expected` is "" or a part of the complaint.
+function(check expected path text)
+    file(REMOVE_RECURSE ${WORK})
+    file(WRITE ${WORK}/include/fstiff/core/error.hpp "#include <string>\n")
+    file(WRITE ${WORK}/include/fstiff/math/root.hpp "#include <Eigen/Core>\n#include <fstiff/core/error.hpp>\n")
+    file(WRITE ${WORK}/include/fstiff/io/text.hpp "#include <fstiff/math/root.hpp>\n")
+    file(WRITE ${WORK}/docs/architecture.md "before\n<!-- layers -->\n<!-- /layers -->\nafter; with a semicolon\n")
+    execute_process(COMMAND ${CMAKE_COMMAND} -D ROOT=${WORK} -D UPDATE=ON -P ${script}
+                    OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+    file(WRITE ${WORK}/${path} "${text}")
+    execute_process(COMMAND ${CMAKE_COMMAND} -D ROOT=${WORK} -P ${script}
+                    RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE complaint)
+    string(FIND "${complaint}" "${expected}" position)
+    if(expected STREQUAL "" AND NOT result EQUAL 0)
+        message(FATAL_ERROR "refused the good tree: ${complaint}")
+    elseif(NOT expected STREQUAL "" AND (result EQUAL 0 OR position EQUAL -1))
+        message(FATAL_ERROR "'${text}' in ${path}: '${expected}' expected, result ${result}: ${complaint}")
+    endif()
+endfunction()
+
+check("" notes.txt "nothing that matters\n")
+check("core may include only core" include/fstiff/core/error.hpp "#include <fstiff/math/root.hpp>\n")
+check("profile may include only" include/fstiff/profile/a.hpp "#include <fstiff/topography/b.hpp>\n#include <x>\n")
+check("<fstiff/core/none.hpp> does not exist" include/fstiff/math/root.hpp "#include <fstiff/core/none.hpp>\n")
+check("must name the header in angle brackets" include/fstiff/math/root.hpp "#include \"../core/error.hpp\"\n")
+check("only the standard library and Eigen" include/fstiff/math/root.hpp "#  include <gsl/gsl_math.h>\n")
+check("only the standard library and Eigen" include/fstiff/math/root.hpp "#include <math.h>\n")
+check("must be <layer>/<name>.hpp" include/fstiff/misc/thing.hpp "\n")
+check("fstiff.hpp does not list" include/fstiff/core/more.hpp "\n")
+check("the layer table is old" include/fstiff/math/root.hpp "#include <vector>\n")
+check("must hold the lines" docs/architecture.md "no table\n")

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+
+#include "../../src/cli/builtin_scene.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace {
+
+const std::string good = R"(name = "short"
+[surface]
+rms_height = "0.832 um"
+peak_radius = "40 um"
+peak_density = "500 /mm^2"
+fractal_dimension = 1.62
+[material.upper]
+youngs_modulus = "205 GPa"
+poisson_ratio = 0.3
+[contact]
+nominal_area = "195 mm^2"
+pressures = ["1 MPa"]
+laws = ["fractal"]
+peaks = [ { theta = "pi/4", r = "exponential" } ]
+interaction = "none"
+[output]
+quantities = ["stiffness"]
+)";
+
+void check_scene_refused(const std::string& scene, const std::vector<std::string>& parts) {
+    const test::Folder folder;
+    test::check_refused("run '" + folder.write("scene.toml", scene) + "'", 3, parts);
+}
+
+}  // namespace
+
+TEST_CASE("The built-in scene is the text of data/sand_blasted_fine.toml") {
+    CHECK(test::read(FSTIFF_SCENES "/sand_blasted_fine.toml") == fstiff::cli::builtin_scene);
+    const auto built_in = test::fstiff("run --format csv");
+    const auto from_file = test::fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --format csv");
+    CHECK(built_in.status == 0);
+    CHECK(built_in.out == from_file.out);
+}
+
+TEST_CASE("A scene may come from standard input") {
+    const auto outcome = test::fstiff("run - --format csv", good);
+    CHECK(outcome.status == 0);
+    CHECK(test::Csv(outcome.out).size() == 1);
+}
+
+TEST_CASE("A bad value in a scene is refused with file, line, key, value and what is allowed") {
+    struct Case {
+        std::string from, to;
+        std::vector<std::string> parts;
+    };
+    const std::vector<Case> cases{
+        {"\"0.832 um\"", "0.832", {"scene.toml:3: surface.rms_height = 0.832", "a number without a unit"}},
+        {"\"0.832 um\"", "\"0.832\"", {":3: surface.rms_height = \"0.832\"", "a number without a unit", "um"}},
+        {"\"0.832 um\"", "\"0.832 MPa\"", {":3: surface.rms_height", "MPa", "allowed are", "um"}},
+        {"\"0.832 um\"", "\"nan um\"", {":3: surface.rms_height", "nan um"}},
+        {"\"0.832 um\"", "\"1e400 um\"", {":3: surface.rms_height", "1e400"}},
+        {"\"0.832 um\"", "true", {":3: surface.rms_height = true", "must be"}},
+        {"\"0.832 um\"", "\"0 um\"", {":3: surface.rms_height = \"0 um\"", "greater than 0"}},
+        {"\"40 um\"", "\"-40 um\"", {":4: surface.peak_radius = \"-40 um\"", "greater than 0"}},
+        {"\"500 /mm^2\"", "\"-1 /mm^2\"", {":5: surface.peak_density", "greater than 0"}},
+        {"= 1.62", "= 1.0", {":6: surface.fractal_dimension = 1:", "between 1 and 2"}},
+        {"= 1.62", "= 2", {":6: surface.fractal_dimension = 2:", "between 1 and 2"}},
+        {"= 1.62", "= nan", {":6: surface.fractal_dimension = nan", "finite"}},
+        {"= 1.62", "= \"1.62\"", {":6: surface.fractal_dimension = \"1.62\"", "number"}},
+        {"fractal_dimension = 1.62\n", "", {"surface.fractal_dimension", "missing", "fractal"}},
+        {"\"205 GPa\"", "\"0 GPa\"", {":8: material.upper.youngs_modulus", "greater than 0"}},
+        {"\"205 GPa\"", "\"-205 GPa\"", {":8: material.upper.youngs_modulus", "greater than 0"}},
+        {"= 0.3", "= 0.51", {":9: material.upper.poisson_ratio = 0.51", "at most 0.5"}},
+        {"= 0.3", "= -1", {":9: material.upper.poisson_ratio = -1", "greater than -1"}},
+        {"= 0.3", "= inf", {":9: material.upper.poisson_ratio = inf", "finite"}},
+        {"\"195 mm^2\"", "\"-195 mm^2\"", {":11: contact.nominal_area", "greater than 0"}},
+        {"[\"1 MPa\"]", "[]", {":12: contact.pressures = []", "empty list", "at least one"}},
+        {"[\"1 MPa\"]", "\"1 MPa\"", {":12: contact.pressures", "list", "from"}},
+        {"[\"1 MPa\"]", "[\"1 MPa\", 2]", {":12: contact.pressures[1] = 2", "without a unit"}},
+        {"[\"1 MPa\"]", "[\"0 MPa\"]", {":12: contact.pressures[0]", "greater than 0"}},
+        {"[\"1 MPa\"]", "[\"1e30 GPa\"]", {":12: contact.pressures", "fractal"}},
+        {"[\"1 MPa\"]", "{ from = \"1 MPa\", to = \"2 MPa\", count = 1 }", {"contact.pressures.count = 1", "2"}},
+        {"[\"1 MPa\"]",
+         "{ from = \"1 MPa\", to = \"2 MPa\", count = 1000000000 }",
+         {"contact.pressures.count", "100000"}},
+        {"[\"1 MPa\"]",
+         "{ from = \"1 MPa\", to = \"2 MPa\", count = 2.5 }",
+         {"contact.pressures.count = 2.5", "whole"}},
+        {"[\"1 MPa\"]", "{ from = \"2 MPa\", to = \"1 MPa\", count = 3 }", {"contact.pressures.to", "greater"}},
+        {"[\"1 MPa\"]", "{ from = \"1 MPa\", count = 3 }", {"contact.pressures.to", "missing"}},
+        {"[\"1 MPa\"]",
+         "{ from = \"1 MPa\", to = \"2 MPa\", count = 3, step = 1 }",
+         {"contact.pressures.step", "unknown key", "\"spacing\""}},
+        {"[\"1 MPa\"]",
+         "{ from = \"1 MPa\", to = \"2 MPa\", count = 3, spacing = \"cubic\" }",
+         {"contact.pressures.spacing = \"cubic\"", "\"log\", \"linear\""}},
+        {"pressures = [\"1 MPa\"]\n", "", {"contact.pressures", "missing"}},
+        {"pressures = [\"1 MPa\"]",
+         "pressures = [\"1 MPa\"]\nseparations = [\"1 um\"]",
+         {"contact.separations", "one of the two"}},
+        {"[\"fractal\"]",
+         "[\"linear\"]",
+         {":13: contact.laws[0] = \"linear\"", "\"fractal_consistent\"", "\"greenwood_williamson\""}},
+        {"[\"fractal\"]", "[]", {":13: contact.laws", "one or more of"}},
+        {"[\"fractal\"]", "[\"hertz\", \"hertz\"]", {":13: contact.laws[1] = \"hertz\"", "twice"}},
+        {"\"pi/4\"", "0", {":14: contact.peaks[0].theta = 0:", "must be"}},
+        {"\"pi/4\"", "\"pi/2\"", {":14: contact.peaks[0].theta", "must be"}},
+        {"\"pi/4\"", "\"90\"", {":14: contact.peaks[0].theta", "must be"}},
+        {"\"pi/4\"", "\"a lot\"", {":14: contact.peaks[0].theta = \"a lot\"", "allowed"}},
+        {"\"pi/4\"", "\"20 deg\"", {":14: contact.peaks[0].theta", "pi/4 and pi/3"}},
+        {"theta = \"pi/4\", ", "", {":14: contact.peaks[0].theta", "missing"}},
+        {"r = \"exponential\"", "r = 1", {":14: contact.peaks[0].r = 1:", "less than 1"}},
+        {"r = \"exponential\"", "r = -1.5", {":14: contact.peaks[0].r = -1.5", "must be"}},
+        {"r = \"exponential\"", "r = nan", {":14: contact.peaks[0].r = nan", "finite"}},
+        {"r = \"exponential\"", "r = \"gaussian\"", {":14: contact.peaks[0].r = \"gaussian\"", "\"exponential\""}},
+        {"r = \"exponential\"", "R = 1", {":14: contact.peaks[0].R", "unknown key", "\"theta\", \"r\""}},
+        {"\"none\"", "\"some\"", {":15: contact.interaction = \"some\"", "\"none\""}},
+        {"\"none\"", "{ reading = \"wrong\" }", {":15: contact.interaction.reading = \"wrong\"", "\"as_printed\""}},
+        {"\"none\"",
+         "{ reading = \"as_printed\", length = 3 }",
+         {":15: contact.interaction.length = 3", "without a unit"}},
+        {"\"none\"",
+         "{ reading = \"as_printed\", length = \"-3 mm\" }",
+         {":15: contact.interaction.length", "greater than 0"}},
+        {"[\"stiffness\"]",
+         "[\"speed\"]",
+         {":17: output.quantities[0] = \"speed\"", "\"stiffness\", \"separation\", \"real_area\", \"contacts\""}},
+        {"rms_height", "rms_heigth", {":3: surface.rms_heigth", "unknown key", "\"rms_height\""}},
+        {"[output]", "[outputs]", {"outputs", "unknown key", "\"output\""}},
+        {"[surface]", "[surfaces]", {"unknown key", "\"surface\""}},
+        {"[material.upper]", "[material.uper]", {"material.uper", "unknown key", "\"upper\", \"lower\""}},
+        {"rms_height = \"0.832 um\"\n", "", {"scene.toml:2: surface.rms_height", "missing"}},
+        {"name = \"short\"", "name = 3", {":1: name = 3", "text"}},
+        {"\"0.832 um\"", "0.832 \xC2\xB5m", {":3: is no TOML", "outside quotation marks"}},
+        {"rms_height", "rms_h\xC3\xB6he", {":3: is no TOML", "outside quotation marks"}},
+        {"name = \"short\"", "name = \"short", {":1: is no TOML"}},
+        {"peak_radius", "rms_height", {":4: is no TOML"}},
+    };
+    for (const Case& c : cases) {
+        INFO(c.from << " -> " << c.to);
+        check_scene_refused(test::replaced(good, c.from, c.to), c.parts);
+    }
+}
+
+TEST_CASE("Characters beyond ASCII are welcome in quotation marks and comments") {
+    std::string text = test::replaced(good, "\"0.832 um\"", "\"0.832 \xC2\xB5m\"  # Rauheit in \xC2\xB5m, \"fein\"");
+    text = test::replaced(text, "\"short\"", "\"\"\"\nge\xC3\xA4tzt \\\" '#' \"\"\"");
+    text = test::replaced(text, "\"40 um\"", "'40 \xCE\xBCm'");
+    const auto outcome = test::fstiff("run - --format csv", "\xEF\xBB\xBF" + text);
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out == test::fstiff("run - --format csv", good).out);
+}
+
+TEST_CASE("A scene that is missing, empty, binary or a folder is refused") {
+    const test::Folder folder;
+    test::check_refused("run '" + folder / "none.toml" + "'", 3, {"none.toml", "no such file"});
+    test::check_refused("run '" + folder / "." + "'", 3, {"is a folder"});
+    test::check_refused("run -", 3, {"standard input", "empty"});
+    check_scene_refused("", {"scene.toml", "empty"});
+    check_scene_refused("  \n\n", {"scene.toml", "empty"});
+    check_scene_refused("name = \"only a name\"\n", {"scene.toml", "surface", "missing"});
+    check_scene_refused(std::string("\x7f"
+                                    "ELF\0\1\2\xff\xfe\n",
+                                    9),
+                        {"scene.toml:1"});
+}
+
+TEST_CASE("What a scene leaves out takes the documented default, and the document says so") {
+    const std::string shortest = test::replaced(
+        test::replaced(test::replaced(good.substr(0, good.find("[output]")), "laws = [\"fractal\"]\n", ""),
+                       "peaks = [ { theta = \"pi/4\", r = \"exponential\" } ]\n", ""),
+        "interaction = \"none\"\n", "");
+    const auto outcome = test::fstiff("run - --format json", shortest);
+    REQUIRE(outcome.status == 0);
+    const auto document = nlohmann::json::parse(outcome.out);
+    CHECK(document["rows"].size() == 2 + 2 + 1);  // fractal and hertz on two peak densities, Greenwood-Williamson
+    for (const char* key :
+         {"material.lower", "contact.laws", "contact.peaks", "contact.interaction", "output.quantities"}) {
+        INFO(key);
+        CHECK(test::contains(document["inputs"][key]["written"].get<std::string>(), "default"));
+    }
+    for (const char* column : {"stiffness_Pa_per_m", "separation_m", "real_area_fraction", "contacts_per_m2"})
+        CHECK(document["rows"][0].contains(column));
+
+    // The defaults in full give the same numbers.
+    std::string full = test::replaced(good, "[\"fractal\"]", "[\"fractal\", \"hertz\", \"greenwood_williamson\"]");
+    full =
+        test::replaced(full, "\"exponential\" } ]", "\"exponential\" }, { theta = \"60 deg\", r = \"exponential\" } ]");
+    full = test::replaced(full, "[\"stiffness\"]", "[\"contacts\", \"separation\", \"real_area\", \"stiffness\"]");
+    full = test::replaced(full, "[contact]",
+                          "[material.lower]\nyoungs_modulus = \"205000 N/mm^2\"\npoisson_ratio = 0.3\n[contact]");
+    CHECK(test::fstiff("run - --format csv", full).out == test::fstiff("run - --format csv", shortest).out);
+}
+
+TEST_CASE("The document echoes every input as written and in SI, and the SHA-256 of the file") {
+    const test::Folder folder;
+    const std::string file = folder.write("scene.toml", good);
+    const auto outcome = test::fstiff("run '" + file + "' --format json");
+    REQUIRE(outcome.status == 0);
+    const auto document = nlohmann::json::parse(outcome.out);
+    CHECK(document["schema_version"] == 1);
+    CHECK(document["scene"]["name"] == "short");
+    CHECK(document["inputs"]["surface.rms_height"]["written"] == "0.832 um");
+    CHECK(document["inputs"]["surface.rms_height"]["value"] == 0.832e-6);
+    CHECK(document["inputs"]["surface.rms_height"]["unit"] == "m");
+    CHECK(document["inputs"]["contact.pressures[0]"]["value"] == 1e6);
+    const auto sum = test::shell("sha256sum < '" + file + "'");
+    if (sum.status == 0)
+        CHECK(sum.out.substr(0, 64) == document["scene"]["sha256"].get<std::string>());
+    else
+        WARN("sha256sum is not installed: the digest is not compared");
+}

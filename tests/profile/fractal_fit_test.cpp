@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/profile/detrend.hpp>
+#include <fstiff/profile/fractal_fit.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <chrono>
+#include <random>
+
+using namespace fstiff;
+
+namespace {
+
+Profile<double> wm_profile(Fractal<double> fractal, std::size_t points, std::uint64_t seed, double shortest_samples = 2,
+                           double longest_lengths = 1) {
+    const double h = 1e-7, length = static_cast<double>(points) * h;
+    const WeierstrassMandelbrot<double> wm(
+        fractal,
+        {.longest_wavelength = longest_lengths * length, .shortest_wavelength = shortest_samples * h, .seed = seed});
+    return detrend(Profile<double>{wm.sample(points, h), h}, Form::line);
+}
+
+Profile<double> random_walk(std::size_t points, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    Profile<double> profile{std::vector<double>(points), 1e-6};
+    double height = 0;
+    for (double& z : profile.heights) {
+        double step = 0;  // the sum of 12 uniforms is a Gaussian as far as this goes, and the same everywhere
+        for (int k = 0; k < 12; ++k) step += std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5;
+        z = height += 1e-8 * step;
+    }
+    return profile;
+}
+
+}  // namespace
+
+TEST_CASE("D and G of a Weierstrass-Mandelbrot profile come back within their errors") {
+    const double d = GENERATE(1.3, 1.5, 1.62, 1.8);
+    const double shortest = GENERATE(2.0, 0.05);  // to the resolution, and far below it
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        CAPTURE(d, shortest, seed);
+        const auto fit = fit_fractal(wm_profile({d, 1.2e-10}, 65536, seed, shortest));
+        CHECK(std::abs(fit.fractal.dimension - d) < 0.02);  // as the header says; the requirement is 0.03
+        CHECK(std::abs(fit.fractal.dimension - d) < 3 * fit.dimension_error);
+        CHECK(std::abs(std::log(fit.fractal.roughness / 1.2e-10)) < std::log(1.5));
+        CHECK(std::abs(std::log(fit.fractal.roughness / 1.2e-10)) < 3 * fit.log_roughness_error);
+        CHECK(fit.dimension_error < 0.05);  // an error bar that says nothing would pass anything
+        CHECK(fit.automatic_window);
+        CHECK(fit.window.to / fit.window.from > 100);
+    }
+}
+
+TEST_CASE("The printed constant makes G too large by the factors of the errata, and D stays") {
+    const auto profile = wm_profile({1.62, 1.2e-10}, 16384, 5);
+    const auto exact = fit_fractal(profile), printed = fit_fractal(profile, {.convention = StructureConvention::paper});
+    CHECK(printed.fractal.dimension == exact.fractal.dimension);
+    const double d = exact.fractal.dimension;
+    const double ratio = structure_constant(d) / structure_constant(d, StructureConvention::paper);
+    CHECK(test::relative_error(printed.fractal.roughness / exact.fractal.roughness, std::pow(ratio, 1 / (2 * d - 2))) <
+          1e-12);
+}
+
+TEST_CASE("The error of D is the scatter of D over random walks, and the regression error is several times too small") {
+    const int walks = 200;
+    double mean = 0, square = 0, error = 0, regression = 0;
+    for (int seed = 1; seed <= walks; ++seed) {
+        const auto fit = fit_fractal(random_walk(1000, static_cast<std::uint64_t>(seed)), {.resamples = 50});
+        const double off = fit.fractal.dimension - 1.5;
+        mean += off / walks;
+        square += off * off / walks;
+        error += fit.dimension_error / walks;
+        regression += fit.regression_dimension_error / walks;
+    }
+    const double scatter = std::sqrt(square - mean * mean);
+    CAPTURE(mean, scatter, error, regression);
+    CHECK(std::abs(mean) < 3 * scatter / std::sqrt(200.0) + 0.01);  // a known D = 1.5, and a bias below 0.01
+    CHECK(error / scatter > 0.8);                                   // the scatter of 200 is itself known to 5 %
+    CHECK(error / scatter < 1.25);
+    CHECK(scatter / regression > 3);
+}
+
+TEST_CASE("The closed-form covariance of ln S is that of simulated random walks") {
+    const std::vector<std::size_t> lags{2, 8, 50};
+    const std::size_t points = 400;
+    std::vector<std::size_t> pairs;
+    for (const auto n : lags) pairs.push_back(points - n);
+    const auto formula = detail::log_covariance<double>(lags, pairs, points, 1.0);
+    const int walks = 4000;
+    Eigen::MatrixXd samples(3, walks);
+    for (int w = 0; w < walks; ++w) {
+        const auto s = structure_function(random_walk(points, static_cast<std::uint64_t>(w + 1)),
+                                          std::span<const std::size_t>(lags));
+        // relative deviations from the exact mean n sigma^2 of a walk: what the formula is about
+        for (int k = 0; k < 3; ++k)
+            samples(k, w) = s.value[static_cast<std::size_t>(k)] /
+                                (1e-16 * static_cast<double>(lags[static_cast<std::size_t>(k)])) -
+                            1;
+    }
+    const Eigen::MatrixXd measured = samples * samples.transpose() / walks;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            CAPTURE(i, j);
+            // a variance over 4000 samples is known to some 3 %, more for the skewed S of the longest lag
+            CHECK(std::abs(measured(i, j) - formula(i, j)) < 0.12 * std::sqrt(formula(i, i) * formula(j, j)));
+        }
+}
+
+TEST_CASE("A straight line is no fractal, in any window") {
+    Profile<double> line{std::vector<double>(1000), 1e-6};
+    for (std::size_t i = 0; i < 1000; ++i) line.heights[i] = 1e-3 * 1e-6 * static_cast<double>(i);
+    CHECK_FALSE(test::refusal([&] { (void)fit_fractal(line, {.window = LagWindow<double>{4e-6, 100e-6}}); }).empty());
+    CHECK(test::refusal([&] { (void)fit_fractal(line); }).find("no half decade") != std::string::npos);
+}
+
+TEST_CASE("Short lags that are smooth are left out of the window") {
+    // waves end at 40 samples: below some ten samples S goes as tau^2
+    const auto profile = wm_profile({1.5, 1.2e-10}, 65536, 4, 40);
+    const auto fit = fit_fractal(profile);
+    CHECK(fit.window.from >= 8e-7);
+    CHECK(std::abs(fit.fractal.dimension - 1.5) < 3 * fit.dimension_error);
+    // forced into the smooth end, the same profile looks like D near 1
+    const auto forced = fit_fractal(profile, {.window = LagWindow<double>{1e-7, 8e-7}});
+    CHECK_FALSE(forced.automatic_window);
+    CHECK(forced.fractal.dimension < 1.2);
+}
+
+TEST_CASE("White noise and other profiles without a power law are refused with their slopes") {
+    std::mt19937_64 random(1);
+    Profile<double> noise{std::vector<double>(5000), 1e-6};
+    for (double& z : noise.heights) z = static_cast<double>(random() % 1000) * 1e-9;
+    const std::string refusal = test::refusal([&] { (void)fit_fractal(noise); });
+    CHECK(refusal.find("no half decade") != std::string::npos);
+    CHECK(refusal.find("slope") != std::string::npos);
+}
+
+TEST_CASE("A bend in the structure function is flagged, a power law is not") {
+    CHECK_FALSE(fit_fractal(wm_profile({1.5, 1.2e-10}, 65536, 6, 0.05)).curved);
+    // correlation lost after some 30 samples
+    std::mt19937_64 random(2);
+    Profile<double> bent{std::vector<double>(50000), 1e-6};
+    double height = 0;
+    for (double& z : bent.heights) z = height = 0.97 * height + (static_cast<double>(random() % 2001) - 1000) * 1e-12;
+    const auto fit = fit_fractal(bent, {.window = LagWindow<double>{4e-6, 400e-6}});
+    CHECK(fit.curved);
+    CHECK(fit.slope_shortest > fit.slope_longest + 0.5);
+}
+
+TEST_CASE("A seed gives the same errors again, and the bootstrap can be left out") {
+    const auto profile = random_walk(2000, 9);
+    const auto a = fit_fractal(profile), b = fit_fractal(profile);
+    CHECK(a.bootstrap_dimension_error == b.bootstrap_dimension_error);
+    CHECK(a.seed == 2014);
+    const auto other = fit_fractal(profile, {.seed = 7});
+    CHECK(other.bootstrap_dimension_error != a.bootstrap_dimension_error);
+    // 200 resamples know their scatter to 5 %
+    CHECK(test::relative_error(other.bootstrap_dimension_error, a.bootstrap_dimension_error) < 0.4);
+    const auto none = fit_fractal(profile, {.resamples = 0});
+    CHECK(none.bootstrap_dimension_error == 0);
+    CHECK(none.dimension_error == none.model_dimension_error);
+    CHECK(a.dimension_error >= a.model_dimension_error);
+    CHECK(a.dimension_error >= a.bootstrap_dimension_error);
+}
+
+TEST_CASE("Neither D nor G over the spacing depends on the unit of length") {
+    const auto profile = wm_profile({1.62, 1.2e-10}, 8192, 7);
+    const auto fit = fit_fractal(profile);
+    for (const double unit : {1e-9, 1e9}) {
+        auto scaled = profile;
+        for (double& z : scaled.heights) z *= unit;
+        scaled.spacing *= unit;
+        const auto other = fit_fractal(scaled);
+        CHECK(test::relative_error(other.fractal.dimension, fit.fractal.dimension) < 1e-11);
+        CHECK(test::relative_error(other.fractal.roughness / unit, fit.fractal.roughness) < 1e-9);
+        CHECK(test::relative_error(other.dimension_error, fit.dimension_error) < 1e-8);
+        CHECK(other.lags == fit.lags);
+    }
+}
+
+TEMPLATE_TEST_CASE("Every scalar gives the same fit to its own precision", "", float, long double) {
+    using T = TestType;
+    const auto profile = random_walk(4000, 11);
+    const auto fit = fit_fractal(profile);
+    Profile<T> other{{profile.heights.begin(), profile.heights.end()}, static_cast<T>(profile.spacing)};
+    const auto same = fit_fractal(other);
+    CHECK(test::relative_error(static_cast<double>(same.fractal.dimension), fit.fractal.dimension) < 1e-5);
+    CHECK(test::relative_error(static_cast<double>(same.dimension_error), fit.dimension_error) < 1e-3);
+}
+
+TEST_CASE("Missing points are dropped pair by pair") {
+    auto profile = random_walk(5000, 12);
+    const auto whole = fit_fractal(profile);
+    for (std::size_t i = 0; i < profile.size(); ++i)
+        if (i % 10 == 3 || (i > 2000 && i < 2200)) profile.heights[i] = std::numeric_limits<double>::quiet_NaN();
+    const auto holed = fit_fractal(profile);
+    CHECK(std::abs(holed.fractal.dimension - whole.fractal.dimension) < whole.dimension_error);
+    CHECK(holed.structure_function.pairs[0] < 4100);
+}
+
+TEST_CASE("Ten thousand points are fitted in well under a third of a second") {
+    const auto profile = random_walk(10000, 13);
+    const auto start = std::chrono::steady_clock::now();
+    (void)fit_fractal(profile);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    // the target is 0.3 s with optimisation; ten times that for unoptimised and instrumented builds
+    CHECK(taken.count() < 3.0);
+}
+
+TEST_CASE("Sixteen points are enough to try, fewer are not") {
+    Profile<double> few = random_walk(16, 14);
+    const std::string refusal = test::refusal([&] { (void)fit_fractal(few); });
+    const bool fitted_or_no_power_law = refusal.empty() || refusal.find("no half decade") != std::string::npos;
+    CHECK(fitted_or_no_power_law);
+    few.heights.pop_back();
+    CHECK(test::refusal([&] { (void)fit_fractal(few); }).find("15 points: must be at least 16") != std::string::npos);
+}
+
+TEST_CASE("A window or an option out of range is refused with what it may be") {
+    const auto profile = random_walk(1000, 15);
+    const auto refusal = [&](FractalFitOptions<double> options) {
+        return test::refusal([&] { (void)fit_fractal(profile, options); });
+    };
+    CHECK(refusal({.window = LagWindow<double>{0.0, 1e-5}}).find("window from = 0") != std::string::npos);
+    CHECK(refusal({.window = LagWindow<double>{1e-5, 1e-6}}).find("window to = ") != std::string::npos);
+    CHECK(refusal({.window = LagWindow<double>{1e-5, 1.0}}).find("window to = 1") != std::string::npos);
+    CHECK(refusal({.window = LagWindow<double>{1e-5, 1.1e-5}}).find("half a decade") != std::string::npos);
+    CHECK(refusal({.window = LagWindow<double>{1e-9, 1e-8}}).find("holds 0 lags") != std::string::npos);
+    CHECK(refusal({.gamma = 1.0}).find("gamma = 1") != std::string::npos);
+    CHECK(refusal({.resamples = -1}).find("resamples = -1") != std::string::npos);
+    CHECK(refusal({.window = LagWindow<double>{1e-6, 900e-6}}).empty());  // beyond a quarter, when asked for
+    Profile<double> flat{std::vector<double>(100, 1.0), 1e-6};
+    CHECK(test::refusal([&] { (void)fit_fractal(flat); }).find("constant height") != std::string::npos);
+    Profile<double> periodic{std::vector<double>(400), 1e-6};
+    for (std::size_t i = 0; i < 400; ++i) periodic.heights[i] = i % 2 == 0 ? 1e-9 : 0;
+    CHECK_FALSE(test::refusal([&] { (void)fit_fractal(periodic); }).empty());
+}
