@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
     row("tensor/stiffness/plain/1e-12", plain, 1e-12, with(tensor, 1e-12));
     row("tensor/stiffness/plain/1e-03", plain, 1e-2, with(tensor, 1e-3));
     row("paper/stiffness/plain/50x50", plain, 1e-3, paper);
+    benchmark::AddCustomContext("compiler", FSTIFF_BENCH_COMPILER);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();

@@ -23,7 +23,7 @@ from mpmath import cos, erf, erfc, exp, gamma, mp, mpf, nstr, pcfd, pi, sqrt
 mp.dps = 50
 TARGET = pathlib.Path(__file__).resolve().parent.parent / "include/fstiff/math/gaussian_moment_table.hpp"
 SCALARS = (("float", mpf("1.5e-8"), 12), ("double", mpf("6e-17"), 21), ("long double", mpf("1e-20"), 25))
-POWERS = ((0, "0"), (1, "1/2"), (2, "1"), (3, "3/2"), (5, "5/2"))
+POWERS = ((-1, "-1/2"), (0, "0"), (1, "1/2"), (2, "1"), (3, "3/2"), (5, "5/2"))
 POINTS = 72
 
 

@@ -7,6 +7,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/math/chebyshev.hpp>
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
@@ -29,13 +30,16 @@
 #include <fstiff/peaks/peak_density.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
+#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/paper_integrals.hpp>
+#include <fstiff/contact/peak_nodes.hpp>
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/io/delimited.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a subcommand hands back, and how it is written: one document, numbers that no locale touches and that are never NaN.
+// What a subcommand hands back, and how it is written: one document, numbers that no locale touches and never NaN.
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -49,7 +49,7 @@ struct Command {
     std::function<Report()> execute;
 };
 
-/// 17 significant digits, '.' as the decimal mark. \throws std::logic_error for NaN and infinity, which are never printed.
+/// 17 significant digits, '.' as the decimal mark. \throws std::logic_error for NaN and infinity: never printed.
 std::string exact(double value);
 /// The same for people: \p digits significant digits.
 std::string rounded(double value, int digits = 5);

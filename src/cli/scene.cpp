@@ -8,6 +8,16 @@
 #include <fstiff/io/quantity.hpp>
 #include <fstiff/surface/fractal.hpp>
 
+// toml++ 3.3 asserts, or assumes in an optimised build, what some malformed texts break. Its assertions are made to throw
+// in every build; no other file includes toml++.
+namespace fstiff::cli {
+struct BrokenToml {};
+constexpr void expect_toml(bool whole) {
+    if (!whole) throw BrokenToml{};
+}
+}  // namespace fstiff::cli
+#undef NDEBUG
+#define TOML_ASSERT(expression) fstiff::cli::expect_toml(static_cast<bool>(expression))
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -398,8 +408,8 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
     }
 }
 
-/// TOML allows characters beyond ASCII in quotation marks and comments only; toml++ 3.3 runs into undefined behaviour on some
-/// of them elsewhere, so that a forgotten quotation mark before a µ is told here.
+/// TOML allows characters beyond ASCII in quotation marks and comments only; elsewhere toml++ 3.3 runs into undefined
+/// behaviour on some of them, so that a forgotten quotation mark before a µ is told here.
 void refuse_bare_unicode(std::string_view text, const std::string& file) {
     std::size_t line = 1;
     std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
@@ -416,7 +426,7 @@ void refuse_bare_unicode(std::string_view text, const std::string& file) {
                 if (c == '"' && text[i] == '\\' && i + 1 < text.size()) step();
                 step();
             }
-            i = std::min(i + mark.size(), text.size());
+            if (i < text.size() && text[i] == c) i += mark.size();
         } else if (static_cast<unsigned char>(c) >= 0x80) {
             throw domain_error(
                 file + ":" + std::to_string(line) +
@@ -424,6 +434,40 @@ void refuse_bare_unicode(std::string_view text, const std::string& file) {
         } else {
             step();
         }
+    }
+}
+
+/// The line at which toml++ trips over \p text: that of the shortest beginning of the text that breaks it too.
+std::size_t breaking_line(std::string_view text) {
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '\n') ends.push_back(i + 1);
+    const auto broken = std::partition_point(ends.begin(), ends.end(), [text](std::size_t end) {
+        try {
+            static_cast<void>(toml::parse(text.substr(0, end)));
+        } catch (const BrokenToml&) {
+            return false;
+        } catch (const toml::parse_error&) {  // a table or a text cut short
+        }
+        return true;
+    });
+    return static_cast<std::size_t>(broken - ends.begin()) + 1;
+}
+
+toml::table parse_toml(const std::string& text, const std::string& file) {
+    constexpr std::size_t most = std::size_t(1) << 20;
+    if (text.size() > most)
+        throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes; must be at most 1 MiB");
+    const auto refuse = [&](std::size_t line, const std::string& reason) {
+        return domain_error(file + ":" + std::to_string(line) + ": is no TOML: " + reason);
+    };
+    refuse_bare_unicode(text, file);
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        throw refuse(error.source().begin.line, std::string(error.description()));
+    } catch (const BrokenToml&) {
+        throw refuse(breaking_line(text), "a character that nothing may begin with");
     }
 }
 
@@ -436,14 +480,7 @@ std::string_view name_of(Law law) {
 
 Scene parse_scene(const std::string& text, const std::string& file) {
     Source source{file, {}};
-    refuse_bare_unicode(text, file);
-    toml::table root;
-    try {
-        root = toml::parse(text);
-    } catch (const toml::parse_error& error) {
-        throw domain_error(file + ":" + std::to_string(error.source().begin.line) +
-                           ": is no TOML: " + std::string(error.description()));
-    }
+    const toml::table root = parse_toml(text, file);
     Scene scene;
     scene.file = file;
     scene.sha256 = sha256(text);

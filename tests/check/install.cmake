@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs component dev of BUILD under PREFIX and checks that it holds the headers of SOURCE and the package files alone.
+# Installs component dev of BUILD under PREFIX and checks that it holds the headers of SOURCE and the package files,
+# nothing else.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${PREFIX})
-execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --component dev COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --component dev
+                COMMAND_ERROR_IS_FATAL ANY)
 
 file(GLOB_RECURSE headers RELATIVE ${SOURCE} ${SOURCE}/include/fstiff/*.hpp)
 file(GLOB_RECURSE installed RELATIVE ${PREFIX} ${PREFIX}/*)

@@ -116,8 +116,8 @@ private:
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// Checks that the command refuses: the exit code, one sentence with every one of \p parts on standard error, no document, and
-/// no file where the output should have gone. \p arguments are tried with and without --output.
+/// Checks that the command refuses: the exit code, one sentence with every one of \p parts on standard error, no document,
+/// and no file where the output should have gone. \p arguments are tried with and without --output.
 inline void check_refused(const std::string& arguments, int status, const std::vector<std::string>& parts,
                           const std::string& input = "") {
     const Folder folder;

@@ -13,7 +13,7 @@
 
 namespace {
 
-/// A random walk, D = 1.5, of which every height is written with all its digits. A linear congruential generator is enough.
+/// A random walk, D = 1.5. A linear congruential generator is enough.
 fstiff::Profile<double> random_walk(std::size_t points) {
     fstiff::Profile<double> profile;
     profile.spacing = 0.5e-6;

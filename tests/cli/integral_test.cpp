@@ -15,7 +15,7 @@ const std::string table_file(const std::string& name) { return std::string("'") 
 
 const std::string two_rows = "a,b,r,theta,eta\n0.5,-0.5,0.3,1,2\n1.5,-0.5,0.3,1,2\n";
 
-/// The largest relative error over a table whose column "value" is the truth; every error estimate must cover its error. The
+/// The largest relative error over a table whose column "value" is the truth; every estimate must cover its error. The
 /// floor is 8 ulp (the estimate is of the rule, the truth is rounded to double) and the least positive normal number.
 double worst(const test::Csv& rows) {
     double largest = 0;

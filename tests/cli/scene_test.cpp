@@ -41,6 +41,15 @@ TEST_CASE("The built-in scene is the text of data/sand_blasted_fine.toml") {
     CHECK(built_in.out == from_file.out);
 }
 
+TEST_CASE("The example of docs/scene.md runs") {
+    const std::string text = test::read(FSTIFF_SCENES "/../docs/scene.md");
+    const auto start = text.find("```toml\n") + 8;
+    const auto outcome = test::fstiff("run - --format csv", text.substr(start, text.find("```", start) - start));
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(test::Csv(outcome.out).size() == (2 + 2 + 1) * 31);
+}
+
 TEST_CASE("A scene may come from standard input") {
     const auto outcome = test::fstiff("run - --format csv", good);
     CHECK(outcome.status == 0);
@@ -131,6 +140,8 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
         {"rms_height = \"0.832 um\"\n", "", {"scene.toml:2: surface.rms_height", "missing"}},
         {"name = \"short\"", "name = 3", {":1: name = 3", "text"}},
         {"\"0.832 um\"", "0.832 \xC2\xB5m", {":3: is no TOML", "outside quotation marks"}},
+        {"[surface]", "[}surface]", {":2: is no TOML"}},
+        {"[\"stiffness\"]", "[}\"stiffness\"]", {":17: is no TOML"}},
         {"rms_height", "rms_h\xC3\xB6he", {":3: is no TOML", "outside quotation marks"}},
         {"name = \"short\"", "name = \"short", {":1: is no TOML"}},
         {"peak_radius", "rms_height", {":4: is no TOML"}},

@@ -144,13 +144,19 @@ TEST_CASE("identities: derivative, normalisation, independence at r = 0") {
 }
 
 TEST_CASE("regimes agree at their seams") {
-    // the same problem by two rules, each at its own step, where peak_sums changes from one to the other
+    // the same problem by two rules, each at its own step, where visit_nodes changes from one to the other
     using namespace fstiff::detail;
     const auto agree = [](double r, double theta, double eta) {
-        const PeakProblem<double> problem(PeakDensity<double>(r, theta), eta, {0, 1, 2, 1}, 36);
-        const auto graded = graded_sums(problem, 0.04);
+        const PeakProblem<double> problem(PeakDensity<double>(r, theta), eta, 36);
+        const auto sums = [&](auto visit, double step) {
+            PeakAccumulator<double> accumulator(problem, {0, 1, 2, 1});
+            step = visit(problem, step, accumulator);
+            return accumulator.result(step);
+        };
+        using Sums = PeakAccumulator<double>;
+        const auto graded = sums(visit_graded<double, Sums>, 0.04);
         const bool clear = r * eta / problem.c > problem.reach;
-        const auto other = clear ? separated_sums(problem, 0.07) : smooth_sums(problem, 0.08);
+        const auto other = clear ? sums(visit_separated<double, Sums>, 0.07) : sums(visit_smooth<double, Sums>, 0.08);
         for (std::size_t i = 0; i < 4; ++i) {
             INFO("r " << r << " theta " << theta << " eta " << eta << " a " << 0.5 * double(i));
             CHECK(test::relative_error(other.value[i], graded.value[i]) < 2e-14);

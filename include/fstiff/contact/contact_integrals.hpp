@@ -62,8 +62,8 @@ ScaledIntegrals<T> scaled_integrals(const PowerSet& minus_two_b, const PeakDensi
     require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance", tolerance,
             "at least 50 epsilon of the scalar type and at most 0.1");
     const T digits = -std::log(tolerance);
-    const PeakProblem<T> problem(peaks, eta, minus_two_b, digits + 5);
-    const PeakSums<T> sums = peak_sums(problem, digits);
+    const PeakProblem<T> problem(peaks, eta, digits + 5);
+    const PeakSums<T> sums = peak_sums(problem, minus_two_b, digits);
     ScaledIntegrals<T> out{{}, -problem.floor * problem.floor / 2};
     const T root_c = std::sqrt(problem.c);
     // rounding (z inherits that of t), and what the extrapolation of the rule's error may miss: more with few nodes

@@ -29,10 +29,6 @@ struct ContactState {
     Estimate<T> contact_density;       ///< n/A0 [1/m^2]
 };
 
-namespace detail {
-
-inline constexpr int lowest_eta = -1000;  ///< separations that are searched for a pressure
-
 /// A decreasing function of eta as its logarithm, so that its tail does not underflow.
 template <Real T>
 struct LogSlope {
@@ -40,6 +36,10 @@ struct LogSlope {
     T slope;  ///< d log f/d eta, < 0
     T error;  ///< relative error of f
 };
+
+namespace detail {
+
+inline constexpr int lowest_eta = -1000;  ///< separations that are searched for a pressure
 
 template <Real T>
 struct EtaEstimate {
@@ -71,11 +71,13 @@ EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
     const T guess = at_zero > 0 ? std::sqrt(slope * slope + 2 * at_zero) + slope : -std::cbrt(std::exp(std::min(-2 * at_zero, T(60)))) + 1;
     const auto found = newton_bracketed(residual, T(lowest_eta), highest, guess, 4 * Limits::epsilon());
     if (!found.converged()) {
-        const auto reached = [&](T eta) {
-            return std::to_string(static_cast<long>((std::log(pressure) + log_slope(eta).log - target) / std::numbers::ln10_v<T>));
+        const auto reached = [&](T eta) {  // log p there
+            return (std::log(pressure) - target) + log_slope(eta).log;
         };
-        const std::string allowed =
-            "between 1e" + reached(highest) + " and 1e" + reached(T(lowest_eta)) + " Pa or so for this surface and law";
+        const T low = reached(highest), high = reached(T(lowest_eta));
+        require(std::isfinite(low) && std::isfinite(high), "pressure", pressure, "possible for the scales of this surface");
+        const auto power = [](T log) { return "1e" + std::to_string(std::lround(log / std::numbers::ln10_v<T>)); };
+        const std::string allowed = "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law";
         require(false, "pressure", pressure, allowed);
     }
     const auto at = log_slope(found.root);

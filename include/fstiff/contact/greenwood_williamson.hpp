@@ -15,6 +15,7 @@
 /// Accuracy    moments 16 epsilon (tests/contact/greenwood_williamson_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 #include <fstiff/surface/roughness.hpp>
@@ -78,16 +79,30 @@ public:
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         require_positive("pressure", pressure);
         const T highest = heights_ == Heights::gaussian ? detail::highest_gaussian_eta<T>() : detail::highest_exponential_eta<T>();
-        const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure, highest, [&](T h) {
-            const auto [load, scale] = scaled<3>(h);
-            return detail::LogSlope<T>{std::log(load) + scale, T(-1.5) * scaled<1>(h).first / load, rounding};
-        });
+        const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure, highest, [this](T h) { return log_load(h); });
         ContactState<T> state = at_eta(eta, wanted);
         state.pressure = {pressure, 0, 0};
         return state;
     }
 
+    /// log(p/Pa) and its slope against the separation over the rms height.
+    [[nodiscard]] LogSlope<T> log_pressure(T h) const {
+        LogSlope<T> p = log_load(h);
+        p.log += std::log(pressure_scale_);
+        return p;
+    }
+
+    [[nodiscard]] T rms_height() const { return surface_.rms_height; }
+    [[nodiscard]] Interaction<T> interaction() const { return {}; }
+    [[nodiscard]] T bulk_compliance() const { return T(0); }
+    [[nodiscard]] T stiffness_over_slope() const { return T(1); }
+
 private:
+    LogSlope<T> log_load(T h) const {
+        const auto [load, scale] = scaled<3>(h);
+        return {std::log(load) + scale, T(-1.5) * scaled<1>(h).first / load, rounding};
+    }
+
     static constexpr T rounding = 16 * std::numeric_limits<T>::epsilon();
 
     /// G_n(h) = first * exp(second)

@@ -100,11 +100,8 @@ public:
     /// \throws domain_error unless it is positive and within the reach of the model, which the message tells.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         require_positive("pressure", pressure);
-        const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure, detail::highest_gaussian_eta<T>(), [&](T x) {
-            const auto j = scaled_contact_integrals(peaks_, x, Quantity::pressure | Quantity::stiffness, options_.integrals);
-            return detail::LogSlope<T>{std::log(j.load.value) + j.log_scale, T(-1.5) * j.stiffness.value / j.load.value,
-                                       j.load.error / j.load.value};
-        });
+        const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure, detail::highest_gaussian_eta<T>(),
+                                        [this](T x) { return log_load(x); });
         if (options_.interaction.reading == InteractionReading::as_printed) return printed(eta.value, {pressure, 0, 0}, wanted);
         const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
         ContactState<T> state = at_eta(eta, interacting ? wanted | Quantity::stiffness : wanted);
@@ -112,10 +109,27 @@ public:
         return interacting ? compliant(state, wanted) : state;
     }
 
+    /// log(p/Pa) without interaction and its slope against eta, the separation over the rms height.
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        LogSlope<T> p = log_load(eta);
+        p.log += std::log(pressure_scale_);
+        return p;
+    }
+
     [[nodiscard]] T rms_height() const { return rms_height_; }
     [[nodiscard]] const PeakDensity<T>& peaks() const { return peaks_; }
+    [[nodiscard]] const Interaction<T>& interaction() const { return options_.interaction; }
+    /// Of the bulk in series with the interface, L/E [m/Pa]: 0 without interaction.
+    [[nodiscard]] T bulk_compliance() const { return bulk_compliance_; }
+    /// K over -dp/dd without interaction: 1 but for FractalLaw.
+    [[nodiscard]] T stiffness_over_slope() const { return 1 / slope_ratio_; }
 
 private:
+    LogSlope<T> log_load(T eta) const {
+        const auto j = scaled_contact_integrals(peaks_, eta, Quantity::pressure | Quantity::stiffness, options_.integrals);
+        return {std::log(j.load.value) + j.log_scale, T(-1.5) * j.stiffness.value / j.load.value, j.load.error / j.load.value};
+    }
+
     ContactIntegrals<T> integrals(T eta, Quantity wanted) const {
         return contact_integrals(peaks_, eta, wanted, options_.integrals);
     }

@@ -162,7 +162,7 @@ template <Axis axis, Real T, class F>
 [[nodiscard]] Estimate<T> scaled_tensor_integral(const F& f, const PeakDensity<T>& peaks, T eta, const TensorOptions<T>& options = {}) {
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
     const T digits = -std::log(options.relative_tolerance);
-    const detail::PeakProblem<T> problem(peaks, eta, {}, digits + 9);
+    const detail::PeakProblem<T> problem(peaks, eta, digits + 9);
     const detail::TensorRule<axis, T, F> rule(f, problem);
     detail::Nested<T> by_row, by_column;
     // 24 even or 48 graded nodes give 13 digits on plain problems; fewer digits need proportionally fewer

@@ -12,7 +12,7 @@
 ///
 /// Reference   NIST Digital Library of Mathematical Functions, 12.5.1.
 /// Units       dimensionless
-/// Valid       a in {0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double)
+/// Valid       a in {-1/2, 0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double)
 /// Accuracy    16 epsilon relative, 40 for a = 5/2 (least where x is just below 0); 1 epsilon is typical
 ///             (tests/math/gaussian_moment_test.cpp)
 
@@ -30,9 +30,10 @@ namespace detail {
 
 inline constexpr int moment_middle = 5;  ///< the middle polynomial reaches to x = -5
 
-/// Half-integer powers v^(TwiceA/2) for v >= 0.
+/// Half-integer powers v^(TwiceA/2), given v and its square root.
 template <int TwiceA, class V>
-V half_power(const V& v, const V& root) {
+EIGEN_ALWAYS_INLINE V half_power(const V& v, const V& root) {
+    if constexpr (TwiceA == -1) return V(1) / root;
     if constexpr (TwiceA == 0) return V(1);
     if constexpr (TwiceA == 1) return root;
     if constexpr (TwiceA == 2) return v;
@@ -41,19 +42,19 @@ V half_power(const V& v, const V& root) {
 
 /// exp(x^2/2) F_a(x) for x >= 0, given 1/(x+4) and its square root.
 template <int TwiceA, Real T, class V>
-V moment_right(const V& u, const V& inverse, const V& inverse_root) {
+EIGEN_ALWAYS_INLINE V moment_right(const V& u, const V& inverse, const V& inverse_root) {
     return polynomial(MomentTable<T, TwiceA>::right, u) * half_power<TwiceA + 2>(inverse, inverse_root);
 }
 
 /// F_a(x) for -5 <= x <= 0, u = (2x+5)/5.
 template <int TwiceA, Real T, class V>
-V moment_middle_range(const V& u) {
+EIGEN_ALWAYS_INLINE V moment_middle_range(const V& u) {
     return polynomial(MomentTable<T, TwiceA>::middle, u);
 }
 
 /// F_a(x) for x <= -5, u = 50/x^2 - 1.
 template <int TwiceA, Real T, class V>
-V moment_far(const V& u, const V& magnitude, const V& root) {
+EIGEN_ALWAYS_INLINE V moment_far(const V& u, const V& magnitude, const V& root) {
     return polynomial(MomentTable<T, TwiceA>::far, u) * half_power<TwiceA>(magnitude, root);
 }
 
@@ -85,11 +86,12 @@ T scaled_moment(T x) {
 /// Calls f.operator()<2a>() for the power \p a. \throws domain_error for a power that has no table.
 template <Real T, class F>
 auto with_power(T a, const F& f) {
+    if (a == T(-0.5)) return f.template operator()<-1>();
     if (a == T(0)) return f.template operator()<0>();
     if (a == T(0.5)) return f.template operator()<1>();
     if (a == T(1)) return f.template operator()<2>();
     if (a == T(1.5)) return f.template operator()<3>();
-    require(a == T(2.5), "a", a, "0, 1/2, 1, 3/2 or 5/2");
+    require(a == T(2.5), "a", a, "-1/2, 0, 1/2, 1, 3/2 or 5/2");
     return f.template operator()<5>();
 }
 

@@ -26,97 +26,75 @@ struct Lanes {
     using Packet = typename Eigen::internal::find_best_packet<T, size>::type;
     static constexpr int width = Eigen::internal::unpacket_traits<Packet>::size;
     static constexpr int packets = size / width;
-    using Sequence = std::make_integer_sequence<int, packets>;
 
     std::array<Packet, packets> p;
 
     Lanes() = default;
-    explicit Lanes(T value) { p.fill(Eigen::internal::pset1<Packet>(value)); }
+    EIGEN_ALWAYS_INLINE explicit Lanes(T value) { p.fill(Eigen::internal::pset1<Packet>(value)); }
+    EIGEN_ALWAYS_INLINE explicit Lanes(const std::array<Packet, packets>& all) : p(all) {}
 
     /// Eight consecutive numbers from \p from, which need not be aligned.
-    static Lanes load(const T* from) {
-        return make([&]<int I>() { return Eigen::internal::ploadu<Packet>(from + I * width); });
-    }
-
-    void store(T* to) const {
-        for (std::size_t i = 0; i < packets; ++i) Eigen::internal::pstoreu(to + i * width, p[i]);
-    }
-
-    /// The Lanes whose packet I is f.operator()<I>(); expanded at compile time so that nothing is left of the loop.
-    template <class F>
-    static Lanes make(const F& f) {
-        return expand(f, Sequence{});
-    }
-
-    friend Lanes operator+(const Lanes& a, const Lanes& b) {
-        return make([&]<int I>() { return Eigen::internal::padd(a.p[I], b.p[I]); });
-    }
-    friend Lanes operator-(const Lanes& a, const Lanes& b) {
-        return make([&]<int I>() { return Eigen::internal::psub(a.p[I], b.p[I]); });
-    }
-    friend Lanes operator*(const Lanes& a, const Lanes& b) {
-        return make([&]<int I>() { return Eigen::internal::pmul(a.p[I], b.p[I]); });
-    }
-    friend Lanes operator/(const Lanes& a, const Lanes& b) {
-        return make([&]<int I>() { return Eigen::internal::pdiv(a.p[I], b.p[I]); });
-    }
-
-private:
-    template <class F, int... I>
-    static Lanes expand(const F& f, std::integer_sequence<int, I...>) {
+    EIGEN_ALWAYS_INLINE static Lanes load(const T* from) {
         Lanes out;
-        ((out.p[I] = f.template operator()<I>()), ...);
+        for (std::size_t i = 0; i < packets; ++i) out.p[i] = Eigen::internal::ploadu<Packet>(from + i * width);
         return out;
+    }
+
+    EIGEN_ALWAYS_INLINE void store(T* to) const {
+        for (std::size_t i = 0; i < packets; ++i) Eigen::internal::pstoreu(to + i * width, p[i]);
     }
 };
 
+/// The Lanes whose packet i is \p packet(i). Expanded and inlined without fail: at -O2 a compiler would otherwise call a
+/// function for each multiplication.
+template <Real T, class F, std::size_t... I>
+EIGEN_ALWAYS_INLINE Lanes<T> make_lanes(const F& packet, std::index_sequence<I...>) {
+    return Lanes<T>(std::array<typename Lanes<T>::Packet, sizeof...(I)>{packet(I)...});
+}
+
+// clang-format off: one line of Eigen's packet mathematics each
+#define FSTIFF_LANES(expression)                                                                    \
+    make_lanes<T>([&](std::size_t i) __attribute__((always_inline)) {                               \
+        using namespace Eigen::internal;                                                            \
+        return expression;                                                                          \
+    }, std::make_index_sequence<Lanes<T>::packets>{})
+
+template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> operator+(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(padd(a.p[i], b.p[i])); }
+template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> operator-(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(psub(a.p[i], b.p[i])); }
+template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> operator*(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(pmul(a.p[i], b.p[i])); }
+template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> operator/(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(pdiv(a.p[i], b.p[i])); }
+template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> min(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(pmin(a.p[i], b.p[i])); }
+template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> max(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(pmax(a.p[i], b.p[i])); }
+template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> exp(const Lanes<T>& a) { return FSTIFF_LANES(pexp(a.p[i])); }
+template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> sqrt(const Lanes<T>& a) { return FSTIFF_LANES(psqrt(a.p[i])); }
+
 /// a b + c
 template <Real T>
-Lanes<T> multiply_add(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& c) {
-    return Lanes<T>::make([&]<int I>() { return Eigen::internal::pmadd(a.p[I], b.p[I], c.p[I]); });
-}
-
-template <Real T>
-Lanes<T> exp(const Lanes<T>& a) {
-    return Lanes<T>::make([&]<int I>() { return Eigen::internal::pexp(a.p[I]); });
-}
-
-template <Real T>
-Lanes<T> sqrt(const Lanes<T>& a) {
-    return Lanes<T>::make([&]<int I>() { return Eigen::internal::psqrt(a.p[I]); });
-}
-
-template <Real T>
-Lanes<T> min(const Lanes<T>& a, const Lanes<T>& b) {
-    return Lanes<T>::make([&]<int I>() { return Eigen::internal::pmin(a.p[I], b.p[I]); });
-}
-
-template <Real T>
-Lanes<T> max(const Lanes<T>& a, const Lanes<T>& b) {
-    return Lanes<T>::make([&]<int I>() { return Eigen::internal::pmax(a.p[I], b.p[I]); });
-}
+EIGEN_ALWAYS_INLINE Lanes<T> multiply_add(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& c) { return FSTIFF_LANES(pmadd(a.p[i], b.p[i], c.p[i])); }
 
 /// Where a < b: \p yes, elsewhere \p no.
 template <Real T>
-Lanes<T> select_less(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& yes, const Lanes<T>& no) {
-    return Lanes<T>::make([&]<int I>() {
-        return Eigen::internal::pselect(Eigen::internal::pcmp_lt(a.p[I], b.p[I]), yes.p[I], no.p[I]);
-    });
+EIGEN_ALWAYS_INLINE Lanes<T> select_less(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& yes, const Lanes<T>& no) {
+    return FSTIFF_LANES(pselect(pcmp_lt(a.p[i], b.p[i]), yes.p[i], no.p[i]));
 }
+
+#undef FSTIFF_LANES
+// clang-format on
 
 // The same for one number.
 template <Real T>
-T multiply_add(T a, T b, T c) {
+EIGEN_ALWAYS_INLINE T multiply_add(T a, T b, T c) {
     return a * b + c;
 }
 
 /// c[0] + c[1] u + c[2] u^2 + ..., by Horner's rule; V is T or Lanes<T>.
 template <class V, Real T, std::size_t N>
-V polynomial(const std::array<T, N>& c, const V& u) {
+EIGEN_ALWAYS_INLINE V polynomial(const std::array<T, N>& c, const V& u) {
     V sum = V(c[N - 1]);
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
         ((sum = multiply_add(sum, u, V(c[N - 2 - I]))), ...);
-    }(std::make_index_sequence<N - 1>{});
+    }
+    (std::make_index_sequence<N - 1>{});
     return sum;
 }
 

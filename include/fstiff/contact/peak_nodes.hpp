@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The nodes of the contact integrals: three substitutions that make the integrand over the curvature t smooth, and the choice.
+///
+///     J[a,b] = c^a/(2 theta) int_0^inf t^b erf(k t) exp(-t^2/2) F_a(x(t)) dt,   x = (eta - r t)/c,  k = tan(theta)/sqrt 2
+///
+/// Where the integrand lives: for x > 0 it is exp(-eta^2/2) times a Gaussian in t of mean r eta and width c times an algebraic
+/// function of x; for x < 0 it is exp(-t^2/2) |x|^a. It has a branch point at t = 0, a layer of width 1/k there, and turns on
+/// within c/r of t = eta/r. Every rule is a trapezoidal rule over the whole line in y, so that it converges geometrically, and
+/// holds the rule of twice the step within itself, whose difference is the error estimate. exp(-eta^2/2) is taken out where
+/// eta > 0: nothing over- or underflows and the far tail keeps its relative accuracy.
+///
+///     smooth      t = 2.1 log(1 + exp(y - 0.4 exp(-1.354 y)))   from tables; linear for large t, double exponential at t = 0
+///     graded      t = s exp(y - exp(-y))                        all scales from s = min(1, 1/k, c + max(0, -eta)) to 1 alike
+///     separated   x = -(3 y + exp(y)), t = (eta - c x)/r        the Gaussian clear of t = 0: linear across it, graded beyond
+///                                                               the turn-on; x as variable cancels nothing as c -> 0
+///
+/// The constants of the smooth map were found by search: 32 nodes for 3e-13 on all four integrals, -3 <= eta <= 4,
+/// r <= 0.82, pi/4 <= theta <= pi/3.
+///
+/// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458 (trapezoidal rule); Takahasi and Mori, Publ. RIMS 9
+///             (1974) 721-741 (double exponential substitution).
+/// Accuracy    see contact_integrals.hpp
+
+#include <fstiff/core/concepts.hpp>
+#include <fstiff/math/lanes.hpp>
+#include <fstiff/peaks/peak_density.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace fstiff {
+
+namespace detail {
+
+/// One evaluation: the parameters that all nodes share.
+template <Real T>
+struct PeakProblem {
+    T r, theta, eta;
+    T depth;  ///< -log of what may be neglected
+    T c = std::sqrt((1 - r) * (1 + r));
+    T k = std::tan(theta) / std::numbers::sqrt2_v<T>;
+    T floor = std::max(eta, T(0));    ///< exp(-floor^2/2) is taken out of every node: the rest is of order 1
+    T reach = std::sqrt(2 * depth);  ///< exp(-reach^2/2) may be neglected
+
+    /// Below it erf(k t)/(2 theta) is t/sqrt(2 pi) to the last digit, while erf(k t) might underflow.
+    static inline const T least_theta = std::sqrt(std::numeric_limits<T>::epsilon()) / 100;
+
+    PeakProblem(const PeakDensity<T>& peaks, T at_eta, T neglect_depth)
+        : r(peaks.r()), theta(std::max(peaks.theta(), least_theta)), eta(at_eta), depth(neglect_depth) {}
+};
+
+/// Eight nodes at ascending curvatures t: what an integrand is made of. The ends of t and x are given as numbers too; they
+/// decide which polynomials are needed.
+template <Real T>
+struct PeakNodes {
+    Lanes<T> t;
+    Lanes<T> x;             ///< (eta - r t)/c
+    Lanes<T> z;             ///< (t - r eta)/c
+    Lanes<T> excess;        ///< t - floor
+    Lanes<T> weight;        ///< dt/dy
+    Lanes<T> inverse_root;  ///< t^(-1/2)
+    T t_first, t_last, x_first, x_last;
+};
+
+/// Nodes given by t alone.
+template <Real T>
+EIGEN_ALWAYS_INLINE PeakNodes<T> nodes_at(const PeakProblem<T>& p, T inverse_c, const Lanes<T>& t, const Lanes<T>& weight,
+                                          const Lanes<T>& inverse_root, T t_first, T t_last) {
+    using V = Lanes<T>;
+    const T slope = -p.r * inverse_c;
+    const T start = p.eta * inverse_c;
+    return {t, multiply_add(t, V(slope), V(start)), (t - V(p.r * p.eta)) * V(inverse_c), t - V(p.floor), weight, inverse_root,
+            t_first, t_last, slope * t_first + start, slope * t_last + start};
+}
+
+/// 0, 1, ..., 7
+template <Real T>
+Lanes<T> ascending() {
+    static constexpr std::array<T, Lanes<T>::size> numbers{0, 1, 2, 3, 4, 5, 6, 7};
+    return Lanes<T>::load(numbers.data());
+}
+
+/// The curvature beyond which the integrand is below exp(-depth) of its greatest value.
+template <Real T>
+T largest_curvature(const PeakProblem<T>& p) {
+    const T inner = p.r * p.eta + p.reach * p.c;  // end of the Gaussian, if x > 0 up to there
+    if (inner * p.r <= p.eta) return inner;
+    return std::sqrt(p.floor * p.floor + 2 * p.depth);  // end of exp(-t^2/2)
+}
+
+/// Nodes and weights of the smooth map, in tables of decreasing step: they depend on nothing else.
+template <Real T>
+class SmoothNodes {
+public:
+    static constexpr std::size_t capacity = 256;
+    struct Rung {
+        T step;
+        std::size_t count;
+        std::array<T, capacity> node, weight, inverse_root;
+    };
+
+    static const SmoothNodes& get() {
+        static const SmoothNodes nodes;
+        return nodes;
+    }
+
+    /// The coarsest rung whose step is at most \p step; the finest one when there is none.
+    [[nodiscard]] const Rung& at_most(T step) const {
+        std::size_t i = 0;
+        while (i + 1 < steps_.size() && steps_[i] > step) ++i;
+        return rungs_[i];
+    }
+
+    static constexpr T scale = T(2.1);
+    static constexpr T left = T(3.5);         ///< the table begins at y = -left
+    static constexpr T finest = T(0.07);      ///< a step below this is not offered
+    static constexpr T furthest_node = T(22);  ///< no problem that is not separated reaches further
+
+private:
+    SmoothNodes() {
+        T step = 1;
+        for (std::size_t i = 0; i < rungs_.size(); ++i) {
+            Rung& rung = rungs_[i];
+            steps_[i] = rung.step = step;
+            const int begin = 2 * static_cast<int>(std::floor(-left / (2 * step)));
+            for (rung.count = 0; rung.count < capacity; ++rung.count) {
+                const T y = T(begin + static_cast<int>(rung.count)) * step;
+                const T fall = T(0.4) * std::exp(T(-1.354) * y);
+                const T v = y - fall;
+                const T small = std::exp(-std::abs(v));
+                rung.node[rung.count] = std::max(scale * (std::max(v, T(0)) + std::log1p(small)), T(1e-30));  // 1/t is finite
+                rung.weight[rung.count] = scale * (1 + T(1.354) * fall) * (v > 0 ? 1 : small) / (1 + small);
+                rung.inverse_root[rung.count] = 1 / std::sqrt(rung.node[rung.count]);
+                if (rung.count % Lanes<T>::size == 0 && rung.node[rung.count] > furthest_node) break;
+            }
+            step *= T(0.8408964152537145);  // 2^(-1/4): a rung is at most 19 % finer than asked for
+        }
+    }
+
+    std::array<T, 16> steps_;  // apart from the tables: the search stays in two cache lines
+    std::array<Rung, 16> rungs_;
+};
+
+template <Real T, class Sink>
+T visit_smooth(const PeakProblem<T>& p, T wanted_step, Sink& sink) {
+    using V = Lanes<T>;
+    const auto& rung = SmoothNodes<T>::get().at_most(wanted_step);
+    const T last = largest_curvature(p);
+    const T inverse_c = 1 / p.c;
+    for (std::size_t j = 0; j < rung.count && rung.node[j] <= last; j += V::size) {
+        const V t = V::load(&rung.node[j]);
+        sink.add(nodes_at(p, inverse_c, t, V::load(&rung.weight[j]), V::load(&rung.inverse_root[j]), rung.node[j],
+                          rung.node[j + V::size - 1]));
+    }
+    return rung.step;
+}
+
+template <Real T>
+T graded_scale(const PeakProblem<T>& p) {
+    return std::min({T(1), 1 / p.k, p.c + std::max(T(0), -p.eta)});
+}
+
+template <Real T, class Sink>
+T visit_graded(const PeakProblem<T>& p, T step, Sink& sink) {
+    using V = Lanes<T>;
+    const T scale = graded_scale(p);
+    const T ratio = largest_curvature(p) / scale;
+    const T last = std::log(ratio) + 1 / ratio;  // y - exp(-y) = log(ratio)
+    const T inverse_c = 1 / p.c;
+    for (int j = 2 * static_cast<int>(std::floor(-std::log(p.depth + 2) / (2 * step))); T(j) * step < last; j += V::size) {
+        const T y_first = T(j) * step;
+        const T y_last = T(j + V::size - 1) * step;
+        const V y = multiply_add(ascending<T>(), V(step), V(y_first));
+        const V fall = exp(V(T(0)) - y);
+        const V t = V(scale) * exp(y - fall);
+        sink.add(nodes_at(p, inverse_c, t, t * (fall + V(T(1))), V(T(1)) / sqrt(t), scale * std::exp(y_first - std::exp(-y_first)),
+                          scale * std::exp(y_last - std::exp(-y_last))));
+    }
+    return step;
+}
+
+template <Real T, class Sink>
+T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
+    using V = Lanes<T>;
+    constexpr T slope = 3;
+    const T high = p.c * p.eta + p.reach * p.r;
+    T low = p.c * p.eta - p.reach * p.r;
+    if (low < 0) {  // to the end of exp(-t^2/2) at t = hypot(eta, reach): (eta - r t)/c, without its cancellation
+        const T end = std::hypot(p.eta, p.reach);
+        low = (p.c * p.eta * p.c * p.eta - p.r * p.reach * p.r * p.reach) / (p.c * (p.eta + p.r * end));
+    }
+    const T y_high = low < 0 ? std::log(1 - low) : 1 - low / slope;
+    const T c_over_r = p.c / p.r;
+    const T inverse_r = 1 / p.r;
+    const T distance = p.eta * (1 - p.r) * inverse_r;  // of the turn-on from t = eta
+    const T least = p.c / 2;  // t at the idle end of the first eight nodes; the integrand is negligible there
+    const auto x_at = [](T y) { return -(slope * y + std::exp(y)); };
+    const auto t_at = [&](T x) { return std::max(least, (p.eta - p.c * x) * inverse_r); };
+    for (int j = 2 * static_cast<int>(std::floor(-(high + T(0.4)) / (2 * slope * step))); T(j) * step < y_high; j += V::size) {
+        const T y_first = T(j) * step;
+        const T x_first = x_at(y_first);
+        const T x_last = x_at(T(j + V::size - 1) * step);
+        const V y = multiply_add(ascending<T>(), V(step), V(y_first));
+        const V rise = exp(y);
+        const V x = V(T(0)) - multiply_add(y, V(slope), rise);
+        const V excess = multiply_add(x, V(-c_over_r), V(distance));
+        const V t = max(excess + V(p.eta), V(least));
+        sink.add({t, x, (V(p.c * p.eta) - x) * V(inverse_r), excess, (rise + V(slope)) * V(c_over_r), V(T(1)) / sqrt(t),
+                  t_at(x_first), t_at(x_last), x_first, x_last});
+    }
+    return step;
+}
+
+/// The one place where a rule and its step are chosen, for a relative error of exp(-digits).
+///
+/// separated   when the Gaussian of mean r eta and width c is further from t = 0 than it reaches, so that the branch point and
+///             the layer at t = 0 do not count. Step: resolves the Gaussian, which has width r in x.
+/// smooth      when its step, which has to resolve the Gaussian (c) and the layer (1/k), makes it the cheaper one.
+/// graded      else: c or 1/k small. Step: 3.9/(digits + 3), less where the Gaussian is narrow on the logarithmic scale.
+///
+/// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are too
+/// hopeful the error estimate says so.
+/// Calls sink.add with PeakNodes, eight at a time, and returns the step: an integral is the step times the sum.
+template <Real T, class Sink>
+T visit_nodes(const PeakProblem<T>& p, T digits, Sink& sink) {
+    const T root = std::sqrt(digits);
+    const T distance = p.r * p.eta / p.c;
+    if (distance > p.reach + 1) return visit_separated(p, std::min(T(1.3) * p.r / root, (T(3.9) + T(0.35) * std::min(p.eta, T(3))) / (digits + 3)), sink);
+
+    const T strip = T(7.3) / ((digits + 3) * (1 + T(0.075) * p.k * p.k));
+    const T smooth_step = std::min(strip, T(2.1) * p.c / root * (p.eta <= 0 ? T(1.5) : T(1)));
+    if (smooth_step >= T(0.15) && p.k <= T(2)) return visit_smooth(p, smooth_step, sink);  // always the cheaper one
+
+    const T narrow = std::max(distance, T(0)) * root / T(2.9);
+    const T wide = (digits + 3) / T(3.9);
+    const T graded_step = 1 / std::sqrt(wide * wide + narrow * narrow);
+
+    const T smooth_cost = (SmoothNodes<T>::left + largest_curvature(p) / SmoothNodes<T>::scale) / smooth_step;
+    const T graded_cost = (std::log(p.depth + 2) + std::log(largest_curvature(p) / graded_scale(p))) / graded_step;
+    const bool offered = smooth_step >= SmoothNodes<T>::finest;
+    return offered && smooth_cost <= T(1.2) * graded_cost ? visit_smooth(p, smooth_step, sink) : visit_graded(p, graded_step, sink);
+}
+
+}  // namespace detail
+}  // namespace fstiff

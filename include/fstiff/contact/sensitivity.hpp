@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// How the stiffness at a given pressure depends on each parameter: what a fit to measurements and an error band need.
+///
+///     ln K = ln B + ln J[1/2,-1/2](eta),   ln p = ln A + ln J[3/2,-1/2](eta)
+///     d ln K/dx = d ln B/dx + d ln J[1/2]/dx - (J[1/2]'/J[1/2]) (J[3/2]/J[3/2]') (d ln A/dx + d ln J[3/2]/dx)
+///
+/// at constant p. The derivatives of the integrals are integrals of the same kind, over the same nodes:
+///
+///     dJ[a,b]/deta   = -a J[a-1,b]
+///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]          (d phi/dr = d^2 phi/dzeta dt, by parts twice)
+///     dJ[a,b]/dtheta = -J[a,b]/theta + dk/dtheta I[(zeta-eta)^a t^b d/dk erf(k t)]
+///
+/// where I is the integral with the normal density phi(zeta, t; r) of correlation r in place of erf(k t) phi.
+///
+/// Reference   Plackett, Biometrika 41 (1954) 351-360 (the derivative with respect to r).
+/// Units       each derivative in Pa/m per unit of its parameter (SI)
+/// Accuracy    1e-11 relative to K over the parameter (tests/contact/sensitivity_test.cpp)
+
+#include <fstiff/contact/peak_sums.hpp>
+#include <fstiff/core/concepts.hpp>
+#include <fstiff/surface/roughness.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace fstiff {
+
+/// K at a pressure and its derivatives at constant pressure.
+template <Real T>
+struct Sensitivity {
+    T stiffness{};          ///< K [Pa/m]
+    T pressure{};           ///< dK/dp [1/m]
+    T rms_height{};         ///< dK/dsigma [Pa/m^2]
+    T peak_radius{};        ///< dK/dR [Pa/m^2]
+    T peak_density{};       ///< dK/dD_p [Pa m]
+    T fractal_dimension{};  ///< dK/dD [Pa/m]; 0 for HertzLaw
+    T effective_modulus{};  ///< dK/dE [1/m]
+    T r{};                  ///< dK/dr [Pa/m]
+    T theta{};              ///< dK/dtheta [Pa/m per radian]
+};
+
+namespace detail {
+
+/// ln J[1/2,-1/2] and ln J[3/2,-1/2] with their derivatives against eta, r and theta.
+template <Real T>
+struct LogDerivatives {
+    struct One {
+        T log, eta, r, theta;
+    };
+    One stiffness, load;
+};
+
+/// The seven sums that the derivatives need.
+template <Real T>
+class DerivativeAccumulator {
+public:
+    using V = Lanes<T>;
+    enum Sum { j_minus, j_half, j_three, r_half, r_three, theta_half, theta_three, sums };
+
+    explicit DerivativeAccumulator(const PeakProblem<T>& problem) : p_(problem) {}
+
+    EIGEN_ALWAYS_INLINE void add(const PeakNodes<T>& nodes) {
+        const MomentBlock<T> block(nodes);
+        const V k{p_.k};
+        const V kt = k * nodes.t;
+        const V g = nodes.weight * nodes.inverse_root * block.gaussian(nodes, p_.floor);  // with t^b = t^(-1/2)
+        const V erf = erf_ascending(kt, p_.k * nodes.t_first, p_.k * nodes.t_last);
+        const V bounded = min(kt, V(T(25)));  // exp(-625) is nothing, and its argument does not overflow
+        const V layer = V(2 * std::numbers::inv_sqrtpi_v<T>) * exp(V(T(0)) - bounded * bounded);  // d erf(y)/dy
+        const V by_erf = g * erf;
+        // t^(1/2) d/dt (t^(-1/2) erf(k t)) = k erf'(k t) - erf(k t)/(2 t)
+        const V by_r = g * (k * layer - V(T(0.5)) * erf * nodes.inverse_root * nodes.inverse_root);
+        const V by_theta = g * nodes.t * layer;
+        const V minus = block.template moment<-1>();
+        const V half = block.template moment<1>();
+        const V three = block.template moment<3>();
+        const std::array<V, sums> term{by_erf * minus, by_erf * half, by_erf * three, by_r * minus, by_r * half, by_theta * half, by_theta * three};
+        for (std::size_t i = 0; i < sums; ++i) sum_[i] = sum_[i] + term[i];
+    }
+
+    T total(Sum which) const {
+        std::array<T, V::size> lane;
+        sum_[which].store(lane.data());
+        return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+    }
+
+private:
+    const PeakProblem<T>& p_;
+    std::array<V, sums> sum_{V(T(0)), V(T(0)), V(T(0)), V(T(0)), V(T(0)), V(T(0)), V(T(0))};
+};
+
+/// \p eta as in contact_integral, to the last digits. Does not allocate.
+template <Real T>
+LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
+    const T digits = -std::log(100 * std::numeric_limits<T>::epsilon());
+    const PeakProblem<T> p(peaks, eta, digits + 5);
+    using Sums = DerivativeAccumulator<T>;
+    Sums sums(p);
+    const T step = visit_nodes(p, digits, sums);
+    const T half = sums.total(Sums::j_half), three = sums.total(Sums::j_three);
+    const T inverse_c = 1 / p.c;
+    const T cosine = std::cos(p.theta);
+    const T dk = 1 / (std::numbers::sqrt2_v<T> * cosine * cosine);
+    // J[a,b] = c^a/(2 theta) step sum: the common factors cancel in every logarithmic derivative
+    const T log_factor = std::log(step / (2 * p.theta)) - p.floor * p.floor / 2;
+    const T log_c = std::log(p.c);
+    return {{std::log(half) + log_factor + log_c / 2, T(-0.5) * inverse_c * sums.total(Sums::j_minus) / half,
+             T(0.5) * inverse_c * sums.total(Sums::r_half) / half, dk * sums.total(Sums::theta_half) / half - 1 / p.theta},
+            {std::log(three) + log_factor + T(1.5) * log_c, T(-1.5) * inverse_c * half / three,
+             T(1.5) * inverse_c * sums.total(Sums::r_three) / three, dk * sums.total(Sums::theta_three) / three - 1 / p.theta}};
+}
+
+}  // namespace detail
+
+}  // namespace fstiff

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// A smooth function on an interval as a Chebyshev series, and short pieces of it as plain polynomials.
+///
+///     f(x) = c_0/2 + c_1 T_1(u) + ... ,   u = (2x - a - b)/(b - a)
+///
+/// Reference   Clenshaw, Math. Tables Aids Comput. 9 (1955) 118-120 (evaluation); Trefethen, Approximation Theory and
+///             Approximation Practice (SIAM, 2013), chapter 3.
+/// Valid       a < b, at most `capacity` coefficients
+/// Accuracy    that of the samples times log(degree), and the first coefficients left out; each derivative costs degree^2
+
+#include <fstiff/core/concepts.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace fstiff {
+
+/// Does not allocate.
+template <Real T>
+class ChebyshevSeries {
+public:
+    static constexpr std::size_t capacity = 64;
+
+    ChebyshevSeries() = default;
+
+    /// Interpolates \p f, called at \p points abscissae in [a, b] (at most capacity).
+    template <class F>
+    ChebyshevSeries(T a, T b, std::size_t points, const F& f) : middle_((a + b) / 2), half_((b - a) / 2), size_(points) {
+        std::array<T, capacity> value;
+        std::array<T, 4 * capacity> cosine;  // cos(pi m / (2 points))
+        for (std::size_t m = 0; m < 4 * points; ++m)
+            cosine[m] = m == points || m == 3 * points ? T(0) : std::cos(std::numbers::pi_v<T> * T(m) / (2 * T(points)));
+        for (std::size_t k = 0; k < points; ++k) value[k] = f(middle_ + half_ * cosine[2 * k + 1]);
+        for (std::size_t j = 0; j < points; ++j) {
+            T sum = 0;
+            for (std::size_t k = 0; k < points; ++k) sum += value[k] * cosine[(j * (2 * k + 1)) % (4 * points)];
+            c_[j] = 2 * sum / T(points);
+        }
+    }
+
+    [[nodiscard]] T operator()(T x) const noexcept {
+        const T u = (x - middle_) / half_;
+        T next = 0, after = 0;
+        for (std::size_t j = size_; j-- > 1;) {
+            const T now = 2 * u * next - after + c_[j];
+            after = next;
+            next = now;
+        }
+        return u * next - after + c_[0] / 2;
+    }
+
+    /// The series of the derivative.
+    [[nodiscard]] ChebyshevSeries derivative() const {
+        ChebyshevSeries out = *this;
+        out.c_.fill(0);
+        for (std::size_t j = size_ - 1; j > 0; --j)
+            out.c_[j - 1] = (j + 1 < size_ ? out.c_[j + 1] : T(0)) + 2 * T(j) * c_[j] / half_;
+        out.size_ = size_ - 1;
+        return out;
+    }
+
+    /// Size of the last two coefficients: of the order of the error of the series.
+    [[nodiscard]] T tail() const { return std::abs(c_[size_ - 1]) + std::abs(c_[size_ - 2]); }
+
+private:
+    T middle_{}, half_{1};
+    std::size_t size_ = 0;
+    std::array<T, capacity> c_{};
+};
+
+namespace detail {
+
+/// The polynomial of degree N-1 in s in [-1, 1] through given values at the N Chebyshev-Lobatto points cos(pi k/(N-1)), whose
+/// ends are the ends of the interval: neighbouring pieces agree there.
+template <Real T, std::size_t N>
+class LobattoPiece {
+public:
+    static const LobattoPiece& get() {
+        static const LobattoPiece piece;
+        return piece;
+    }
+    std::array<T, N> node;  ///< ascending, -1 to 1
+
+    /// Coefficients of s^0 ... s^(N-1).
+    void fit(const std::array<T, N>& value, T* coefficient) const {
+        for (std::size_t i = 0; i < N; ++i) {
+            T sum = 0;
+            for (std::size_t k = 0; k < N; ++k) sum += inverse_[i][k] * value[k];
+            coefficient[i] = sum;
+        }
+    }
+
+private:
+    /// Inverse Vandermonde matrix by Lagrange's polynomials, multiplied out in long double: the condition is 2.4^N.
+    LobattoPiece() {
+        std::array<long double, N> x;
+        for (std::size_t k = 0; k < N; ++k) x[k] = -std::cos(std::numbers::pi_v<long double> * static_cast<long double>(k) / (N - 1));
+        if constexpr (N % 2 == 1) x[N / 2] = 0;
+        for (std::size_t k = 0; k < N; ++k) {
+            std::array<long double, N> product{1};
+            std::size_t degree = 0;
+            for (std::size_t m = 0; m < N; ++m) {
+                if (m == k) continue;
+                ++degree;
+                for (std::size_t i = degree; i > 0; --i) product[i] = product[i - 1] - x[m] * product[i];
+                product[0] *= -x[m];
+                for (std::size_t i = 0; i <= degree; ++i) product[i] /= x[k] - x[m];
+            }
+            for (std::size_t i = 0; i < N; ++i) inverse_[i][k] = static_cast<T>(product[i]);
+            node[k] = static_cast<T>(x[k]);
+        }
+    }
+
+    std::array<std::array<T, N>, N> inverse_;
+};
+
+}  // namespace detail
+
+}  // namespace fstiff
