@@ -2,7 +2,8 @@
 # Reads the includes of include/fstiff and checks that
 #   - a folder includes only itself and what stands above it in `levels` (folders on one level never include each other),
 #   - a header includes nothing but <fstiff/...>, <Eigen/...> and the standard library (`optional_includes` aside),
-#   - fstiff.hpp includes every public header, and the layer table of docs/architecture.md is what the includes say.
+#   - fstiff.hpp includes every public header, and the layer table of docs/architecture.md is what the includes say,
+#   - every file that README.md and docs/*.md name exists: by its path, or a header or a test as <layer>/<name>.
 #
 #   cmake -P tools/check_layers.cmake                  check
 #   cmake -D UPDATE=ON -P tools/check_layers.cmake     rewrite fstiff.hpp and the table
@@ -152,6 +153,28 @@ else()
         endif()
     endif()
 endif()
+
+file(GLOB documents RELATIVE ${ROOT} ${ROOT}/README.md ${ROOT}/docs/*.md)
+list(JOIN folders "|" layer)
+foreach(document IN LISTS documents)
+    file(READ ${ROOT}/${document} text)
+    string(REGEX MATCHALL "[A-Za-z0-9_.*/-]*[A-Za-z0-9_*]/[A-Za-z0-9_.*/-]*[A-Za-z0-9_*]" names "${text}")
+    list(REMOVE_DUPLICATES names)
+    foreach(name IN LISTS names)
+        if(name MATCHES "^(\\./|\\.\\./)?(include/fstiff|src|tests|bench|data|docs|tools)/")
+            string(REGEX REPLACE "^(\\.\\./|\\./)" "" path "${name}")
+            file(GLOB matches ${ROOT}/${path})
+        elseif(name MATCHES "^(fstiff/)?(${layer})/[a-z0-9_]+(\\.hpp|\\.cpp)?$")
+            string(REGEX REPLACE "^fstiff/|\\.[hc]pp$" "" path "${name}")
+            file(GLOB matches ${include}/${path}.hpp ${ROOT}/tests/${path}.cpp)
+        else()
+            continue()
+        endif()
+        if(NOT matches)
+            problem("${document}: '${name}' does not exist")
+        endif()
+    endforeach()
+endforeach()
 
 if(problems)
     list(JOIN problems "\n  " problems)

@@ -27,14 +27,23 @@ LagWindow<double> parse_window(const std::string& text) {
             io::parse_quantity(text.substr(comma + 1), io::Dimension::length, "--window")};
 }
 
+/// Below this local slope S counts as flat.
+constexpr double saturated = 0.2;
+
 bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.window.from && lag <= fit.window.to; }
 
 std::vector<std::string> warnings(const FractalFit<double>& fit, const Measured& measured) {
     std::vector<std::string> all;
     if (fit.curved)
-        all.push_back("the slope of S changes from " + rounded(fit.slope_shortest, 3) + " to " +
-                      rounded(fit.slope_longest, 3) +
+        all.push_back("the local slope of S varies between " + rounded(fit.slope_least, 3) + " and " +
+                      rounded(fit.slope_greatest, 3) +
                       " over the window: this is no single power law, and D is a mean over it");
+    if (fit.automatic_window && fit.flattest_lag > 0 && fit.flattest_slope < saturated &&
+        fit.slope_least > fit.flattest_slope + 0.5)
+        all.push_back("S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
+                      rounded(fit.flattest_lag * 1e6, 3) +
+                      " µm, shorter than the window: the roughness has saturated there, and D is that of the waviness; "
+                      "--window looks elsewhere");
     if (fit.log_roughness_error > std::numbers::ln10)
         all.push_back("G is known to no better than a factor of 10: D is close to 1, where G hardly matters");
     if (measured.record.missing > 0)
@@ -75,6 +84,7 @@ std::string json(const Options& options, const Measured& measured, const Fractal
     document["window_automatic"] = fit.automatic_window;
     document["lags_in_window"] = fit.lags;
     document["slope_at_window_ends"] = numbers({fit.slope_shortest, fit.slope_longest});
+    document["slope_range_in_window"] = numbers({fit.slope_least, fit.slope_greatest});
     document["curved"] = fit.curved;
     document["log_periodic_terms"] = fit.log_periodic;
     document["finite_band_terms"] = fit.finite_band;

@@ -42,7 +42,11 @@ int run_main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        if (error.get_exit_code() == 0) {  // --help, --version
+            app.exit(error);
+            deliver("", "");  // refuses when that could not be written
+            return success;
+        }
         const auto chosen = app.get_subcommands();
         if (chosen.empty() && !app.remaining().empty())
             say(app.remaining().front() +

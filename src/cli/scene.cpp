@@ -461,6 +461,8 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     const auto refuse = [&](std::size_t line, const std::string& reason) {
         return domain_error(file + ":" + std::to_string(line) + ": is no TOML: " + reason);
     };
+    if (text.find('\0') != std::string::npos)
+        throw domain_error(file + ": is binary, or UTF-16 (it holds NUL bytes); must be TOML, a text in UTF-8");
     refuse_bare_unicode(text, file);
     try {
         return toml::parse(text);

@@ -162,6 +162,7 @@ TEST_CASE("Profiles that cannot be read are refused with file, line, value and w
     };
     test::check_refused("fit '" + folder / "none.csv" + "'", 3, {"none.csv", "no such file"});
     test::check_refused("fit '" + folder / "." + "'", 3, {"folder"});
+    refused("x [um]\n" + std::string((1u << 20) + 1, '1') + "\n", {"line 2", "longer than 2^20"});
     refused("", {"empty"});
     refused("\n \n", {"empty"});
     refused(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), {"binary"});
@@ -218,5 +219,8 @@ TEST_CASE("Measured profiles give D and G without or with their units") {
         CHECK(document["fractal_dimension"] > 1);
         CHECK(document["fractal_dimension"] < 2);
         CHECK(document["fractal_dimension_error"] > 0);
+        // what README says of the two it shows: the roughness of the one has saturated below its window
+        CHECK(document["curved"] == (std::string(file) != "opdx-3.txt"));
+        CHECK(test::contains(outcome.err, "S is nearly flat") == (std::string(file) == "dektak-1.csv"));
     }
 }

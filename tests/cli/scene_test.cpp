@@ -173,7 +173,9 @@ TEST_CASE("A scene that is missing, empty, binary or a folder is refused") {
     check_scene_refused(std::string("\x7f"
                                     "ELF\0\1\2\xff\xfe\n",
                                     9),
-                        {"scene.toml:1"});
+                        {"scene.toml", "binary"});
+    check_scene_refused(std::string("n\0a\0m\0e\0", 8), {"scene.toml", "UTF-16"});
+    check_scene_refused("\xff\xfename", {"scene.toml:1"});
 }
 
 TEST_CASE("What a scene leaves out takes the documented default, and the document says so") {

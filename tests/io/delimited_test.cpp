@@ -177,6 +177,37 @@ TEST_CASE("Positions printed with few digits are equally spaced as far as they t
     CHECK(read("x [um],z [nm]\n" + coarse, {.spacing = 0.156e-6}).profile.spacing == 0.156e-6);
 }
 
+TEST_CASE("Unequal steps are seen through the digits, and a missing row in whole steps too") {
+    // x of each of 200 rows, as a printf format and a function of the row
+    const auto text = [](const char* format, auto&& position) {
+        std::string rows = "x [um],z [nm]\n";
+        for (int i = 0; i < 200; ++i) {
+            char line[64];
+            std::snprintf(line, sizeof line, format, static_cast<double>(position(i)));
+            rows += line + ("," + std::to_string(height(i))) + "\n";
+        }
+        return rows;
+    };
+    // trailing zeros dropped: 29, 30.5, 31.5 ... are printed to a tenth; a row is missing in 0, 1, 2, 4, 5
+    const std::string shifted = refusal(text("%g", [](int i) { return i < 30 ? i : i + 0.5; }));
+    CHECK(has(shifted, "line 32"));
+    CHECK(has(shifted, "30.5"));
+    for (const char* format : {"%.0f", "%.1f", "%.3f", "%g"})
+        for (const int missing : {1, 3, 100, 197}) {
+            const std::string gap = refusal(text(format, [missing](int i) { return i < missing ? i : i + 1; }));
+            INFO(format << ' ' << missing << ' ' << gap);
+            CHECK(has(gap, "line " + std::to_string(missing + 2)));
+            CHECK(has(gap, "equally spaced"));
+        }
+    // what rounding does to equal steps is no gap: decimals, six significant digits, powers of ten
+    for (const char* format : {"%.0f", "%.1f", "%g", "%.4e"})
+        for (const double step : {0.15625, 1.03, 7.77}) {
+            INFO(format << ' ' << step);
+            const auto result = read(text(format, [step](int i) { return step * i; }));
+            CHECK(test::relative_error(result.profile.spacing, step * 1e-6) < 1 / (199 * step));
+        }
+}
+
 TEST_CASE("Falling positions turn the profile round") {
     std::string text = "x [um],z [nm]\n";
     for (int i = 0; i < 20; ++i) text += std::to_string(19 - i) + ".0," + std::to_string(height(i)) + "\n";

@@ -32,18 +32,22 @@ double mean(const PeakDensity<double>& peaks, const std::function<double(double,
 }  // namespace
 
 TEST_CASE("the density is normalised and its moments are the closed forms") {
-    for (const auto& [r, theta] : std::vector<std::pair<double, double>>{{0, pi / 4}, {0.5, pi / 3}, {0.8, 1.3}, {0.3, 0.01}}) {
+    for (const auto& [r, theta] :
+         std::vector<std::pair<double, double>>{{0, pi / 4}, {0.5, pi / 3}, {0.8, 1.3}, {0.3, 0.01}}) {
         const PeakDensity<double> peaks(r, theta);
         INFO("r " << r << " theta " << theta);
         CHECK(std::abs(mean(peaks, [](double, double) { return 1; }) - 1) < 1e-13);  // (4.3)
         for (int n = 1; n <= 4; ++n)
-            CHECK(test::relative_error(mean(peaks, [n](double, double t) { return std::pow(t, n); }), peaks.curvature_moment(n)) < 1e-12);
+            CHECK(test::relative_error(mean(peaks, [n](double, double t) { return std::pow(t, n); }),
+                                       peaks.curvature_moment(n)) < 1e-12);
         const double m = peaks.mean_height();
         const double v = peaks.height_variance();
         CHECK(std::abs(mean(peaks, [](double z, double) { return z; }) - m) < 1e-13);
         CHECK(test::relative_error(mean(peaks, [m](double z, double) { return std::pow(z - m, 2); }), v) < 1e-12);
-        CHECK(std::abs(mean(peaks, [&](double z, double) { return std::pow((z - m) / std::sqrt(v), 3); }) - peaks.height_skewness()) < 1e-12);
-        CHECK(std::abs(mean(peaks, [&](double z, double) { return std::pow((z - m) / std::sqrt(v), 4); }) - peaks.height_kurtosis()) < 1e-11);
+        CHECK(std::abs(mean(peaks, [&](double z, double) { return std::pow((z - m) / std::sqrt(v), 3); }) -
+                       peaks.height_skewness()) < 1e-12);
+        CHECK(std::abs(mean(peaks, [&](double z, double) { return std::pow((z - m) / std::sqrt(v), 4); }) -
+                       peaks.height_kurtosis()) < 1e-11);
     }
 }
 
@@ -63,7 +67,8 @@ TEST_CASE("the height distributions of Fig. 2") {
 }
 
 TEST_CASE("the marginal of the height has the moments of the density") {
-    for (const auto& [r, theta] : std::vector<std::pair<double, double>>{{0, pi / 4}, {0.5, pi / 3}, {0.9, 1.5}, {0.999, 0.3}, {0.3, 1.5707}}) {
+    for (const auto& [r, theta] :
+         std::vector<std::pair<double, double>>{{0, pi / 4}, {0.5, pi / 3}, {0.9, 1.5}, {0.999, 0.3}, {0.3, 1.5707}}) {
         const PeakDensity<double> peaks(r, theta);
         double total = 0, first = 0, second = 0;
         const double step = 0.01;
@@ -79,14 +84,16 @@ TEST_CASE("the marginal of the height has the moments of the density") {
         CHECK(std::abs(second - first * first - peaks.height_variance()) < 1e-11);
     }
     CHECK(PeakDensity<double>(0.5, 1).height_marginal(60) == 0);
-    CHECK(test::relative_error(PeakDensity<double>(0.0, 1.0).height_marginal(1.0), std::exp(-0.5) / std::sqrt(2 * pi)) < 1e-13);
+    CHECK(test::relative_error(PeakDensity<double>(0.0, 1.0).height_marginal(1.0), std::exp(-0.5) / std::sqrt(2 * pi)) <
+          1e-13);
 }
 
 TEST_CASE("the limits: Rayleigh for small theta, half-normal for theta near pi/2") {
     const PeakDensity<double> small(0, 1e-5), large(0, pi / 2 - 1e-6);
     for (const double t : {0.1, 1.0, 2.5}) {
         CHECK(test::relative_error(small(0, t), t * std::exp(-t * t / 2) / std::sqrt(2 * pi)) < 1e-9);
-        CHECK(test::relative_error(large(0, t), 2 / std::sqrt(2 * pi) * std::exp(-t * t / 2) / std::sqrt(2 * pi)) < 1e-6);
+        CHECK(test::relative_error(large(0, t), 2 / std::sqrt(2 * pi) * std::exp(-t * t / 2) / std::sqrt(2 * pi)) <
+              1e-6);
     }
 }
 
@@ -122,8 +129,12 @@ TEST_CASE("parameters out of range are refused by name, value and range") {
     CHECK(refused(std::nan(""), 1).starts_with("r = nan: must be"));
     CHECK(refused(0.5, 0).starts_with("theta = 0: must be between 0 and pi/2"));
     CHECK(refused(0.5, 1.6).starts_with("theta = 1.6: must be between 0 and pi/2"));
-    CHECK(test::refusal([] { PeakDensity<double>::exponential(0.5); }).starts_with("theta = 0.5: must be between pi/4 and pi/3"));
+    CHECK(test::refusal([] {
+              PeakDensity<double>::exponential(0.5);
+          }).starts_with("theta = 0.5: must be between pi/4 and pi/3"));
     CHECK(test::refusal([] { PeakDensity<double>::from_autocorrelation(0.5, -0.9); }).starts_with("rho2 = -0.9"));
     CHECK(test::refusal([] { PeakDensity<double>::from_autocorrelation(1, 0.5); }).starts_with("rho1 = 1"));
-    CHECK(test::refusal([] { static_cast<void>(PeakDensity<double>(0.5, 1).curvature_moment(5)); }).starts_with("moment order = 5"));
+    CHECK(test::refusal([] {
+              static_cast<void>(PeakDensity<double>(0.5, 1).curvature_moment(5));
+          }).starts_with("moment order = 5"));
 }

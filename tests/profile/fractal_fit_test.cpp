@@ -61,7 +61,7 @@ TEST_CASE("The printed constant makes G too large by the factors of the errata, 
           1e-12);
 }
 
-TEST_CASE("The error of D is the scatter of D over random walks, and the regression error is several times too small") {
+TEST_CASE("The error of D is the scatter of D over random walks, and the regression error is ten times too small") {
     const int walks = 200;
     double mean = 0, square = 0, error = 0, regression = 0;
     for (int seed = 1; seed <= walks; ++seed) {
@@ -77,7 +77,8 @@ TEST_CASE("The error of D is the scatter of D over random walks, and the regress
     CHECK(std::abs(mean) < 3 * scatter / std::sqrt(200.0) + 0.01);  // a known D = 1.5, and a bias below 0.01
     CHECK(error / scatter > 0.8);                                   // the scatter of 200 is itself known to 5 %
     CHECK(error / scatter < 1.25);
-    CHECK(scatter / regression > 3);
+    CHECK(scatter / regression > 12.5);  // 13 in docs/errata.md
+    CHECK(scatter / regression < 14.5);
 }
 
 TEST_CASE("The closed-form covariance of ln S is that of simulated random walks") {
@@ -144,6 +145,41 @@ TEST_CASE("A bend in the structure function is flagged, a power law is not") {
     const auto fit = fit_fractal(bent, {.window = LagWindow<double>{4e-6, 400e-6}});
     CHECK(fit.curved);
     CHECK(fit.slope_shortest > fit.slope_longest + 0.5);
+    CHECK(fit.slope_greatest == fit.slope_shortest);
+    CHECK(fit.slope_least <= fit.slope_longest);
+}
+
+TEST_CASE("Waviness over a roughness that has saturated is told, and a window over both is flagged") {
+    // roughness of 1 nm correlated over some 5 samples, and five smooth waves of 8 nm
+    std::mt19937_64 random(3);
+    const std::size_t points = 20000;
+    Profile<double> profile{std::vector<double>(points), 1e-6};
+    double height = 0;
+    for (std::size_t i = 0; i < points; ++i) {
+        height = 0.8 * height + 0.6 * 1.732e-9 * (std::ldexp(static_cast<double>(random() >> 11), -52) - 1);
+        profile.heights[i] = height + 8e-9 * std::sin(6.283185307 * static_cast<double>(i) / 4000);
+    }
+    const auto wavy = fit_fractal(profile);
+    CAPTURE(wavy.window.from, wavy.window.to, wavy.flattest_lag, wavy.flattest_slope);
+    CHECK(wavy.window.from > 100e-6);  // 1.5 and more of slope, where the wave has taken over
+    CHECK(wavy.flattest_lag > 10e-6);
+    CHECK(wavy.flattest_lag < wavy.window.from);
+    CHECK(wavy.flattest_slope < 0.2);
+    // from the roughness over its flat end to the wave: the slope falls and rises, with little change from end to end
+    const auto both = fit_fractal(profile, {.window = LagWindow<double>{5e-6, 150e-6}});
+    CHECK(both.curved);
+    CHECK(both.slope_least < 0.2);
+    CHECK(both.slope_greatest > 0.6);
+    CHECK(fit_fractal(random_walk(20000, 3)).flattest_lag == 0);  // the window begins with the lags searched
+}
+
+TEST_CASE("Heights whose squares leave the range of numbers are refused") {
+    auto profile = random_walk(1000, 4);
+    for (const double factor : {1e250, 1e-250}) {
+        auto scaled = profile;
+        for (double& z : scaled.heights) z *= factor;
+        CHECK(test::refusal([&] { (void)fit_fractal(scaled); }).find("structure function = ") == 0);
+    }
 }
 
 TEST_CASE("A seed gives the same errors again, and the bootstrap can be left out") {

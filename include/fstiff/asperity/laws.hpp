@@ -77,11 +77,21 @@ template <Real T>
     return 2 * (3 - fractal_dimension) / (3 * (2 - fractal_dimension));
 }
 
+/// d ln f/dD = 1/(2-D) - 1/(3-D), how fast the factor grows with D. \throws domain_error unless 1 < D < 2.
+template <Real T>
+[[nodiscard]] constexpr T log_stiffness_factor_slope(T fractal_dimension) {
+    require_fractal_dimension(fractal_dimension);
+    return 1 / ((2 - fractal_dimension) * (3 - fractal_dimension));
+}
+
 /// Hertz: the stiffness is the derivative of the load.
 template <Real T>
 struct HertzLaw : detail::HertzianForm<HertzLaw<T>> {
     [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
     [[nodiscard]] static constexpr T stiffness_factor() { return T(2); }
+    /// d ln load/dD and d ln stiffness/dD: there is no D here.
+    [[nodiscard]] static constexpr T log_load_slope() { return T(0); }
+    [[nodiscard]] static constexpr T log_stiffness_slope() { return T(0); }
     [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
 };
 
@@ -90,13 +100,17 @@ template <Real T>
 class FractalLaw : public detail::HertzianForm<FractalLaw<T>> {
 public:
     /// \throws domain_error unless 1 < D < 2.
-    explicit constexpr FractalLaw(T fractal_dimension) : factor_(fractal_stiffness_factor(fractal_dimension)) {}
+    explicit constexpr FractalLaw(T fractal_dimension)
+        : factor_(fractal_stiffness_factor(fractal_dimension)), slope_(log_stiffness_factor_slope(fractal_dimension)) {}
+    /// d ln load/dD and d ln stiffness/dD.
+    [[nodiscard]] constexpr T log_load_slope() const { return T(0); }
+    [[nodiscard]] constexpr T log_stiffness_slope() const { return slope_; }
     [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
     [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
     [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
 
 private:
-    T factor_;
+    T factor_, slope_;
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
@@ -104,13 +118,17 @@ template <Real T>
 class FractalConsistentLaw : public detail::HertzianForm<FractalConsistentLaw<T>> {
 public:
     /// \throws domain_error unless 1 < D < 2.
-    explicit constexpr FractalConsistentLaw(T fractal_dimension) : factor_(fractal_stiffness_factor(fractal_dimension)) {}
+    explicit constexpr FractalConsistentLaw(T fractal_dimension)
+        : factor_(fractal_stiffness_factor(fractal_dimension)), slope_(log_stiffness_factor_slope(fractal_dimension)) {}
+    /// d ln load/dD and d ln stiffness/dD.
+    [[nodiscard]] constexpr T log_load_slope() const { return slope_; }
+    [[nodiscard]] constexpr T log_stiffness_slope() const { return slope_; }
     [[nodiscard]] constexpr T load_factor() const { return 4 * factor_ / 3; }
     [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
     [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
 
 private:
-    T factor_;
+    T factor_, slope_;
 };
 
 }  // namespace fstiff

@@ -61,13 +61,13 @@ ScaledIntegrals<T> scaled_integrals(const PowerSet& minus_two_b, const PeakDensi
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
     require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance", tolerance,
             "at least 50 epsilon of the scalar type and at most 0.1");
-    const T digits = -std::log(tolerance);
+    const T digits = -std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0);  // few nodes: the fitted steps scatter more
     const PeakProblem<T> problem(peaks, eta, digits + 5);
     const PeakSums<T> sums = peak_sums(problem, minus_two_b, digits);
     ScaledIntegrals<T> out{{}, -problem.floor * problem.floor / 2};
     const T root_c = std::sqrt(problem.c);
     // rounding (z inherits that of t), and what the extrapolation of the rule's error may miss: more with few nodes
-    const T least = std::numeric_limits<T>::epsilon() * (8 + problem.floor) + tolerance * (tolerance > T(1e-8) ? T(0.5) : T(0.04));
+    const T least = std::numeric_limits<T>::epsilon() * (8 + problem.floor) + tolerance * (tolerance > T(1e-8) ? T(0.8) : T(0.2));
     T factor = 1 / (2 * problem.theta);  // c^a / (2 theta)
     for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
         if (minus_two_b[i] == absent) continue;

@@ -148,11 +148,11 @@ public:
     [[nodiscard]] bool operator==(const ContactLaw& other) const { return to_text() == other.to_text(); }
 
 private:
-    static constexpr std::size_t terms = 10;  ///< coefficients of a piece
+    static constexpr std::size_t terms = 8;  ///< coefficients of a piece
     // A piece by pressure: its middle, 1/half width, then K and gap.
     static constexpr std::size_t stiffness_row = 2, gap_row = 2 + terms, row = 2 + 2 * terms;
     using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
-    static constexpr int shift = std::numeric_limits<T>::digits - 1 - 1;  ///< two pieces a binary octave
+    static constexpr int shift = std::numeric_limits<T>::digits - 1 - 2;  ///< four pieces a power of 2
 
     struct Place {
         const T* piece;
@@ -172,27 +172,15 @@ private:
     /// Two interleaved Horner rules in s^2: half the latency of one.
     [[nodiscard]] static T polynomial(const T* c, T s) {
         const T square = s * s;
-        T even = c[8], odd = c[9];
-        even = even * square + c[6];
-        odd = odd * square + c[7];
-        even = even * square + c[4];
-        odd = odd * square + c[5];
-        even = even * square + c[2];
-        odd = odd * square + c[3];
-        even = even * square + c[0];
-        odd = odd * square + c[1];
+        const T even = ((c[6] * square + c[4]) * square + c[2]) * square + c[0];
+        const T odd = ((c[7] * square + c[5]) * square + c[3]) * square + c[1];
         return odd * s + even;
     }
     [[nodiscard]] static T derivative(const T* c, T s) {
         const T square = s * s;
-        T even = 9 * c[9], odd = 8 * c[8];
-        even = even * square + 7 * c[7];
-        odd = odd * square + 6 * c[6];
-        even = even * square + 5 * c[5];
-        odd = odd * square + 4 * c[4];
-        even = even * square + 3 * c[3];
-        odd = odd * square + 2 * c[2];
-        return odd * s + (even * square + c[1]);
+        const T even = ((7 * c[7] * square + 5 * c[5]) * square + 3 * c[3]) * square + c[1];
+        const T odd = (6 * c[6] * square + 4 * c[4]) * square + 2 * c[2];
+        return odd * s + even;
     }
 
     template <class Select>
@@ -252,24 +240,30 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     law.outside_ = range.outside;
     law.tangent_is_exact_ = contact.stiffness_over_slope() == T(1);
 
-    // log p against the effective eta, from the separation of the highest pressure to that of the lowest
+    // log p against the effective eta, from the separation of the highest pressure to that of the lowest, by sections that
+    // one series each serves; a little beyond the ends, and never so short that the slope would be all rounding
     const T rms = contact.rms_height();
     const auto end = [&](T pressure) { return contact.at_pressure(pressure, Quantity::pressure).eta; };
     const T closest = end(range.pressure_max), furthest = end(range.pressure_min);
-    const T slack = (furthest - closest) / 1000;
-    const auto log_p = [&](T eta) {
-        ++law.evaluations_;
-        return contact.log_pressure(eta).log;
-    };
-    using Series = ChebyshevSeries<T>;
-    const T precision = 20 * std::numeric_limits<T>::epsilon();
-    std::size_t points = 16;
-    Series log_pressure(closest - slack, furthest + slack, points, log_p);
-    while (log_pressure.tail() > precision && points < Series::capacity) {
-        points = std::min(points + points / 2, Series::capacity);
-        log_pressure = Series(closest - slack, furthest + slack, points, log_p);
+    const T slack = std::max((furthest - closest) / 1000, T(0.1) * std::max(T(0), 1 - (furthest - closest)));
+    const T begin = closest - slack, length = furthest + slack - begin;
+    const auto sections = static_cast<std::size_t>(std::ceil(length / 3));
+    const T section = length / T(sections);
+    const auto points = static_cast<std::size_t>(sizeof(T) == 8 ? 11 + 4 * section : 6 + 2 * section);
+    std::vector<ChebyshevSeries<T>> values_of, slopes_of;
+    for (std::size_t i = 0; i < sections; ++i) {
+        values_of.emplace_back(begin + T(i) * section, begin + T(i + 1) * section, points, [&](T eta) {
+            ++law.evaluations_;
+            return contact.log_pressure(eta).log;
+        });
+        slopes_of.push_back(values_of.back().derivative());
     }
-    const Series slope = log_pressure.derivative();
+    const auto in_section = [&](const std::vector<ChebyshevSeries<T>>& series, T eta) {
+        const T position = std::clamp((eta - begin) / section, T(0), T(sections) - T(0.5));
+        return series[static_cast<std::size_t>(position)](eta);
+    };
+    const auto log_pressure = [&](T eta) { return in_section(values_of, eta); };
+    const auto slope = [&](T eta) { return in_section(slopes_of, eta); };
     const T bulk = contact.bulk_compliance();
 
     // everything at one eta; with the bulk in series the gap is shorter and the slope smaller
@@ -284,10 +278,14 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     law.gap_min_ = at_eta(closest).gap;
     law.gap_max_ = at_eta(furthest).gap;
 
-    // by gap: log p changes by half or so over a piece
+    // by gap: log p changes by a quarter or so over a piece
     const auto& lobatto = detail::LobattoPiece<T, terms>::get();
-    const T steepest = -slope(furthest);
-    law.gap_pieces_ = static_cast<std::size_t>(std::ceil(2 * steepest * (furthest - closest))) + 1;
+    const auto steepness = [&](T eta) {
+        const State at = at_eta(eta);
+        return at.minus_dp_dgap / at.pressure;
+    };
+    const T steepest = std::max(steepness(furthest), steepness(closest));
+    law.gap_pieces_ = static_cast<std::size_t>(std::ceil(4 * steepest * (law.gap_max_ - law.gap_min_))) + 1;
     const T width = (law.gap_max_ - law.gap_min_) / T(law.gap_pieces_);
     law.pieces_per_gap_ = 1 / width;
     law.slope_scale_ = -2 / width * contact.stiffness_over_slope();
@@ -310,19 +308,28 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         lobatto.fit(values, &law.by_gap_[i * terms]);
     }
 
-    // eta against log p: the inverse of the series, by Newton's method from node to node
-    const T low = log_pressure(furthest + slack / 2), high = log_pressure(closest - slack / 2);
-    T last = closest;
-    const Series eta_of_log(low, high, std::min(points + 8, Series::capacity), [&](T y) {
-        for (int iteration = 0; iteration < 30; ++iteration) {
-            const T step = (y - log_pressure(last)) / slope(last);
-            last = std::clamp(last + step, closest - slack, furthest + slack);
-            if (std::abs(step) <= 2 * std::numeric_limits<T>::epsilon() * (1 + std::abs(last))) break;
-        }
-        return last;
-    });
+    // eta against log p: the inverse of the series, by Newton's method from node to node, again by sections
+    const T log_low = log_pressure(furthest + slack / 2), log_high = log_pressure(closest - slack / 2);
+    const T log_section = (log_high - log_low) / T(sections);
+    std::vector<ChebyshevSeries<T>> etas_of;
+    for (std::size_t i = 0; i < sections; ++i) {
+        T last = furthest + (closest - furthest) * (T(i) + 1) / T(sections);
+        etas_of.emplace_back(log_low + T(i) * log_section, log_low + T(i + 1) * log_section, points, [&](T log_p) {
+            for (int iteration = 0; iteration < 30; ++iteration) {
+                const T step = (log_p - log_pressure(last)) / slope(last);
+                last = std::clamp(last + step, closest - slack, furthest + slack);
+                // the next step would be about step^2: below rounding
+                if (std::abs(step) <= std::sqrt(std::numeric_limits<T>::epsilon()) / 4) break;
+            }
+            return last;
+        });
+    }
+    const auto eta_at = [&](T log_p) {
+        const T position = std::clamp((log_p - log_low) / log_section, T(0), T(sections) - T(0.5));
+        return etas_of[static_cast<std::size_t>(position)](log_p);
+    };
 
-    // by pressure: two pieces to each power of 2
+    // by pressure: four pieces to each power of 2
     law.first_piece_ = std::bit_cast<Bits>(range.pressure_min) >> shift;
     const Bits last_piece = std::bit_cast<Bits>(range.pressure_max) >> shift;
     law.by_pressure_.resize(static_cast<std::size_t>(last_piece - law.first_piece_ + 1) * row);
@@ -336,7 +343,7 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         c[1] = 1 / half;
         for (std::size_t k = 0; k < terms; ++k) {
             const T p = c[0] + half * lobatto.node[k];
-            const T x = eta_of_log(std::log(p));
+            const T x = eta_at(std::log(p));
             const T dp = -p * slope(x) / rms;
             values[k] = dp / (1 + dp * bulk) * contact.stiffness_over_slope();
             gaps[k] = x * rms - p * bulk;
@@ -346,18 +353,40 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     }
 
     // the errors, between the nodes of both tables
-    constexpr int checks = 7;
-    for (int i = 0; i < checks; ++i) {
-        const T p = range.pressure_min * std::pow(range.pressure_max / range.pressure_min, (T(i) + T(0.37)) / checks);
-        const ContactState<T> truth = contact.at_pressure(p, Quantity::stiffness);
+    const std::size_t checks = 8 + 4 * sections;
+    for (std::size_t i = 0; i < checks; ++i) {
+        const T x = closest + (furthest - closest) * (T(i) + T(0.37)) / T(checks);
+        const LogSlope<T> truth = contact.log_pressure(x);
+        const T p = std::clamp(std::exp(truth.log), range.pressure_min, range.pressure_max);
+        const T dp = -p * truth.slope / rms;
+        const T k = dp / (1 + dp * bulk) * contact.stiffness_over_slope();
+        const T gap = x * rms - p * bulk;
         const auto worst = [&](T error) { law.relative_error_ = std::max(law.relative_error_, error); };
-        worst(std::abs(law.stiffness(p) / truth.stiffness.value - 1));
-        worst(std::abs(law.gap(p) - truth.separation.value) / rms);
-        const Point at = law.at_gap(std::clamp(truth.separation.value, law.gap_min_, law.gap_max_));
+        worst(std::abs(law.stiffness(p) / k - 1));
+        worst(std::abs(law.gap(p) - gap) / rms);
+        const Point at = law.at_gap(std::clamp(gap, law.gap_min_, law.gap_max_));
         worst(std::abs(at.pressure / p - 1));
-        worst(std::abs(at.stiffness / truth.stiffness.value - 1));
+        worst(std::abs(at.stiffness / k - 1));
     }
-    law.relative_error_ = 2 * law.relative_error_ + 10 * std::numeric_limits<T>::epsilon();
+    // the points found most of it; between other nodes it may be somewhat more, and a slope over a short piece of a short
+    // range carries the rounding of the few digits in which p changes there
+    const T shortest_change = steepest * width;
+    law.relative_error_ = 6 * law.relative_error_ + T(4 * terms * terms) * std::numeric_limits<T>::epsilon() * std::max(T(1), T(0.25) / shortest_change);
+
+    // monotone: p and K move one way from node to node; closer than that the polynomials are smooth
+    const auto rises = [](const T* c) {
+        for (int i = -8; i <= 8; ++i)
+            if (!(derivative(c, T(i) / 8) > 0)) return false;
+        return true;
+    };
+    bool monotone = true;
+    for (std::size_t i = 0; i < law.by_pressure_.size(); i += row) monotone = monotone && rises(&law.by_pressure_[i + stiffness_row]);
+    for (std::size_t i = 0; i < law.by_gap_.size(); i += terms) {
+        std::array<T, terms> falling;
+        for (std::size_t k = 0; k < terms; ++k) falling[k] = -law.by_gap_[i + k];
+        monotone = monotone && rises(falling.data());
+    }
+    if (!monotone) throw domain_error("pressure range: the compiled law would not be monotone; must be one where K and p are");
 
     if (range.outside == OutsideRange::exact)
         law.exact_ = [contact](T x, bool is_pressure) {

@@ -69,7 +69,8 @@ EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
     // log f is close to its value and slope at 0 plus -eta^2/2
     const auto [at_zero, slope] = residual(T(0));
     const T guess = at_zero > 0 ? std::sqrt(slope * slope + 2 * at_zero) + slope : -std::cbrt(std::exp(std::min(-2 * at_zero, T(60)))) + 1;
-    const auto found = newton_bracketed(residual, T(lowest_eta), highest, guess, 4 * Limits::epsilon());
+    // closer than the rounding of the logarithms tells apart is not asked for
+    const auto found = newton_bracketed(residual, T(lowest_eta), highest, guess, 16 * Limits::epsilon() * (1 + std::abs(target)));
     if (!found.converged()) {
         const auto reached = [&](T eta) {  // log p there
             return (std::log(pressure) - target) + log_slope(eta).log;

@@ -117,17 +117,19 @@ public:
     }
 
     static constexpr T scale = T(2.1);
-    static constexpr T left = T(3.5);         ///< the table begins at y = -left
-    static constexpr T finest = T(0.07);      ///< a step below this is not offered
+    static constexpr T left = T(3.4);          ///< about where the tables begin, y = -left
+    static constexpr T finest = T(0.075);      ///< a step below this is not offered
     static constexpr T furthest_node = T(22);  ///< no problem that is not separated reaches further
 
 private:
     SmoothNodes() {
-        T step = 1;
+        T step = T(0.2273 * 4);  // so that 0.2273, of the 32 nodes above, is a rung
         for (std::size_t i = 0; i < rungs_.size(); ++i) {
             Rung& rung = rungs_[i];
             steps_[i] = rung.step = step;
-            const int begin = 2 * static_cast<int>(std::floor(-left / (2 * step)));
+            // a rung serves errors down to exp(-digits) or so: its first weight is below that
+            const T digits = std::min(T(7.6) / step - 4, 2 - std::log(std::numeric_limits<T>::epsilon()));
+            const int begin = static_cast<int>(std::floor(-std::log((std::max(digits, T(4)) + 7) / T(0.4)) / (T(1.354) * step)));
             for (rung.count = 0; rung.count < capacity; ++rung.count) {
                 const T y = T(begin + static_cast<int>(rung.count)) * step;
                 const T fall = T(0.4) * std::exp(T(-1.354) * y);
@@ -138,12 +140,12 @@ private:
                 rung.inverse_root[rung.count] = 1 / std::sqrt(rung.node[rung.count]);
                 if (rung.count % Lanes<T>::size == 0 && rung.node[rung.count] > furthest_node) break;
             }
-            step *= T(0.8408964152537145);  // 2^(-1/4): a rung is at most 19 % finer than asked for
+            step *= T(0.917004043204671);  // 2^(-1/8): a rung is at most 9 % finer than asked for
         }
     }
 
-    std::array<T, 16> steps_;  // apart from the tables: the search stays in two cache lines
-    std::array<Rung, 16> rungs_;
+    std::array<T, 30> steps_;  // apart from the tables: the search stays in a few cache lines
+    std::array<Rung, 30> rungs_;
 };
 
 template <Real T, class Sink>
@@ -232,8 +234,8 @@ T visit_nodes(const PeakProblem<T>& p, T digits, Sink& sink) {
     const T distance = p.r * p.eta / p.c;
     if (distance > p.reach + 1) return visit_separated(p, std::min(T(1.3) * p.r / root, (T(3.9) + T(0.35) * std::min(p.eta, T(3))) / (digits + 3)), sink);
 
-    const T strip = T(7.3) / ((digits + 3) * (1 + T(0.075) * p.k * p.k));
-    const T smooth_step = std::min(strip, T(2.1) * p.c / root * (p.eta <= 0 ? T(1.5) : T(1)));
+    const T strip = T(7.6) / ((digits + 4) * (1 + std::max(T(0), T(0.066) * p.k * p.k - T(0.07))));
+    const T smooth_step = std::min(strip, T(2.1) * p.c / root * (p.eta <= 0 ? T(1.25) : T(1)));
     if (smooth_step >= T(0.15) && p.k <= T(2)) return visit_smooth(p, smooth_step, sink);  // always the cheaper one
 
     const T narrow = std::max(distance, T(0)) * root / T(2.9);

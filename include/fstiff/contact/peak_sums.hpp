@@ -29,29 +29,55 @@ struct PeakSums {
     int nodes{};
 };
 
-/// Sum of the lanes, and the error of the trapezoidal rule relative to it.
+/// A sum over nodes: its lanes, and its outermost terms, which bound what was cut off.
+template <Real T>
+struct LaneSum {
+    Lanes<T> sum{T(0)}, first{T(0)}, last{T(0)};
+
+    EIGEN_ALWAYS_INLINE void add(const Lanes<T>& term, bool is_first) {
+        if (is_first) first = term;
+        last = term;
+        sum = sum + term;
+    }
+};
+
+/// Sums of the lanes times \p step, and the error of the trapezoidal rule relative to each.
 ///
 /// The rule of step h errs by the Fourier transform of the integrand at the frequency 2 pi/h, and lane m of the eight holds
-/// the rule of step 8h shifted by m h: the discrete transform of the lanes at k = 2 and 3 is the transform of the integrand at
-/// k/8 of that frequency. It falls geometrically, and its modulus, unlike the difference of two rules, has no accidental
-/// zeros; so it is extrapolated from 2/8 and 3/8 to 1, with half of one of the five steps left out to be on the safe side. What is cut
-/// off beyond the first and the last node falls faster than geometrically: it is less than the two outermost terms.
+/// the rule of step 8h shifted by m h: the discrete transform of the lanes at k = 1, 2 and 3 is the transform of the integrand
+/// at k/8 of that frequency. It falls geometrically or faster, and its modulus, unlike the difference of two rules, seldom
+/// vanishes by accident; so it is extrapolated from 3/8 to 1 by its fall from 2/8 or, where that is more, from 1/8, with half
+/// of one of the five steps left out to be on the safe side.
+/// What is cut off beyond the first and the last node falls faster than geometrically: less than the two outermost terms.
 template <Real T>
-void finish_sum(const Lanes<T>& lanes, const Lanes<T>& first, const Lanes<T>& last, T step, T& value, T& relative_error) {
-    std::array<T, Lanes<T>::size> s, begin, end;
-    lanes.store(s.data());
-    first.store(begin.data());
-    last.store(end.data());
+PeakSums<T> finish(const std::array<LaneSum<T>, 4>& sums, T step, int nodes) {
+    using Four = Eigen::Array<T, 4, 1>;
     constexpr T half_root = std::numbers::sqrt2_v<T> / 2;
-    const std::array<T, 4> odd{s[0] - s[4], s[1] - s[5], s[2] - s[6], s[3] - s[7]};
-    const std::array<T, 4> even{s[0] + s[4], s[1] + s[5], s[2] + s[6], s[3] + s[7]};
-    const auto square = [](T x, T y) { return x * x + y * y; };
-    const T at_2 = square(even[0] - even[2], even[1] - even[3]);
-    const T at_3 = square(odd[0] + half_root * (odd[3] - odd[1]), odd[2] - half_root * (odd[1] + odd[3]));
-    const T total = (even[0] + even[2]) + (even[1] + even[3]);
-    const T ratio = at_2 > 0 ? std::min(at_3 / at_2, T(1)) : T(1);
-    value = step * total;
-    relative_error = total > 0 ? (2 * std::sqrt(at_3 * std::sqrt(ratio)) * ratio * ratio + 2 * (begin.front() + end.back())) / total : T(0);
+    Four at_1, at_2, at_3, total, ends;
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::array<T, Lanes<T>::size> s, begin, end;
+        sums[i].sum.store(s.data());
+        sums[i].first.store(begin.data());
+        sums[i].last.store(end.data());
+        const std::array<T, 4> odd{s[0] - s[4], s[1] - s[5], s[2] - s[6], s[3] - s[7]};
+        const std::array<T, 4> even{s[0] + s[4], s[1] + s[5], s[2] + s[6], s[3] + s[7]};
+        const auto square = [](T x, T y) { return x * x + y * y; };
+        const auto row = static_cast<Eigen::Index>(i);
+        at_1[row] = square(odd[0] + half_root * (odd[1] - odd[3]), odd[2] + half_root * (odd[1] + odd[3]));
+        at_2[row] = square(even[0] - even[2], even[1] - even[3]);
+        at_3[row] = square(odd[0] + half_root * (odd[3] - odd[1]), odd[2] - half_root * (odd[1] + odd[3]));
+        total[row] = (even[0] + even[2]) + (even[1] + even[3]);
+        ends[row] = begin.front() + end.back();
+    }
+    // what is not asked for is 0 throughout: the least number keeps 0/0 out
+    constexpr T least = std::numeric_limits<T>::min();
+    const Four ratio = (at_3 / (at_2 + least)).min((at_3 / (at_1 + least)).sqrt()).min(T(1));
+    const Four error = 2 * ((at_3 * ratio.sqrt()).sqrt() * ratio.square() + ends) / total.max(least);
+    PeakSums<T> out;
+    out.nodes = nodes;
+    Eigen::Map<Four>(out.value.data()) = step * total;
+    Eigen::Map<Four>(out.relative_error.data()) = error;
+    return out;
 }
 
 /// What is asked for: minus_two_b[i] is -2b (0, 1 or 2) for a = i/2, or absent.
@@ -126,18 +152,6 @@ private:
     V right_inverse_, right_root_, right_u_, middle_u_, far_u_, far_size_, far_root_;
 };
 
-/// A sum over nodes: its lanes, and its outermost terms, which bound what was cut off.
-template <Real T>
-struct LaneSum {
-    Lanes<T> sum{T(0)}, first{T(0)}, last{T(0)};
-
-    EIGEN_ALWAYS_INLINE void add(const Lanes<T>& term, bool is_first) {
-        if (is_first) first = term;
-        last = term;
-        sum = sum + term;
-    }
-};
-
 /// Sums up the integrands of a PowerSet.
 template <Real T>
 class PeakAccumulator {
@@ -145,7 +159,7 @@ public:
     using V = Lanes<T>;
     PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b) : p_(problem), minus_two_b_(minus_two_b) {}
 
-    EIGEN_ALWAYS_INLINE void add(const PeakNodes<T>& nodes) {
+    EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {  // one copy for the three maps
         const MomentBlock<T> block(nodes);
         const V erf = erf_ascending(V(p_.k) * nodes.t, p_.k * nodes.t_first, p_.k * nodes.t_last);
         const V g = nodes.weight * erf * block.gaussian(nodes, p_.floor);
@@ -162,13 +176,7 @@ public:
         nodes_ += V::size;
     }
 
-    PeakSums<T> result(T step) const {
-        PeakSums<T> out;
-        out.nodes = nodes_;
-        for (std::size_t i = 0; i < 4; ++i)
-            if (minus_two_b_[i] != absent) finish_sum(sums_[i].sum, sums_[i].first, sums_[i].last, step, out.value[i], out.relative_error[i]);
-        return out;
-    }
+    PeakSums<T> result(T step) const { return finish(sums_, step, nodes_); }
 
 private:
     const PeakProblem<T>& p_;

@@ -16,9 +16,11 @@
 ///
 /// Reference   Plackett, Biometrika 41 (1954) 351-360 (the derivative with respect to r).
 /// Units       each derivative in Pa/m per unit of its parameter (SI)
-/// Accuracy    1e-11 relative to K over the parameter (tests/contact/sensitivity_test.cpp)
+/// Accuracy    1e-11 of K per relative change of the parameter, 1e-10 for r and theta near pi/2
+///             (tests/contact/sensitivity_test.cpp)
 
 #include <fstiff/contact/peak_sums.hpp>
+#include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/surface/roughness.hpp>
 
@@ -62,7 +64,7 @@ public:
 
     explicit DerivativeAccumulator(const PeakProblem<T>& problem) : p_(problem) {}
 
-    EIGEN_ALWAYS_INLINE void add(const PeakNodes<T>& nodes) {
+    EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {
         const MomentBlock<T> block(nodes);
         const V k{p_.k};
         const V kt = k * nodes.t;
@@ -114,5 +116,34 @@ LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
 }
 
 }  // namespace detail
+
+/// K and its derivatives at the nominal pressure \p pressure [Pa], without interaction. Does not allocate.
+/// \throws domain_error as RoughContact and its at_pressure.
+template <Real T, PowerLaw Law>
+[[nodiscard]] Sensitivity<T> sensitivity(const Roughness<T>& surface, const PeakDensity<T>& peaks, const Law& law, T effective_modulus,
+                                         T pressure, CurvatureScale scale = {}) {
+    const RoughContact<T, Law> contact(surface, peaks, law, effective_modulus, {.curvature = scale});
+    const T eta = contact.at_pressure(pressure, Quantity::pressure).eta;
+    const auto j = detail::log_derivatives(peaks, eta);
+    const T product = surface.rms_height * rms_curvature(surface, peaks, scale);  // sigma sigma_kappa
+    const T k = effective_modulus * law.stiffness_factor() * surface.peak_density * surface.rms_height / std::sqrt(product) *
+                std::exp(j.stiffness.log);
+    const T follow = j.stiffness.eta / j.load.eta;  // d ln K / d ln p along the curve
+    // d ln K/dx from d ln A/dx and d ln B/dx, the derivatives of the integrals included
+    const auto at_constant_pressure = [&](T load, T stiffness) { return k * (stiffness - follow * load); };
+    // sigma_kappa = 1/(R E t) depends on theta: d ln E t/dtheta = cot(theta) - 1/theta
+    const T curvature = scale == CurvatureScale::consistent ? -(std::cos(peaks.theta()) / std::sin(peaks.theta()) - 1 / peaks.theta()) : T(0);
+    Sensitivity<T> out;
+    out.stiffness = k;
+    out.pressure = k * follow / pressure;
+    out.rms_height = at_constant_pressure(T(1.5), T(0.5)) / surface.rms_height;
+    out.peak_radius = at_constant_pressure(T(0.5), T(0.5)) / surface.peak_radius;
+    out.peak_density = at_constant_pressure(T(1), T(1)) / surface.peak_density;
+    out.effective_modulus = at_constant_pressure(T(1), T(1)) / effective_modulus;
+    out.fractal_dimension = at_constant_pressure(law.log_load_slope(), law.log_stiffness_slope());
+    out.r = at_constant_pressure(j.load.r, j.stiffness.r);
+    out.theta = at_constant_pressure(j.load.theta - curvature / 2, j.stiffness.theta - curvature / 2);
+    return out;
+}
 
 }  // namespace fstiff

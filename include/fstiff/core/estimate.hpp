@@ -17,13 +17,14 @@ struct Estimate {
     int evaluations{};  ///< points at which the integrand was evaluated (0: closed form)
 };
 
-/// In another unit; \p factor >= 0. A product in the subnormal range is rounded to a multiple of the least number, not to a
-/// relative epsilon, and the error says so.
+/// In another unit; \p factor >= 0. A product in the subnormal range is rounded to a multiple of the least number, not
+/// to a relative epsilon, and the error says so.
 template <Real T>
 [[nodiscard]] constexpr Estimate<T> operator*(const Estimate<T>& estimate, T factor) {
     const T value = estimate.value * factor;
     const bool subnormal = value < std::numeric_limits<T>::min() && estimate.value > 0;
-    return {value, estimate.error * factor + (subnormal ? std::numeric_limits<T>::denorm_min() : T(0)), estimate.evaluations};
+    return {value, estimate.error * factor + (subnormal ? std::numeric_limits<T>::denorm_min() : T(0)),
+            estimate.evaluations};
 }
 
 }  // namespace fstiff

@@ -7,8 +7,9 @@
 /// sign is the point, or the comma where the comma does not separate columns. One column holds heights; two hold
 /// positions and heights; more need DelimitedOptions::column. Lines before the first row of numbers are the header,
 /// lines that begin with "#", "%", "!", "//" or ";" comments; both are searched for units, from the first row upwards:
-/// "x [um]; z [nm]", "Lateral um,Raw Micrometer", "x (µm)", or the bare units. An empty cell is a missing point. Positions may
-/// fall (the profile is turned round) but must be equally spaced, as far as the digits they are printed with can tell.
+/// "x [um]; z [nm]", "Lateral um,Raw Micrometer", "x (µm)", or the bare units. An empty cell is a missing point.
+/// Positions may fall (the profile is turned round) but must be equally spaced, as far as the digits they are printed
+/// with can tell; where all steps but one or two are the same, a row is missing.
 ///
 /// Nothing is guessed: without a unit, without a spacing, or with a cell that is no number, the file is refused.
 ///
@@ -103,7 +104,9 @@ inline std::string read_all(std::istream& input, const std::string& name) {
     while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), input.gcount() > 0) {
         const std::string_view part(chunk.data(), static_cast<std::size_t>(input.gcount()));
         if (part.find('\0') != std::string_view::npos)
-            refuse_file(name, "is binary (it holds NUL bytes); must be delimited text in UTF-8 or an 8-bit code page");
+            refuse_file(
+                name,
+                "is binary, or UTF-16 (it holds NUL bytes); must be delimited text in UTF-8 or an 8-bit code page");
         text += part;
         if (text.size() > most) refuse_file(name, "is longer than 2^30 bytes; must be shorter");
     }
@@ -169,11 +172,12 @@ inline void split_line(std::string_view line, char separator, std::vector<std::s
     while (!cells.empty() && cells.back().empty()) cells.pop_back();
 }
 
-/// The number that fills \p cell, with the weight of its last digit.
+/// The number that fills a cell, with the power of ten of its last digit.
 struct Cell {
     double value{};
-    double resolution{};
+    double last_digit{};
 };
+/// The number that fills \p cell; none when something else does.
 inline std::optional<Cell> number_in(std::string_view cell, bool decimal_comma) {
     char buffer[64];
     if (decimal_comma && cell.find(',') != std::string_view::npos) {
@@ -193,7 +197,7 @@ inline std::optional<Cell> number_in(std::string_view cell, bool decimal_comma) 
     // what is too small for a double counts as zero; what is too large is infinite, and refused by the caller
     const bool fits = number.status == NumberStatus::ok;
     const bool tiny = !fits && exponent < 0;
-    return Cell{fits ? number.value : tiny ? 0.0 : std::numeric_limits<double>::infinity(), std::pow(10.0, exponent)};
+    return Cell{fits ? number.value : tiny ? 0.0 : std::numeric_limits<double>::infinity(), exponent};
 }
 
 inline bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma) {
@@ -286,6 +290,24 @@ inline std::vector<std::string_view> units_in(std::string_view line, std::size_t
     return found.size() == columns ? found : std::vector<std::string_view>();
 }
 
+/// To how many digits the numbers of a column are printed, trailing zeros dropped or not.
+class PrintedDigits {
+public:
+    void add(const Cell& cell) {
+        finest_ = std::min(finest_, cell.last_digit);
+        if (cell.value == 0) return;
+        const double first_digit = std::floor(std::log10(std::abs(cell.value)));
+        largest_ = std::max(largest_, first_digit);
+        significant_ = std::max(significant_, first_digit - cell.last_digit + 1);
+    }
+    /// Weight of the last digit of the largest number: as many decimals, or as many significant digits, as any other.
+    [[nodiscard]] double resolution() const { return std::pow(10.0, std::max(finest_, largest_ - significant_ + 1)); }
+
+private:
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
+    double finest_ = infinite, largest_ = -infinite, significant_ = 0;
+};
+
 /// A spacing that the header states, such as "Resolution,0.156 um/sample"; with the weight of its last digit [m].
 struct StatedSpacing {
     double value{}, resolution{};
@@ -312,8 +334,8 @@ inline std::optional<StatedSpacing> stated_spacing(const std::vector<Line>& line
         if (!is_unit(unit, Dimension::length)) continue;
         const double factor = unit_factor(unit, Dimension::length);
         return StatedSpacing{number.value * factor,
-                             number_in(text.substr(0, number.length), false)->resolution * factor, lines[i].number,
-                             std::string(text)};
+                             std::pow(10.0, number_in(text.substr(0, number.length), false)->last_digit) * factor,
+                             lines[i].number, std::string(text)};
     }
     return std::nullopt;
 }
@@ -413,7 +435,7 @@ private:
                     refuse_line(name_, line, "has " + std::to_string(cells.size()) + " columns; must be at most 4096");
                 record_.columns = cells.size();
                 values_.resize(cells.size());
-                resolution_.resize(cells.size(), 0);
+                printed_.resize(cells.size());
             }
             // with blanks between them, an empty cell cannot be seen
             const bool short_row =
@@ -432,7 +454,7 @@ private:
                 }
                 const Cell number = require_number(cells[c], line);
                 values_[c].push_back(number.value);
-                resolution_[c] = std::max(resolution_[c], number.resolution);
+                printed_[c].add(number);
             }
             row_lines_.push_back(line);
         }
@@ -542,7 +564,7 @@ private:
                 refuse_line(name_, row_lines_[i], "has no position; allowed are finite decimal numbers");
         if (x.size() < 2) refuse_file(name_, "holds " + std::to_string(x.size()) + " points; must be at least 16");
         const double mean = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
-        const double printed = resolution_[record_.position_column - 1];
+        const double printed = printed_[record_.position_column - 1].resolution();
         if (!std::isfinite(mean))
             refuse_file(name_, "holds positions beyond the range of double precision; must be finite lengths");
         // printed too coarsely, neighbours may share a position; otherwise every step goes the same way
@@ -562,19 +584,37 @@ private:
         double worst = 0;
         for (std::size_t i = 0; i < x.size(); ++i)
             worst = std::max(worst, std::abs(x[i] - (x.front() + static_cast<double>(i) * mean)));
-        if (worst > allowed) refuse_spacing(x);
+        if (worst > allowed || is_interrupted(x, printed)) refuse_spacing(x);
         record_.reversed = mean < 0;
         return std::abs(mean);
     }
 
-    /// Names the step that is furthest from the usual one.
-    [[noreturn]] void refuse_spacing(const std::vector<double>& x) const {
+    static std::vector<double> steps_of(const std::vector<double>& x) {
         std::vector<double> steps(x.size() - 1);
         for (std::size_t i = 0; i + 1 < x.size(); ++i) steps[i] = x[i + 1] - x[i];
-        std::vector<double> ordered = steps;
-        const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
-        std::nth_element(ordered.begin(), middle, ordered.end());
-        const double usual = *middle;
+        return steps;
+    }
+
+    static double median(std::vector<double> values) {
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    }
+
+    /// 0 1 2 4 5 ...: positions printed to whole steps, of which one or two are odd, have lost a row rather than digits.
+    static bool is_interrupted(const std::vector<double>& x, double printed) {
+        const std::vector<double> steps = steps_of(x);
+        const double usual = median(steps);
+        if (printed < 0.1 * std::abs(usual) || usual == 0) return false;
+        const auto odd = std::count_if(steps.begin(), steps.end(),
+                                       [&](double step) { return std::abs(step - usual) > 0.5 * printed; });
+        return odd == 1 || odd == 2;
+    }
+
+    /// Names the step that is furthest from the usual one.
+    [[noreturn]] void refuse_spacing(const std::vector<double>& x) const {
+        const std::vector<double> steps = steps_of(x);
+        const double usual = median(steps);
         const auto odd = std::max_element(
             steps.begin(), steps.end(), [&](double a, double b) { return std::abs(a - usual) < std::abs(b - usual); });
         const auto row = static_cast<std::size_t>(odd - steps.begin()) + 1;
@@ -601,7 +641,7 @@ private:
     std::size_t first_ = 0;  // line of the first row
     Dialect dialect_;
     std::vector<std::vector<double>> values_;  // by column
-    std::vector<double> resolution_;           // coarsest last digit of each column
+    std::vector<PrintedDigits> printed_;       // by column
     std::vector<std::size_t> row_lines_;
 };
 

@@ -49,7 +49,13 @@ struct Lanes {
 /// function for each multiplication.
 template <Real T, class F, std::size_t... I>
 EIGEN_ALWAYS_INLINE Lanes<T> make_lanes(const F& packet, std::index_sequence<I...>) {
-    return Lanes<T>(std::array<typename Lanes<T>::Packet, sizeof...(I)>{packet(I)...});
+    if constexpr (Lanes<T>::width == 1) {  // no vectors (long double): a loop, for eightfold code would gain nothing
+        Lanes<T> out;
+        for (std::size_t i = 0; i < sizeof...(I); ++i) out.p[i] = packet(i);
+        return out;
+    } else {
+        return Lanes<T>(std::array<typename Lanes<T>::Packet, sizeof...(I)>{packet(I)...});
+    }
 }
 
 // clang-format off: one line of Eigen's packet mathematics each

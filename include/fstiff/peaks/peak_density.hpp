@@ -3,12 +3,14 @@
 /// \file
 /// Greenwood's joint density of the height and curvature of the peaks of a Gaussian profile sampled at a finite step.
 ///
-///     p_peak(zeta, t) = erf(t tan(theta)/sqrt 2)/(2 theta c) exp(-(zeta - r t)^2/(2 c^2)) exp(-t^2/2),  c^2 = 1 - r^2    eq. (4.4)
-///     peaks / ordinates = theta/pi                                                                              eq. (4.3)
+///     p_peak(zeta, t) = erf(t tan(theta)/sqrt 2)/(2 theta c) exp(-(zeta - r t)^2/(2 c^2)) exp(-t^2/2)   eq. (4.4)
+///     c^2 = 1 - r^2
+///     peaks / ordinates = theta/pi                                                                     eq. (4.3)
 ///     E t   = sqrt(pi/2) sin(theta)/theta            E t^2 = 1 + sin(2 theta)/(2 theta)
 ///     E t^3 = 3 sqrt(pi/2) (sin(theta) - sin^3(theta)/3)/theta
 ///     E t^4 = 3 + 2 sin(2 theta)/theta + sin(4 theta)/(4 theta)
-///     zeta has mean r E t, variance V = 1 - r^2 + r^2 Var t, skewness r^3 mu3(t)/V^1.5, kurtosis 3 + r^4 (mu4(t) - 3 Var^2 t)/V^2
+///     zeta: mean r E t, variance V = 1 - r^2 + r^2 Var t, skewness r^3 mu3(t)/V^1.5,
+///           kurtosis 3 + r^4 (mu4(t) - 3 Var^2 t)/V^2
 ///
 /// zeta is the height over the rms height, t the curvature over the rms curvature of the ordinates. With the
 /// autocorrelations rho1, rho2 at one and two steps
@@ -17,12 +19,12 @@
 ///
 /// r and theta are independent: 1 - r^2 = cot^2(theta) holds for an exponential autocorrelation only (docs/errata.md).
 ///
-/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014),
-///             eqs. (4.1)-(4.4), Fig. 2.
+/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66
+///             (2014), eqs. (4.1)-(4.4), Fig. 2.
 /// Units       dimensionless, theta in radians
 /// Valid       0 <= r < 1, 0 < theta < pi/2
-/// Accuracy    density 20 epsilon where it is not negligible; moments of t 8 epsilon; central moments lose 1/Var^2 t more
-///             (tests/peaks/peak_density_test.cpp)
+/// Accuracy    density 20 epsilon where it is not negligible; moments of t 8 epsilon; central moments lose 1/Var^2 t
+///             more (tests/peaks/peak_density_test.cpp)
 
 #include <fstiff/core/error.hpp>
 
@@ -34,13 +36,15 @@
 
 namespace fstiff {
 
+/// The density (4.4) for one r and one theta, its moments and its marginal.
 template <Real T>
 class PeakDensity {
 public:
     /// \throws domain_error unless 0 <= r < 1 and 0 < theta < pi/2.
     PeakDensity(T r, T theta) : r_(r), theta_(theta) {
         require(r >= 0 && r < 1, "r", r, "at least 0 and less than 1");
-        require(theta > 0 && theta < std::numbers::pi_v<T> / 2, "theta", theta, "between 0 and pi/2, both excluded (radians)");
+        require(theta > 0 && theta < std::numbers::pi_v<T> / 2, "theta", theta,
+                "between 0 and pi/2, both excluded (radians)");
     }
 
     /// From the autocorrelation of the profile at one and at two sampling steps.
@@ -54,7 +58,8 @@ public:
     }
 
     /// The peaks of a profile of exponential autocorrelation: 1 - r^2 = cot^2(theta).
-    /// \throws domain_error unless pi/4 <= theta <= pi/3: what rho2 = rho1^2 allows (a rounding beyond an end counts as the end).
+    /// \throws domain_error unless pi/4 <= theta <= pi/3: what rho2 = rho1^2 allows (a rounding beyond an end counts as
+    /// the end).
     static PeakDensity exponential(T theta) {
         constexpr T pi = std::numbers::pi_v<T>;
         constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
@@ -64,7 +69,9 @@ public:
         return {std::sqrt(std::max(T(0), (1 - cot) * (1 + cot))), theta};
     }
 
+    /// Correlation of the height and the curvature of an ordinate, sigma_m^2/(sigma sigma_kappa).
     [[nodiscard]] T r() const { return r_; }
+    /// Angle of the sampling [rad]: sin(theta) = h sigma_kappa/(2 sigma_m); 0 for a vanishing step h.
     [[nodiscard]] T theta() const { return theta_; }
     /// c = sqrt(1 - r^2): the standard deviation of the height of a peak of given curvature.
     [[nodiscard]] T c() const { return std::sqrt((1 - r_) * (1 + r_)); }
@@ -73,13 +80,15 @@ public:
     [[nodiscard]] T operator()(T zeta, T t) const {
         if (!(t > 0)) return T(0);
         const T z = (zeta - r_ * t) / c();
-        return std::erf(t * std::tan(theta_) / std::numbers::sqrt2_v<T>) / (2 * theta_ * c()) * std::exp(-(z * z + t * t) / 2);
+        return std::erf(t * std::tan(theta_) / std::numbers::sqrt2_v<T>) / (2 * theta_ * c()) *
+               std::exp(-(z * z + t * t) / 2);
     }
 
-    /// Density of the peak height zeta alone (Fig. 2): exp(-zeta^2/2) times erf(k t) under a Gaussian in t of mean r zeta and
-    /// width c. The trapezoidal rule in t where that Gaussian stays clear of t = 0; elsewhere in u, t = s exp(u - exp(-u))
-    /// with s the smaller of c and 1/k, which grades the nodes towards t = 0.
+    /// Density of the peak height zeta alone (Fig. 2).
     [[nodiscard]] T height_marginal(T zeta) const {
+        // exp(-zeta^2/2) times erf(k t) under a Gaussian in t of mean r zeta and width c: the trapezoidal rule in t where
+        // that Gaussian stays clear of t = 0; elsewhere in u, t = s exp(u - exp(-u)) with s the smaller of c and 1/k,
+        // which grades the nodes towards t = 0
         const T reach = std::sqrt(-2 * std::log(std::numeric_limits<T>::epsilon())) + T(0.5);
         const T k = std::tan(theta_) / std::numbers::sqrt2_v<T>;
         const T width = c();
@@ -110,28 +119,38 @@ public:
         const T s = std::sin(theta_);
         const T half = std::sqrt(std::numbers::pi_v<T> / 2);
         switch (n) {
-            case 1: return half * s / theta_;
-            case 2: return 1 + std::sin(2 * theta_) / (2 * theta_);
-            case 3: return 3 * half * (s - s * s * s / 3) / theta_;
-            case 4: return 3 + 2 * std::sin(2 * theta_) / theta_ + std::sin(4 * theta_) / (4 * theta_);
-            default: throw domain_error("moment order = " + std::to_string(n) + ": must be 1, 2, 3 or 4");
+            case 1:
+                return half * s / theta_;
+            case 2:
+                return 1 + std::sin(2 * theta_) / (2 * theta_);
+            case 3:
+                return 3 * half * (s - s * s * s / 3) / theta_;
+            case 4:
+                return 3 + 2 * std::sin(2 * theta_) / theta_ + std::sin(4 * theta_) / (4 * theta_);
+            default:
+                throw domain_error("moment order = " + std::to_string(n) + ": must be 1, 2, 3 or 4");
         }
     }
 
     /// E t: mean curvature of the peaks over the rms curvature of the ordinates.
     [[nodiscard]] T mean_curvature() const { return curvature_moment(1); }
+    /// E zeta: mean height of the peaks over the rms height.
     [[nodiscard]] T mean_height() const { return r_ * curvature_moment(1); }
+    /// Variance V of zeta.
     [[nodiscard]] T height_variance() const { return (1 - r_) * (1 + r_) + r_ * r_ * curvature_variance(); }
+    /// Third central moment of zeta over V^1.5; 0 for Gaussian heights.
     [[nodiscard]] T height_skewness() const {
         const T m1 = curvature_moment(1);
         const T third = curvature_moment(3) - m1 * (3 * curvature_variance() + m1 * m1);
         return r_ * r_ * r_ * third / (height_variance() * std::sqrt(height_variance()));
     }
+    /// Fourth central moment of zeta over V^2; 3 for Gaussian heights.
     [[nodiscard]] T height_kurtosis() const {
         const T m1 = curvature_moment(1);
         const T square = m1 * m1;
         const T variance = curvature_variance();
-        const T fourth = curvature_moment(4) - 4 * m1 * curvature_moment(3) + 6 * square * curvature_moment(2) - 3 * square * square;
+        const T fourth =
+            curvature_moment(4) - 4 * m1 * curvature_moment(3) + 6 * square * curvature_moment(2) - 3 * square * square;
         const T ratio = r_ * r_ / height_variance();
         return 3 + ratio * ratio * (fourth - 3 * variance * variance);
     }

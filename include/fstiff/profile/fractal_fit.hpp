@@ -25,8 +25,8 @@
 ///  - what the covariance of S of a Gaussian self-affine profile with the fitted D gives, in closed form: the limit of
 ///    many simulations at the fitted parameters;
 ///  - a moving-block bootstrap over the profile, seeded, which sees what is not Gaussian;
-/// and the textbook regression error, some four times too small because S at neighbouring lags is correlated, beside
-/// them.
+/// and the textbook regression error, more than ten times too small on random walks because S at neighbouring lags is
+/// correlated, beside them.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8); Kunsch, Ann. Stat. 17 (1989)
 ///             for the bootstrap; docs/errata.md for the constant C.
@@ -81,10 +81,16 @@ struct FractalFit {
     std::size_t lags{};   ///< lags used
     bool finite_band{};   ///< whether these terms entered
     bool log_periodic{};  ///< whether these terms entered
-    bool curved{};        ///< no clean power law: the slope changes over the window, by more than 0.2 and 3 standard
-                          ///< deviations, or the automatic window had to allow more than 0.2
+    bool curved{};        ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
+                          ///< to end of the window or from its ends to its middle, or the automatic window had to
+                          ///< allow more than 0.2
     T slope_shortest{};   ///< local slope of ln S at the shortest lag used
     T slope_longest{};    ///< and at the longest
+    T slope_least{};      ///< least local slope over the lags used
+    T slope_greatest{};   ///< and greatest
+    T flattest_lag{};     ///< where the local slope is least among the lags searched that are shorter than the window
+                          ///< [m]; 0: there are none
+    T flattest_slope{};   ///< that slope: near 0, a roughness that has saturated below the waviness of the window
     std::uint64_t seed{};
     StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
 };
@@ -362,6 +368,8 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
     const detail::Vector<F> log_s = Eigen::Map<const detail::Vector<F>>(log_value.data(), log_lag.size());
 
     // the window
+    const bool few = points < 400;
+    const F shortest = few ? F(1) : F(4), farthest = static_cast<F>(few ? points / 4 : points / 10);  // searched
     detail::IndexRange range;
     result.automatic_window = !options.window;
     if (options.window) {
@@ -383,11 +391,9 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
                                " and half a decade, between " + detail::shown(profile.spacing) + " m and " +
                                detail::shown(profile.length()) + " m");
     } else {
-        const bool few = points < 400;
         std::optional<detail::IndexRange> straight;
         for (const F tolerance : {F(0.2), F(0.3), F(0.45), F(0.6)}) {
-            straight = detail::straight_range(log_lag, log_s, static_cast<F>(points), few ? F(1) : F(4),
-                                              static_cast<F>(few ? points / 4 : points / 10), tolerance);
+            straight = detail::straight_range(log_lag, log_s, static_cast<F>(points), shortest, farthest, tolerance);
             result.slope_tolerance = static_cast<T>(tolerance);
             if (straight) break;
         }
@@ -407,6 +413,17 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
     result.lags = static_cast<std::size_t>(count);
     result.slope_shortest = static_cast<T>(detail::local_slope(log_lag, log_s, range.first));
     result.slope_longest = static_cast<T>(detail::local_slope(log_lag, log_s, range.last));
+    result.slope_least = result.slope_greatest = result.slope_shortest;
+    for (Index k = 0; k <= range.last; ++k) {
+        const T local = static_cast<T>(detail::local_slope(log_lag, log_s, k));
+        if (k >= range.first) {
+            result.slope_least = std::min(result.slope_least, local);
+            result.slope_greatest = std::max(result.slope_greatest, local);
+        } else if (log_lag[k] >= std::log(shortest) && (result.flattest_lag == T(0) || local < result.flattest_slope)) {
+            result.flattest_lag = static_cast<T>(step[static_cast<std::size_t>(k)]) * profile.spacing;
+            result.flattest_slope = local;
+        }
+    }
 
     // the fit, about the middle of the window
     const F log_reference = (log_lag[range.first] + log_lag[range.last]) / 2;
@@ -498,12 +515,17 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
         roughness_error = std::max(roughness_error, detail::spread(roughness_row, resampled));
     }
 
-    // curvature: the quadratic term of ln S, against its own sampling error
-    detail::Matrix<F> quadratic(count, 3);
-    quadratic << ones, x, x.array().square().matrix();
-    const detail::Vector<F> bend_row = quadratic.completeOrthogonalDecomposition().pseudoInverse().row(2).transpose();
-    const F bend = bend_row.dot(y);
-    result.curved = (std::abs(bend) > 3 * from_model(bend_row) && 2 * std::abs(bend) * width > F(0.2)) ||
+    // curvature: the quadratic and the cubic term of ln S, each against its own sampling error
+    const auto highest_row = [&](Index degree) -> detail::Vector<F> {
+        detail::Matrix<F> powers(count, degree + 1);
+        for (Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
+        return powers.completeOrthogonalDecomposition().pseudoInverse().row(degree).transpose();
+    };
+    const auto bends = [&](const detail::Vector<F>& row, F change_of_slope) {  // that one of the term gives
+        const F bend = std::abs(row.dot(y));
+        return bend * change_of_slope > F(0.2) && bend > 3 * from_model(row);
+    };
+    result.curved = bends(highest_row(2), 2 * width) || bends(highest_row(3), 3 * width * width / 4) ||
                     result.slope_tolerance > T(0.21);
 
     result.fractal.dimension = static_cast<T>(dimension);

@@ -18,11 +18,13 @@
 
 namespace fstiff {
 
+/// A profile in SI units. What is measured of it (mean, rms) takes the points that exist.
 template <Real T>
 struct Profile {
     std::vector<T> heights;  ///< z(i spacing) [m]; NaN marks a missing point
     T spacing{};             ///< between neighbours [m]
 
+    /// Points, missing ones included.
     [[nodiscard]] std::size_t size() const { return heights.size(); }
 
     /// Points that are not missing.
@@ -31,6 +33,7 @@ struct Profile {
             std::count_if(heights.begin(), heights.end(), [](T z) { return !std::isnan(z); }));
     }
 
+    /// From the first point to the last [m]; 0 for an empty profile.
     [[nodiscard]] T length() const { return heights.empty() ? T(0) : static_cast<T>(heights.size() - 1) * spacing; }
 
     /// \throws domain_error unless the spacing is positive, no height infinite, at least \p least points exist and they

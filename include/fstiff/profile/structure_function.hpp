@@ -38,12 +38,13 @@ enum class Divisor { pairs, paper };
 [[nodiscard]] inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave = 12);
 
 /// S of \p profile at \p lags (in samples, any order).
-/// \throws domain_error for a lag outside 1 ... N-1, a spacing that is not positive or an infinite height.
+/// \throws domain_error for a lag outside 1 ... N-1, a spacing that is not positive, an infinite height, or heights
+/// whose squares leave the range of numbers.
 template <Real T>
 [[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
                                                       Divisor divisor = Divisor::pairs);
 
-/// S of \p profile at logarithmic_lags up to a quarter of its points.
+/// S of \p profile at logarithmic_lags up to a quarter of its points. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor = Divisor::pairs);
 
@@ -108,7 +109,10 @@ StructureFunction<T> structure_function(const Profile<T>& profile, std::span<con
         if (divided_by == 0) continue;
         result.step.push_back(n);
         result.lag.push_back(static_cast<T>(n) * profile.spacing);
-        result.value.push_back(static_cast<T>(sum / static_cast<detail::Sum<T>>(divided_by)) * scale * scale);
+        const T value = static_cast<T>(sum / static_cast<detail::Sum<T>>(divided_by)) * scale * scale;
+        require(sum == 0 || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
+                "structure function", value, "a number of normal size: these heights are too large or too small");
+        result.value.push_back(value);
         result.pairs.push_back(pairs);
     }
     return result;

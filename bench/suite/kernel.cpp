@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernel in two dimensions with laws of a user: smooth ones, and one with a kink.
+#include "methods.hpp"
+#include "row.hpp"
+
+namespace {
+
+using namespace bench;
+using fstiff::Axis;
+
+/// "kernel/<law>/<tolerance>", right within \p slack tolerances.
+template <Axis axis, class Law>
+void law_rows(const std::string& name, std::initializer_list<double> wanted, double slack) {
+    for (const double tolerance : wanted)
+        row_on(law_problems<Law>, "kernel/" + name + "/" + text_of(tolerance), load, tolerance * slack,
+               [=](const Problem& p) { return kernel<axis, Law>(p, tolerance); });
+}
+
+const Rows rows([] {
+    law_rows<Axis::even, HertzByUser>("hertz", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
+    law_rows<Axis::even, GradualYield>("gradual_yield", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
+    // no split at the kink: the error is what the nodes allowed by default leave; beyond_estimate says whether it was admitted
+    law_rows<Axis::graded, ElasticPlastic>("elastic_plastic", {1e-3, 1e-6}, 1000);
+});
+
+}  // namespace

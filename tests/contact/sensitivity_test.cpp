@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/contact/sensitivity.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+using namespace fstiff;
+
+namespace {
+
+struct Parameters {
+    long double rms_height = 0.832e-6L, peak_radius = 40e-6L, peak_density = 500e6L, dimension = 1.62L, modulus = 112.6e9L, r = 0.6L, theta = 1.1L,
+                pressure = 3e6L;
+};
+
+template <class Law>
+Law law_of(long double dimension) {
+    if constexpr (std::is_same_v<Law, HertzLaw<long double>>) return {};
+    else return Law(dimension);
+}
+
+template <class Law>
+long double stiffness(const Parameters& p, CurvatureScale scale) {
+    const Roughness<long double> surface{p.rms_height, p.peak_radius, p.peak_density, 0};
+    return RoughContact<long double, Law>(surface, PeakDensity<long double>(p.r, p.theta), law_of<Law>(p.dimension), p.modulus, {.curvature = scale})
+        .at_pressure(p.pressure, Quantity::stiffness)
+        .stiffness.value;
+}
+
+/// d K/d parameter by a six-point difference in long double: 1e-12 relative or so.
+template <class Law>
+long double difference(Parameters p, long double Parameters::*which, CurvatureScale scale, long double relative_step) {
+    const long double at = p.*which, h = relative_step * at;
+    const auto k = [&](int steps) {
+        p.*which = at + steps * h;
+        return stiffness<Law>(p, scale);
+    };
+    return (45 * (k(1) - k(-1)) - 9 * (k(2) - k(-2)) + (k(3) - k(-3))) / (60 * h);
+}
+
+template <class Law>
+void check(const Parameters& p, CurvatureScale scale) {
+    const auto s = sensitivity(Roughness<long double>{p.rms_height, p.peak_radius, p.peak_density, 0}, PeakDensity<long double>(p.r, p.theta),
+                               law_of<Law>(p.dimension), p.modulus, p.pressure, scale);
+    const long double k = stiffness<Law>(p, scale);
+    CHECK(test::relative_error(s.stiffness, k) < 1e-14L);
+    const struct {
+        const char* name;
+        long double analytic;
+        long double Parameters::*which;
+    } rows[] = {{"p", s.pressure, &Parameters::pressure},
+                {"sigma", s.rms_height, &Parameters::rms_height},
+                {"R", s.peak_radius, &Parameters::peak_radius},
+                {"D_p", s.peak_density, &Parameters::peak_density},
+                {"D", s.fractal_dimension, &Parameters::dimension},
+                {"E", s.effective_modulus, &Parameters::modulus},
+                {"r", s.r, &Parameters::r},
+                {"theta", s.theta, &Parameters::theta}};
+    for (const auto& row : rows) {
+        // steps within the range of r and theta: the distance to 1 and to pi/2 scales them
+        const long double room = std::min({1.0L, (1 - p.r) / p.r, (1.57079632679489661923L - p.theta) / p.theta});
+        const long double numeric = difference<Law>(p, row.which, scale, 1e-3L * room);
+        INFO(row.name << " r " << double(p.r) << " theta " << double(p.theta) << " p " << double(p.pressure) << ": " << double(row.analytic)
+                      << " against " << double(numeric));
+        // in units of K per relative change of the parameter
+        CHECK(std::abs(row.analytic - numeric) * p.*row.which <= 1e-9L / room * k);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("derivatives of K at constant pressure agree with differences, for every law and curvature scale") {
+    for (const CurvatureScale scale : {CurvatureScale::bush_gibson_thomas, CurvatureScale::consistent}) {
+        check<HertzLaw<long double>>({}, scale);
+        check<FractalLaw<long double>>({}, scale);
+        check<FractalConsistentLaw<long double>>({}, scale);
+    }
+}
+
+TEST_CASE("derivatives agree with differences over pressure, r and theta") {
+    for (const long double r : {0.05L, 0.5L, 0.9L, 0.99L})
+        for (const long double theta : {0.2L, 0.9L, 1.4L})
+            for (const long double pressure : {1e3L, 1e7L, 1e10L}) {
+                Parameters p;
+                p.r = r;
+                p.theta = theta;
+                p.pressure = pressure;
+                check<FractalLaw<long double>>(p, CurvatureScale::bush_gibson_thomas);
+            }
+}
+
+TEST_CASE("double agrees with long double, also in hard regimes") {
+    for (const double r : {0.0, 0.5, 0.999, 0.999999})
+        for (const double theta : {0.01, 1.0, 1.57})
+            for (const double pressure : {1e4, 1e8}) {
+                const auto fast = sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(r, theta), FractalLaw<double>(1.62), 112.6e9, pressure);
+                const auto truth = sensitivity(Roughness<long double>{0.832e-6L, 40e-6L, 500e6L, 0}, PeakDensity<long double>(r, theta),
+                                               FractalLaw<long double>(1.62L), 112.6e9L, static_cast<long double>(pressure));
+                INFO("r " << r << " theta " << theta << " p " << pressure);
+                // relative to K per parameter: sums of terms that partly cancel
+                CHECK(std::abs(fast.rms_height - double(truth.rms_height)) * 0.832e-6 <= 1e-11 * fast.stiffness);
+                CHECK(std::abs(fast.peak_density - double(truth.peak_density)) * 500e6 <= 1e-11 * fast.stiffness);
+                CHECK(std::abs(fast.r - double(truth.r)) * (1 - r) <= 1e-10 * fast.stiffness);
+                CHECK(std::abs(fast.theta - double(truth.theta)) * theta <= 1e-10 * fast.stiffness);
+            }
+}
+
+TEST_CASE("scaling laws: K is of degree 0 in (p, E) less one, and does not depend on the unit of length") {
+    // K(lambda p, lambda E) = lambda K: p dK/dp + E dK/dE = K; lengths: sigma K_sigma + R K_R - 2 D_p K_Dp = -K
+    const auto s = sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(0.6, 1.1), FractalConsistentLaw<double>(1.62), 112.6e9, 3e6);
+    CHECK(test::relative_error(3e6 * s.pressure + 112.6e9 * s.effective_modulus, s.stiffness) < 1e-13);
+    CHECK(test::relative_error(-(0.832e-6 * s.rms_height + 40e-6 * s.peak_radius - 2 * 500e6 * s.peak_density), s.stiffness) < 1e-13);
+}
