@@ -159,7 +159,7 @@ public:
     using V = Lanes<T>;
     PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b) : p_(problem), minus_two_b_(minus_two_b) {}
 
-    EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {  // one copy for the three maps
+    EIGEN_ALWAYS_INLINE void add(const PeakNodes<T>& nodes) {
         const MomentBlock<T> block(nodes);
         const V erf = erf_ascending(V(p_.k) * nodes.t, p_.k * nodes.t_first, p_.k * nodes.t_last);
         const V g = nodes.weight * erf * block.gaussian(nodes, p_.floor);
