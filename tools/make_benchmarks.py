@@ -1,55 +1,362 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the benchmark table of README.md from the JSON of the benchmark program.
+"""Turns the JSON of the benchmark program into documents.
 
-    build/native/bin/fstiff_bench --benchmark_out=bench.json --benchmark_out_format=json
-    tools/make_benchmarks.py bench.json
+    build/native/bin/fstiff_bench --benchmark_repetitions=5 --benchmark_out=native.json --benchmark_out_format=json
+    build/portable/bin/fstiff_bench --benchmark_filter=fstiff --benchmark_out=portable.json --benchmark_out_format=json
+    tools/make_benchmarks.py native.json --portable portable.json
+    tools/make_benchmarks.py            writes the documents again from bench/results.json
+    tools/make_benchmarks.py --check    exit code 1 when they are not what bench/results.json gives
 
-A row whose verification failed is shown as such, without a time.
+The least processor time of the repetitions of each row goes to bench/results.json, with its errors and the machine's name. From
+it are written the tables between <!-- benchmarks --> and <!-- /benchmarks --> in README.md and docs/benchmarks.md, and
+docs/benchmarks.svg. A row whose verification failed is shown as such, without a time.
 """
+import argparse
+import csv
+import datetime
+import html
 import json
+import math
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LABELS = (  # name in the benchmark program, what README calls it
-    ("reduced/four/plain/1e-12", "one dimension, all four integrals, 1e-12"),
-    ("reduced/four/plain/1e-03", "one dimension, all four integrals, 1e-3"),
-    ("reduced/stiffness/plain/1e-12", "one dimension, one integral, 1e-12"),
-    ("tensor/stiffness/plain/1e-12", "two dimensions, one integral, 1e-12"),
-    ("tensor/stiffness/plain/1e-03", "two dimensions, one integral, 1e-3"),
-    ("paper/stiffness/plain/50x50", "the paper's 50 x 50 points, one integral"),
+RESULTS = ROOT / "bench" / "results.json"
+COUNTERS = ("rel_err_max", "rel_err_median", "evaluations", "values", "wrong", "beyond_estimate", "ns_median_problem")
+UNIT = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
+
+METHODS = {  # in the order of the tables: what the documents call it
+    "fstiff": "fstiff, one dimension",
+    "fstiff-tensor": "fstiff, two dimensions",
+    "fstiff-paper": "fstiff, the paper's 50 x 50 points",
+    "gauss_legendre-fitted": "Gauss-Legendre tuned by hand, nodes fitted to each problem",
+    "gauss_legendre-tuned": "Gauss-Legendre tuned by hand, fewest nodes for the grid",
+    "gauss_legendre-eigen": "Gauss-Legendre on a box, Eigen arrays",
+    "gauss_legendre-scalar": "Gauss-Legendre on a box, scalar",
+    "gsl-1d": "GSL qag, one dimension, U(a,b,x)",
+    "gsl-nested_qag": "GSL qag in qag",
+    "gsl-nested_cquad": "GSL cquad in cquad",
+    "cubature": "cubature (pcubature)",
+    "boost-exp_sinh": "Boost exp_sinh in exp_sinh",
+}
+
+
+# ---------------------------------------------------------------- measuring
+
+
+def rows_of(data):
+    """The row of least processor time for each name."""
+    rows = {}
+    for raw in data["benchmarks"]:
+        if raw.get("run_type") == "aggregate":
+            continue
+        name = raw.get("run_name", raw["name"])
+        if raw.get("error_occurred"):
+            said = dict(re.findall(r"(\w+)=(\S+)", raw["error_message"]))
+            rows[name] = {key: float(said[key]) for key in COUNTERS if key in said}
+            continue
+        row = {"ns": raw["cpu_time"] * UNIT[raw["time_unit"]]} | {key: raw[key] for key in COUNTERS if key in raw}
+        if name not in rows or row["ns"] < rows[name]["ns"]:
+            rows[name] = row
+    rounded = lambda value: float(f"{value:.4g}") if math.isfinite(value) else "inf"
+    return {name: {key: rounded(value) for key, value in row.items()} for name, row in rows.items()}
+
+
+def processor():
+    info = dict(re.findall(r"^(model name|cpu family|model|flags)\s*: (.*)$", open("/proc/cpuinfo").read().split("\n\n")[0], re.M))
+    vectors = next((name for flag, name in (("avx512f", "AVX-512"), ("avx2", "AVX2")) if flag in info.get("flags", "").split()), "SSE2")
+    return f"{info.get('model name', 'unknown processor')} (family {info.get('cpu family', '?')}, model {info.get('model', '?')}, {vectors})"
+
+
+def measure(native, portable):
+    data = json.load(open(native))
+    context = data["context"]
+    out = {
+        "machine": f"{processor()}, {context['mhz_per_cpu']} MHz, one core",
+        "compiler": context["compiler"],
+        "flags": context["flags"],
+        "date": datetime.date.today().isoformat(),
+        "rows": rows_of(data),
+    }
+    if portable:
+        other = json.load(open(portable))
+        out["portable"] = {"flags": other["context"]["flags"], "ns": {name: row["ns"] for name, row in rows_of(other).items() if "ns" in row}}
+    elif RESULTS.exists():
+        out["portable"] = json.loads(RESULTS.read_text()).get("portable")
+    RESULTS.write_text(json.dumps(out, indent=1) + "\n")
+
+
+# ---------------------------------------------------------------- tables
+
+
+def show_time(ns):
+    for limit, scale, unit in ((1e3, 1, "ns"), (1e6, 1e3, "µs"), (1e9, 1e6, "ms")):
+        if ns < limit * 0.9995:
+            return f"{ns / scale:.3g} {unit}"
+    return f"{ns / 1e9:.3g} s"
+
+
+def show_error(value):
+    return "no digit" if not math.isfinite(float(value)) else f"{float(value):.0e}"
+
+
+def cells(row):
+    time = show_time(row["ns"]) if "ns" in row else "not timed"
+    return [time, show_error(row["rel_err_max"]), show_error(row["rel_err_median"]), f"{float(row['evaluations']):.4g}"]
+
+
+def table(head, lines):
+    align = ["---"] + ["---:"] * (len(head) - 1)
+    return ["| " + " | ".join(line) + " |" for line in (head, align, *lines)] + [""]
+
+
+def ratio(value):
+    return f"{value:.2f}" if value < 10 else f"{value:.0f}"
+
+
+class Report:
+    def __init__(self, results):
+        self.results, self.rows = results, results["rows"]
+
+    def ns(self, name):
+        return self.rows.get(name, {}).get("ns")
+
+    def integrals(self, what, grid):
+        """(method, setting, row), by METHODS and then by falling tolerance."""
+        found = []
+        for name, row in self.rows.items():
+            parts = name.split("/")
+            if parts[0] == "integrals" and parts[2:4] == [what, grid]:
+                found.append((parts[1], parts[4], row))
+        return sorted(found, key=lambda at: list(METHODS).index(at[0]))
+
+    def targets(self):
+        """(target, measured, met) for each target; met is None where nothing was measured."""
+        out = []
+        four = self.rows.get("integrals/fstiff/four/plain/1e-12", {})
+
+        def over(text, peer, least):
+            other = self.ns("integrals/" + peer)
+            if not (other and four.get("ns")):
+                out.append((text, "peer not found", None))
+                return
+            times = other / four["ns"]
+            out.append((f"{text}: at least {least} times faster", f"{ratio(times)} times ({show_time(four['ns'])} against {show_time(other)})", times >= least))
+
+        if four:
+            out.append(("four integrals, plain grid: relative error at most 1e-12", show_error(four["rel_err_max"]), four["rel_err_max"] <= 1e-12))
+        over("than Gauss-Legendre tuned by hand, fewest nodes for the grid", "gauss_legendre-tuned/four/plain/1e-12", 10)
+        over("than the same with the nodes fitted to each problem", "gauss_legendre-fitted/four/plain/1e-12", 10)
+        over("than GSL in one dimension", "gsl-1d/four/plain/1e-12", 150)
+        over("than GSL cquad in cquad", "gsl-nested_cquad/four/plain/1e-12", 5000)
+
+        def at_most(text, value, limit, show):
+            out.append((f"{text}: at most {show(limit)}", "not measured" if value is None else show(value), None if value is None else value <= limit))
+
+        coarse = self.ns("integrals/fstiff/four/plain/1e-03")
+        if coarse and four.get("ns"):
+            out.append(("tolerance 1e-3 cheaper than 1e-12", f"{ratio(four['ns'] / coarse)} times; asked for: several", four["ns"] / coarse >= 3))
+        hard = self.rows.get("integrals/fstiff/four/hard/1e-12", {})
+        at_most("four integrals, hard grid: largest relative error", hard.get("rel_err_max"), 1e-12, show_error)
+        at_most("hard grid: median over the problems, per value", hard["ns_median_problem"] / 4 if "ns_median_problem" in hard else None, 1000, show_time)
+        beyond = [row["beyond_estimate"] for name, row in self.rows.items() if name.startswith("integrals/fstiff/") and "beyond_estimate" in row]
+        at_most("values beyond their error estimate, both grids", sum(beyond) if beyond else None, 0, lambda n: f"{n:.0f}")
+        for which in ("stiffness_of_pressure", "pressure_and_stiffness_of_gap"):
+            text = "K(p)" if which.startswith("stiffness") else "{p, K}(gap)"
+            at_most(f"compiled law, {text}, scalar", self.ns(f"law/{which}/scalar"), 8, show_time)
+            at_most(f"compiled law, {text}, batch", self.ns(f"law/{which}/batch"), 3, show_time)
+        law = [row["rel_err_max"] for name, row in self.rows.items() if name.startswith("law/")]
+        at_most("compiled law: relative error", max(law) if law else None, 1e-10, show_error)
+        at_most("compiled law: build", self.ns("law/compile"), 50e3, show_time)
+        at_most("heap allocations of an evaluation (bench/baseline.csv)", self.allocations(), 0, lambda n: f"{n:.0f}")
+        at_most("kernel in two dimensions, smooth law of a user, 1e-12", self.ns("kernel/gradual_yield/1e-12"), 2e3, show_time)
+        kink = [self.rows[name] for name in self.rows if name.startswith("kernel/elastic_plastic/")]
+        if kink:
+            at_most("kernel, law with a kink: values beyond their error estimate", sum(row.get("beyond_estimate", 0) for row in kink), 0,
+                    lambda n: f"{n:.0f} of {sum(row['values'] for row in kink):.0f}" if n else "0")
+        portable = (self.results.get("portable") or {}).get("ns", {})
+        for name, text in (("integrals/fstiff/four/plain/1e-12", "four integrals"), ("kernel/gradual_yield/1e-12", "kernel, smooth law"),
+                           ("law/stiffness_of_pressure/scalar", "compiled law")):
+            slower = portable[name] / self.ns(name) if name in portable and self.ns(name) else None
+            at_most(f"{text}: plain -O2 slower than -O3 -march=native", slower, 4, lambda x: f"{ratio(x)} times")
+        return out
+
+    @staticmethod
+    def allocations():
+        path = ROOT / "bench" / "baseline.csv"
+        if not path.exists():
+            return None
+        return sum(int(row["allocations"]) for row in csv.DictReader(path.open()) if row["row"] != "law/compile")
+
+    def source(self):
+        r = self.results
+        portable = f"; plain: {r['portable']['flags']}" if r.get("portable") else ""
+        return f"({r['machine']}; {r['compiler']} {r['flags']}{portable}; {r['date']}; least of the repetitions)"
+
+    def document(self):
+        lines = ["## Targets", ""]
+        lines += table(["target", "measured", ""], [[t, m, {True: "met", False: "**missed**", None: ""}[met]] for t, m, met in self.targets()])
+        titles = {("four", "plain"): "All four integrals, plain grid", ("stiffness", "plain"): "One integral (stiffness), plain grid",
+                  ("stiffness_load", "plain"): "Stiffness and load, plain grid", ("four", "hard"): "All four integrals, hard grid",
+                  ("stiffness_load", "hard"): "Stiffness and load, hard grid", ("stiffness", "hard"): "One integral, hard grid"}
+        for (what, grid), title in titles.items():
+            found = self.integrals(what, grid)
+            base = self.ns(f"integrals/fstiff/{what}/{grid}/1e-12")
+            lines += [f"## {title}", ""]
+            body = []
+            for method, setting, row in found:
+                line = [METHODS[method], setting, *cells(row), ratio(row["ns"] / base) if "ns" in row and base else ""]
+                if grid == "hard":
+                    line.append(f"{row['wrong']:.0f} of {row['values']:.0f}" if setting == "1e-12" else "")
+                body.append(line)
+            head = ["method", "asked for", "time", "largest relative error", "median", "evaluations", "time over fstiff at 1e-12"]
+            lines += table(head + (["values off by more than 1e-6"] if grid == "hard" else []), body)
+        for prefix, title in (("kernel", "Kernel in two dimensions, laws of a user"), ("law", "Compiled law, 1e5 to 1e8 Pa"), ("contact", "A contact at a pressure or a separation"),
+                              ("profile", "Profiles")):
+            found = [(name.split("/", 1)[1], row) for name, row in self.rows.items() if name.startswith(prefix + "/")]
+            head = ["row", "time", "largest relative error", "median", "evaluations"]
+            body = [[name.replace("/", ", ").replace("_", " "), *cells(row)] for name, row in found]
+            if prefix == "kernel":
+                head.append("values beyond their error estimate")
+                body = [line + [f"{row.get('beyond_estimate', math.nan):.0f} of {row['values']:.0f}"] for line, (_, row) in zip(body, found)]
+            lines += [f"## {title}", "", *table(head, body)]
+        return "\n".join(lines + [self.source()])
+
+    def summary(self):
+        wanted = (
+            ("fstiff/four/plain/1e-12", "fstiff, all four integrals, 1e-12"),
+            ("fstiff/four/plain/1e-03", "fstiff, all four integrals, 1e-3"),
+            ("gauss_legendre-tuned/four/plain/1e-12", "Gauss-Legendre tuned by hand, Eigen, 1e-12"),
+            ("gsl-1d/four/plain/1e-12", "GSL, one dimension, 1e-12"),
+            ("cubature/four/plain/1e-12", "cubature, 1e-12"),
+            ("boost-exp_sinh/four/plain/1e-12", "Boost.Math, 1e-12"),
+            ("gauss_legendre-eigen/four/plain/50x50", "the paper's 50 x 50 points, Eigen"),
+        )
+        lines = [[label, *cells(self.rows["integrals/" + name])] for name, label in wanted if "integrals/" + name in self.rows]
+        for name, label in (("kernel/gradual_yield/1e-12", "fstiff, law of a user in two dimensions, 1e-12"), ("law/stiffness_of_pressure/scalar", "fstiff, compiled law K(p)"),
+                            ("contact/at_pressure/all", "fstiff, a contact at a given pressure")):
+            if name in self.rows:
+                lines.append([label, *cells(self.rows[name])])
+        return "\n".join(table(["on the plain grid", "time", "largest relative error", "median", "evaluations"], lines) + [self.source()])
+
+
+# ---------------------------------------------------------------- picture
+
+CURVES = (  # method, colour on light, colour on dark, marker
+    ("fstiff", "#b3261e", "#ff8a80", "circle"),
+    ("fstiff-tensor", "#c2571a", "#ffb27a", "square"),
+    ("gauss_legendre-fitted", "#0b5d3b", "#7be0ae", "cross"),
+    ("gauss_legendre-tuned", "#1b7f54", "#5ccf97", "triangle"),
+    ("gauss_legendre-eigen", "#5b7f1b", "#bcdc6e", "diamond"),
+    ("gauss_legendre-scalar", "#7a6a00", "#e0cf5a", "diamond"),
+    ("gsl-1d", "#0b57a4", "#7db8ff", "circle"),
+    ("gsl-nested_qag", "#2f6fd0", "#a9cbff", "square"),
+    ("gsl-nested_cquad", "#3d3fa8", "#b3b5ff", "triangle"),
+    ("cubature", "#7a2f9e", "#dba4f5", "circle"),
+    ("boost-exp_sinh", "#9c2470", "#f59acb", "square"),
 )
 
 
-def table(results, labels):
-    lines = ["| kernel | ns | largest relative error | median | evaluations |", "|---|---:|---:|---:|---:|"]
-    for name, label in labels:
-        row = results[name]
-        time = "not verified" if row.get("error_occurred") else f"{row['cpu_time']:.0f}"
-        lines.append(
-            f"| {label} | {time} | {row['rel_err_max']:.0e} | {row['rel_err_median']:.0e} | {row['evaluations']:.0f} |"
-        )
-    return lines
+def marker(kind, x, y):
+    if kind == "circle":
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5"/>'
+    shapes = {"square": ((-4, -4), (4, -4), (4, 4), (-4, 4)), "triangle": ((0, -5.5), (5, 4), (-5, 4)), "diamond": ((0, -6), (6, 0), (0, 6), (-6, 0)),
+              "cross": ((-2, -6), (2, -6), (2, -2), (6, -2), (6, 2), (2, 2), (2, 6), (-2, 6), (-2, 2), (-6, 2), (-6, -2), (-2, -2))}
+    return '<polygon points="' + " ".join(f"{x + dx:.1f},{y + dy:.1f}" for dx, dy in shapes[kind]) + '"/>'
 
 
-def machine(context):
-    cpu = next((line.split(":", 1)[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "unknown")
-    return f"{cpu}, {context['mhz_per_cpu']} MHz, one core, shared with others; {context.get('compiler', 'unknown compiler')}"
+def picture(report):
+    curves = []
+    for method, light, dark, kind in CURVES:
+        points = [(float(row["rel_err_max"]), row["ns"]) for m, _, row in report.integrals("four", "plain") if m == method and "ns" in row]
+        if points:
+            curves.append((method, light, dark, kind, sorted(points, reverse=True)))
+    if not curves:
+        return ""
+    times = [ns for *_, points in curves for _, ns in points]
+    errors = [error for *_, points in curves for error, _ in points]
+    left, top, width, height = 80, 56, 560, 440
+    x_low, x_high = math.floor(math.log10(min(errors))), math.ceil(math.log10(max(errors)))
+    y_low, y_high = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
+    place_x = lambda error: left + width * (x_high - math.log10(error)) / (x_high - x_low)  # right: more digits
+    place_y = lambda ns: top + height * (y_high - math.log10(ns)) / (y_high - y_low)
+    style = ["text{font:13px system-ui,'DejaVu Sans',sans-serif;fill:#1d1d1f}", ".back{fill:#ffffff}", ".grid{stroke:#d9d9de;stroke-width:1}",
+             ".frame{fill:none;stroke:#6b6b70}", ".title{font-size:15px;font-weight:600}", ".line{fill:none;stroke-width:2}"]
+    darker = ["text{fill:#ececf1}", ".back{fill:#16161a}", ".grid{stroke:#3a3a42}", ".frame{stroke:#9a9aa2}"]
+    for i, (_, light, dark, *_) in enumerate(curves):
+        style.append(f".c{i}{{stroke:{light}}}.m{i}{{fill:{light}}}")
+        darker.append(f".c{i}{{stroke:{dark}}}.m{i}{{fill:{dark}}}")
+    legend_x, total_w, total_h = left + width + 24, 1060, top + height + 76
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {total_w} {total_h}" role="img" aria-labelledby="title">',
+           '<title id="title">Time of four contact integrals against the largest relative error, for fstiff and other methods</title>',
+           f"<style>{''.join(style)}@media (prefers-color-scheme:dark){{{''.join(darker)}}}</style>", f'<rect class="back" width="{total_w}" height="{total_h}"/>',
+           f'<text class="title" x="{left}" y="28">Four contact integrals, cold, plain grid: time against error</text>']
+    superscript = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    for k in range(x_low, x_high + 1):
+        x = place_x(10.0**k)
+        out.append(f'<line class="grid" x1="{x:.1f}" y1="{top}" x2="{x:.1f}" y2="{top + height}"/>')
+        if k % 2 == 0:
+            out.append(f'<text x="{x:.1f}" y="{top + height + 20}" text-anchor="middle">10{str(k).translate(superscript)}</text>')
+    for k in range(y_low, y_high + 1):
+        y = place_y(10.0**k)
+        out.append(f'<line class="grid" x1="{left}" y1="{y:.1f}" x2="{left + width}" y2="{y:.1f}"/>')
+        out.append(f'<text x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">{show_time(10.0**k)}</text>')
+    out.append(f'<rect class="frame" x="{left}" y="{top}" width="{width}" height="{height}"/>')
+    out.append(f'<text x="{left + width / 2}" y="{top + height + 44}" text-anchor="middle">largest relative error on the grid (right: more digits)</text>')
+    middle = top + height / 2
+    out.append(f'<text x="20" y="{middle}" text-anchor="middle" transform="rotate(-90 20 {middle})">time for four integrals (down: faster)</text>')
+    for i, (method, _, _, kind, points) in enumerate(curves):
+        at = [(place_x(error), place_y(ns)) for error, ns in points]
+        if len(at) > 1:
+            out.append(f'<polyline class="line c{i}" points="' + " ".join(f"{x:.1f},{y:.1f}" for x, y in at) + '"/>')
+        out.append(f'<g class="m{i}">' + "".join(marker(kind, x, y) for x, y in at) + "</g>")
+    for place, i in enumerate(sorted(range(len(curves)), key=lambda i: -min(ns for _, ns in curves[i][4]))):
+        y = top + 14 + 27 * place
+        method, kind = curves[i][0], curves[i][3]
+        out.append(f'<line class="line c{i}" x1="{legend_x}" y1="{y}" x2="{legend_x + 26}" y2="{y}"/><g class="m{i}">{marker(kind, legend_x + 13, y)}</g>')
+        out.append(f'<text x="{legend_x + 34}" y="{y + 4}">{html.escape(METHODS[method])}</text>')
+    out.append(f'<text x="{left}" y="{total_h - 10}" style="font-size:11px">{html.escape(report.results["machine"])}; {html.escape(report.results["compiler"])} {html.escape(report.results["flags"])}</text>')
+    return "\n".join(out + ["</svg>"]) + "\n"
+
+
+# ---------------------------------------------------------------- files
+
+
+def between_markers(path, text):
+    old = path.read_text()
+    new, count = re.subn(r"(<!-- benchmarks -->\n).*(<!-- /benchmarks -->)", lambda m: m[1] + text + "\n" + m[2], old, flags=re.S)
+    if count != 1:
+        raise ValueError(f"{path.relative_to(ROOT)} has no lines <!-- benchmarks --> and <!-- /benchmarks --> for the table")
+    return new
 
 
 def main():
-    data = json.load(open(sys.argv[1]))
-    results = {row["name"]: row for row in data["benchmarks"]}
-    text = "\n".join(table(results, LABELS) + ["", f"({machine(data['context'])})"])
-    readme = ROOT / "README.md"
-    old = readme.read_text()
-    new, count = re.subn(r"(<!-- benchmarks -->\n).*(\n<!-- /benchmarks -->)", lambda m: m[1] + text + m[2], old, flags=re.S)
-    if count != 1:
-        sys.exit("README.md has no <!-- benchmarks --> markers")
-    readme.write_text(new)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("json", nargs="?", help="of the program built for this processor; without it bench/results.json serves")
+    parser.add_argument("--portable", help="JSON of the program built with plain -O2")
+    parser.add_argument("--check", action="store_true", help="write nothing")
+    options = parser.parse_args()
+    if options.json:
+        measure(options.json, options.portable)
+    report = Report(json.loads(RESULTS.read_text()))
+    wanted = {ROOT / "docs" / "benchmarks.svg": picture(report)}
+    wanted[ROOT / "docs" / "benchmarks.md"] = between_markers(ROOT / "docs" / "benchmarks.md", report.document())
+    if "<!-- benchmarks -->" in (ROOT / "README.md").read_text():
+        wanted[ROOT / "README.md"] = between_markers(ROOT / "README.md", report.summary())
+    old = [path.relative_to(ROOT) for path, text in wanted.items() if not path.exists() or path.read_text() != text]
+    if options.check:
+        for path in old:
+            print(f"{path} is not what bench/results.json gives: run tools/make_benchmarks.py")
+        return 1 if old else 0
+    for path, text in wanted.items():
+        path.write_text(text)
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        sys.exit(main())
+    except (OSError, ValueError, KeyError) as error:
+        sys.exit(f"make_benchmarks.py: {error!r}" if isinstance(error, KeyError) else f"make_benchmarks.py: {error}")

@@ -31,11 +31,16 @@ struct Point {
 /// Problems of every regime: plain, r near 1, theta near 0 and near pi/2, |eta| of the order of c, far negative and far positive.
 std::vector<Point> random_points(int count) {
     std::mt19937 random(20140601);
-    const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     std::vector<Point> points;
     for (int i = 0; i < count; ++i) {
-        const double r = i % 3 == 0 ? uniform(0, 1) : i % 3 == 1 ? 1 - std::pow(10, uniform(-8, -0.3)) : uniform(0.5, 1);
-        const double theta = i % 2 == 0 ? std::exp(uniform(std::log(1e-4), std::log(1.5))) : pi / 2 - std::pow(10, uniform(-5, 0));
+        const double r = i % 3 == 0   ? uniform(0, 1)
+                         : i % 3 == 1 ? 1 - std::pow(10, uniform(-8, -0.3))
+                                      : uniform(0.5, 1);
+        const double theta =
+            i % 2 == 0 ? std::exp(uniform(std::log(1e-4), std::log(1.5))) : pi / 2 - std::pow(10, uniform(-5, 0));
         const int kind = (i / 3) % 4;
         const double eta = kind == 0   ? uniform(-5, 8)
                            : kind == 1 ? uniform(-10, 10) * std::sqrt(1 - r * r)
@@ -67,9 +72,11 @@ TEMPLATE_TEST_CASE("the tables of reference integrals, error estimate included",
             if (is_float && (number("r") > T(0.99) || number("theta") > T(1.55))) continue;
             const T truth = static_cast<T>(table.number(row, "value"));
             if (truth < std::numeric_limits<T>::min()) continue;
-            const auto j = contact_integral(number("a"), number("b"), PeakDensity<T>(number("r"), number("theta")), number("eta"));
+            const auto j =
+                contact_integral(number("a"), number("b"), PeakDensity<T>(number("r"), number("theta")), number("eta"));
             const T error = test::relative_error(j.value, truth);
-            INFO(name << " row " << row + 2 << ": value " << j.value << " error " << error << " estimate " << j.error / truth);
+            INFO(name << " row " << row + 2 << ": value " << j.value << " error " << error << " estimate "
+                      << j.error / truth);
             CHECK(std::isfinite(j.value));
             if (!is_float) CHECK(error <= std::max(j.error / truth, floor_of_estimate<T>));
             worst = std::max(worst, error);
@@ -94,14 +101,15 @@ TEST_CASE("the estimate covers the error at random points of every regime, at ev
             for (std::size_t i = 0; i < 4; ++i) {
                 if (fast[i].value < 1e-290) continue;  // subnormal
                 ++count;
-                const auto error = static_cast<double>(test::relative_error<long double>(fast[i].value, truth[i].value));
+                const auto error =
+                    static_cast<double>(test::relative_error<long double>(fast[i].value, truth[i].value));
                 const double estimate = fast[i].error / fast[i].value;
                 beyond += error > std::max(3 * tolerance, 1e-13);
                 if (error <= std::max(estimate, floor_of_estimate<double>)) continue;
                 ++missed;
                 if (first.empty())
-                    first = std::to_string(p.r) + ' ' + std::to_string(p.theta) + ' ' + std::to_string(p.eta) + " error " +
-                            std::to_string(error / estimate) + " estimates";
+                    first = std::to_string(p.r) + ' ' + std::to_string(p.theta) + ' ' + std::to_string(p.eta) +
+                            " error " + std::to_string(error / estimate) + " estimates";
             }
         }
         INFO("tolerance " << tolerance << ": " << missed << " of " << count << " not covered, first " << first);
@@ -118,20 +126,25 @@ TEST_CASE("identities: derivative, normalisation, independence at r = 0") {
             const auto at = [&](long double eta) { return contact_integral(1.5L, -0.5L, peaks, eta).value; };
             const long double h = 1e-3L, eta = p.eta;  // six-point formula: error h^6/140 f^(7), rounding 1e-18/h
             const long double derivative = (45 * (at(eta + h) - at(eta - h)) - 9 * (at(eta + 2 * h) - at(eta - 2 * h)) +
-                                            (at(eta + 3 * h) - at(eta - 3 * h))) / (60 * h);
+                                            (at(eta + 3 * h) - at(eta - 3 * h))) /
+                                           (60 * h);
             INFO("r " << p.r << " theta " << p.theta << " eta " << p.eta);
             CHECK(test::relative_error(derivative, -1.5L * contact_integral(0.5L, -0.5L, peaks, eta).value) < 1e-11L);
         }
     }
     SECTION("all peaks stand above a separation of -30") {
-        for (const double theta : {1e-3, 0.8, 1.5}) CHECK(test::ulps(contact_integral(0.0, 0.0, PeakDensity<double>(0.6, theta), -30.0).value, 1.0) <= 8);
+        for (const double theta : {1e-3, 0.8, 1.5})
+            CHECK(test::ulps(contact_integral(0.0, 0.0, PeakDensity<double>(0.6, theta), -30.0).value, 1.0) <= 8);
     }
     SECTION("height and curvature are independent at r = 0: J = E t^b F_a(eta)/sqrt(2 pi)") {
         const PeakDensity<double> peaks(0, 1.1);
         for (const double eta : {-4.0, 0.0, 2.0, 30.0}) {
-            const auto ratio = [&](double e) { return contact_integral(0.5, -0.5, peaks, e).value / fstiff::gaussian_moment(0.5, e); };
+            const auto ratio = [&](double e) {
+                return contact_integral(0.5, -0.5, peaks, e).value / fstiff::gaussian_moment(0.5, e);
+            };
             CHECK(test::ulps(ratio(eta), ratio(1.0)) <= 40);
-            CHECK(test::ulps(contact_integral(0.0, 0.0, peaks, eta).value, fstiff::gaussian_moment(0.0, eta) / std::sqrt(2 * pi)) <= 40);
+            CHECK(test::ulps(contact_integral(0.0, 0.0, peaks, eta).value,
+                             fstiff::gaussian_moment(0.0, eta) / std::sqrt(2 * pi)) <= 40);
         }
     }
     SECTION("the mean of 1/t at r = 0 is sqrt(2 pi)/(2 theta) asinh(tan theta)") {
@@ -208,9 +221,11 @@ TEMPLATE_TEST_CASE("the far tail underflows to 0 and its logarithm goes on", "",
         CHECK(std::isfinite(j.error));
         const auto log = fstiff::log_contact_integral(T(0.5), T(-0.5), peaks, eta);
         CHECK(std::isfinite(log.value));
-        if (j.value > std::numeric_limits<T>::min()) CHECK(std::abs(std::exp(log.value) / j.value - 1) <= log.error + 100 * std::numeric_limits<T>::epsilon());
+        if (j.value > std::numeric_limits<T>::min())
+            CHECK(std::abs(std::exp(log.value) / j.value - 1) <= log.error + 100 * std::numeric_limits<T>::epsilon());
         // log J = -eta^2/2 - O(log eta)
-        CHECK(std::abs(log.value + eta * eta / 2) <= 5 * std::log(eta) + 4 * std::numeric_limits<T>::epsilon() * eta * eta);
+        CHECK(std::abs(log.value + eta * eta / 2) <=
+              5 * std::log(eta) + 4 * std::numeric_limits<T>::epsilon() * eta * eta);
     }
     CHECK(contact_integral(T(1.5), T(-0.5), peaks, T(1e6)).value == 0);
     CHECK(std::isfinite(contact_integral(T(1.5), T(-0.5), peaks, T(-1e6)).value));
@@ -225,7 +240,8 @@ TEMPLATE_TEST_CASE("nothing is NaN, infinite or negative anywhere", "", float, d
             for (const T eta : {T(-1e6), T(-1000), T(-1), -tiny, T(0), tiny, T(1e-4), T(1), T(12), T(40), T(1e6)}) {
                 const auto j = contact_integrals(PeakDensity<T>(r, theta), eta);
                 for (const auto& e : {j.contacts, j.load, j.stiffness, j.area}) {
-                    INFO("r " << r << " theta " << theta << " eta " << eta << " value " << e.value << " error " << e.error);
+                    INFO("r " << r << " theta " << theta << " eta " << eta << " value " << e.value << " error "
+                              << e.error);
                     CHECK((e.value >= 0 && std::isfinite(e.value)));
                     CHECK((e.error >= 0 && std::isfinite(e.error)));
                 }

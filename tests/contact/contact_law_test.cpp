@@ -18,7 +18,9 @@ const Roughness<double> fine{0.832e-6, 40e-6, 500e6, 0};
 const PeakDensity<double> third = PeakDensity<double>::exponential(std::numbers::pi / 3);
 constexpr double modulus = 112.6e9;
 
-RoughContact<double, HertzLaw<double>> hertz(const RoughContactOptions<double>& options = {}) { return {fine, third, HertzLaw<double>{}, modulus, options}; }
+RoughContact<double, HertzLaw<double>> hertz(const RoughContactOptions<double>& options = {}) {
+    return {fine, third, HertzLaw<double>{}, modulus, options};
+}
 
 using Law = ContactLaw<double>;
 
@@ -34,7 +36,8 @@ double worst_error(const Law& law, const Contact& contact, int count = 400) {
         const auto truth = contact.at_pressure(p, Quantity::stiffness);
         const auto at = law.at_gap(std::clamp(truth.separation.value, law.gaps()[0], law.gaps()[1]));
         worst = std::max({worst, std::abs(law.stiffness(p) / truth.stiffness.value - 1), std::abs(at.pressure / p - 1),
-                          std::abs(at.stiffness / truth.stiffness.value - 1), std::abs(law.gap(p) - truth.separation.value) / contact.rms_height()});
+                          std::abs(at.stiffness / truth.stiffness.value - 1),
+                          std::abs(law.gap(p) - truth.separation.value) / contact.rms_height()});
     }
     return worst;
 }
@@ -52,17 +55,19 @@ TEST_CASE("a compiled law is right to 1e-10, and says how right") {
     };
     check(hertz(), 1e5, 1e8, 1e-10);
     check(RoughContact(fine, third, FractalLaw<double>(1.62), modulus), 1e5, 1e8, 1e-10);
-    check(RoughContact(fine, PeakDensity<double>(0, std::numbers::pi / 4), FractalConsistentLaw<double>(1.7), modulus), 1e5, 1e8, 1e-10);
+    check(RoughContact(fine, PeakDensity<double>(0, std::numbers::pi / 4), FractalConsistentLaw<double>(1.7), modulus),
+          1e5, 1e8, 1e-10);
     check(GreenwoodWilliamson<double>(fine, modulus), 1e5, 1e8, 1e-10);
     check(GreenwoodWilliamson<double>(fine, modulus, Heights::exponential), 1e5, 1e8, 1e-9);
     check(hertz({.interaction = {InteractionReading::effective_separation, std::sqrt(195e-6)}}), 1e5, 1e8, 1e-10);
-    check(hertz(), 1e6, 1.01e6, 1e-9);   // a short range
-    check(hertz(), 1e-20, 1e12, 1e-8);   // 32 decades
+    check(hertz(), 1e6, 1.01e6, 1e-9);  // a short range
+    check(hertz(), 1e-20, 1e12, 1e-8);  // 32 decades
     check(RoughContact(fine, PeakDensity<double>(0.9999, 1.5), HertzLaw<double>{}, modulus), 1e4, 1e8, 1e-9);
 }
 
 TEST_CASE("the tangent is exactly the slope of the returned pressure, where the law says so") {
-    const Law consistent = Law::compile(RoughContact(fine, third, FractalConsistentLaw<double>(1.62), modulus), {1e5, 1e8});
+    const Law consistent =
+        Law::compile(RoughContact(fine, third, FractalConsistentLaw<double>(1.62), modulus), {1e5, 1e8});
     const Law printed = Law::compile(RoughContact(fine, third, FractalLaw<double>(1.62), modulus), {1e5, 1e8});
     CHECK(Law::compile(hertz(), {1e5, 1e8}).tangent_is_exact());
     CHECK(consistent.tangent_is_exact());
@@ -85,7 +90,9 @@ TEST_CASE("dK/dp is the derivative of K(p)") {
     const Law law = Law::compile(hertz(), {1e5, 1e8});
     for (double p = 1.3e5; p < 9e7; p *= 1.37) {
         const double h = 1e-4 * p;
-        const double slope = (8 * (law.stiffness(p + h) - law.stiffness(p - h)) - (law.stiffness(p + 2 * h) - law.stiffness(p - 2 * h))) / (12 * h);
+        const double slope = (8 * (law.stiffness(p + h) - law.stiffness(p - h)) -
+                              (law.stiffness(p + 2 * h) - law.stiffness(p - 2 * h))) /
+                             (12 * h);
         CHECK(test::relative_error(law.stiffness_slope(p), slope) < 1e-8);
     }
 }
@@ -164,7 +171,9 @@ TEST_CASE("a law goes to text and back bit for bit; other text is refused") {
     for (const double p : {1e5, 1.234e6, 7.7e7, 1e8, 1e9}) CHECK(back.stiffness(p) == law.stiffness(p));
     CHECK(back.at_gap(1e-6).stiffness == law.at_gap(1e-6).stiffness);
     CHECK(back.relative_error() == law.relative_error());
-    const auto refused = [](const std::string& t) { return test::refusal([&] { static_cast<void>(Law::from_text(t)); }); };
+    const auto refused = [](const std::string& t) {
+        return test::refusal([&] { static_cast<void>(Law::from_text(t)); });
+    };
     CHECK(refused("").starts_with("contact law text: begins with something else"));
     CHECK(refused("nonsense").starts_with("contact law text: begins"));
     CHECK_FALSE(refused(text + "1").empty());
@@ -184,16 +193,19 @@ TEST_CASE("threads may share a law") {
     std::vector<std::thread> threads;
     for (double& sum : sums)
         threads.emplace_back([&law, &sum] {
-            for (double p = 1e5; p < 1e8; p *= 1.001) sum += law.stiffness(p) + law.at_gap(law.gap(p * 1.0001 < 1e8 ? p * 1.0001 : p)).pressure;
+            for (double p = 1e5; p < 1e8; p *= 1.001)
+                sum += law.stiffness(p) + law.at_gap(law.gap(p * 1.0001 < 1e8 ? p * 1.0001 : p)).pressure;
         });
     for (std::thread& thread : threads) thread.join();
     for (const double sum : sums) CHECK(sum == sums[0]);
 }
 
 TEST_CASE("float laws, and ranges that cannot be compiled") {
-    const RoughContact<float, HertzLaw<float>> contact({0.832e-6F, 40e-6F, 500e6F, 0}, PeakDensity<float>(0.5F, 1.0F), HertzLaw<float>{}, 112.6e9F);
+    const RoughContact<float, HertzLaw<float>> contact({0.832e-6F, 40e-6F, 500e6F, 0}, PeakDensity<float>(0.5F, 1.0F),
+                                                       HertzLaw<float>{}, 112.6e9F);
     const auto law = ContactLaw<float>::compile(contact, {1e5F, 1e8F});
-    for (const float p : {1e5F, 3e6F, 9e7F}) CHECK(test::relative_error(law.stiffness(p), contact.at_pressure(p).stiffness.value) <= law.relative_error());
+    for (const float p : {1e5F, 3e6F, 9e7F})
+        CHECK(test::relative_error(law.stiffness(p), contact.at_pressure(p).stiffness.value) <= law.relative_error());
     CHECK(law.relative_error() < 1e-3F);
     const auto refused = [](double low, double high, const RoughContactOptions<double>& options = {}) {
         return test::refusal([&] { static_cast<void>(Law::compile(hertz(options), {low, high})); });

@@ -32,11 +32,13 @@ TEST_CASE("exponential height moments are incomplete gamma functions") {
             CHECK(test::ulps(height_moment(n, h, Heights::exponential), std::tgamma(n + 1) * std::exp(-h)) <= 20);
         for (const double h : {-1e-3, -0.3, -2.0, -20.0}) {
             INFO("n " << n << " h " << h);
-            CHECK(test::relative_error(height_moment(n, h, Heights::exponential), std::exp(-h) * gsl_sf_gamma_inc(n + 1, -h)) < 1e-13);
+            CHECK(test::relative_error(height_moment(n, h, Heights::exponential),
+                                       std::exp(-h) * gsl_sf_gamma_inc(n + 1, -h)) < 1e-13);
         }
     }
     CHECK_FALSE(test::refusal([] { static_cast<void>(height_moment(0.7, 1.0)); }).empty());
-    CHECK_FALSE(test::refusal([] { static_cast<void>(height_moment(0.5, std::nan(""), Heights::exponential)); }).empty());
+    CHECK_FALSE(
+        test::refusal([] { static_cast<void>(height_moment(0.5, std::nan(""), Heights::exponential)); }).empty());
 }
 
 TEST_CASE("exponential heights: K, area and contacts are proportional to pressure") {
@@ -71,7 +73,10 @@ TEST_CASE("what is not asked for is 0, and bad input is refused") {
     const GreenwoodWilliamson<double> contact(fine, modulus);
     CHECK(contact.at_pressure(1e6, Quantity::stiffness).real_area_fraction.value == 0);
     CHECK(contact.at_pressure(1e6, Quantity::stiffness).stiffness.value == contact.at_pressure(1e6).stiffness.value);
-    CHECK(test::refusal([&] { static_cast<void>(contact.at_pressure(1e30)); }).starts_with("pressure = 1e+30: must be between"));
-    CHECK(test::refusal([&] { static_cast<void>(contact.at_separation(-1.0)); }).starts_with("separation = -1: must be"));
+    CHECK(test::refusal([&] {
+              static_cast<void>(contact.at_pressure(1e30));
+          }).starts_with("pressure = 1e+30: must be between"));
+    CHECK(
+        test::refusal([&] { static_cast<void>(contact.at_separation(-1.0)); }).starts_with("separation = -1: must be"));
     CHECK(test::refusal([] { GreenwoodWilliamson<double>(fine, -1); }).starts_with("effective_modulus = -1"));
 }

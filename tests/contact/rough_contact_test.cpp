@@ -25,16 +25,16 @@ struct PaperSurface {
 };
 
 /// Tables 1 and 2 of the paper.
-const std::map<std::string, PaperSurface> surfaces{
-    {"sand_blasted_fine", {{0.832e-6, 40e-6, 500e6, 5.3e-6}, 1.62}},
-    {"sand_blasted_coarse", {{5.13e-6, 30e-6, 230e6, 15.3e-6}, 1.58}},
-    {"electrical_discharge", {{8.94e-6, 19e-6, 160e6, 48e-6}, 1.70}}};
+const std::map<std::string, PaperSurface> surfaces{{"sand_blasted_fine", {{0.832e-6, 40e-6, 500e6, 5.3e-6}, 1.62}},
+                                                   {"sand_blasted_coarse", {{5.13e-6, 30e-6, 230e6, 15.3e-6}, 1.58}},
+                                                   {"electrical_discharge", {{8.94e-6, 19e-6, 160e6, 48e-6}, 1.70}}};
 
 const Roughness<double>& fine = surfaces.at("sand_blasted_fine").roughness;
 const PeakDensity<double> quarter(0, pi / 4), third = PeakDensity<double>::exponential(pi / 3);
 
 template <class Law>
-RoughContact<double, Law> contact(const Law& law, const RoughContactOptions<double>& options = {}, const PeakDensity<double>& peaks = third) {
+RoughContact<double, Law> contact(const Law& law, const RoughContactOptions<double>& options = {},
+                                  const PeakDensity<double>& peaks = third) {
     return {fine, peaks, law, modulus, options};
 }
 
@@ -50,7 +50,8 @@ TEST_CASE("the curves of Table 1 to 1e-10") {
             INFO("row " << row + 2 << ' ' << column << ' ' << value);
             CHECK(test::relative_error(value, static_cast<double>(table.number(row, column))) < 1e-10);
         };
-        const auto fractal = RoughContact(roughness, peaks, FractalLaw<double>(dimension), modulus).at_pressure(pressure);
+        const auto fractal =
+            RoughContact(roughness, peaks, FractalLaw<double>(dimension), modulus).at_pressure(pressure);
         same(fractal.eta, "eta");
         same(fractal.stiffness.value, "stiffness_fractal_Pa_per_m");
         same(fractal.real_area_fraction.value, "real_area_fraction");
@@ -68,14 +69,18 @@ TEST_CASE("pressure and separation are each other's inverse, within the errors r
         const auto back = hertz.at_separation(at.separation.value);
         INFO("p " << pressure << " eta " << at.eta);
         CHECK(test::relative_error(back.pressure.value, pressure) < 1e-13 * (1 + at.eta * at.eta));
-        CHECK(std::abs(back.stiffness.value - at.stiffness.value) <= at.stiffness.error + back.stiffness.error + 1e-14 * at.stiffness.value);
+        CHECK(std::abs(back.stiffness.value - at.stiffness.value) <=
+              at.stiffness.error + back.stiffness.error + 1e-14 * at.stiffness.value);
         CHECK(at.separation.error < 1e-11 * fine.rms_height * (1 + std::abs(at.eta)));
         // long double is the truth of double
-        const auto truth = RoughContact(Roughness<long double>{0.832e-6L, 40e-6L, 500e6L}, PeakDensity<long double>(third.r(), third.theta()),
-                                        HertzLaw<long double>{}, static_cast<long double>(modulus))
+        const auto truth = RoughContact(Roughness<long double>{0.832e-6L, 40e-6L, 500e6L},
+                                        PeakDensity<long double>(third.r(), third.theta()), HertzLaw<long double>{},
+                                        static_cast<long double>(modulus))
                                .at_pressure(pressure);
-        CHECK(std::abs(at.stiffness.value - static_cast<double>(truth.stiffness.value)) <= at.stiffness.error + 1e-15 * at.stiffness.value);
-        CHECK(std::abs(at.eta - static_cast<double>(truth.eta)) <= at.separation.error / fine.rms_height + 1e-15 * std::abs(at.eta));
+        CHECK(std::abs(at.stiffness.value - static_cast<double>(truth.stiffness.value)) <=
+              at.stiffness.error + 1e-15 * at.stiffness.value);
+        CHECK(std::abs(at.eta - static_cast<double>(truth.eta)) <=
+              at.separation.error / fine.rms_height + 1e-15 * std::abs(at.eta));
     }
 }
 
@@ -110,7 +115,8 @@ TEST_CASE("the paper's conclusions in figures") {
         CHECK((over_gw > 2.46 && over_gw < 2.59));
         CHECK((at_third / at_quarter > 1.05 && at_third / at_quarter < 1.19));
         CHECK(test::ulps(contact(FractalLaw<double>(1.62)).at_pressure(pressure).stiffness.value,
-                         fractal_stiffness_factor(1.62) * contact(HertzLaw<double>{}).at_pressure(pressure).stiffness.value) < 10);
+                         fractal_stiffness_factor(1.62) *
+                             contact(HertzLaw<double>{}).at_pressure(pressure).stiffness.value) < 10);
     }
 }
 
@@ -173,9 +179,11 @@ TEST_CASE("interaction: the size of Delta eta and where repeated substitution wo
         double shift_at_100_MPa;
     } rows[] = {{"sand_blasted_fine", 14.90}, {"sand_blasted_coarse", 2.417}, {"electrical_discharge", 1.387}};
     for (const auto& row : rows)
-        CHECK(std::abs(1e8 * length / (modulus * surfaces.at(row.name).roughness.rms_height) / row.shift_at_100_MPa - 1) < 5e-4);
+        CHECK(std::abs(1e8 * length / (modulus * surfaces.at(row.name).roughness.rms_height) / row.shift_at_100_MPa -
+                       1) < 5e-4);
     // |d Delta/d eta| = K L/E of the fine surface, theta = pi/4
-    for (const auto& [pressure, slope] : {std::pair(1e6, 0.47), std::pair(3e6, 1.3), std::pair(1e7, 3.7), std::pair(1e8, 25.0)}) {
+    for (const auto& [pressure, slope] :
+         {std::pair(1e6, 0.47), std::pair(3e6, 1.3), std::pair(1e7, 3.7), std::pair(1e8, 25.0)}) {
         const double k = contact(HertzLaw<double>{}, {}, quarter).at_pressure(pressure).stiffness.value;
         CHECK(std::abs(k * length / modulus / slope - 1) < 0.03);  // two digits are given
     }
@@ -188,7 +196,8 @@ TEST_CASE("interaction: as printed") {
     const auto a = alone.at_pressure(1e7), b = c.at_pressure(1e7);
     const double eta_new = a.eta - 1e7 * length / (modulus * fine.rms_height);
     CHECK(test::relative_error(b.eta, eta_new) < 1e-12);
-    CHECK(test::relative_error(b.stiffness.value, alone.at_separation(eta_new * fine.rms_height).stiffness.value) < 1e-12);
+    CHECK(test::relative_error(b.stiffness.value, alone.at_separation(eta_new * fine.rms_height).stiffness.value) <
+          1e-12);
     CHECK(b.pressure.value == 1e7);
     const auto at = c.at_separation(a.separation.value);
     CHECK(test::relative_error(at.stiffness.value, b.stiffness.value) < 1e-11);
@@ -223,29 +232,36 @@ TEST_CASE("the validity figures of Table 1") {
 }
 
 TEST_CASE("every scalar type runs the same contact") {
-    const RoughContact single(Roughness<float>{0.832e-6F, 40e-6F, 500e6F}, PeakDensity<float>::exponential(std::numbers::pi_v<float> / 3),
-                              HertzLaw<float>{}, 112.6e9F);
+    const RoughContact single(Roughness<float>{0.832e-6F, 40e-6F, 500e6F},
+                              PeakDensity<float>::exponential(std::numbers::pi_v<float> / 3), HertzLaw<float>{},
+                              112.6e9F);
     const RoughContact twice(Roughness<double>{0.832e-6, 40e-6, 500e6}, third, HertzLaw<double>{}, 112.6e9);
     for (const float pressure : {1e5F, 1e7F, 1e9F})
-        CHECK(test::relative_error(single.at_pressure(pressure).stiffness.value, static_cast<float>(twice.at_pressure(pressure).stiffness.value)) < 2e-5F);
+        CHECK(test::relative_error(single.at_pressure(pressure).stiffness.value,
+                                   static_cast<float>(twice.at_pressure(pressure).stiffness.value)) < 2e-5F);
 }
 
 TEST_CASE("parameters and points out of reach are refused in one sentence") {
-    const auto with = [](Roughness<double> surface, double e) { return test::refusal([&] { RoughContact(surface, third, HertzLaw<double>{}, e); }); };
+    const auto with = [](Roughness<double> surface, double e) {
+        return test::refusal([&] { RoughContact(surface, third, HertzLaw<double>{}, e); });
+    };
     CHECK(with({0, 1e-6, 1e9, 0}, 1e11) == "rms_height = 0: must be finite and greater than 0");
     CHECK(with({1e-6, -1, 1e9, 0}, 1e11).starts_with("peak_radius = -1: must be"));
     CHECK(with({1e-6, 1e-6, std::nan(""), 0}, 1e11).starts_with("peak_density = nan: must be"));
     CHECK(with({1e-6, 1e-6, 1e9, -2}, 1e11).starts_with("max_peak_height = -2: must be"));
     CHECK(with({1e-6, 1e-6, 1e9, 0}, 0).starts_with("effective_modulus = 0: must be"));
-    CHECK(test::refusal([] { contact(HertzLaw<double>{}, {.interaction = {InteractionReading::as_printed, 0}}); })
-              .starts_with("interaction length = 0: must be"));
+    CHECK(test::refusal([] {
+              contact(HertzLaw<double>{}, {.interaction = {InteractionReading::as_printed, 0}});
+          }).starts_with("interaction length = 0: must be"));
     const auto c = contact(HertzLaw<double>{});
     const auto at = [&](double p) { return test::refusal([&] { static_cast<void>(c.at_pressure(p)); }); };
     CHECK(at(0).starts_with("pressure = 0: must be"));
     CHECK(at(-1).starts_with("pressure = -1: must be"));
     CHECK(at(1e40).starts_with("pressure = 1e+40: must be between 1e-2"));
     CHECK(at(1e-307).starts_with("pressure = 1e-307: must be between 1e-2"));
-    CHECK(test::refusal([&] { static_cast<void>(c.at_separation(std::nan(""))); }).starts_with("separation = nan: must be"));
+    CHECK(test::refusal([&] {
+              static_cast<void>(c.at_separation(std::nan("")));
+          }).starts_with("separation = nan: must be"));
     CHECK(test::refusal([&] { static_cast<void>(c.at_separation(-1)); }).starts_with("separation = -1: must be"));
     // far apart there is no contact, which is no error
     CHECK(c.at_separation(1e-3).pressure.value == 0);

@@ -9,20 +9,23 @@ using namespace fstiff;
 namespace {
 
 struct Parameters {
-    long double rms_height = 0.832e-6L, peak_radius = 40e-6L, peak_density = 500e6L, dimension = 1.62L, modulus = 112.6e9L, r = 0.6L, theta = 1.1L,
-                pressure = 3e6L;
+    long double rms_height = 0.832e-6L, peak_radius = 40e-6L, peak_density = 500e6L, dimension = 1.62L,
+                modulus = 112.6e9L, r = 0.6L, theta = 1.1L, pressure = 3e6L;
 };
 
 template <class Law>
 Law law_of(long double dimension) {
-    if constexpr (std::is_same_v<Law, HertzLaw<long double>>) return {};
-    else return Law(dimension);
+    if constexpr (std::is_same_v<Law, HertzLaw<long double>>)
+        return {};
+    else
+        return Law(dimension);
 }
 
 template <class Law>
 long double stiffness(const Parameters& p, CurvatureScale scale) {
     const Roughness<long double> surface{p.rms_height, p.peak_radius, p.peak_density, 0};
-    return RoughContact<long double, Law>(surface, PeakDensity<long double>(p.r, p.theta), law_of<Law>(p.dimension), p.modulus, {.curvature = scale})
+    return RoughContact<long double, Law>(surface, PeakDensity<long double>(p.r, p.theta), law_of<Law>(p.dimension),
+                                          p.modulus, {.curvature = scale})
         .at_pressure(p.pressure, Quantity::stiffness)
         .stiffness.value;
 }
@@ -40,8 +43,9 @@ long double difference(Parameters p, long double Parameters::*which, CurvatureSc
 
 template <class Law>
 void check(const Parameters& p, CurvatureScale scale) {
-    const auto s = sensitivity(Roughness<long double>{p.rms_height, p.peak_radius, p.peak_density, 0}, PeakDensity<long double>(p.r, p.theta),
-                               law_of<Law>(p.dimension), p.modulus, p.pressure, scale);
+    const auto s =
+        sensitivity(Roughness<long double>{p.rms_height, p.peak_radius, p.peak_density, 0},
+                    PeakDensity<long double>(p.r, p.theta), law_of<Law>(p.dimension), p.modulus, p.pressure, scale);
     const long double k = stiffness<Law>(p, scale);
     CHECK(test::relative_error(s.stiffness, k) < 1e-14L);
     const struct {
@@ -60,8 +64,8 @@ void check(const Parameters& p, CurvatureScale scale) {
         // steps within the range of r and theta: the distance to 1 and to pi/2 scales them
         const long double room = std::min({1.0L, (1 - p.r) / p.r, (1.57079632679489661923L - p.theta) / p.theta});
         const long double numeric = difference<Law>(p, row.which, scale, 1e-3L * room);
-        INFO(row.name << " r " << double(p.r) << " theta " << double(p.theta) << " p " << double(p.pressure) << ": " << double(row.analytic)
-                      << " against " << double(numeric));
+        INFO(row.name << " r " << double(p.r) << " theta " << double(p.theta) << " p " << double(p.pressure) << ": "
+                      << double(row.analytic) << " against " << double(numeric));
         // in units of K per relative change of the parameter
         CHECK(std::abs(row.analytic - numeric) * p.*row.which <= 1e-9L / room * k);
     }
@@ -93,9 +97,12 @@ TEST_CASE("double agrees with long double, also in hard regimes") {
     for (const double r : {0.0, 0.5, 0.999, 0.999999})
         for (const double theta : {0.01, 1.0, 1.57})
             for (const double pressure : {1e4, 1e8}) {
-                const auto fast = sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(r, theta), FractalLaw<double>(1.62), 112.6e9, pressure);
-                const auto truth = sensitivity(Roughness<long double>{0.832e-6L, 40e-6L, 500e6L, 0}, PeakDensity<long double>(r, theta),
-                                               FractalLaw<long double>(1.62L), 112.6e9L, static_cast<long double>(pressure));
+                const auto fast =
+                    sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(r, theta),
+                                FractalLaw<double>(1.62), 112.6e9, pressure);
+                const auto truth = sensitivity(Roughness<long double>{0.832e-6L, 40e-6L, 500e6L, 0},
+                                               PeakDensity<long double>(r, theta), FractalLaw<long double>(1.62L),
+                                               112.6e9L, static_cast<long double>(pressure));
                 INFO("r " << r << " theta " << theta << " p " << pressure);
                 // relative to K per parameter: sums of terms that partly cancel
                 CHECK(std::abs(fast.rms_height - double(truth.rms_height)) * 0.832e-6 <= 1e-11 * fast.stiffness);
@@ -107,7 +114,9 @@ TEST_CASE("double agrees with long double, also in hard regimes") {
 
 TEST_CASE("scaling laws: K is of degree 0 in (p, E) less one, and does not depend on the unit of length") {
     // K(lambda p, lambda E) = lambda K: p dK/dp + E dK/dE = K; lengths: sigma K_sigma + R K_R - 2 D_p K_Dp = -K
-    const auto s = sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(0.6, 1.1), FractalConsistentLaw<double>(1.62), 112.6e9, 3e6);
+    const auto s = sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(0.6, 1.1),
+                               FractalConsistentLaw<double>(1.62), 112.6e9, 3e6);
     CHECK(test::relative_error(3e6 * s.pressure + 112.6e9 * s.effective_modulus, s.stiffness) < 1e-13);
-    CHECK(test::relative_error(-(0.832e-6 * s.rms_height + 40e-6 * s.peak_radius - 2 * 500e6 * s.peak_density), s.stiffness) < 1e-13);
+    CHECK(test::relative_error(-(0.832e-6 * s.rms_height + 40e-6 * s.peak_radius - 2 * 500e6 * s.peak_density),
+                               s.stiffness) < 1e-13);
 }

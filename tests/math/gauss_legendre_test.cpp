@@ -30,9 +30,11 @@ TEST_CASE("nodes and weights agree with GSL's table for 64 points") {
     for (std::size_t i = 0; i < 64; ++i) {
         double node = 0, weight = 0;
         gsl_integration_glfixed_point(-1, 1, i, &node, &weight, table);
-        bool found = false;  // GSL orders them differently from version to version; both lose digits near the ends (1 - x^2)
+        bool found =
+            false;  // GSL orders them differently from version to version; both lose digits near the ends (1 - x^2)
         for (std::size_t j = 0; j < 64; ++j)
-            found = found || (std::abs(rule.node[j] - node) < 1e-15 && test::relative_error(rule.weight[j], weight) < 2e-13);
+            found = found ||
+                    (std::abs(rule.node[j] - node) < 1e-15 && test::relative_error(rule.weight[j], weight) < 2e-13);
         CHECK(found);
     }
     gsl_integration_glfixed_table_free(table);

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <limits>
 
 namespace fstiff {
@@ -56,19 +57,22 @@ struct ScaledIntegrals {
     T log_scale;
 };
 
-template <Real T>
-ScaledIntegrals<T> scaled_integrals(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T eta, T tolerance) {
-    require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
-    require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance", tolerance,
-            "at least 50 epsilon of the scalar type and at most 0.1");
-    const T digits = -std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0);  // few nodes: the fitted steps scatter more
-    const PeakProblem<T> problem(peaks, eta, digits + 5);
-    const PeakSums<T> sums = peak_sums(problem, minus_two_b, digits);
-    ScaledIntegrals<T> out{{}, -problem.floor * problem.floor / 2};
-    const T root_c = std::sqrt(problem.c);
-    // rounding (z inherits that of t), and what the extrapolation of the rule's error may miss: more with few nodes
-    const T least = std::numeric_limits<T>::epsilon() * (8 + problem.floor) + tolerance * (tolerance > T(1e-8) ? T(0.8) : T(0.2));
-    T factor = 1 / (2 * problem.theta);  // c^a / (2 theta)
+/// With nodes and sums in the scalar S.
+template <Real S, Real T>
+ScaledIntegrals<T> scaled_integrals_in(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T eta, T tolerance) {
+    // few nodes: the fitted steps scatter more
+    const S digits = static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0));
+    const PeakDensity<S> same(static_cast<S>(peaks.r()), static_cast<S>(peaks.theta()));
+    const PeakProblem<S> problem(same, static_cast<S>(eta), digits + 5);
+    const PeakSums<S> sums = peak_sums(problem, minus_two_b, digits);
+    const T floor = std::max(eta, T(0));
+    ScaledIntegrals<T> out{{}, -floor * floor / 2};
+    // rounding (z inherits that of t; eta and r may have been rounded to S), and what the extrapolation of the rule's error
+    // may miss: more with few nodes
+    const T rounded = std::same_as<S, T> ? T(8) + floor : (T(8) + std::abs(eta)) / static_cast<T>(problem.c);
+    const T least = std::numeric_limits<S>::epsilon() * rounded + tolerance * (tolerance > T(1e-8) ? T(0.8) : T(0.2));
+    const T root_c = std::sqrt(static_cast<T>(problem.c));
+    T factor = 1 / (2 * static_cast<T>(problem.theta));  // c^a / (2 theta)
     for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
         if (minus_two_b[i] == absent) continue;
         const T value = factor * sums.value[i];
@@ -77,13 +81,26 @@ ScaledIntegrals<T> scaled_integrals(const PowerSet& minus_two_b, const PeakDensi
     return out;
 }
 
+template <Real T>
+ScaledIntegrals<T> scaled_integrals(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T eta, T tolerance) {
+    require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
+    require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance", tolerance,
+            "at least 50 epsilon of the scalar type and at most 0.1");
+    // Four digits of a well-conditioned problem are within single precision: half the terms, twice the numbers a register.
+    if constexpr (std::same_as<T, double>)
+        if (tolerance >= 1e-4 && peaks.r() <= 0.95 && peaks.theta() <= 1.45 && std::abs(eta) <= 6)
+            return scaled_integrals_in<float>(minus_two_b, peaks, eta, tolerance);
+    return scaled_integrals_in<T>(minus_two_b, peaks, eta, tolerance);
+}
+
 }  // namespace detail
 
 /// The integrals of \p wanted at the separation \p eta (in rms heights), over shared nodes.
 /// The values leave out exp(log_scale), so that they neither under- nor overflow; contact_integrals multiplies it in.
 /// \throws domain_error unless |eta| <= 1e6 and the tolerance is within its range.
 template <Real T>
-[[nodiscard]] ContactIntegrals<T> scaled_contact_integrals(const PeakDensity<T>& peaks, T eta, Quantity wanted = Quantity::all,
+[[nodiscard]] ContactIntegrals<T> scaled_contact_integrals(const PeakDensity<T>& peaks, T eta,
+                                                           Quantity wanted = Quantity::all,
                                                            const IntegralOptions<T>& options = {}) {
     const auto when = [wanted](Quantity quantity, int minus_two_b) {
         return has(wanted, quantity) ? minus_two_b : detail::absent;
@@ -118,7 +135,8 @@ template <Real T>
     const auto j = detail::scaled_integrals(detail::one_power(a, b), peaks, eta, options.relative_tolerance);
     const Estimate<T>& scaled = j.of_power[static_cast<std::size_t>(2 * a)];
     const T value = std::log(scaled.value) + j.log_scale;
-    return {value, scaled.error / scaled.value + 2 * std::numeric_limits<T>::epsilon() * std::abs(value), scaled.evaluations};
+    return {value, scaled.error / scaled.value + 2 * std::numeric_limits<T>::epsilon() * std::abs(value),
+            scaled.evaluations};
 }
 
 }  // namespace fstiff

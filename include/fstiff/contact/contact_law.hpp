@@ -60,8 +60,7 @@ struct LawRange {
 };
 
 template <Real T>
-    requires(std::same_as<T, float> || std::same_as<T, double>)
-class ContactLaw {
+requires(std::same_as<T, float> || std::same_as<T, double>) class ContactLaw {
 public:
     struct Point {
         T pressure;   ///< [Pa]
@@ -104,7 +103,8 @@ public:
     /// p [Pa] and K [Pa/m] at the gap \p gap [m]. \throws as stiffness; gaps() is the range.
     [[nodiscard]] Point at_gap(T gap) const {
         const T position = (gap - gap_min_) * pieces_per_gap_;
-        if (!(position >= 0 && gap <= gap_max_)) [[unlikely]] return outside_gap(gap);
+        if (!(position >= 0 && gap <= gap_max_)) [[unlikely]]
+            return outside_gap(gap);
         const auto index = std::min(static_cast<std::size_t>(position), gap_pieces_ - 1);
         const T s = 2 * (position - T(index)) - 1;
         const T* c = &by_gap_[index * terms];
@@ -165,7 +165,8 @@ private:
     ContactLaw() = default;
 
     [[nodiscard]] Place place(T pressure) const {
-        const T* piece = &by_pressure_[static_cast<std::size_t>((std::bit_cast<Bits>(pressure) >> shift) - first_piece_) * row];
+        const T* piece =
+            &by_pressure_[static_cast<std::size_t>((std::bit_cast<Bits>(pressure) >> shift) - first_piece_) * row];
         return {piece, (pressure - piece[0]) * piece[1]};
     }
 
@@ -188,7 +189,9 @@ private:
         if (outside_ == OutsideRange::clamp && !std::isnan(pressure))
             return (this->*function)(std::clamp(pressure, pressure_min_, pressure_max_));
         if (outside_ == OutsideRange::exact) return select(exact_(pressure, true));
-        detail::refuse("pressure", pressure, "between " + text_of(pressure_min_) + " and " + text_of(pressure_max_) + " Pa, the range of the law");
+        detail::refuse(
+            "pressure", pressure,
+            "between " + text_of(pressure_min_) + " and " + text_of(pressure_max_) + " Pa, the range of the law");
     }
 
     Point outside_gap(T gap) const {
@@ -197,11 +200,14 @@ private:
             const Exact e = exact_(gap, false);
             return {e.pressure, e.stiffness};
         }
-        detail::refuse("gap", gap, "between " + text_of(gap_min_) + " and " + text_of(gap_max_) + " m, the range of the law");
+        detail::refuse("gap", gap,
+                       "between " + text_of(gap_min_) + " and " + text_of(gap_max_) + " m, the range of the law");
     }
 
     static void require_same_size(Eigen::Index a, Eigen::Index b) {
-        if (a != b) throw domain_error("batch: the arrays have " + std::to_string(a) + " and " + std::to_string(b) + " elements: must have the same number");
+        if (a != b)
+            throw domain_error("batch: the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
+                               " elements: must have the same number");
     }
     static std::string text_of(T value) {
         char text[40];
@@ -226,12 +232,11 @@ private:
 };
 
 template <Real T>
-    requires(std::same_as<T, float> || std::same_as<T, double>)
-template <class Contact>
+requires(std::same_as<T, float> || std::same_as<T, double>) template <class Contact>
 ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& range) {
     require_positive("pressure_min", range.pressure_min);
-    require(range.pressure_max > range.pressure_min && std::isfinite(range.pressure_max), "pressure_max", range.pressure_max,
-            "finite and greater than pressure_min");
+    require(range.pressure_max > range.pressure_min && std::isfinite(range.pressure_max), "pressure_max",
+            range.pressure_max, "finite and greater than pressure_min");
     require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
             "none or effective_separation for a compiled law (as_printed is no function of one gap)");
     ContactLaw law;
@@ -258,12 +263,22 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         });
         slopes_of.push_back(values_of.back().derivative());
     }
-    const auto in_section = [&](const std::vector<ChebyshevSeries<T>>& series, T eta) {
-        const T position = std::clamp((eta - begin) / section, T(0), T(sections) - T(0.5));
-        return series[static_cast<std::size_t>(position)](eta);
+    // of one number, or of the nodes of a piece at once where one section holds them all
+    using Nodes = Eigen::Array<T, terms, 1>;
+    const auto in_sections = [sections](const std::vector<ChebyshevSeries<T>>& series, T from, T width, const auto& x) {
+        const auto at = [&](T one) -> const ChebyshevSeries<T>& {
+            return series[static_cast<std::size_t>(std::clamp((one - from) / width, T(0), T(sections) - T(0.5)))];
+        };
+        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, T>) {
+            return at(x)(x);
+        } else {
+            const auto &first = at(x[0]), &last = at(x[terms - 1]);
+            if (&first == &last) return first(x);
+            return Nodes(x.unaryExpr([&](T one) { return at(one)(one); }));
+        }
     };
-    const auto log_pressure = [&](T eta) { return in_section(values_of, eta); };
-    const auto slope = [&](T eta) { return in_section(slopes_of, eta); };
+    const auto log_pressure = [&](const auto& eta) { return in_sections(values_of, begin, section, eta); };
+    const auto slope = [&](const auto& eta) { return in_sections(slopes_of, begin, section, eta); };
     const T bulk = contact.bulk_compliance();
 
     // everything at one eta; with the bulk in series the gap is shorter and the slope smaller
@@ -290,22 +305,26 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     law.pieces_per_gap_ = 1 / width;
     law.slope_scale_ = -2 / width * contact.stiffness_over_slope();
     law.by_gap_.resize(law.gap_pieces_ * terms);
-    std::array<T, terms> values, gaps;
-    T eta = closest;
+    const Nodes node = Eigen::Map<const Nodes>(lobatto.node.data());
+    Nodes eta;
+    eta[terms - 1] = closest;
     for (std::size_t i = 0; i < law.gap_pieces_; ++i) {
-        for (std::size_t k = 0; k < terms; ++k) {
-            const T gap = law.gap_min_ + width * (T(i) + (1 + lobatto.node[k]) / 2);
-            if (bulk == 0) eta = gap / rms;
-            else
-                for (int iteration = 0; iteration < 50; ++iteration) {  // eta rms - p bulk = gap, convex: from the last node on
-                    const T p = std::exp(log_pressure(eta));
-                    const T step = (gap - (eta * rms - p * bulk)) / (rms - p * slope(eta) * bulk);
-                    eta = std::clamp(eta + step, closest - slack, furthest + slack);
-                    if (std::abs(step) <= 2 * std::numeric_limits<T>::epsilon() * (1 + std::abs(eta))) break;
+        const Nodes gap = law.gap_min_ + width * (T(i) + (1 + node) / 2);
+        if (bulk == 0) {
+            eta = gap / rms;
+        } else {
+            T last = eta[terms - 1];
+            for (Eigen::Index k = 0; k < gap.size(); ++k) {  // eta rms - p bulk = gap, convex: from the last node on
+                for (int iteration = 0; iteration < 50; ++iteration) {
+                    const T p = std::exp(log_pressure(last));
+                    const T step = (gap[k] - (last * rms - p * bulk)) / (rms - p * slope(last) * bulk);
+                    last = std::clamp(last + step, closest - slack, furthest + slack);
+                    if (std::abs(step) <= 2 * std::numeric_limits<T>::epsilon() * (1 + std::abs(last))) break;
                 }
-            values[k] = std::exp(log_pressure(eta));
+                eta[k] = last;
+            }
         }
-        lobatto.fit(values, &law.by_gap_[i * terms]);
+        lobatto.fit(log_pressure(eta).exp(), &law.by_gap_[i * terms]);
     }
 
     // eta against log p: the inverse of the series, by Newton's method from node to node, again by sections
@@ -324,10 +343,6 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
             return last;
         });
     }
-    const auto eta_at = [&](T log_p) {
-        const T position = std::clamp((log_p - log_low) / log_section, T(0), T(sections) - T(0.5));
-        return etas_of[static_cast<std::size_t>(position)](log_p);
-    };
 
     // by pressure: four pieces to each power of 2
     law.first_piece_ = std::bit_cast<Bits>(range.pressure_min) >> shift;
@@ -341,15 +356,11 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         const T half = std::max((to - from) / 2, from * std::numeric_limits<T>::epsilon());
         c[0] = (from + to) / 2;
         c[1] = 1 / half;
-        for (std::size_t k = 0; k < terms; ++k) {
-            const T p = c[0] + half * lobatto.node[k];
-            const T x = eta_at(std::log(p));
-            const T dp = -p * slope(x) / rms;
-            values[k] = dp / (1 + dp * bulk) * contact.stiffness_over_slope();
-            gaps[k] = x * rms - p * bulk;
-        }
-        lobatto.fit(values, c + stiffness_row);
-        lobatto.fit(gaps, c + gap_row);
+        const Nodes p = c[0] + half * node;
+        const Nodes x = in_sections(etas_of, log_low, log_section, Nodes(p.log()));
+        const Nodes dp = -p * slope(x) / rms;
+        lobatto.fit(dp / (1 + dp * bulk) * contact.stiffness_over_slope(), c + stiffness_row);
+        lobatto.fit(x * rms - p * bulk, c + gap_row);
     }
 
     // the errors, between the nodes of both tables
@@ -371,7 +382,8 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     // the points found most of it; between other nodes it may be somewhat more, and a slope over a short piece of a short
     // range carries the rounding of the few digits in which p changes there
     const T shortest_change = steepest * width;
-    law.relative_error_ = 6 * law.relative_error_ + T(4 * terms * terms) * std::numeric_limits<T>::epsilon() * std::max(T(1), T(0.25) / shortest_change);
+    law.relative_error_ = 6 * law.relative_error_ + T(4 * terms * terms) * std::numeric_limits<T>::epsilon() *
+                                                        std::max(T(1), T(0.25) / shortest_change);
 
     // monotone: p and K move one way from node to node; closer than that the polynomials are smooth
     const auto rises = [](const T* c) {
@@ -380,13 +392,15 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         return true;
     };
     bool monotone = true;
-    for (std::size_t i = 0; i < law.by_pressure_.size(); i += row) monotone = monotone && rises(&law.by_pressure_[i + stiffness_row]);
+    for (std::size_t i = 0; i < law.by_pressure_.size(); i += row)
+        monotone = monotone && rises(&law.by_pressure_[i + stiffness_row]);
     for (std::size_t i = 0; i < law.by_gap_.size(); i += terms) {
         std::array<T, terms> falling;
         for (std::size_t k = 0; k < terms; ++k) falling[k] = -law.by_gap_[i + k];
         monotone = monotone && rises(falling.data());
     }
-    if (!monotone) throw domain_error("pressure range: the compiled law would not be monotone; must be one where K and p are");
+    if (!monotone)
+        throw domain_error("pressure range: the compiled law would not be monotone; must be one where K and p are");
 
     if (range.outside == OutsideRange::exact)
         law.exact_ = [contact](T x, bool is_pressure) {
@@ -398,12 +412,12 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
 }
 
 template <Real T>
-    requires(std::same_as<T, float> || std::same_as<T, double>)
-std::string ContactLaw<T>::to_text() const {
+requires(std::same_as<T, float> || std::same_as<T, double>) std::string ContactLaw<T>::to_text()
+const {
     std::string text = "fstiff contact law 1 " + std::to_string(sizeof(T)) + '\n';
-    text += std::to_string(gap_pieces_) + ' ' + std::to_string(first_piece_) + ' ' + std::to_string(by_pressure_.size() / row) + ' ' +
-            std::to_string(static_cast<int>(tangent_is_exact_)) + ' ' + std::to_string(static_cast<int>(outside_)) + ' ' +
-            std::to_string(evaluations_) + '\n';
+    text += std::to_string(gap_pieces_) + ' ' + std::to_string(first_piece_) + ' ' +
+            std::to_string(by_pressure_.size() / row) + ' ' + std::to_string(static_cast<int>(tangent_is_exact_)) +
+            ' ' + std::to_string(static_cast<int>(outside_)) + ' ' + std::to_string(evaluations_) + '\n';
     const auto add = [&text](const T* numbers, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) text += hex_of(numbers[i]) + (i + 1 < count ? ' ' : '\n');
     };
@@ -415,10 +429,13 @@ std::string ContactLaw<T>::to_text() const {
 }
 
 template <Real T>
-    requires(std::same_as<T, float> || std::same_as<T, double>)
-ContactLaw<T> ContactLaw<T>::from_text(std::string_view text) {
+requires(std::same_as<T, float> ||
+         std::same_as<T, double>) ContactLaw<T> ContactLaw<T>::from_text(std::string_view text) {
     const std::string head = "fstiff contact law 1 " + std::to_string(sizeof(T)) + '\n';
-    const auto wrong = [](const char* what) { return domain_error(std::string("contact law text: ") + what + ": must be what to_text wrote for this scalar type"); };
+    const auto wrong = [](const char* what) {
+        return domain_error(std::string("contact law text: ") + what +
+                            ": must be what to_text wrote for this scalar type");
+    };
     if (!text.starts_with(head)) throw wrong("begins with something else");
     const char* at = text.data() + head.size();
     const char* const end = text.data() + text.size();
@@ -439,21 +456,26 @@ ContactLaw<T> ContactLaw<T>::from_text(std::string_view text) {
     law.first_piece_ = number(Bits{});
     const auto pressure_pieces = number(std::size_t{});
     // each number takes two characters or more: a size that the text cannot hold is refused before it is allocated
-    if (law.gap_pieces_ == 0 || pressure_pieces == 0 || law.gap_pieces_ > text.size() || pressure_pieces > text.size()) throw wrong("holds impossible sizes");
+    if (law.gap_pieces_ == 0 || pressure_pieces == 0 || law.gap_pieces_ > text.size() || pressure_pieces > text.size())
+        throw wrong("holds impossible sizes");
     law.tangent_is_exact_ = number(int{}) != 0;
     const int outside = number(int{});
     if (outside < 0 || outside > 2) throw wrong("holds an unknown policy");
     law.outside_ = outside == static_cast<int>(OutsideRange::clamp) ? OutsideRange::clamp : OutsideRange::refuse;
     law.evaluations_ = number(int{});
-    for (T* x : {&law.pressure_min_, &law.pressure_max_, &law.gap_min_, &law.gap_max_, &law.pieces_per_gap_, &law.slope_scale_, &law.relative_error_})
+    for (T* x : {&law.pressure_min_, &law.pressure_max_, &law.gap_min_, &law.gap_max_, &law.pieces_per_gap_,
+                 &law.slope_scale_, &law.relative_error_})
         *x = number(T{}, std::chars_format::hex);
-    for (std::size_t i = 0; i < law.gap_pieces_ * terms; ++i) law.by_gap_.push_back(number(T{}, std::chars_format::hex));
-    for (std::size_t i = 0; i < pressure_pieces * row; ++i) law.by_pressure_.push_back(number(T{}, std::chars_format::hex));
+    for (std::size_t i = 0; i < law.gap_pieces_ * terms; ++i)
+        law.by_gap_.push_back(number(T{}, std::chars_format::hex));
+    for (std::size_t i = 0; i < pressure_pieces * row; ++i)
+        law.by_pressure_.push_back(number(T{}, std::chars_format::hex));
     skip();
     if (at != end) throw wrong("goes on after its end");
     const bool ordered = law.pressure_min_ > 0 && law.pressure_max_ > law.pressure_min_ && law.gap_max_ > law.gap_min_;
     const auto piece = [](T p) { return std::bit_cast<Bits>(p) >> shift; };
-    if (!ordered || piece(law.pressure_min_) != law.first_piece_ || piece(law.pressure_max_) - law.first_piece_ + 1 != pressure_pieces ||
+    if (!ordered || piece(law.pressure_min_) != law.first_piece_ ||
+        piece(law.pressure_max_) - law.first_piece_ + 1 != pressure_pieces ||
         !(law.pieces_per_gap_ > 0 && (law.gap_max_ - law.gap_min_) * law.pieces_per_gap_ < T(law.gap_pieces_) + 1))
         throw wrong("contradicts itself");
     return law;

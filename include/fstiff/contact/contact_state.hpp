@@ -21,12 +21,12 @@ namespace fstiff {
 /// Quantities that were not asked for are 0, with 0 evaluations.
 template <Real T>
 struct ContactState {
-    T eta{};                           ///< separation at which the peaks meet, over the rms height
-    Estimate<T> separation;            ///< of the mean planes [m]
-    Estimate<T> pressure;              ///< nominal [Pa]
-    Estimate<T> stiffness;             ///< K/A0 [Pa/m]
-    Estimate<T> real_area_fraction;    ///< A/A0
-    Estimate<T> contact_density;       ///< n/A0 [1/m^2]
+    T eta{};                         ///< separation at which the peaks meet, over the rms height
+    Estimate<T> separation;          ///< of the mean planes [m]
+    Estimate<T> pressure;            ///< nominal [Pa]
+    Estimate<T> stiffness;           ///< K/A0 [Pa/m]
+    Estimate<T> real_area_fraction;  ///< A/A0
+    Estimate<T> contact_density;     ///< n/A0 [1/m^2]
 };
 
 /// A decreasing function of eta as its logarithm, so that its tail does not underflow.
@@ -68,17 +68,21 @@ EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
     };
     // log f is close to its value and slope at 0 plus -eta^2/2
     const auto [at_zero, slope] = residual(T(0));
-    const T guess = at_zero > 0 ? std::sqrt(slope * slope + 2 * at_zero) + slope : -std::cbrt(std::exp(std::min(-2 * at_zero, T(60)))) + 1;
+    const T guess = at_zero > 0 ? std::sqrt(slope * slope + 2 * at_zero) + slope
+                                : -std::cbrt(std::exp(std::min(-2 * at_zero, T(60)))) + 1;
     // closer than the rounding of the logarithms tells apart is not asked for
-    const auto found = newton_bracketed(residual, T(lowest_eta), highest, guess, 16 * Limits::epsilon() * (1 + std::abs(target)));
+    const auto found =
+        newton_bracketed(residual, T(lowest_eta), highest, guess, 16 * Limits::epsilon() * (1 + std::abs(target)));
     if (!found.converged()) {
         const auto reached = [&](T eta) {  // log p there
             return (std::log(pressure) - target) + log_slope(eta).log;
         };
         const T low = reached(highest), high = reached(T(lowest_eta));
-        require(std::isfinite(low) && std::isfinite(high), "pressure", pressure, "possible for the scales of this surface");
+        require(std::isfinite(low) && std::isfinite(high), "pressure", pressure,
+                "possible for the scales of this surface");
         const auto power = [](T log) { return "1e" + std::to_string(std::lround(log / std::numbers::ln10_v<T>)); };
-        const std::string allowed = "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law";
+        const std::string allowed =
+            "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law";
         require(false, "pressure", pressure, allowed);
     }
     const auto at = log_slope(found.root);

@@ -33,7 +33,8 @@ namespace detail {
 template <int TwiceN, Real T>
 T scaled_upper_gamma(T x) {
     if constexpr (TwiceN == 0) return T(1);
-    if constexpr (TwiceN == -1) return std::numbers::sqrt2_v<T> * scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
+    if constexpr (TwiceN == -1)
+        return std::numbers::sqrt2_v<T> * scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
     if constexpr (TwiceN > 0) return T(TwiceN) / 2 * scaled_upper_gamma<TwiceN - 2>(x) + std::pow(x, T(TwiceN) / 2);
 }
 
@@ -68,7 +69,8 @@ public:
     /// The contact at the separation \p separation of the mean planes [m]. \throws domain_error outside the range.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         const T h = separation / surface_.rms_height;
-        require(h >= detail::lowest_eta && h <= T(1e6), "separation", separation, "between -1000 and 1e6 rms heights (m)");
+        require(h >= detail::lowest_eta && h <= T(1e6), "separation", separation,
+                "between -1000 and 1e6 rms heights (m)");
         ContactState<T> state = at_eta({h, 0}, wanted);
         state.separation = {separation, 0, 0};
         return state;
@@ -78,8 +80,10 @@ public:
     /// \throws domain_error unless it is positive and within the reach of the model, which the message tells.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         require_positive("pressure", pressure);
-        const T highest = heights_ == Heights::gaussian ? detail::highest_gaussian_eta<T>() : detail::highest_exponential_eta<T>();
-        const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure, highest, [this](T h) { return log_load(h); });
+        const T highest =
+            heights_ == Heights::gaussian ? detail::highest_gaussian_eta<T>() : detail::highest_exponential_eta<T>();
+        const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure, highest,
+                                        [this](T h) { return log_load(h); });
         ContactState<T> state = at_eta(eta, wanted);
         state.pressure = {pressure, 0, 0};
         return state;
@@ -109,7 +113,8 @@ private:
     template <int TwiceN>
     std::pair<T, T> scaled(T h) const {
         if (heights_ == Heights::gaussian)
-            return {detail::scaled_moment<TwiceN>(h) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>, h > 0 ? -h * h / 2 : T(0)};
+            return {detail::scaled_moment<TwiceN>(h) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>,
+                    h > 0 ? -h * h / 2 : T(0)};
         return {detail::scaled_upper_gamma<TwiceN>(std::max(-h, T(0))), -std::max(h, T(0))};
     }
 

@@ -22,7 +22,7 @@ namespace fstiff {
 enum class InteractionReading {
     none,                  ///< asperities do not feel one another: the stiffness of the interface alone
     effective_separation,  ///< the integrals at eta_effective; separation and stiffness those of the nominal planes
-    as_printed             ///< stiffness, area and contacts at eta_new against the pressure at eta_old, as the paper plots them
+    as_printed  ///< stiffness, area and contacts at eta_new against the pressure at eta_old, as the paper plots them
 };
 
 template <Real T>

@@ -44,7 +44,7 @@ struct PeakProblem {
     T depth;  ///< -log of what may be neglected
     T c = std::sqrt((1 - r) * (1 + r));
     T k = std::tan(theta) / std::numbers::sqrt2_v<T>;
-    T floor = std::max(eta, T(0));    ///< exp(-floor^2/2) is taken out of every node: the rest is of order 1
+    T floor = std::max(eta, T(0));   ///< exp(-floor^2/2) is taken out of every node: the rest is of order 1
     T reach = std::sqrt(2 * depth);  ///< exp(-reach^2/2) may be neglected
 
     /// Below it erf(k t)/(2 theta) is t/sqrt(2 pi) to the last digit, while erf(k t) might underflow.
@@ -69,13 +69,21 @@ struct PeakNodes {
 
 /// Nodes given by t alone.
 template <Real T>
-EIGEN_ALWAYS_INLINE PeakNodes<T> nodes_at(const PeakProblem<T>& p, T inverse_c, const Lanes<T>& t, const Lanes<T>& weight,
-                                          const Lanes<T>& inverse_root, T t_first, T t_last) {
+EIGEN_ALWAYS_INLINE PeakNodes<T> nodes_at(const PeakProblem<T>& p, T inverse_c, const Lanes<T>& t,
+                                          const Lanes<T>& weight, const Lanes<T>& inverse_root, T t_first, T t_last) {
     using V = Lanes<T>;
     const T slope = -p.r * inverse_c;
     const T start = p.eta * inverse_c;
-    return {t, multiply_add(t, V(slope), V(start)), (t - V(p.r * p.eta)) * V(inverse_c), t - V(p.floor), weight, inverse_root,
-            t_first, t_last, slope * t_first + start, slope * t_last + start};
+    return {t,
+            multiply_add(t, V(slope), V(start)),
+            (t - V(p.r * p.eta)) * V(inverse_c),
+            t - V(p.floor),
+            weight,
+            inverse_root,
+            t_first,
+            t_last,
+            slope * t_first + start,
+            slope * t_last + start};
 }
 
 /// 0, 1, ..., 7
@@ -129,13 +137,15 @@ private:
             steps_[i] = rung.step = step;
             // a rung serves errors down to exp(-digits) or so: its first weight is below that
             const T digits = std::min(T(7.6) / step - 4, 2 - std::log(std::numeric_limits<T>::epsilon()));
-            const int begin = static_cast<int>(std::floor(-std::log((std::max(digits, T(4)) + 7) / T(0.4)) / (T(1.354) * step)));
+            const int begin =
+                static_cast<int>(std::floor(-std::log((std::max(digits, T(4)) + 7) / T(0.4)) / (T(1.354) * step)));
             for (rung.count = 0; rung.count < capacity; ++rung.count) {
                 const T y = T(begin + static_cast<int>(rung.count)) * step;
                 const T fall = T(0.4) * std::exp(T(-1.354) * y);
                 const T v = y - fall;
                 const T small = std::exp(-std::abs(v));
-                rung.node[rung.count] = std::max(scale * (std::max(v, T(0)) + std::log1p(small)), T(1e-30));  // 1/t is finite
+                rung.node[rung.count] =
+                    std::max(scale * (std::max(v, T(0)) + std::log1p(small)), T(1e-30));  // 1/t is finite
                 rung.weight[rung.count] = scale * (1 + T(1.354) * fall) * (v > 0 ? 1 : small) / (1 + small);
                 rung.inverse_root[rung.count] = 1 / std::sqrt(rung.node[rung.count]);
                 if (rung.count % Lanes<T>::size == 0 && rung.node[rung.count] > furthest_node) break;
@@ -174,13 +184,15 @@ T visit_graded(const PeakProblem<T>& p, T step, Sink& sink) {
     const T ratio = largest_curvature(p) / scale;
     const T last = std::log(ratio) + 1 / ratio;  // y - exp(-y) = log(ratio)
     const T inverse_c = 1 / p.c;
-    for (int j = 2 * static_cast<int>(std::floor(-std::log(p.depth + 2) / (2 * step))); T(j) * step < last; j += V::size) {
+    for (int j = 2 * static_cast<int>(std::floor(-std::log(p.depth + 2) / (2 * step))); T(j) * step < last;
+         j += V::size) {
         const T y_first = T(j) * step;
         const T y_last = T(j + V::size - 1) * step;
         const V y = multiply_add(ascending<T>(), V(step), V(y_first));
         const V fall = exp(V(T(0)) - y);
         const V t = V(scale) * exp(y - fall);
-        sink.add(nodes_at(p, inverse_c, t, t * (fall + V(T(1))), V(T(1)) / sqrt(t), scale * std::exp(y_first - std::exp(-y_first)),
+        sink.add(nodes_at(p, inverse_c, t, t * (fall + V(T(1))), V(T(1)) / sqrt(t),
+                          scale * std::exp(y_first - std::exp(-y_first)),
                           scale * std::exp(y_last - std::exp(-y_last))));
     }
     return step;
@@ -203,7 +215,8 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
     const T least = p.c / 2;  // t at the idle end of the first eight nodes; the integrand is negligible there
     const auto x_at = [](T y) { return -(slope * y + std::exp(y)); };
     const auto t_at = [&](T x) { return std::max(least, (p.eta - p.c * x) * inverse_r); };
-    for (int j = 2 * static_cast<int>(std::floor(-(high + T(0.4)) / (2 * slope * step))); T(j) * step < y_high; j += V::size) {
+    for (int j = 2 * static_cast<int>(std::floor(-(high + T(0.4)) / (2 * slope * step))); T(j) * step < y_high;
+         j += V::size) {
         const T y_first = T(j) * step;
         const T x_first = x_at(y_first);
         const T x_last = x_at(T(j + V::size - 1) * step);
@@ -232,7 +245,9 @@ template <Real T, class Sink>
 T visit_nodes(const PeakProblem<T>& p, T digits, Sink& sink) {
     const T root = std::sqrt(digits);
     const T distance = p.r * p.eta / p.c;
-    if (distance > p.reach + 1) return visit_separated(p, std::min(T(1.3) * p.r / root, (T(3.9) + T(0.35) * std::min(p.eta, T(3))) / (digits + 3)), sink);
+    if (distance > p.reach + 1)
+        return visit_separated(
+            p, std::min(T(1.3) * p.r / root, (T(3.9) + T(0.35) * std::min(p.eta, T(3))) / (digits + 3)), sink);
 
     const T strip = T(7.6) / ((digits + 4) * (1 + std::max(T(0), T(0.066) * p.k * p.k - T(0.07))));
     const T smooth_step = std::min(strip, T(2.1) * p.c / root * (p.eta <= 0 ? T(1.25) : T(1)));
@@ -245,7 +260,8 @@ T visit_nodes(const PeakProblem<T>& p, T digits, Sink& sink) {
     const T smooth_cost = (SmoothNodes<T>::left + largest_curvature(p) / SmoothNodes<T>::scale) / smooth_step;
     const T graded_cost = (std::log(p.depth + 2) + std::log(largest_curvature(p) / graded_scale(p))) / graded_step;
     const bool offered = smooth_step >= SmoothNodes<T>::finest;
-    return offered && smooth_cost <= T(1.2) * graded_cost ? visit_smooth(p, smooth_step, sink) : visit_graded(p, graded_step, sink);
+    return offered && smooth_cost <= T(1.2) * graded_cost ? visit_smooth(p, smooth_step, sink)
+                                                          : visit_graded(p, graded_step, sink);
 }
 
 }  // namespace detail

@@ -101,7 +101,9 @@ public:
     using V = Lanes<T>;
 
     EIGEN_ALWAYS_INLINE explicit MomentBlock(const PeakNodes<T>& nodes)
-        : x_(nodes.x), right_(nodes.x_first >= 0), middle_(nodes.x_last < 0 && -moment_middle < nodes.x_first),
+        : x_(nodes.x),
+          right_(nodes.x_first >= 0),
+          middle_(nodes.x_last < 0 && -moment_middle < nodes.x_first),
           far_(nodes.x_last < -moment_middle) {
         const V zero{T(0)};
         if (right_) {
@@ -110,7 +112,8 @@ public:
             right_root_ = sqrt(right_inverse_);
             right_u_ = (clamped - V(T(4))) * right_inverse_;
         }
-        if (middle_) middle_u_ = multiply_add(min(max(x_, V(T(-moment_middle))), zero), V(T(2) / moment_middle), V(T(1)));
+        if (middle_)
+            middle_u_ = multiply_add(min(max(x_, V(T(-moment_middle))), zero), V(T(2) / moment_middle), V(T(1)));
         if (far_) {
             far_size_ = max(zero - x_, V(T(moment_middle)));
             far_root_ = sqrt(far_size_);
@@ -157,7 +160,8 @@ template <Real T>
 class PeakAccumulator {
 public:
     using V = Lanes<T>;
-    PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b) : p_(problem), minus_two_b_(minus_two_b) {}
+    PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b)
+        : p_(problem), minus_two_b_(minus_two_b) {}
 
     EIGEN_ALWAYS_INLINE void add(const PeakNodes<T>& nodes) {
         const MomentBlock<T> block(nodes);
@@ -167,7 +171,8 @@ public:
         const std::array<V, 3> scaled{g, g_root, g_root * nodes.inverse_root};  // g t^b
         const auto one = [&]<int TwiceA>() __attribute__((always_inline)) {
             if (minus_two_b_[TwiceA] == absent) return;
-            sums_[TwiceA].add(scaled[static_cast<std::size_t>(minus_two_b_[TwiceA])] * block.template moment<TwiceA>(), nodes_ == 0);
+            sums_[TwiceA].add(scaled[static_cast<std::size_t>(minus_two_b_[TwiceA])] * block.template moment<TwiceA>(),
+                              nodes_ == 0);
         };
         one.template operator()<0>();
         one.template operator()<1>();

@@ -68,7 +68,8 @@ public:
         const T product = surface.rms_height * rms_curvature(surface, peaks, options.curvature);  // sigma sigma_kappa
         const T dimensionless = surface.peak_density * surface.rms_height * surface.rms_height;   // D_p sigma^2
         pressure_scale_ = effective_modulus * law.load_factor() * dimensionless / std::sqrt(product);
-        stiffness_scale_ = effective_modulus * law.stiffness_factor() * surface.peak_density * surface.rms_height / std::sqrt(product);
+        stiffness_scale_ =
+            effective_modulus * law.stiffness_factor() * surface.peak_density * surface.rms_height / std::sqrt(product);
         area_scale_ = law.area_factor() * dimensionless / product;
         slope_ratio_ = T(1.5) * law.load_factor() / law.stiffness_factor();
         if (options.interaction.reading != InteractionReading::none)
@@ -79,17 +80,21 @@ public:
     /// give the pressure (eta_old). \throws domain_error for a separation outside its range.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         const T eta = separation / rms_height_;
-        require(eta >= detail::lowest_eta && eta <= T(1e6), "separation", separation, "between -1000 and 1e6 rms heights (m)");
+        require(eta >= detail::lowest_eta && eta <= T(1e6), "separation", separation,
+                "between -1000 and 1e6 rms heights (m)");
         switch (options_.interaction.reading) {
             case InteractionReading::effective_separation: {
                 const auto effective = effective_eta(eta);
-                ContactState<T> state = compliant(at_eta(effective, wanted | Quantity::pressure | Quantity::stiffness), wanted);
+                ContactState<T> state =
+                    compliant(at_eta(effective, wanted | Quantity::pressure | Quantity::stiffness), wanted);
                 state.separation = {separation, 0, 0};
                 if (!has(wanted, Quantity::pressure)) state.pressure = {};
                 return state;
             }
-            case InteractionReading::as_printed: return printed(eta, integrals(eta, Quantity::pressure).load * pressure_scale_, wanted);
-            case InteractionReading::none: break;
+            case InteractionReading::as_printed:
+                return printed(eta, integrals(eta, Quantity::pressure).load * pressure_scale_, wanted);
+            case InteractionReading::none:
+                break;
         }
         ContactState<T> state = at_eta({eta, 0}, wanted);
         state.separation = {separation, 0, 0};
@@ -100,9 +105,10 @@ public:
     /// \throws domain_error unless it is positive and within the reach of the model, which the message tells.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         require_positive("pressure", pressure);
-        const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure, detail::highest_gaussian_eta<T>(),
-                                        [this](T x) { return log_load(x); });
-        if (options_.interaction.reading == InteractionReading::as_printed) return printed(eta.value, {pressure, 0, 0}, wanted);
+        const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure,
+                                        detail::highest_gaussian_eta<T>(), [this](T x) { return log_load(x); });
+        if (options_.interaction.reading == InteractionReading::as_printed)
+            return printed(eta.value, {pressure, 0, 0}, wanted);
         const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
         ContactState<T> state = at_eta(eta, interacting ? wanted | Quantity::stiffness : wanted);
         state.pressure = {pressure, 0, state.pressure.evaluations};
@@ -126,8 +132,10 @@ public:
 
 private:
     LogSlope<T> log_load(T eta) const {
-        const auto j = scaled_contact_integrals(peaks_, eta, Quantity::pressure | Quantity::stiffness, options_.integrals);
-        return {std::log(j.load.value) + j.log_scale, T(-1.5) * j.stiffness.value / j.load.value, j.load.error / j.load.value};
+        const auto j =
+            scaled_contact_integrals(peaks_, eta, Quantity::pressure | Quantity::stiffness, options_.integrals);
+        return {std::log(j.load.value) + j.log_scale, T(-1.5) * j.stiffness.value / j.load.value,
+                j.load.error / j.load.value};
     }
 
     ContactIntegrals<T> integrals(T eta, Quantity wanted) const {
@@ -157,18 +165,22 @@ private:
     ContactState<T> compliant(ContactState<T> state, Quantity wanted) const {
         const T sink = state.pressure.value * bulk_compliance_;
         state.separation.value -= sink;
-        state.separation.error += state.pressure.error * bulk_compliance_ + 2 * std::numeric_limits<T>::epsilon() * sink;
+        state.separation.error +=
+            state.pressure.error * bulk_compliance_ + 2 * std::numeric_limits<T>::epsilon() * sink;
         const T share = 1 / (1 + slope_ratio_ * state.stiffness.value * bulk_compliance_);
-        state.stiffness = has(wanted, Quantity::stiffness)
-                              ? Estimate<T>{state.stiffness.value * share, state.stiffness.error * share, state.stiffness.evaluations}
-                              : Estimate<T>{};
+        state.stiffness =
+            has(wanted, Quantity::stiffness)
+                ? Estimate<T>{state.stiffness.value * share, state.stiffness.error * share, state.stiffness.evaluations}
+                : Estimate<T>{};
         return state;
     }
 
     ContactState<T> printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
         const T eta_new = eta_old - pressure.value * bulk_compliance_ / rms_height_;
-        require(eta_new >= detail::lowest_eta, "eta_new", eta_new, "at least -1000 (separation over rms height after (4.11))");
-        ContactState<T> state = at_eta({eta_new, 4 * std::numeric_limits<T>::epsilon() * (std::abs(eta_old) + std::abs(eta_new))}, wanted);
+        require(eta_new >= detail::lowest_eta, "eta_new", eta_new,
+                "at least -1000 (separation over rms height after (4.11))");
+        ContactState<T> state =
+            at_eta({eta_new, 4 * std::numeric_limits<T>::epsilon() * (std::abs(eta_old) + std::abs(eta_new))}, wanted);
         state.pressure = pressure;
         return state;
     }
@@ -190,11 +202,11 @@ private:
     RoughContactOptions<T> options_;
     T rms_height_;
     T peak_density_;
-    T pressure_scale_{};    ///< p/J[3/2,-1/2] [Pa]
-    T stiffness_scale_{};   ///< K/J[1/2,-1/2] [Pa/m]
-    T area_scale_{};        ///< A/J[1,-1]
-    T slope_ratio_{};       ///< -dp/dd over K
-    T bulk_compliance_{};   ///< L/E [m/Pa], 0 without interaction
+    T pressure_scale_{};   ///< p/J[3/2,-1/2] [Pa]
+    T stiffness_scale_{};  ///< K/J[1/2,-1/2] [Pa/m]
+    T area_scale_{};       ///< A/J[1,-1]
+    T slope_ratio_{};      ///< -dp/dd over K
+    T bulk_compliance_{};  ///< L/E [m/Pa], 0 without interaction
 };
 
 }  // namespace fstiff

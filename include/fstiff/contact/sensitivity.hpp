@@ -79,7 +79,8 @@ public:
         const V minus = block.template moment<-1>();
         const V half = block.template moment<1>();
         const V three = block.template moment<3>();
-        const std::array<V, sums> term{by_erf * minus, by_erf * half, by_erf * three, by_r * minus, by_r * half, by_theta * half, by_theta * three};
+        const std::array<V, sums> term{by_erf * minus, by_erf * half,   by_erf * three,  by_r * minus,
+                                       by_r * half,    by_theta * half, by_theta * three};
         for (std::size_t i = 0; i < sums; ++i) sum_[i] = sum_[i] + term[i];
     }
 
@@ -109,10 +110,12 @@ LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
     // J[a,b] = c^a/(2 theta) step sum: the common factors cancel in every logarithmic derivative
     const T log_factor = std::log(step / (2 * p.theta)) - p.floor * p.floor / 2;
     const T log_c = std::log(p.c);
-    return {{std::log(half) + log_factor + log_c / 2, T(-0.5) * inverse_c * sums.total(Sums::j_minus) / half,
-             T(0.5) * inverse_c * sums.total(Sums::r_half) / half, dk * sums.total(Sums::theta_half) / half - 1 / p.theta},
-            {std::log(three) + log_factor + T(1.5) * log_c, T(-1.5) * inverse_c * half / three,
-             T(1.5) * inverse_c * sums.total(Sums::r_three) / three, dk * sums.total(Sums::theta_three) / three - 1 / p.theta}};
+    return {
+        {std::log(half) + log_factor + log_c / 2, T(-0.5) * inverse_c * sums.total(Sums::j_minus) / half,
+         T(0.5) * inverse_c * sums.total(Sums::r_half) / half, dk * sums.total(Sums::theta_half) / half - 1 / p.theta},
+        {std::log(three) + log_factor + T(1.5) * log_c, T(-1.5) * inverse_c * half / three,
+         T(1.5) * inverse_c * sums.total(Sums::r_three) / three,
+         dk * sums.total(Sums::theta_three) / three - 1 / p.theta}};
 }
 
 }  // namespace detail
@@ -120,19 +123,21 @@ LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
 /// K and its derivatives at the nominal pressure \p pressure [Pa], without interaction. Does not allocate.
 /// \throws domain_error as RoughContact and its at_pressure.
 template <Real T, PowerLaw Law>
-[[nodiscard]] Sensitivity<T> sensitivity(const Roughness<T>& surface, const PeakDensity<T>& peaks, const Law& law, T effective_modulus,
-                                         T pressure, CurvatureScale scale = {}) {
+[[nodiscard]] Sensitivity<T> sensitivity(const Roughness<T>& surface, const PeakDensity<T>& peaks, const Law& law,
+                                         T effective_modulus, T pressure, CurvatureScale scale = {}) {
     const RoughContact<T, Law> contact(surface, peaks, law, effective_modulus, {.curvature = scale});
     const T eta = contact.at_pressure(pressure, Quantity::pressure).eta;
     const auto j = detail::log_derivatives(peaks, eta);
     const T product = surface.rms_height * rms_curvature(surface, peaks, scale);  // sigma sigma_kappa
-    const T k = effective_modulus * law.stiffness_factor() * surface.peak_density * surface.rms_height / std::sqrt(product) *
-                std::exp(j.stiffness.log);
+    const T k = effective_modulus * law.stiffness_factor() * surface.peak_density * surface.rms_height /
+                std::sqrt(product) * std::exp(j.stiffness.log);
     const T follow = j.stiffness.eta / j.load.eta;  // d ln K / d ln p along the curve
     // d ln K/dx from d ln A/dx and d ln B/dx, the derivatives of the integrals included
     const auto at_constant_pressure = [&](T load, T stiffness) { return k * (stiffness - follow * load); };
     // sigma_kappa = 1/(R E t) depends on theta: d ln E t/dtheta = cot(theta) - 1/theta
-    const T curvature = scale == CurvatureScale::consistent ? -(std::cos(peaks.theta()) / std::sin(peaks.theta()) - 1 / peaks.theta()) : T(0);
+    const T curvature = scale == CurvatureScale::consistent
+                            ? -(std::cos(peaks.theta()) / std::sin(peaks.theta()) - 1 / peaks.theta())
+                            : T(0);
     Sensitivity<T> out;
     out.stiffness = k;
     out.pressure = k * follow / pressure;

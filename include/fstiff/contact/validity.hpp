@@ -37,7 +37,8 @@ template <Real T>
 
 /// g_rms of the surface; none for r = 0, where the slopes are of another scale than heights and curvatures.
 template <Real T>
-[[nodiscard]] std::optional<T> rms_gradient(const Roughness<T>& surface, const PeakDensity<T>& peaks, CurvatureScale scale = {}) {
+[[nodiscard]] std::optional<T> rms_gradient(const Roughness<T>& surface, const PeakDensity<T>& peaks,
+                                            CurvatureScale scale = {}) {
     if (peaks.r() == 0) return std::nullopt;
     return std::sqrt(2 * peaks.r() * surface.rms_height * rms_curvature(surface, peaks, scale));
 }

@@ -12,6 +12,8 @@
 
 #include <fstiff/core/concepts.hpp>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -29,11 +31,13 @@ public:
 
     /// Interpolates \p f, called at \p points abscissae in [a, b] (at most capacity).
     template <class F>
-    ChebyshevSeries(T a, T b, std::size_t points, const F& f) : middle_((a + b) / 2), half_((b - a) / 2), size_(points) {
+    ChebyshevSeries(T a, T b, std::size_t points, const F& f)
+        : middle_((a + b) / 2), half_((b - a) / 2), size_(points) {
         std::array<T, capacity> value;
         std::array<T, 4 * capacity> cosine;  // cos(pi m / (2 points))
         for (std::size_t m = 0; m < 4 * points; ++m)
-            cosine[m] = m == points || m == 3 * points ? T(0) : std::cos(std::numbers::pi_v<T> * T(m) / (2 * T(points)));
+            cosine[m] =
+                m == points || m == 3 * points ? T(0) : std::cos(std::numbers::pi_v<T> * T(m) / (2 * T(points)));
         for (std::size_t k = 0; k < points; ++k) value[k] = f(middle_ + half_ * cosine[2 * k + 1]);
         for (std::size_t j = 0; j < points; ++j) {
             T sum = 0;
@@ -42,11 +46,13 @@ public:
         }
     }
 
-    [[nodiscard]] T operator()(T x) const noexcept {
-        const T u = (x - middle_) / half_;
-        T next = 0, after = 0;
+    /// At \p x, a T or an Eigen array of them.
+    template <class V>
+    [[nodiscard]] V operator()(const V& x) const noexcept {
+        const V u = (x - middle_) / half_;
+        V next = u * 0, after = next;
         for (std::size_t j = size_; j-- > 1;) {
-            const T now = 2 * u * next - after + c_[j];
+            const V now = 2 * u * next - after + c_[j];
             after = next;
             next = now;
         }
@@ -86,19 +92,16 @@ public:
     std::array<T, N> node;  ///< ascending, -1 to 1
 
     /// Coefficients of s^0 ... s^(N-1).
-    void fit(const std::array<T, N>& value, T* coefficient) const {
-        for (std::size_t i = 0; i < N; ++i) {
-            T sum = 0;
-            for (std::size_t k = 0; k < N; ++k) sum += inverse_[i][k] * value[k];
-            coefficient[i] = sum;
-        }
+    void fit(const Eigen::Array<T, N, 1>& value, T* coefficient) const {
+        Eigen::Map<Eigen::Matrix<T, N, 1>>(coefficient).noalias() = inverse_ * value.matrix();
     }
 
 private:
     /// Inverse Vandermonde matrix by Lagrange's polynomials, multiplied out in long double: the condition is 2.4^N.
     LobattoPiece() {
         std::array<long double, N> x;
-        for (std::size_t k = 0; k < N; ++k) x[k] = -std::cos(std::numbers::pi_v<long double> * static_cast<long double>(k) / (N - 1));
+        for (std::size_t k = 0; k < N; ++k)
+            x[k] = -std::cos(std::numbers::pi_v<long double> * static_cast<long double>(k) / (N - 1));
         if constexpr (N % 2 == 1) x[N / 2] = 0;
         for (std::size_t k = 0; k < N; ++k) {
             std::array<long double, N> product{1};
@@ -110,12 +113,13 @@ private:
                 product[0] *= -x[m];
                 for (std::size_t i = 0; i <= degree; ++i) product[i] /= x[k] - x[m];
             }
-            for (std::size_t i = 0; i < N; ++i) inverse_[i][k] = static_cast<T>(product[i]);
+            for (std::size_t i = 0; i < N; ++i)
+                inverse_(static_cast<int>(i), static_cast<int>(k)) = static_cast<T>(product[i]);
             node[k] = static_cast<T>(x[k]);
         }
     }
 
-    std::array<std::array<T, N>, N> inverse_;
+    Eigen::Matrix<T, N, N> inverse_;
 };
 
 }  // namespace detail

@@ -19,12 +19,12 @@ namespace fstiff::detail {
 inline constexpr int erf_split = 2;  ///< the series serves up to here, the tail beyond
 
 template <Real T>
-Lanes<T> erf_series(const Lanes<T>& y) {
+EIGEN_ALWAYS_INLINE Lanes<T> erf_series(const Lanes<T>& y) {
     return y * polynomial(ErfTable<T>::series, multiply_add(y * Lanes<T>(T(0.5)), y, Lanes<T>(T(-1))));
 }
 
 template <Real T>
-Lanes<T> erf_tail(const Lanes<T>& y) {
+EIGEN_ALWAYS_INLINE Lanes<T> erf_tail(const Lanes<T>& y) {
     using V = Lanes<T>;
     const V bounded = min(y, V(T(16)));  // erf is 1 to the last bit of every type from 7 on
     const V ratio = (bounded - V(T(4))) / (bounded + V(T(4)));
@@ -34,7 +34,7 @@ Lanes<T> erf_tail(const Lanes<T>& y) {
 
 /// erf of eight ascending numbers of which the first is \p first and the last \p last.
 template <Real T>
-Lanes<T> erf_ascending(const Lanes<T>& y, T first, T last) {
+EIGEN_ALWAYS_INLINE Lanes<T> erf_ascending(const Lanes<T>& y, T first, T last) {
     using V = Lanes<T>;
     if (first >= T(8)) return V(T(1));
     if (last <= T(erf_split)) return erf_series(y);

@@ -13,7 +13,7 @@
 /// Reference   NIST Digital Library of Mathematical Functions, 12.5.1.
 /// Units       dimensionless
 /// Valid       a in {-1/2, 0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double)
-/// Accuracy    16 epsilon relative, 40 for a = 5/2 (least where x is just below 0); 1 epsilon is typical
+/// Accuracy    16 epsilon relative, 80 for a = 5/2 (the worst where x is just below 0); 1 epsilon is typical
 ///             (tests/math/gaussian_moment_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -102,9 +102,8 @@ template <Real T>
 [[nodiscard]] T gaussian_moment(T a, T x) {
     require(!std::isnan(x), "x", x, "a number");
     x = std::clamp(x, -std::numeric_limits<T>::max(), std::numeric_limits<T>::max());
-    return detail::with_power(a, [x]<int TwiceA>() {
-        return detail::scaled_moment<TwiceA>(x) * (x > 0 ? detail::gaussian(x) : T(1));
-    });
+    return detail::with_power(
+        a, [x]<int TwiceA>() { return detail::scaled_moment<TwiceA>(x) * (x > 0 ? detail::gaussian(x) : T(1)); });
 }
 
 }  // namespace fstiff

@@ -59,28 +59,57 @@ EIGEN_ALWAYS_INLINE Lanes<T> make_lanes(const F& packet, std::index_sequence<I..
 }
 
 // clang-format off: one line of Eigen's packet mathematics each
-#define FSTIFF_LANES(expression)                                                                    \
-    make_lanes<T>([&](std::size_t i) __attribute__((always_inline)) {                               \
-        using namespace Eigen::internal;                                                            \
-        return expression;                                                                          \
-    }, std::make_index_sequence<Lanes<T>::packets>{})
+#define FSTIFF_LANES(expression)                            \
+    make_lanes<T>(                                          \
+        [&](std::size_t i) __attribute__((always_inline)) { \
+            using namespace Eigen::internal;                \
+            return expression;                              \
+        },                                                  \
+        std::make_index_sequence<Lanes<T>::packets>{})
 
-template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> operator+(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(padd(a.p[i], b.p[i])); }
-template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> operator-(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(psub(a.p[i], b.p[i])); }
-template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> operator*(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(pmul(a.p[i], b.p[i])); }
-template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> operator/(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(pdiv(a.p[i], b.p[i])); }
-template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> min(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(pmin(a.p[i], b.p[i])); }
-template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> max(const Lanes<T>& a, const Lanes<T>& b) { return FSTIFF_LANES(pmax(a.p[i], b.p[i])); }
-template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> exp(const Lanes<T>& a) { return FSTIFF_LANES(pexp(a.p[i])); }
-template <Real T> EIGEN_ALWAYS_INLINE Lanes<T> sqrt(const Lanes<T>& a) { return FSTIFF_LANES(psqrt(a.p[i])); }
+template <Real T>
+EIGEN_ALWAYS_INLINE Lanes<T> operator+(const Lanes<T>& a, const Lanes<T>& b) {
+    return FSTIFF_LANES(padd(a.p[i], b.p[i]));
+}
+template <Real T>
+EIGEN_ALWAYS_INLINE Lanes<T> operator-(const Lanes<T>& a, const Lanes<T>& b) {
+    return FSTIFF_LANES(psub(a.p[i], b.p[i]));
+}
+template <Real T>
+EIGEN_ALWAYS_INLINE Lanes<T> operator*(const Lanes<T>& a, const Lanes<T>& b) {
+    return FSTIFF_LANES(pmul(a.p[i], b.p[i]));
+}
+template <Real T>
+EIGEN_ALWAYS_INLINE Lanes<T> operator/(const Lanes<T>& a, const Lanes<T>& b) {
+    return FSTIFF_LANES(pdiv(a.p[i], b.p[i]));
+}
+template <Real T>
+EIGEN_ALWAYS_INLINE Lanes<T> min(const Lanes<T>& a, const Lanes<T>& b) {
+    return FSTIFF_LANES(pmin(a.p[i], b.p[i]));
+}
+template <Real T>
+EIGEN_ALWAYS_INLINE Lanes<T> max(const Lanes<T>& a, const Lanes<T>& b) {
+    return FSTIFF_LANES(pmax(a.p[i], b.p[i]));
+}
+template <Real T>
+EIGEN_ALWAYS_INLINE Lanes<T> exp(const Lanes<T>& a) {
+    return FSTIFF_LANES(pexp(a.p[i]));
+}
+template <Real T>
+EIGEN_ALWAYS_INLINE Lanes<T> sqrt(const Lanes<T>& a) {
+    return FSTIFF_LANES(psqrt(a.p[i]));
+}
 
 /// a b + c
 template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> multiply_add(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& c) { return FSTIFF_LANES(pmadd(a.p[i], b.p[i], c.p[i])); }
+EIGEN_ALWAYS_INLINE Lanes<T> multiply_add(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& c) {
+    return FSTIFF_LANES(pmadd(a.p[i], b.p[i], c.p[i]));
+}
 
 /// Where a < b: \p yes, elsewhere \p no.
 template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> select_less(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& yes, const Lanes<T>& no) {
+EIGEN_ALWAYS_INLINE Lanes<T> select_less(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& yes,
+                                         const Lanes<T>& no) {
     return FSTIFF_LANES(pselect(pcmp_lt(a.p[i], b.p[i]), yes.p[i], no.p[i]));
 }
 
@@ -93,15 +122,21 @@ EIGEN_ALWAYS_INLINE T multiply_add(T a, T b, T c) {
     return a * b + c;
 }
 
-/// c[0] + c[1] u + c[2] u^2 + ..., by Horner's rule; V is T or Lanes<T>.
+/// c[0] + c[1] u + c[2] u^2 + ...; V is T or Lanes<T>. Two interleaved Horner rules in u^2, for even and odd powers: one alone
+/// waits for each multiplication, and several of them fill more of the processor's queue than it has.
 template <class V, Real T, std::size_t N>
 EIGEN_ALWAYS_INLINE V polynomial(const std::array<T, N>& c, const V& u) {
-    V sum = V(c[N - 1]);
-    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-        ((sum = multiply_add(sum, u, V(c[N - 2 - I]))), ...);
+    if constexpr (N < 3) {
+        return N == 1 ? V(c[0]) : multiply_add(u, V(c[N - 1]), V(c[0]));
+    } else {
+        const V square = u * u;
+        V high = V(c[N - 1]), low = V(c[N - 2]);  // of the powers of the parity of N-1, and of the others
+        [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+            (((I % 2 == 0 ? high : low) = multiply_add(I % 2 == 0 ? high : low, square, V(c[N - 3 - I]))), ...);
+        }
+        (std::make_index_sequence<N - 2>{});
+        return N % 2 == 0 ? multiply_add(high, u, low) : multiply_add(low, u, high);
     }
-    (std::make_index_sequence<N - 1>{});
-    return sum;
 }
 
 }  // namespace fstiff::detail

@@ -46,7 +46,8 @@ Values box_scalar(const Problem& p, const Which& which) {
         over_c[j] = (p.eta + excess[j]) / c;
         const double root = std::sqrt(excess[j]);
         const double w = rule.weight[j] * height / 2;
-        for (const std::size_t q : which) in_excess[q][j] = w * (q == 0 ? 1 : q == 1 ? excess[j] * root : q == 2 ? root : excess[j]);
+        for (const std::size_t q : which)
+            in_excess[q][j] = w * (q == 0 ? 1 : q == 1 ? excess[j] * root : q == 2 ? root : excess[j]);
     }
     Values out{{}, no_estimate, static_cast<long>(paper_points * paper_points)};
     for (std::size_t i = 0; i < paper_points; ++i) {
@@ -59,7 +60,8 @@ Values box_scalar(const Problem& p, const Which& which) {
             for (const std::size_t q : which) row[q] += in_excess[q][j] * g;
         }
         const double common = rule.weight[i] * box_t / 2 * std::erf(k * t) * std::exp(-t * t / 2) / (2 * p.theta * c);
-        for (const std::size_t q : which) out.value[q] += common * row[q] * (q == 0 ? 1 : q == 3 ? 1 / t : 1 / std::sqrt(t));
+        for (const std::size_t q : which)
+            out.value[q] += common * row[q] * (q == 0 ? 1 : q == 3 ? 1 / t : 1 / std::sqrt(t));
     }
     return out;
 }
@@ -110,7 +112,8 @@ Values box_eigen(const Problem& p) {
         }
     }
     const double factor = 1 / (2 * p.theta * c);
-    return {{factor * sum[0].sum(), factor * sum[1].sum(), factor * sum[2].sum(), factor * sum[3].sum()}, no_estimate,
+    return {{factor * sum[0].sum(), factor * sum[1].sum(), factor * sum[2].sum(), factor * sum[3].sum()},
+            no_estimate,
             static_cast<long>(paper_points * paper_points)};
 }
 
@@ -156,7 +159,8 @@ Values tuned(const Problem& p, double depth, double column_depth) {
         const Eight argument = window.k * t;
         Eight erf;
         fstiff::detail::erf_ascending(V::load(argument.data()), argument[0], argument[7]).store(erf.data());
-        const Eight at_half = nodes<NS>.weight[i] * width * erf * (0.5 * (window.floor * window.floor - t * t - ahead * ahead)).exp();
+        const Eight at_half =
+            nodes<NS>.weight[i] * width * erf * (0.5 * (window.floor * window.floor - t * t - ahead * ahead)).exp();
         const Eight at_0 = at_half * s, at_1 = at_half / s, shift = 0.5 * behind * behind;
         for (Eigen::Index lane = 0; lane < 8 && 8 * i + static_cast<std::size_t>(lane) < NS; ++lane) {
             const auto fill = [&]<std::size_t N>() {
@@ -179,7 +183,8 @@ Values tuned(const Problem& p, double depth, double column_depth) {
     }
     const double factor = s_width * 2 / p.theta * std::exp(-0.5 * window.floor * window.floor);
     const double root_c = std::sqrt(window.c);
-    return {{factor * sum[0].sum(), factor * sum[1].sum() * window.c * root_c, factor * sum[2].sum() * root_c, factor * sum[3].sum() * window.c},
+    return {{factor * sum[0].sum(), factor * sum[1].sum() * window.c * root_c, factor * sum[2].sum() * root_c,
+             factor * sum[3].sum() * window.c},
             no_estimate,
             evaluations};
 }
@@ -187,14 +192,17 @@ Values tuned(const Problem& p, double depth, double column_depth) {
 /// As many nodes as the problem needs for 1e-12 on the plain grid, in both directions.
 Values tuned_to_problem(const Problem& p) {
     constexpr double depth = 31.6, column_depth = 31.1;
-    const bool far = p.r * p.r * p.eta * p.eta > 1.3 * (1 - p.r * p.r) && p.eta > 0;  // the Gaussian stands clear of t = 0
+    const bool far =
+        p.r * p.r * p.eta * p.eta > 1.3 * (1 - p.r * p.r) && p.eta > 0;  // the Gaussian stands clear of t = 0
     return far ? tuned<40, 0>(p, depth, column_depth) : tuned<32, 0>(p, depth, column_depth);
 }
 
 const Rows rows([] {
     const std::string points = "50x50";
-    row("gauss_legendre-scalar", "stiffness", plain, points, one, 1e-4, [](const Problem& p) { return box_scalar(p, one); });
-    row("gauss_legendre-scalar", "four", plain, points, four, 1e-4, [](const Problem& p) { return box_scalar(p, four); });
+    row("gauss_legendre-scalar", "stiffness", plain, points, one, 1e-4,
+        [](const Problem& p) { return box_scalar(p, one); });
+    row("gauss_legendre-scalar", "four", plain, points, four, 1e-4,
+        [](const Problem& p) { return box_scalar(p, four); });
     row("gauss_legendre-eigen", "stiffness", plain, points, one, 1e-4, box_eigen<false>);
     row("gauss_legendre-eigen", "four", plain, points, four, 1e-4, box_eigen<true>);
     // the fewest nodes that meet the tolerance on the plain grid, and the depths that leave the least error with them: by search

@@ -28,7 +28,8 @@ Values nested(const Problem& p, const Which& which, const Setting& with) {
             const double power = b == 0 ? 1 : b == -0.5 ? 1 / std::sqrt(t) : 1 / t;
             const double weight = std::erf(window.k * t) * power;
             // far out the inner integral is 0, which its relative tolerance cannot meet
-            return window.exponent(t, std::max(x, 0.0), 0) < -80 ? 0.0 : weight * inner.integrate(integrand, with.inner);
+            return window.exponent(t, std::max(x, 0.0), 0) < -80 ? 0.0
+                                                                 : weight * inner.integrate(integrand, with.inner);
         };
         try {
             out.value[q] = outer.integrate(row, with.outer) * window.factor(a) / 4;
@@ -40,8 +41,10 @@ Values nested(const Problem& p, const Which& which, const Setting& with) {
 }
 
 const Rows rows([] {
-    for (const Setting& with : {Setting{1e-3, 0, 1e-3, 1e-4}, {1e-6, 0, 1e-4, 1e-5}, {1e-9, 0, 1e-7, 1e-8}, {1e-12, 0, 1e-9, 1e-10}})
-        row("boost-exp_sinh", "four", plain, text_of(with.tolerance), four, with.tolerance, [=](const Problem& p) { return nested(p, four, with); });
+    for (const Setting& with :
+         {Setting{1e-3, 0, 1e-3, 1e-4}, {1e-6, 0, 1e-4, 1e-5}, {1e-9, 0, 1e-7, 1e-8}, {1e-12, 0, 1e-9, 1e-10}})
+        row("boost-exp_sinh", "four", plain, text_of(with.tolerance), four, with.tolerance,
+            [=](const Problem& p) { return nested(p, four, with); });
 });
 
 }  // namespace

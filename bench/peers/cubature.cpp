@@ -37,16 +37,21 @@ Values adaptive(const Problem& p, const Setting& with) {
     Call call{Window(p, with.depth, with.depth), 0};
     const double from[] = {0, 0}, to[] = {1, 1};
     double value[4], error[4];
-    const int failed = pcubature_v(4, integrand, &call, 2, from, to, 1000000, 0, with.outer, ERROR_INDIVIDUAL, value, error);
+    const int failed =
+        pcubature_v(4, integrand, &call, 2, from, to, 1000000, 0, with.outer, ERROR_INDIVIDUAL, value, error);
     Values out{{}, no_estimate, call.evaluations};
     for (std::size_t q = 0; q < 4; ++q)
-        out.value[q] = failed != 0 ? std::numeric_limits<double>::quiet_NaN() : value[q] * call.window.factor(powers[q][0]) * (call.window.s_to - call.window.s_from);
+        out.value[q] = failed != 0
+                           ? std::numeric_limits<double>::quiet_NaN()
+                           : value[q] * call.window.factor(powers[q][0]) * (call.window.s_to - call.window.s_from);
     return out;
 }
 
 const Rows rows([] {
-    for (const Setting& with : {Setting{1e-3, 10, 1e-2, 0}, {1e-6, 32, 1e-3, 0}, {1e-9, 26, 1e-5, 0}, {1e-12, 32, 1e-7, 0}})
-        row("cubature", "four", plain, text_of(with.tolerance), four, with.tolerance, [=](const Problem& p) { return adaptive(p, with); });
+    for (const Setting& with :
+         {Setting{1e-3, 10, 1e-2, 0}, {1e-6, 32, 1e-3, 0}, {1e-9, 26, 1e-5, 0}, {1e-12, 32, 1e-7, 0}})
+        row("cubature", "four", plain, text_of(with.tolerance), four, with.tolerance,
+            [=](const Problem& p) { return adaptive(p, with); });
 });
 
 }  // namespace

@@ -31,10 +31,13 @@ double moment(double a, double x) {
         }
         return root_2pi * (a == 0.5 ? std::sqrt(-x) : -x * std::sqrt(-x)) * sum;
     }
-    const double half_gamma = a == 0.5 ? 1.22541670246517765 : 0.906402477055477078;  // Gamma((a+1)/2): Gamma(3/4), Gamma(5/4)
-    const double next_gamma = a == 0.5 ? 0.906402477055477078 : 0.919062526848883234;  // Gamma((a+2)/2): Gamma(5/4), Gamma(7/4)
+    const double half_gamma =
+        a == 0.5 ? 1.22541670246517765 : 0.906402477055477078;  // Gamma((a+1)/2): Gamma(3/4), Gamma(5/4)
+    const double next_gamma =
+        a == 0.5 ? 0.906402477055477078 : 0.919062526848883234;  // Gamma((a+2)/2): Gamma(5/4), Gamma(7/4)
     return gamma * std::exp2(-(a + 1) / 2) * std::exp(-z) * std::sqrt(std::numbers::pi) *
-           (gsl_sf_hyperg_1F1((a + 1) / 2, 0.5, z) / next_gamma - std::numbers::sqrt2 * x / half_gamma * gsl_sf_hyperg_1F1((a + 2) / 2, 1.5, z));
+           (gsl_sf_hyperg_1F1((a + 1) / 2, 0.5, z) / next_gamma -
+            std::numbers::sqrt2 * x / half_gamma * gsl_sf_hyperg_1F1((a + 2) / 2, 1.5, z));
 }
 
 /// Frees what GSL allocates.
@@ -60,7 +63,8 @@ double in_one(double s, void* data) {
     const Window& w = call.window;
     const double t = s * s, x = w.x(t);
     const double ahead = std::max(x, 0.0);
-    return power_of_s(s, call.b) * std::erf(w.k * t) * std::exp((w.floor * w.floor - t * t - ahead * ahead) / 2) * moment(call.a, x);
+    return power_of_s(s, call.b) * std::erf(w.k * t) * std::exp((w.floor * w.floor - t * t - ahead * ahead) / 2) *
+           moment(call.a, x);
 }
 
 double in_two(double u, void* data) {
@@ -83,7 +87,8 @@ struct Qag {
 
 /// GSL's doubly-adaptive rule.
 struct Cquad {
-    Owned<gsl_integration_cquad_workspace, gsl_integration_cquad_workspace_free> workspace{gsl_integration_cquad_workspace_alloc(200)};
+    Owned<gsl_integration_cquad_workspace, gsl_integration_cquad_workspace_free> workspace{
+        gsl_integration_cquad_workspace_alloc(200)};
     double operator()(gsl_function f, double from, double to, double tolerance) const {
         double value = 0;
         gsl_integration_cquad(&f, from, to, 0, tolerance, workspace.pointer, &value, nullptr, nullptr);
@@ -104,12 +109,14 @@ double row_of(double s, void* data) {
     call.t = s * s;
     if (s == 0 && call.b == -1) return 0;  // erf(k s^2)/s
     const auto row = call.window.row(call.window.x(call.t));
-    return power_of_s(s, call.b) * std::erf(call.window.k * call.t) * rule<Rule, 1>()({in_two, data}, row.from, row.to, call.row_tolerance);
+    return power_of_s(s, call.b) * std::erf(call.window.k * call.t) *
+           rule<Rule, 1>()({in_two, data}, row.from, row.to, call.row_tolerance);
 }
 
 /// int \p integrand ds for each of \p which; \p half is the factor that in_one leaves out and the sum over w does not.
 template <class Rule>
-Values integrate(const Problem& p, const Which& which, const Setting& with, double (*integrand)(double, void*), double half) {
+Values integrate(const Problem& p, const Which& which, const Setting& with, double (*integrand)(double, void*),
+                 double half) {
     gsl_set_error_handler_off();  // an error estimate above the tolerance is no reason to stop: the truth decides
     Values out{{}, no_estimate, 0};
     for (const std::size_t q : which) {
@@ -120,25 +127,35 @@ Values integrate(const Problem& p, const Which& which, const Setting& with, doub
     }
     return out;
 }
-Values one_dimension(const Problem& p, const Which& which, const Setting& with) { return integrate<Qag>(p, which, with, in_one, 0.5); }
+Values one_dimension(const Problem& p, const Which& which, const Setting& with) {
+    return integrate<Qag>(p, which, with, in_one, 0.5);
+}
 template <class Rule>
 Values nested(const Problem& p, const Which& which, const Setting& with) {
     return integrate<Rule>(p, which, with, row_of<Rule>, 1);
 }
 
 const Rows rows([] {
-    for (const Setting& with : {Setting{1e-3, 10, 1e-1, 0}, {1e-6, 18, 1e-1, 0}, {1e-9, 30, 1e-4, 0}, {1e-12, 32, 1e-5, 0}}) {
+    for (const Setting& with :
+         {Setting{1e-3, 10, 1e-1, 0}, {1e-6, 18, 1e-1, 0}, {1e-9, 30, 1e-4, 0}, {1e-12, 32, 1e-5, 0}}) {
         const auto add = [&](const char* what, const Which& which) {
-            row("gsl-1d", what, plain, text_of(with.tolerance), which, with.tolerance, [=](const Problem& p) { return one_dimension(p, which, with); });
+            row("gsl-1d", what, plain, text_of(with.tolerance), which, with.tolerance,
+                [=](const Problem& p) { return one_dimension(p, which, with); });
         };
         add("four", four);
         add("stiffness", one);
     }
-    for (const Setting& with : {Setting{1e-3, 10, 1e-2, 1e-2}, {1e-6, 17, 1e-5, 1e-5}, {1e-9, 26, 3e-9, 3e-9}, {1e-12, 32, 2e-11, 2e-11}})
-        row("gsl-nested_cquad", "four", plain, text_of(with.tolerance), four, with.tolerance, [=](const Problem& p) { return nested<Cquad>(p, four, with); });
-    for (const Setting& with : {Setting{1e-3, 10, 1e-1, 1e-1}, {1e-6, 18, 1e-1, 1e-1}, {1e-9, 30, 1e-4, 1e-4}, {1e-12, 32, 1e-6, 1e-7}})
-        row("gsl-nested_qag", "four", plain, text_of(with.tolerance), four, with.tolerance, [=](const Problem& p) { return nested<Qag>(p, four, with); });
-    row("gsl-1d", "four", hard, text_of(1e-12), four, 1e-12, [](const Problem& p) { return one_dimension(p, four, {1e-12, 36, 1e-12, 0}); });
+    for (const Setting& with :
+         {Setting{1e-3, 10, 1e-2, 1e-2}, {1e-6, 17, 1e-5, 1e-5}, {1e-9, 26, 3e-9, 3e-9}, {1e-12, 32, 2e-11, 2e-11}})
+        row("gsl-nested_cquad", "four", plain, text_of(with.tolerance), four, with.tolerance,
+            [=](const Problem& p) { return nested<Cquad>(p, four, with); });
+    for (const Setting& with :
+         {Setting{1e-3, 10, 1e-1, 1e-1}, {1e-6, 18, 1e-1, 1e-1}, {1e-9, 30, 1e-4, 1e-4}, {1e-12, 32, 1e-6, 1e-7}})
+        row("gsl-nested_qag", "four", plain, text_of(with.tolerance), four, with.tolerance,
+            [=](const Problem& p) { return nested<Qag>(p, four, with); });
+    row("gsl-1d", "four", hard, text_of(1e-12), four, 1e-12, [](const Problem& p) {
+        return one_dimension(p, four, {1e-12, 36, 1e-12, 0});
+    });
 });
 
 }  // namespace

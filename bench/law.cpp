@@ -45,32 +45,46 @@ const Rows rows([] {
 
     verified_row(
         "law/stiffness_of_pressure/scalar", law_bound,
-        [=] { return law_accuracy(0, [&](const LawPoint& at) { return law().stiffness(at.pressure); }, true_stiffness); },
+        [=] {
+            return law_accuracy(
+                0, [&](const LawPoint& at) { return law().stiffness(at.pressure); }, true_stiffness);
+        },
         [=](benchmark::State& state) {
-            time_elements(state, size(), [&l = law(), &points = law_points()](std::size_t i) { return l.stiffness(points[i].pressure); });
+            time_elements(state, size(), [&l = law(), &points = law_points()](std::size_t i) {
+                return l.stiffness(points[i].pressure);
+            });
         });
     // the next pressure waits for this stiffness: latency, as in a Newton iteration
     verified_row(
         "law/stiffness_of_pressure/chained", law_bound,
-        [=] { return law_accuracy(0, [&](const LawPoint& at) { return law().stiffness(at.pressure); }, true_stiffness); },
+        [=] {
+            return law_accuracy(
+                0, [&](const LawPoint& at) { return law().stiffness(at.pressure); }, true_stiffness);
+        },
         [=](benchmark::State& state) {
             const double tiny = 1e-300;
             double last = 0;
-            time_elements(state, size(), [&, &l = law(), &points = law_points()](std::size_t i) { return last = l.stiffness(points[i].pressure + tiny * last); });
+            time_elements(state, size(), [&, &l = law(), &points = law_points()](std::size_t i) {
+                return last = l.stiffness(points[i].pressure + tiny * last);
+            });
         });
     const auto gap_accuracy = [=] {
-        return worse(law_accuracy(0, [&](const LawPoint& at) { return law().at_gap(at.separation).pressure; }, true_pressure),
-                     law_accuracy(0, [&](const LawPoint& at) { return law().at_gap(at.separation).stiffness; }, true_stiffness));
+        return worse(law_accuracy(
+                         0, [&](const LawPoint& at) { return law().at_gap(at.separation).pressure; }, true_pressure),
+                     law_accuracy(
+                         0, [&](const LawPoint& at) { return law().at_gap(at.separation).stiffness; }, true_stiffness));
     };
     verified_row("law/pressure_and_stiffness_of_gap/scalar", law_bound, gap_accuracy, [=](benchmark::State& state) {
-        time_elements(state, size(), [&l = law(), &points = law_points()](std::size_t i) { return l.at_gap(points[i].separation); });
+        time_elements(state, size(),
+                      [&l = law(), &points = law_points()](std::size_t i) { return l.at_gap(points[i].separation); });
     });
     verified_row(
         "law/stiffness_of_pressure/batch", law_bound,
         [=] {
             Gaps g;
             law().stiffness(g.pressure, g.stiffness);
-            return law_accuracy(0, [&](const LawPoint& at) { return g.stiffness[&at - law_points().data()]; }, true_stiffness);
+            return law_accuracy(
+                0, [&](const LawPoint& at) { return g.stiffness[&at - law_points().data()]; }, true_stiffness);
         },
         [=](benchmark::State& state) {
             Gaps g;
@@ -86,8 +100,10 @@ const Rows rows([] {
             Gaps g;
             law().at_gap(g.separation, g.pressure_out, g.stiffness);
             const auto index = [](const LawPoint& at) { return &at - law_points().data(); };
-            return worse(law_accuracy(0, [&](const LawPoint& at) { return g.pressure_out[index(at)]; }, true_pressure),
-                         law_accuracy(0, [&](const LawPoint& at) { return g.stiffness[index(at)]; }, true_stiffness));
+            return worse(law_accuracy(
+                             0, [&](const LawPoint& at) { return g.pressure_out[index(at)]; }, true_pressure),
+                         law_accuracy(
+                             0, [&](const LawPoint& at) { return g.stiffness[index(at)]; }, true_stiffness));
         },
         [=](benchmark::State& state) {
             Gaps g;
@@ -100,11 +116,15 @@ const Rows rows([] {
         });
     verified_row(
         "law/compile", law_bound,
-        [=] { return law_accuracy(law().evaluations(), [&](const LawPoint& at) { return law().stiffness(at.pressure); }, true_stiffness); },
+        [=] {
+            return law_accuracy(
+                law().evaluations(), [&](const LawPoint& at) { return law().stiffness(at.pressure); }, true_stiffness);
+        },
         [=](benchmark::State& state) {
             const auto contact = sand_blasted_contact();
             for (auto _ : state) {
-                const auto compiled = fstiff::ContactLaw<double>::compile(contact, {.pressure_min = pressure_min, .pressure_max = pressure_max});
+                const auto compiled = fstiff::ContactLaw<double>::compile(
+                    contact, {.pressure_min = pressure_min, .pressure_max = pressure_max});
                 benchmark::DoNotOptimize(&compiled);
             }
         });
@@ -123,11 +143,16 @@ const Rows rows([] {
                 return collector.accuracy();
             },
             [=](benchmark::State& state) {
-                time_elements(state, law_points().size(), [&](std::size_t i) { return at(contact, law_points()[i], wanted); });
+                time_elements(state, law_points().size(),
+                              [&](std::size_t i) { return at(contact, law_points()[i], wanted); });
             });
     };
-    const auto at_pressure = [](const auto& c, const LawPoint& p, Quantity wanted) { return c.at_pressure(p.pressure, wanted); };
-    const auto at_separation = [](const auto& c, const LawPoint& p, Quantity wanted) { return c.at_separation(p.separation, wanted); };
+    const auto at_pressure = [](const auto& c, const LawPoint& p, Quantity wanted) {
+        return c.at_pressure(p.pressure, wanted);
+    };
+    const auto at_separation = [](const auto& c, const LawPoint& p, Quantity wanted) {
+        return c.at_separation(p.separation, wanted);
+    };
     contact_row("contact/at_pressure/stiffness", Quantity::stiffness, at_pressure);
     contact_row("contact/at_pressure/all", Quantity::all, at_pressure);
     contact_row("contact/at_separation/stiffness", Quantity::stiffness, at_separation);

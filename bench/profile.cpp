@@ -13,7 +13,8 @@ constexpr fstiff::Fractal<double> fractal{1.5, 1e-9};
 constexpr double longest = 1e-3, shortest = 1e-7, ratio = 1.5;
 
 fstiff::WeierstrassMandelbrot<double> waves(fstiff::Phases phases) {
-    return {fractal, {.longest_wavelength = longest, .shortest_wavelength = shortest, .gamma = ratio, .phases = phases}};
+    return {fractal,
+            {.longest_wavelength = longest, .shortest_wavelength = shortest, .gamma = ratio, .phases = phases}};
 }
 
 /// z(x) by (2.1) with zero phases, in long double, over the root of the variance.
@@ -26,8 +27,11 @@ Accuracy generation_accuracy(std::size_t points, double spacing) {
         const long double x = static_cast<long double>(i) * spacing;
         long double truth = 0;
         for (std::size_t j = 0; j < profile.terms(); ++j) {
-            const long double wavelength = longest * std::pow(static_cast<long double>(ratio), -static_cast<long double>(j));
-            const long double amplitude = std::pow(static_cast<long double>(fractal.roughness), fractal.dimension - 1.0L) * std::pow(wavelength, 2.0L - fractal.dimension);
+            const long double wavelength =
+                longest * std::pow(static_cast<long double>(ratio), -static_cast<long double>(j));
+            const long double amplitude =
+                std::pow(static_cast<long double>(fractal.roughness), fractal.dimension - 1.0L) *
+                std::pow(wavelength, 2.0L - fractal.dimension);
             truth += amplitude * std::cos(2 * std::numbers::pi_v<long double> * std::fmod(x / wavelength, 1.0L));
         }
         collector.add(1 + static_cast<double>((heights[i] - truth) / rms), 1);
@@ -37,7 +41,8 @@ Accuracy generation_accuracy(std::size_t points, double spacing) {
 }
 
 const fstiff::Profile<double>& long_profile() {
-    static const fstiff::Profile<double> profile{waves(fstiff::Phases::random).sample(100000, shortest / 2), shortest / 2};
+    static const fstiff::Profile<double> profile{waves(fstiff::Phases::random).sample(100000, shortest / 2),
+                                                 shortest / 2};
     return profile;
 }
 

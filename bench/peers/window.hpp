@@ -10,8 +10,8 @@ namespace bench {
 
 struct Window {
     double r, theta, eta, c, k;
-    double floor;      ///< exp(-floor^2/2) is the size of J
-    double depth;      ///< exp(-depth) may be neglected in a row
+    double floor;  ///< exp(-floor^2/2) is the size of J
+    double depth;  ///< exp(-depth) may be neglected in a row
     double s_from, s_to;
 
     Window(const Problem& p, double depth_of_rows, double depth_of_columns)

@@ -42,7 +42,8 @@ Row integrals_row(const std::string& name, const std::vector<Problem>& set, cons
     const long allocations = allocations_of([&] {
         for (const Problem& problem : set) static_cast<void>(method(problem));
     });
-    return {name, std::round(found.evaluations * static_cast<double>(set.size())), found.largest, found.beyond_estimate, allocations};
+    return {name, std::round(found.evaluations * static_cast<double>(set.size())), found.largest, found.beyond_estimate,
+            allocations};
 }
 
 /// \p call(point) returns {value, truth, evaluations}.
@@ -69,8 +70,9 @@ std::vector<Row> integrals() {
     for (const char* grid : {plain, hard})
         for (const double tolerance : tolerances) {
             const auto add = [&](const char* what, const Which& which, auto method) {
-                out.push_back(integrals_row(std::string("integrals/fstiff/") + what + "/" + grid + "/" + text_of(tolerance), problems(grid), which,
-                                            [&](const Problem& p) { return method(p, tolerance); }));
+                out.push_back(
+                    integrals_row(std::string("integrals/fstiff/") + what + "/" + grid + "/" + text_of(tolerance),
+                                  problems(grid), which, [&](const Problem& p) { return method(p, tolerance); }));
             };
             add("four", four, reduced<Quantity::all>);
             add("stiffness_load", two, reduced<Quantity::stiffness | Quantity::pressure>);
@@ -79,11 +81,16 @@ std::vector<Row> integrals() {
     for (const double tolerance : {1e-3, 1e-12})
         out.push_back(integrals_row("integrals/fstiff-tensor/four/plain/" + text_of(tolerance), problems(plain), four,
                                     [&](const Problem& p) { return tensor(p, four, tolerance); }));
-    out.push_back(integrals_row("integrals/fstiff-paper/stiffness/plain/50x50", problems(plain), one, [](const Problem& p) { return paper(p, one); }));
+    out.push_back(integrals_row("integrals/fstiff-paper/stiffness/plain/50x50", problems(plain), one,
+                                [](const Problem& p) { return paper(p, one); }));
     out.push_back(integrals_row("kernel/gradual_yield/1e-12", law_problems<GradualYield>(), load,
                                 [](const Problem& p) { return kernel<fstiff::Axis::even, GradualYield>(p, 1e-12); }));
-    out.push_back(integrals_row("kernel/elastic_plastic/1e-03", law_problems<ElasticPlastic>(), load,
-                                [](const Problem& p) { return kernel<fstiff::Axis::graded, ElasticPlastic>(p, 1e-3); }));
+    for (const double tolerance : {1e-3, 1e-9})
+        out.push_back(integrals_row(
+            "kernel/elastic_plastic/" + text_of(tolerance), law_problems<ElasticPlastic>(), load,
+            [&](const Problem& p) { return kernel<fstiff::Axis::graded, ElasticPlastic>(p, tolerance); }));
+    out.push_back(integrals_row("kernel/elastic_plastic_untold/1e-03", law_problems<ElasticPlastic>(), load,
+                                [](const Problem& p) { return kernel<fstiff::Axis::rough, ElasticPlastic>(p, 1e-3); }));
     return out;
 }
 
@@ -100,10 +107,13 @@ std::vector<Row> laws() {
     }));
 
     const auto law = compiled_law();
-    out.push_back(law_row("law/stiffness_of_pressure/scalar", [&](const LawPoint& p) { return Checked{law.stiffness(p.pressure), p.stiffness, 0}; }));
+    out.push_back(law_row("law/stiffness_of_pressure/scalar", [&](const LawPoint& p) {
+        return Checked{law.stiffness(p.pressure), p.stiffness, 0};
+    }));
     out.push_back(law_row("law/pressure_and_stiffness_of_gap/scalar", [&](const LawPoint& p) {
         const auto at = law.at_gap(p.separation);
-        const bool load_is_worse = test::relative_error(at.pressure, p.pressure) > test::relative_error(at.stiffness, p.stiffness);
+        const bool load_is_worse =
+            test::relative_error(at.pressure, p.pressure) > test::relative_error(at.stiffness, p.stiffness);
         return load_is_worse ? Checked{at.pressure, p.pressure, 0} : Checked{at.stiffness, p.stiffness, 0};
     }));
     Eigen::ArrayXd in(static_cast<Eigen::Index>(law_points().size())), gaps = in, pressures = in, stiffnesses = in;
@@ -112,14 +122,19 @@ std::vector<Row> laws() {
         gaps[i] = law_points()[static_cast<std::size_t>(i)].separation;
     }
     law.stiffness(in, stiffnesses);
-    Row batch = law_row("law/stiffness_of_pressure/batch", [&](const LawPoint& p) { return Checked{stiffnesses[&p - law_points().data()], p.stiffness, 0}; });
+    Row batch = law_row("law/stiffness_of_pressure/batch", [&](const LawPoint& p) {
+        return Checked{stiffnesses[&p - law_points().data()], p.stiffness, 0};
+    });
     batch.allocations = allocations_of([&] { law.stiffness(in, stiffnesses); });
     out.push_back(batch);
     law.at_gap(gaps, pressures, stiffnesses);
-    batch = law_row("law/pressure_and_stiffness_of_gap/batch", [&](const LawPoint& p) { return Checked{stiffnesses[&p - law_points().data()], p.stiffness, 0}; });
+    batch = law_row("law/pressure_and_stiffness_of_gap/batch", [&](const LawPoint& p) {
+        return Checked{stiffnesses[&p - law_points().data()], p.stiffness, 0};
+    });
     batch.allocations = allocations_of([&] { law.at_gap(gaps, pressures, stiffnesses); });
     out.push_back(batch);
-    out.push_back({"law/compile", static_cast<double>(law.evaluations()), law.relative_error(), 0, allocations_of([] { static_cast<void>(compiled_law()); })});
+    out.push_back({"law/compile", static_cast<double>(law.evaluations()), law.relative_error(), 0,
+                   allocations_of([] { static_cast<void>(compiled_law()); })});
     return out;
 }
 
@@ -130,7 +145,8 @@ int renew(const std::string& path, const std::vector<Row>& rows) {
     file << header << '\n';
     for (const Row& row : rows) {
         char line[200];
-        std::snprintf(line, sizeof line, "%s,%.0f,%.2e,%ld,%ld\n", row.name.c_str(), row.evaluations, row.error, row.beyond_estimate, row.allocations);
+        std::snprintf(line, sizeof line, "%s,%.0f,%.2e,%ld,%ld\n", row.name.c_str(), row.evaluations, row.error,
+                      row.beyond_estimate, row.allocations);
         file << line;
     }
     file.close();
@@ -143,14 +159,16 @@ int renew(const std::string& path, const std::vector<Row>& rows) {
 std::map<std::string, Row> read(const std::string& path) {
     std::ifstream file(path);
     std::string line;
-    if (!file || !std::getline(file, line) || line != header) throw std::runtime_error(path + " is no baseline: its first line must be " + header);
+    if (!file || !std::getline(file, line) || line != header)
+        throw std::runtime_error(path + " is no baseline: its first line must be " + header);
     std::map<std::string, Row> out;
     while (std::getline(file, line)) {
         Row row;
         char comma = 0;
         std::istringstream cells(line);
         std::getline(cells, row.name, ',');
-        if (!(cells >> row.evaluations >> comma >> row.error >> comma >> row.beyond_estimate >> comma >> row.allocations))
+        if (!(cells >> row.evaluations >> comma >> row.error >> comma >> row.beyond_estimate >> comma >>
+              row.allocations))
             throw std::runtime_error(path + ": cannot read the row " + line);
         out[row.name] = row;
     }
@@ -178,19 +196,27 @@ int compare(const std::vector<Row>& rows, std::map<std::string, Row> baseline) {
         }
         const Row& then = found->second;
         if (now.evaluations > then.evaluations * 1.002)
-            fail(now.name, number(now.evaluations) + " evaluations of the integrand, the baseline has " + number(then.evaluations));
+            fail(now.name, number(now.evaluations) + " evaluations of the integrand, the baseline has " +
+                               number(then.evaluations));
         if (!(now.error <= 4 * then.error + 4 * std::numeric_limits<double>::epsilon()))
-            fail(now.name, "largest relative error " + number(now.error) + ", more than four times the " + number(then.error) + " of the baseline");
+            fail(now.name, "largest relative error " + number(now.error) + ", more than four times the " +
+                               number(then.error) + " of the baseline");
         if (now.beyond_estimate > then.beyond_estimate)
-            fail(now.name, number(static_cast<double>(now.beyond_estimate)) + " values beyond their error estimate, the baseline has " +
+            fail(now.name, number(static_cast<double>(now.beyond_estimate)) +
+                               " values beyond their error estimate, the baseline has " +
                                number(static_cast<double>(then.beyond_estimate)));
         if (now.allocations > then.allocations)
-            fail(now.name, number(static_cast<double>(now.allocations)) + " heap allocations, the baseline has " + number(static_cast<double>(then.allocations)));
-        if (now.evaluations < 0.98 * then.evaluations || now.error < then.error / 10 || now.allocations < then.allocations) ++better;
+            fail(now.name, number(static_cast<double>(now.allocations)) + " heap allocations, the baseline has " +
+                               number(static_cast<double>(then.allocations)));
+        if (now.evaluations < 0.98 * then.evaluations || now.error < then.error / 10 ||
+            now.allocations < then.allocations)
+            ++better;
         baseline.erase(found);
     }
-    for (const auto& [name, row] : baseline) fail(name, "is in the baseline and is not computed any more; renew the baseline if that is intended");
-    if (failures == 0 && better > 0) std::cout << better << " rows are better than the baseline: hold the gain with --renew\n";
+    for (const auto& [name, row] : baseline)
+        fail(name, "is in the baseline and is not computed any more; renew the baseline if that is intended");
+    if (failures == 0 && better > 0)
+        std::cout << better << " rows are better than the baseline: hold the gain with --renew\n";
     std::cout << rows.size() << " rows, " << failures << " complaints\n";
     return failures == 0 ? 0 : 1;
 }

@@ -37,7 +37,8 @@ enum class Expect {
 /// A row whose \p verify() returns an Accuracy, computed once, and whose \p body(state) is the timed loop. It is not timed
 /// when the largest error exceeds \p bound.
 template <class Verify, class Body>
-void verified_row(const std::string& name, double bound, const Verify& verify, const Body& body, Expect expect = Expect::right) {
+void verified_row(const std::string& name, double bound, const Verify& verify, const Body& body,
+                  Expect expect = Expect::right) {
     const auto kept = std::make_shared<std::optional<Accuracy>>();
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
         const bool first = !*kept;
@@ -45,9 +46,11 @@ void verified_row(const std::string& name, double bound, const Verify& verify, c
         const Accuracy& found = **kept;
         if (!(found.largest <= bound)) {
             if (first && expect == Expect::right) ++refused_rows();
-            std::ostringstream why;  // the counters of a row with an error are not written: tools/make_benchmarks.py reads this
-            why << "not timed: rel_err_max=" << found.largest << " rel_err_median=" << found.median << " evaluations=" << found.evaluations
-                << " values=" << found.values << " wrong=" << found.wrong << " bound=" << bound;
+            std::ostringstream
+                why;  // the counters of a row with an error are not written: tools/make_benchmarks.py reads this
+            why << "not timed: rel_err_max=" << found.largest << " rel_err_median=" << found.median
+                << " evaluations=" << found.evaluations << " values=" << found.values << " wrong=" << found.wrong
+                << " bound=" << bound;
             state.SkipWithError(why.str().c_str());
             return;
         }
@@ -110,7 +113,8 @@ double median_time(std::size_t size, const Call& call) {
 
 /// \p method (from Problem to Values) on the problems that \p set() returns; ns_median_problem is the median over them.
 template <class Set, class Method>
-void row_on(const Set& set, const std::string& name, const Which& which, double bound, const Method& method, Expect expect = Expect::right) {
+void row_on(const Set& set, const std::string& name, const Which& which, double bound, const Method& method,
+            Expect expect = Expect::right) {
     verified_row(
         name, bound, [=] { return accuracy(set(), which, method); },
         [=](benchmark::State& state) {
@@ -126,8 +130,8 @@ void row_on(const Set& set, const std::string& name, const Which& which, double 
 
 /// The same on a grid of tests/data. The rows are named integrals/<method>/<what>/<grid>/<setting>.
 template <class Method>
-void row(const std::string& method_name, const std::string& what, const char* grid, const std::string& setting, const Which& which, double bound,
-         const Method& method, Expect expect = Expect::right) {
+void row(const std::string& method_name, const std::string& what, const char* grid, const std::string& setting,
+         const Which& which, double bound, const Method& method, Expect expect = Expect::right) {
     const auto set = [grid]() -> const std::vector<Problem>& { return problems(grid); };
     row_on(set, "integrals/" + method_name + "/" + what + "/" + grid + "/" + setting, which, bound, method, expect);
 }
