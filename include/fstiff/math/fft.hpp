@@ -88,10 +88,14 @@ void RealFft<T>::forward(std::span<const T> data, std::vector<std::complex<T>>& 
     if (data.size() > size_)
         throw domain_error("data of a transform = " + std::to_string(data.size()) + " numbers: must be at most " +
                            std::to_string(size_));
-    padded_.assign(size_, T(0));
-    std::copy(data.begin(), data.end(), padded_.begin());
+    const T* source = data.data();
+    if (data.size() < size_) {
+        padded_.assign(size_, T(0));
+        std::copy(data.begin(), data.end(), padded_.begin());
+        source = padded_.data();
+    }
     spectrum.resize(size_ / 2 + 1);
-    fft_.fwd(spectrum.data(), padded_.data(), static_cast<Eigen::Index>(size_));
+    fft_.fwd(spectrum.data(), source, static_cast<Eigen::Index>(size_));
 }
 
 template <Real T>

@@ -40,13 +40,14 @@ template <Real T>
 
 namespace detail {
 
-/// The sums over pairs of one profile; heights are scaled, and 0 where \p present is 0.
+/// The sums over pairs of one profile; heights are scaled, and 0 where \p present is 0;
+/// an empty \p present: no point is missing.
 template <class F>
 class AllLags {
 public:
     AllLags(const std::vector<F>& heights, const std::vector<char>& present, std::size_t longest)
         : z_(heights), present_(present), size_(heights.size()), longest_(longest) {
-        whole_ = std::find(present.begin(), present.end(), char(0)) == present.end();
+        whole_ = present.empty();
         take_off_line();
         correlate();
         mend();
@@ -56,53 +57,65 @@ public:
     std::vector<std::size_t> pairs;  ///< at lag n - 1
 
 private:
+    /// A sum with its rounding errors (Knuth's two-sum), without the branch of CompensatedSum.
+    struct RunningSum {
+        F sum{}, error{};
+        void add(F term) {
+            const F next = sum + term, added = next - sum;
+            error += (sum - (next - added)) + (term - added);
+            sum = next;
+        }
+        F value() const { return sum + error; }
+    };
+
     static constexpr F wanted = F(0.8e-10);  // the rest of 1e-10 is for the rounding of the sums themselves
+
+    /// Sum of \p term over the points that exist, in short runs so that rounding does not add up.
+    template <class Term>
+    F over_points(const Term& term) const {
+        constexpr std::size_t run = 1024;
+        F all = 0;
+        for (std::size_t start = 0; start < size_; start += run) {
+            F part = 0;
+            for (std::size_t i = start; i < std::min(start + run, size_); ++i)
+                if (whole_ || present_[i]) part += term(i);
+            all += part;
+        }
+        return all;
+    }
 
     void take_off_line() {
         const F centre = static_cast<F>(size_ - 1) / 2;  // exact
-        CompensatedSum<F> count, mean, moment, square, position;
-        for (std::size_t i = 0; i < size_; ++i)
-            if (present_[i]) {
-                mean.add(z_[i]);
-                position.add(static_cast<F>(i) - centre);
-                count.add(F(1));
-            }
-        const F points = std::max(count.value(), F(1));
-        const F level = mean.value() / points, middle = position.value() / points;
-        for (std::size_t i = 0; i < size_; ++i)
-            if (present_[i]) {
-                const F u = static_cast<F>(i) - centre - middle;
-                moment.add(u * (z_[i] - level));
-                square.add(u * u);
-            }
-        slope_ = square.value() > 0 ? moment.value() / square.value() : F(0);
-        residual_.resize(size_);
+        const auto position = [&](std::size_t i) { return static_cast<F>(i) - centre; };
+        const F points = whole_ ? static_cast<F>(size_) : std::max(over_points([](std::size_t) { return F(1); }), F(1));
+        const F level = over_points([&](std::size_t i) { return z_[i]; }) / points;
+        const F middle = whole_ ? F(0) : over_points(position) / points;
+        const F square = whole_ ? points * (points * points - 1) / 12 : over_points([&](std::size_t i) {
+            return (position(i) - middle) * (position(i) - middle);
+        });
+        slope_ = square > 0
+                     ? over_points([&](std::size_t i) { return (position(i) - middle) * (z_[i] - level); }) / square
+                     : F(0);
+        residual_.resize(fast_fft_size(size_ + longest_));  // padded with zeros for the transform
         // z - level - slope u with the rounding errors of the difference and of the product
         for (std::size_t i = 0; i < size_; ++i) {
-            if (!present_[i]) {
-                residual_[i] = 0;
-                continue;
-            }
-            const F u = static_cast<F>(i) - centre;  // exact, so that differences of the line are slope times lag
+            if (!whole_ && !present_[i]) continue;
+            const F u = position(i);  // exact, so that differences of the line are slope times lag
             const F difference = z_[i] - level, back = z_[i] - difference;
             const F lost = (z_[i] - (difference + back)) + (back - level);
             const F product = slope_ * u, product_lost = std::fma(slope_, u, -product);
             residual_[i] = (difference - product) + (lost - product_lost);
         }
-        // the residual keeps a constant, slope times middle: take it off, differences do not see it
-        CompensatedSum<F> rest;
+        // the residual keeps a constant, slope times middle and what rounding left: differences do not see it
+        const F constant = over_points([&](std::size_t i) { return residual_[i]; }) / points;
         for (std::size_t i = 0; i < size_; ++i)
-            if (present_[i]) rest.add(residual_[i]);
-        const F constant = rest.value() / points;
-        for (std::size_t i = 0; i < size_; ++i)
-            if (present_[i]) residual_[i] -= constant;
+            if (whole_ || present_[i]) residual_[i] -= constant;
     }
 
     void correlate() {
         sum.resize(longest_);
         pairs.resize(longest_);
-        error_.resize(longest_);
-        RealFft<F> fft(fast_fft_size(size_ + longest_));
+        RealFft<F> fft(residual_.size());
         const std::size_t half = fft.size() / 2;
         const F scale = F(1) / static_cast<F>(fft.size());
         constexpr F epsilon = std::max(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
@@ -117,24 +130,19 @@ private:
             for (std::size_t k = 1; k <= half; ++k)
                 even[k] = even[fft.size() - k] = std::norm(spectrum[k]) * scale;
             fft.forward(even, spectrum);
-            CompensatedSum<F> total, squares_left_out, first, last;
-            for (const F r : residual_) {
-                total.add(r * r);
-            }
-            const F zero = total.value();
+            const F zero = over_points([&](std::size_t i) { return residual_[i] * residual_[i]; });
+            RunningSum left_out, edges;  // squares outside the pairs' beginnings and ends; last n less first n points
             for (std::size_t n = 1; n <= longest_; ++n) {
                 const F head = residual_[n - 1], tail = residual_[size_ - n];
-                squares_left_out.add(head * head);
-                squares_left_out.add(tail * tail);
-                first.add(head);
-                last.add(tail);
+                left_out.add(head * head + tail * tail);
+                edges.add(tail - head);
                 const F count = static_cast<F>(size_ - n), line = slope_ * static_cast<F>(n);
                 // sum of r_(i+n) - r_i = (all - first n) - (all - last n)
-                const F cross = 2 * line * (last.value() - first.value());
-                sum[n - 1] = (2 * zero - squares_left_out.value()) - 2 * spectrum[n].real() + cross + count * line * line;
+                const F cross = 2 * line * edges.value();
+                sum[n - 1] = (2 * zero - left_out.value()) - 2 * spectrum[n].real() + cross + count * line * line;
                 pairs[n - 1] = size_ - n;
-                error_[n - 1] = 2 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
-                                4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n));
+                doubt(n, 2 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
+                                4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n)));
             }
             return;
         }
@@ -168,13 +176,14 @@ private:
             sum[n - 1] = spectrum[n].real() + cross + count * line * line;
             pairs[n - 1] = count > 0 ? static_cast<std::size_t>(count) : 0;
             // twice as many correlations as above; that of mask and heights is at most sqrt(points times squares)
-            error_[n - 1] = 4 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
-                            4 * fft_error * std::abs(line) * std::sqrt(zero * points);
+            doubt(n, 4 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
+                            4 * fft_error * std::abs(line) * std::sqrt(zero * points));
         }
     }
 
-    bool doubtful(std::size_t n) const {
-        return pairs[n - 1] > 0 && !(error_[n - 1] <= wanted * sum[n - 1]);
+    /// Remembers lag \p n when an \p error of its sum may be too much.
+    void doubt(std::size_t n, F error) {
+        if (pairs[n - 1] > 0 && !(error <= wanted * sum[n - 1])) doubtful_.push_back(n);
     }
 
     /// Sum over the pairs of lag \p n that begin at \p from or later, in short runs so that rounding does not add up.
@@ -198,7 +207,9 @@ private:
     }
 
     /// Lags 1 ... \p to in segments of the profile. Cross-correlations of x, the pairs' beginnings, and y, their ends.
-    void in_segments(std::size_t to) {
+    /// Returns which lags are settled.
+    std::vector<char> in_segments(std::size_t to) {
+        std::vector<char> settled(to + 1);
         RealFft<F> fft(fast_fft_size(16 * to));
         const std::size_t width = fft.size(), begins = width - to, half = width / 2;
         std::vector<F> x, y;
@@ -230,7 +241,7 @@ private:
             fft.forward(y, end);
             for (std::size_t k = 0; k <= half; ++k) product[k] += std::conj(begin[k]) * end[k];
         }
-        if (from == 0) return;
+        if (from == 0) return settled;
         fft.inverse(product, x);
         constexpr F epsilon = std::max(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
         // the sums above grow segment by segment and step by step
@@ -238,25 +249,23 @@ private:
         for (std::size_t n = 1; n <= to; ++n) {
             const F segments = squares[n - 1] - 2 * x[n];
             const F bound = (16 + steps) * epsilon * zero;
-            if (bound < error_[n - 1] && bound <= wanted * segments) {
+            if (bound <= wanted * segments) {
                 sum[n - 1] = segments + directly(n, from);
-                error_[n - 1] = bound;
+                settled[n] = 1;
             }
         }
+        return settled;
     }
 
     void mend() {
-        std::size_t doubtful_in_front = 0, last = 0;
-        for (std::size_t n = 1; n <= longest_; ++n) {
-            if (!doubtful(n) || n > size_ / 64) continue;
-            // lags of one doubtful run from the first: about the first gap of more than its own length, stop
-            if (n > 2 * last + 64) break;
-            last = n;
-            ++doubtful_in_front;
-        }
-        if (whole_ && doubtful_in_front > 64) in_segments(last);
-        for (std::size_t n = 1; n <= longest_; ++n)
-            if (doubtful(n)) sum[n - 1] = directly(n, 0);
+        // how far the doubtful lags reach without a gap longer than half of what is before it
+        std::size_t last = 0, front = 0;
+        while (front < doubtful_.size() && doubtful_[front] <= std::min(2 * last + 64, size_ / 64))
+            last = doubtful_[front++];
+        std::vector<char> settled;
+        if (whole_ && front > 64) settled = in_segments(last);
+        for (const std::size_t n : doubtful_)
+            if (n >= settled.size() || !settled[n]) sum[n - 1] = directly(n, 0);
     }
 
     const std::vector<F>& z_;
@@ -264,7 +273,8 @@ private:
     std::size_t size_, longest_;
     bool whole_{};
     F slope_{};  // per sample
-    std::vector<F> residual_, error_;
+    std::vector<F> residual_;
+    std::vector<std::size_t> doubtful_;  // lags whose sum may be wrong, rising
 };
 
 }  // namespace detail
@@ -281,30 +291,41 @@ StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, s
                            std::to_string(points - 1));
     const F scale = static_cast<F>(detail::height_scale(profile));
     std::vector<F> heights(points);
-    std::vector<char> present(points);
+    std::vector<char> present;
+    if (profile.present() < points) present.resize(points);
     for (std::size_t i = 0; i < points; ++i) {
-        present[i] = std::isnan(profile.heights[i]) ? 0 : 1;
-        heights[i] = present[i] ? static_cast<F>(profile.heights[i]) / scale : F(0);
+        const bool exists = !std::isnan(profile.heights[i]);
+        if (!present.empty()) present[i] = exists ? 1 : 0;
+        heights[i] = exists ? static_cast<F>(profile.heights[i]) / scale : F(0);
     }
-    const detail::AllLags<F> all(heights, present, longest == 0 ? points - 1 : longest);
+    detail::AllLags<F> all(heights, present, longest == 0 ? points - 1 : longest);
     StructureFunction<T> result;
-    result.step.reserve(all.sum.size());
-    result.lag.reserve(all.sum.size());
-    result.value.reserve(all.sum.size());
-    result.pairs.reserve(all.sum.size());
-    for (std::size_t n = 1; n <= all.sum.size(); ++n) {
-        const std::size_t pairs = all.pairs[n - 1];
+    result.step.resize(all.sum.size());
+    result.lag.resize(all.sum.size());
+    if constexpr (std::is_same_v<T, F>)
+        result.value = std::move(all.sum);
+    else
+        result.value.assign(all.sum.begin(), all.sum.end());
+    result.pairs = std::move(all.pairs);
+    std::size_t kept = 0;  // lags without enough pairs are left out in place
+    for (std::size_t k = 0; k < result.pairs.size(); ++k) {
+        const std::size_t pairs = result.pairs[k];
         const std::size_t divided_by = divisor == Divisor::pairs ? pairs : pairs > 0 ? pairs - 1 : 0;
         if (divided_by == 0) continue;
-        const F sum = all.sum[n - 1];
+        const F sum = static_cast<F>(result.value[k]);
         const T value = static_cast<T>(sum / static_cast<F>(divided_by) * scale * scale);
         require(sum == 0 || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
                 "structure function", value, "a number of normal size: these heights are too large or too small");
-        result.step.push_back(n);
-        result.lag.push_back(static_cast<T>(n) * profile.spacing);
-        result.value.push_back(value);
-        result.pairs.push_back(pairs);
+        result.step[kept] = k + 1;
+        result.lag[kept] = static_cast<T>(k + 1) * profile.spacing;
+        result.value[kept] = value;
+        result.pairs[kept] = pairs;
+        ++kept;
     }
+    result.step.resize(kept);
+    result.lag.resize(kept);
+    result.value.resize(kept);
+    result.pairs.resize(kept);
     return result;
 }
 
