@@ -44,10 +44,9 @@ std::vector<double> waves(std::size_t points, double length) {
 
 std::vector<double> weierstrass(std::size_t points, double dimension) {
     const double h = 1e-7;
-    const WeierstrassMandelbrot<double> wm({dimension, 1.2e-10},
-                                           {.longest_wavelength = static_cast<double>(points) * h,
-                                            .shortest_wavelength = 2 * h,
-                                            .seed = 3});
+    const WeierstrassMandelbrot<double> wm(
+        {dimension, 1.2e-10},
+        {.longest_wavelength = static_cast<double>(points) * h, .shortest_wavelength = 2 * h, .seed = 3});
     return wm.sample(points, h);
 }
 
@@ -150,8 +149,7 @@ TEST_CASE("All lags are those of the direct sum, with the divisor asked for, in 
     }
     const auto few = structure_function_at_all_lags(profile, 10);
     CHECK(few.step.back() == 10);
-    const auto narrow =
-        structure_function_at_all_lags(Profile<float>{std::vector<float>(z.begin(), z.end()), 2e-6f});
+    const auto narrow = structure_function_at_all_lags(Profile<float>{std::vector<float>(z.begin(), z.end()), 2e-6f});
     const auto wide =
         structure_function_at_all_lags(Profile<long double>{std::vector<long double>(z.begin(), z.end()), 2e-6L});
     const auto direct = structure_function(profile, std::span<const std::size_t>(lags));

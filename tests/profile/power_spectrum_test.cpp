@@ -42,8 +42,8 @@ TEST_CASE("A sine has half its squared amplitude at its wavenumber, whatever the
     for (std::size_t i = 0; i < 4000; ++i)
         profile.heights[i] = 1e-3 + 3e-9 * std::sin(2 * pi * static_cast<double>(i) / 50 + 0.4);
     const auto spectrum = power_spectrum(profile);
-    const auto peak = static_cast<std::size_t>(
-        std::max_element(spectrum.value.begin(), spectrum.value.end()) - spectrum.value.begin());
+    const auto peak = static_cast<std::size_t>(std::max_element(spectrum.value.begin(), spectrum.value.end()) -
+                                               spectrum.value.begin());
     CHECK(test::relative_error(spectrum.wavenumber[peak], 2 * pi / 50e-7) < 1e-12);
     double power = 0;  // a Hann line is three values wide
     for (std::size_t k = peak - 1; k <= peak + 1; ++k) power += spectrum.value[k] * spectrum.step;
@@ -122,5 +122,7 @@ TEST_CASE("Windows that hold too little are refused") {
     CHECK(refusal(0, 10).find("window from = 0") == 0);
     CHECK(refusal(10, 5).find("window to = 5") == 0);
     CHECK_FALSE(test::refusal([] { (void)fit_spectrum(PowerSpectrum<double>{}); }).empty());
-    CHECK_FALSE(test::refusal([] { (void)power_spectrum(Profile<double>{std::vector<double>(50, 1.0), 1.0}); }).empty());
+    CHECK_FALSE(test::refusal([] {
+                    (void)power_spectrum(Profile<double>{std::vector<double>(50, 1.0), 1.0});
+                }).empty());
 }

@@ -33,7 +33,8 @@ TEST_CASE("The least curvature of a sine is -(a/h^2) 4 sin^2(pi n h/lambda) n^-2
     for (std::size_t i = 0; i < 1000; ++i)  // a crest on a sample
         profile.heights[i] = 3e-9 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / 100);
     for (const std::size_t n : {1u, 7u, 25u, 50u}) {
-        const double nh = static_cast<double>(n) * 1e-7, sine = std::sin(std::numbers::pi * static_cast<double>(n) / 100);
+        const double nh = static_cast<double>(n) * 1e-7,
+                     sine = std::sin(std::numbers::pi * static_cast<double>(n) / 100);
         // three heights round to 1e-16 of 3 nm each, against a difference of 1.2e-11 m at the shortest
         CHECK(test::relative_error(*least_curvature(profile, n), -3e-9 * 4 * sine * sine / (nh * nh)) < 1e-12);
     }

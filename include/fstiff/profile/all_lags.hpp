@@ -90,9 +90,9 @@ private:
         const F points = whole_ ? static_cast<F>(size_) : std::max(over_points([](std::size_t) { return F(1); }), F(1));
         const F level = over_points([&](std::size_t i) { return z_[i]; }) / points;
         const F middle = whole_ ? F(0) : over_points(position) / points;
-        const F square = whole_ ? points * (points * points - 1) / 12 : over_points([&](std::size_t i) {
-            return (position(i) - middle) * (position(i) - middle);
-        });
+        const F square =
+            whole_ ? points * (points * points - 1) / 12
+                   : over_points([&](std::size_t i) { return (position(i) - middle) * (position(i) - middle); });
         slope_ = square > 0
                      ? over_points([&](std::size_t i) { return (position(i) - middle) * (z_[i] - level); }) / square
                      : F(0);
@@ -127,8 +127,7 @@ private:
         if (whole_) {
             // a real even spectrum: the transform is its own inverse
             even[0] = std::norm(spectrum[0]) * scale;
-            for (std::size_t k = 1; k <= half; ++k)
-                even[k] = even[fft.size() - k] = std::norm(spectrum[k]) * scale;
+            for (std::size_t k = 1; k <= half; ++k) even[k] = even[fft.size() - k] = std::norm(spectrum[k]) * scale;
             fft.forward(even, spectrum);
             const F zero = over_points([&](std::size_t i) { return residual_[i] * residual_[i]; });
             RunningSum left_out, edges;  // squares outside the pairs' beginnings and ends; last n less first n points
@@ -142,7 +141,7 @@ private:
                 sum[n - 1] = (2 * zero - left_out.value()) - 2 * spectrum[n].real() + cross + count * line * line;
                 pairs[n - 1] = size_ - n;
                 doubt(n, 2 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
-                                4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n)));
+                             4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n)));
             }
             return;
         }
@@ -177,7 +176,7 @@ private:
             pairs[n - 1] = count > 0 ? static_cast<std::size_t>(count) : 0;
             // twice as many correlations as above; that of mask and heights is at most sqrt(points times squares)
             doubt(n, 4 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
-                            4 * fft_error * std::abs(line) * std::sqrt(zero * points));
+                         4 * fft_error * std::abs(line) * std::sqrt(zero * points));
         }
     }
 

@@ -25,6 +25,10 @@
 /// the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
 /// tolerance above 0.2 only when there is none at all.
 ///
+/// A form that was removed took long waves of the roughness along: S of a self-affine profile without its line is low by a
+/// tenth and more at a tenth of the length, the more the smoother it is, and D would come out high, by 0.04 at D = 1.2.
+/// Told of it (FractalFitOptions::removed), the fit divides S by what the removal leaves of it in the mean, at the D fitted.
+///
 /// Errors (one standard deviation): the larger of
 ///  - what the covariance of S of a Gaussian self-affine profile with the fitted D gives, in closed form: the limit of
 ///    many simulations at the fitted parameters;
@@ -40,6 +44,7 @@
 ///             D within 0.02 and its own 3 sigma, G within a factor 1.5; 200 random walks of 1000 points: the error of
 ///             D is 0.8 to 1.25 times the scatter of D (tests/profile/fractal_fit_test.cpp)
 
+#include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/surface/structure_constant.hpp>
@@ -84,6 +89,7 @@ struct FractalFitOptions {
     Divisor divisor = Divisor::pairs;
     std::uint64_t seed = 2014;  ///< of the bootstrap
     int resamples = 200;        ///< of the bootstrap; 0 leaves it out
+    Form removed = Form::none;  ///< what detrend() took off the profile: its mark on the long lags is put right
     T tip_radius{};             ///< of the stylus [m]: lags that may show it are left out; 0: not known
     T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
 };
@@ -113,24 +119,24 @@ struct FractalFit {
     T line_dimension{};              ///< D of the ordinary straight line over the same window
     LagWindow<T> window;             ///< shortest and longest lag used [m]
     bool automatic_window{};
-    WindowEnd begins{};   ///< why the window begins there
-    WindowEnd ends{};     ///< and ends there
-    T reliable_from{};    ///< shortest lag that resolution and tip allow [m]; 0: not restricted
+    WindowEnd begins{};     ///< why the window begins there
+    WindowEnd ends{};       ///< and ends there
+    T reliable_from{};      ///< shortest lag that resolution and tip allow [m]; 0: not restricted
     bool behind_plateau{};  ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
-    T slope_tolerance{};  ///< that the automatic window took; 0 for a window given
-    std::size_t lags{};   ///< lags used
-    bool finite_band{};   ///< whether these terms entered
-    bool log_periodic{};  ///< whether these terms entered
-    bool curved{};        ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
-                          ///< to end of the window or from its ends to its middle, or the automatic window had to
-                          ///< allow more than 0.2
-    T slope_shortest{};   ///< local slope of ln S at the shortest lag used
-    T slope_longest{};    ///< and at the longest
-    T slope_least{};      ///< least local slope over the lags used
-    T slope_greatest{};   ///< and greatest
-    T flattest_lag{};     ///< where the local slope is least among the lags searched that are shorter than the window
-                          ///< [m]; 0: there are none
-    T flattest_slope{};   ///< that slope: near 0, a roughness that has saturated below the waviness of the window
+    T slope_tolerance{};    ///< that the automatic window took; 0 for a window given
+    std::size_t lags{};     ///< lags used
+    bool finite_band{};     ///< whether these terms entered
+    bool log_periodic{};    ///< whether these terms entered
+    bool curved{};       ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
+                         ///< to end of the window or from its ends to its middle, or the automatic window had to
+                         ///< allow more than 0.2
+    T slope_shortest{};  ///< local slope of ln S at the shortest lag used
+    T slope_longest{};   ///< and at the longest
+    T slope_least{};     ///< least local slope over the lags used
+    T slope_greatest{};  ///< and greatest
+    T flattest_lag{};    ///< where the local slope is least among the lags searched that are shorter than the window
+                         ///< [m]; 0: there are none
+    T flattest_slope{};  ///< that slope: near 0, a roughness that has saturated below the waviness of the window
     std::uint64_t seed{};
     StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
 };
@@ -150,14 +156,22 @@ template <Real T>
 
 constexpr std::string_view describe(WindowEnd end) {
     switch (end) {
-        case WindowEnd::given: return "as given";
-        case WindowEnd::sampling: return "at the first lag searched";
-        case WindowEnd::resolution: return "at the resolution";
-        case WindowEnd::tip: return "where the tip no longer shows";
-        case WindowEnd::smooth: return "where the profile becomes smooth";
-        case WindowEnd::saturated: return "where the structure function saturates";
-        case WindowEnd::bend: return "where the slope changes";
-        case WindowEnd::length: return "at the longest lag searched";
+        case WindowEnd::given:
+            return "as given";
+        case WindowEnd::sampling:
+            return "at the first lag searched";
+        case WindowEnd::resolution:
+            return "at the resolution";
+        case WindowEnd::tip:
+            return "where the tip no longer shows";
+        case WindowEnd::smooth:
+            return "where the profile becomes smooth";
+        case WindowEnd::saturated:
+            return "where the structure function saturates";
+        case WindowEnd::bend:
+            return "where the slope changes";
+        case WindowEnd::length:
+            return "at the longest lag searched";
     }
     return "";
 }
@@ -235,7 +249,8 @@ std::optional<IndexRange> straight_range(const Vector<T>& x, const Vector<T>& y,
             const T mean = slope(x, y, a, b);
             const Eigen::Index count = b - a + 1;
             const auto slopes = local.segment(a, count).array();
-            const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && (slopes > T(0.05)).all() && (slopes < T(1.9)).all() &&
+            const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && (slopes > T(0.05)).all() &&
+                                  (slopes < T(1.9)).all() &&
                                   ((slopes - mean).abs() <= allowed.segment(a, count).array()).all();
             if (straight) {
                 best = IndexRange{a, b};
@@ -288,6 +303,46 @@ Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector
             covariance(row, column) = covariance(column, row) = value;
         }
     return covariance;
+}
+
+/// ln of what S keeps in the mean, at the lags \p step, when the \p form of a self-affine profile whose S grows as
+/// n^\p power is removed. The covariance -|i-j|^p/2 between the points of a coarse profile, without its share in the
+/// polynomials; the loss goes as n^(2-p) times a smooth function of n, which is interpolated.
+template <Real T>
+Vector<T> log_kept(const std::vector<std::size_t>& step, std::size_t points, T power, Form form) {
+    using Eigen::Index;
+    Vector<T> kept = Vector<T>::Zero(static_cast<Index>(step.size()));
+    if (form == Form::none || form == Form::mean) return kept;  // differences do not see the mean
+    constexpr Index size = 96;
+    Matrix<T> covariance(size, size), powers(size, static_cast<Index>(coefficients(form)));
+    for (Index i = 0; i < size; ++i) {
+        for (Index j = 0; j < size; ++j)
+            covariance(i, j) = i == j ? T(0) : -std::pow(std::abs(static_cast<T>(i - j)), power) / 2;
+        const T u = 2 * static_cast<T>(i) / static_cast<T>(size - 1) - 1;
+        for (Index k = 0; k < powers.cols(); ++k) powers(i, k) = std::pow(u, static_cast<T>(k));
+    }
+    const Matrix<T> basis =
+        Eigen::HouseholderQR<Matrix<T>>(powers).householderQ() * Matrix<T>::Identity(size, powers.cols());
+    covariance -= basis * (basis.transpose() * covariance).eval();
+    covariance -= (covariance * basis).eval() * basis.transpose();
+    const auto loss = [&](Index m) {  // over m^(2-p)
+        T sum = 0;
+        for (Index i = 0; i + m < size; ++i)
+            sum += covariance(i, i) + covariance(i + m, i + m) - 2 * covariance(i, i + m);
+        const T lag = static_cast<T>(m);
+        return (1 - sum / static_cast<T>(size - m) / std::pow(lag, power)) / std::pow(lag, 2 - power);
+    };
+    Vector<T> losses(size / 2);
+    for (Index m = 1; m <= losses.size(); ++m) losses[m - 1] = loss(m);
+    for (Index k = 0; k < kept.size(); ++k) {
+        const T lag = static_cast<T>(step[static_cast<std::size_t>(k)]) * static_cast<T>(size) / static_cast<T>(points);
+        const T place = std::clamp(lag, T(1), static_cast<T>(losses.size())) - 1;
+        const Index below = std::min(static_cast<Index>(place), losses.size() - 2);
+        const T share = place - static_cast<T>(below);
+        const T lost = (losses[below] * (1 - share) + losses[below + 1] * share) * std::pow(lag, 2 - power);
+        kept[k] = std::log(std::max(T(0.05), 1 - lost));
+    }
+    return kept;
 }
 
 /// A weighted linear fit of ln S.
@@ -466,8 +521,7 @@ FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const Fr
         require(s.value[k] >= T(0) && s.value[k] <= std::numeric_limits<T>::max(), "structure function", s.value[k],
                 "finite and not negative");
     }
-    if (options.window)
-        detail::check_window(*options.window, static_cast<T>(measured.points - 1) * measured.spacing);
+    if (options.window) detail::check_window(*options.window, static_cast<T>(measured.points - 1) * measured.spacing);
     return detail::fit_measured(measured, options, T(0));
 }
 
@@ -543,9 +597,9 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
             bool behind_plateau;
         };
         std::optional<detail::IndexRange> straight;
-        for (const Choice choice : {Choice{F(0.2), false}, Choice{F(0.2), true}, Choice{F(0.3), false},
-                                    Choice{F(0.45), false}, Choice{F(0.6), false}, Choice{F(0.3), true},
-                                    Choice{F(0.45), true}, Choice{F(0.6), true}}) {
+        for (const Choice choice :
+             {Choice{F(0.2), false}, Choice{F(0.2), true}, Choice{F(0.3), false}, Choice{F(0.45), false},
+              Choice{F(0.6), false}, Choice{F(0.3), true}, Choice{F(0.45), true}, Choice{F(0.6), true}}) {
             straight = detail::straight_range(log_lag, log_s, local, static_cast<F>(points), shortest, farthest,
                                               choice.tolerance, choice.behind_plateau);
             result.slope_tolerance = static_cast<T>(choice.tolerance);
@@ -564,8 +618,7 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     }
     const Index count = range.last - range.first + 1;
     const std::vector<std::size_t> used_step = detail::part(step, range), used_pairs = detail::part(pairs, range);
-    result.window = {static_cast<T>(used_step.front()) * spacing,
-                     static_cast<T>(used_step.back()) * spacing};
+    result.window = {static_cast<T>(used_step.front()) * spacing, static_cast<T>(used_step.back()) * spacing};
     result.lags = static_cast<std::size_t>(count);
     result.slope_shortest = static_cast<T>(local[range.first]);
     result.slope_longest = static_cast<T>(local[range.last]);
@@ -599,7 +652,8 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     // the fit, about the middle of the window
     const F log_reference = (log_lag[range.first] + log_lag[range.last]) / 2;
     const detail::Vector<F> x = log_lag.segment(range.first, count).array() - log_reference;
-    const detail::Vector<F> y = log_s.segment(range.first, count);
+    const detail::Vector<F> measured_y = log_s.segment(range.first, count);
+    detail::Vector<F> y = measured_y;
     const detail::Vector<F> ones = detail::Vector<F>::Ones(count);
     const detail::Vector<F> root_weight =
         (log_lag.segment(range.first, count).array().exp() / static_cast<F>(points) + F(0.0009)).rsqrt();
@@ -639,9 +693,19 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
             if (auto waves = settled_fit(band, true); waves && waves->residual < fit->residual / 2) fit = waves;
         return fit;
     };
+    const auto kept = [&](F at_power) {
+        return detail::log_kept<F>(used_step, points, std::clamp(at_power, F(0.02), F(1.98)), options.removed);
+    };
     std::optional<detail::LogFit<F>> chosen;
-    if (width > std::log(F(100)) * F(0.999)) chosen = with_waves(true);
-    if (!chosen) chosen = with_waves(false);
+    const bool formless = options.removed == Form::none || options.removed == Form::mean;
+    F shaped_by = ordinary.coefficients[1];
+    for (int round = 0; round < (formless ? 1 : 6); ++round) {
+        y = measured_y - kept(shaped_by);
+        chosen.reset();
+        if (width > std::log(F(100)) * F(0.999)) chosen = with_waves(true);
+        if (!chosen) chosen = with_waves(false);
+        shaped_by = chosen->coefficients[1];
+    }
     const detail::LogFit<F>& fit = *chosen;
     result.finite_band = fit.finite_band;
     result.log_periodic = fit.log_periodic;
@@ -659,6 +723,13 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
         const F level_feedback = (up.coefficients[0] - down.coefficients[0]) / (2 * small);
         dimension_row /= 1 - std::min(feedback, F(0.9));
         level_row += -2 * level_feedback * dimension_row;
+    }
+    if (!formless) {  // so does what the form is taken to have left
+        const F small = F(1e-3);
+        const detail::Vector<F> change = (kept(power + small) - kept(power - small)) / (2 * small);
+        const F feedback = 2 * dimension_row.dot(change);  // of D on itself: d power = -2 dD
+        dimension_row /= std::max(F(0.3), 1 - feedback);
+        level_row += 2 * level_row.dot(change) * dimension_row;
     }
     // ln(G/reference lag) of D and ln(S/lag^2) at the reference lag
     const F level = fit.coefficients[0] - 2 * log_reference;
@@ -680,8 +751,9 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     if (measured.resample) {
         const detail::Matrix<F> resampled = measured.resample(used_step);
         if (resampled.rows() != count || resampled.cols() < 2 || !resampled.allFinite())
-            throw domain_error("resamples of the structure function: must be finite, a row for every lag asked for, two "
-                               "columns or more");
+            throw domain_error(
+                "resamples of the structure function: must be finite, a row for every lag asked for, two "
+                "columns or more");
         const F bootstrap = detail::spread(dimension_row, resampled);
         result.bootstrap_dimension_error = static_cast<T>(bootstrap);
         dimension_error = std::max(dimension_error, bootstrap);

@@ -83,8 +83,7 @@ Profile<T> gaussian_waviness(const Profile<T>& profile, T cutoff) {
     convolve(mask);
     Profile<T> waviness = profile;
     for (std::size_t i = 0; i < size; ++i)  // the weight of the point itself keeps the divisor from 0
-        if (!std::isnan(profile.heights[i]))
-            waviness.heights[i] = static_cast<T>(heights[i] / mask[i]) * scale + mean;
+        if (!std::isnan(profile.heights[i])) waviness.heights[i] = static_cast<T>(heights[i] / mask[i]) * scale + mean;
     return waviness;
 }
 

@@ -10,7 +10,7 @@
 /// One-sided, Hann window w, mean weighted by the window, so that C(0) = 0. Missing points inside are bridged by
 /// straight lines, those at the ends cut off. D is a weighted line through the means of C over eighths of an octave: a
 /// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to 1/sqrt(v). Neighbours of
-/// a Hann spectrum are not independent: v is their number over 1.5 M/N.
+/// a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18 M/N.
 ///
 /// The spectrum knows D less well than the structure function knows it, but takes no notice of a tilt, and fails
 /// differently: two values that disagree by more than their errors tell that the profile is no power law.
@@ -67,7 +67,7 @@ template <Real T>
 /// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
 template <Real T>
 [[nodiscard]] SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
-                                          const std::optional<WavelengthWindow<T>>& window = {});
+                                          const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {});
 
 template <Real T>
 T PowerSpectrum<T>::moment(int order) const {
@@ -129,7 +129,7 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
     const F h = static_cast<F>(profile.spacing), size = static_cast<F>(fft.size());
     const F factor = h / (std::numbers::pi_v<F> * squares.value());
     spectrum.step = static_cast<T>(2 * std::numbers::pi_v<F> / (size * h));
-    spectrum.independent = static_cast<T>(F(1.5) * size / static_cast<F>(points));
+    spectrum.independent = static_cast<T>(F(35) / 18 * size / static_cast<F>(points));
     for (std::size_t k = 0; k < transform.size(); ++k) {
         spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
         const F relative = k == 0 ? F(0) : std::norm(transform[k]) * factor;
@@ -141,15 +141,15 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
 }
 
 template <Real T>
-SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum, const std::optional<WavelengthWindow<T>>& window) {
+SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
+                            const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window) {
     using F = detail::Sum<T>;
     if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
     require_positive("step of the wavenumber", spectrum.step);
     const F turn = 2 * std::numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);
     const F longest = turn / static_cast<F>(spectrum.step), shortest = longest / last;  // two spacings
     SpectralFit<T> fit;
-    fit.window = window ? *window
-                        : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
+    fit.window = window ? *window : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
     require_positive("window from", fit.window.from);
     require(fit.window.to > fit.window.from && fit.window.to <= std::numeric_limits<T>::max(), "window to",
             fit.window.to, "finite and greater than the beginning of the window");
