@@ -9,7 +9,7 @@
 ///
 /// One-sided, Hann window w, mean weighted by the window, so that C(0) = 0. Missing points inside are bridged by
 /// straight lines, those at the ends cut off. D is a weighted line through the means of C over eighths of an octave: a
-/// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to 1/sqrt(v). Neighbours of
+/// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to sqrt(psi'(v)). Neighbours of
 /// a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18 M/N.
 ///
 /// The spectrum knows D less well than the structure function knows it, but takes no notice of a tilt, and fails
@@ -174,10 +174,11 @@ SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
         }
         const F count = static_cast<F>(next - k);
         if (sum > 0) {
-            const F degrees = std::max(F(1), count / static_cast<F>(spectrum.independent));
-            // mean logarithm of a mean of exponentials: ln v - psi(v), 0.577 for one
+            const F independent = count / static_cast<F>(spectrum.independent), degrees = std::max(F(1), independent);
+            // mean and variance of the logarithm of a mean of v exponentials: psi(v) - ln v and psi'(v)
             const F low = degrees > F(1) ? 1 / (2 * degrees) + 1 / (12 * degrees * degrees) : F(0.5772156649);
-            bins.push_back({log_q / count, std::log(sum / count) + low, degrees});
+            const F variance = 1 / degrees + 1 / (2 * degrees * degrees) + 1 / (6 * degrees * degrees * degrees);
+            bins.push_back({log_q / count, std::log(sum / count) + low, independent / degrees / variance});
         }
         k = next;
     }
