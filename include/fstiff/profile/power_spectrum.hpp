@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Power spectrum of a profile, and its fractal dimension from it: the second road to D.
+///
+///     C(q_k) = h |Z_k|^2 / (pi sum w_i^2),  Z transform of w_i (z_i - mean),  q_k = 2 pi k/(M h)
+///     sum' C(q_k) dq = sum (w_i (z_i - mean))^2 / sum w_i^2      Parseval; sum' halves k = 0 and k = M/2
+///     ln C = -(5-2D) ln q + const,  D = 2 - H                    of a self-affine profile
+///
+/// One-sided, Hann window w, mean weighted by the window, so that C(0) = 0. Missing points inside are bridged by
+/// straight lines, those at the ends cut off. D is a weighted line through the means of C over eighths of an octave: a
+/// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to sqrt(psi'(v)). Neighbours of
+/// a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18 M/N.
+///
+/// The spectrum knows D less well than the structure function knows it, but takes no notice of a tilt, and fails
+/// differently: two values that disagree by more than their errors tell that the profile is no power law.
+///
+/// Reference   Jacobs, Junge, Pastewka, Surf. Topogr. Metrol. Prop. 5 (2017) 013001 (conventions); Welch, IEEE Trans.
+///             Audio 15 (1967) 70; Harris, Proc. IEEE 66 (1978) 51 (windows).
+/// Units       q [rad/m], C [m^3], wavelengths [m]
+/// Valid       16 points at least, heights that vary; wavelengths of 2 spacings to the length of the profile
+/// Accuracy    Parseval 1e-13; D of 100 fractional Brownian profiles of 4096 points, H = 0.3, 0.5, 0.8: mean within 0.02,
+///             scatter 0.8 to 1.25 of its error (tests/profile/power_spectrum_test.cpp)
+
+#include <fstiff/math/fft.hpp>
+#include <fstiff/profile/structure_function.hpp>
+
+#include <numbers>
+#include <optional>
+
+namespace fstiff {
+
+/// One-sided power spectrum; k = 0 ... M/2.
+template <Real T>
+struct PowerSpectrum {
+    std::vector<T> wavenumber;  ///< q [rad/m], from 0 in steps of `step`
+    std::vector<T> value;       ///< C [m^3]
+    T step{};                   ///< dq [rad/m]
+    T independent{};            ///< how many of neighbouring values count as one
+
+    [[nodiscard]] std::size_t size() const { return value.size(); }
+
+    /// Integral of q^\p order C dq: m0, m2, m4 by 0, 2, 4 [m^(2-order)].
+    [[nodiscard]] T moment(int order) const;
+};
+
+/// A range of wavelengths [m], both ends included.
+template <Real T>
+struct WavelengthWindow {
+    T from{}, to{};
+};
+
+template <Real T>
+struct SpectralFit {
+    T dimension{};               ///< D; outside (1, 2) the window holds no self-affine profile
+    T dimension_error{};         ///< standard deviation of D for a Gaussian profile
+    WavelengthWindow<T> window;  ///< used [m]
+    std::size_t bins{};          ///< means of C that the line goes through
+};
+
+/// Spectrum of \p profile as it is: remove its form first, with detrend().
+/// \throws domain_error for a profile out of range.
+template <Real T>
+[[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile);
+
+/// D from the slope of \p spectrum over \p window, by default from 16 spacings to an eighth of the length.
+/// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
+template <Real T>
+[[nodiscard]] SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
+                                          const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {});
+
+template <Real T>
+T PowerSpectrum<T>::moment(int order) const {
+    detail::CompensatedSum<detail::Sum<T>> sum;
+    for (std::size_t k = 0; k < size(); ++k) {
+        const T share = k == 0 || k + 1 == size() ? T(0.5) : T(1);
+        sum.add(share * value[k] * step * std::pow(wavenumber[k], static_cast<T>(order)));
+    }
+    return static_cast<T>(sum.value());
+}
+
+namespace detail {
+
+/// Heights from the first to the last point that exists, gaps bridged.
+template <Real T>
+std::vector<Sum<T>> bridged(const Profile<T>& profile, T mean, T scale) {
+    std::vector<Sum<T>> heights;
+    std::size_t gap = 0;
+    for (const T z : profile.heights) {
+        if (std::isnan(z)) {
+            gap += heights.empty() ? 0 : 1;
+            continue;
+        }
+        const Sum<T> next = static_cast<Sum<T>>((z - mean) / scale);
+        const Sum<T> last = heights.empty() ? next : heights.back();
+        for (std::size_t k = 1; k <= gap; ++k)
+            heights.push_back(last + (next - last) * static_cast<Sum<T>>(k) / static_cast<Sum<T>>(gap + 1));
+        gap = 0;
+        heights.push_back(next);
+    }
+    return heights;
+}
+
+}  // namespace detail
+
+template <Real T>
+PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
+    using F = detail::Sum<T>;
+    profile.validate(16);
+    const T scale = detail::height_scale(profile);
+    std::vector<F> z = detail::bridged(profile, mean_height(profile), scale);
+    const std::size_t points = z.size();
+    std::vector<F> window(points);
+    detail::CompensatedSum<F> weight, squares, weighted;
+    for (std::size_t i = 0; i < points; ++i) {
+        const F sine = std::sin(std::numbers::pi_v<F> * (static_cast<F>(i) + F(0.5)) / static_cast<F>(points));
+        window[i] = sine * sine;
+        weight.add(window[i]);
+        squares.add(window[i] * window[i]);
+        weighted.add(window[i] * z[i]);
+    }
+    const F mean = weighted.value() / weight.value();
+    for (std::size_t i = 0; i < points; ++i) z[i] = window[i] * (z[i] - mean);
+    RealFft<F> fft(fast_fft_size(points));
+    std::vector<std::complex<F>> transform;
+    fft.forward(z, transform);
+
+    PowerSpectrum<T> spectrum;
+    const F h = static_cast<F>(profile.spacing), size = static_cast<F>(fft.size());
+    const F factor = h / (std::numbers::pi_v<F> * squares.value());
+    spectrum.step = static_cast<T>(2 * std::numbers::pi_v<F> / (size * h));
+    spectrum.independent = static_cast<T>(F(35) / 18 * size / static_cast<F>(points));
+    for (std::size_t k = 0; k < transform.size(); ++k) {
+        spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
+        const F relative = k == 0 ? F(0) : std::norm(transform[k]) * factor;
+        const T value = static_cast<T>(relative * static_cast<F>(scale) * static_cast<F>(scale));
+        require(value <= std::numeric_limits<T>::max(), "power spectrum", value, "finite: these heights are too large");
+        spectrum.value.push_back(value);
+    }
+    return spectrum;
+}
+
+template <Real T>
+SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
+                            const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window) {
+    using F = detail::Sum<T>;
+    if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
+    require_positive("step of the wavenumber", spectrum.step);
+    const F turn = 2 * std::numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);
+    const F longest = turn / static_cast<F>(spectrum.step), shortest = longest / last;  // two spacings
+    SpectralFit<T> fit;
+    fit.window = window ? *window : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
+    require_positive("window from", fit.window.from);
+    require(fit.window.to > fit.window.from && fit.window.to <= std::numeric_limits<T>::max(), "window to",
+            fit.window.to, "finite and greater than the beginning of the window");
+
+    // bins of an eighth of an octave from the longest wavelength on; an index is the wavelength longest/k
+    const auto first = static_cast<std::size_t>(
+        std::clamp(std::ceil(longest / static_cast<F>(fit.window.to) * F(1 - 1e-6)), F(1), last + 1));
+    const auto end = static_cast<std::size_t>(
+        std::clamp(std::floor(longest / static_cast<F>(fit.window.from) * F(1 + 1e-6)), F(0), last) + 1);
+    F weights = 0, mean_x = 0, mean_y = 0;
+    struct Bin {
+        F x, y, weight;
+    };
+    std::vector<Bin> bins;
+    for (std::size_t k = first; k < end;) {
+        const std::size_t next =
+            std::min(end, std::max(k + 1, static_cast<std::size_t>(static_cast<F>(k) * std::exp2(F(0.125)))));
+        F sum = 0, log_q = 0;
+        for (std::size_t i = k; i < next; ++i) {
+            sum += static_cast<F>(spectrum.value[i]);
+            log_q += std::log(static_cast<F>(i));
+        }
+        const F count = static_cast<F>(next - k);
+        if (sum > 0) {
+            const F independent = count / static_cast<F>(spectrum.independent), degrees = std::max(F(1), independent);
+            // mean and variance of the logarithm of a mean of v exponentials: psi(v) - ln v and psi'(v)
+            const F low = degrees > F(1) ? 1 / (2 * degrees) + 1 / (12 * degrees * degrees) : F(0.5772156649);
+            const F variance = 1 / degrees + 1 / (2 * degrees * degrees) + 1 / (6 * degrees * degrees * degrees);
+            bins.push_back({log_q / count, std::log(sum / count) + low, independent / degrees / variance});
+        }
+        k = next;
+    }
+    fit.bins = bins.size();
+    if (bins.size() < 4 || bins.back().x - bins.front().x < std::log(F(3.1)))
+        throw domain_error("window of the power spectrum: holds " + std::to_string(bins.size()) +
+                           " bins; must hold at least 4 and half a decade");
+    for (const Bin& bin : bins) {
+        weights += bin.weight;
+        mean_x += bin.weight * bin.x;
+        mean_y += bin.weight * bin.y;
+    }
+    mean_x /= weights;
+    mean_y /= weights;
+    F moment = 0, product = 0;
+    for (const Bin& bin : bins) {
+        moment += bin.weight * (bin.x - mean_x) * (bin.x - mean_x);
+        product += bin.weight * (bin.x - mean_x) * (bin.y - mean_y);
+    }
+    fit.dimension = static_cast<T>((5 + product / moment) / 2);
+    fit.dimension_error = static_cast<T>(1 / std::sqrt(moment) / 2);
+    return fit;
+}
+
+}  // namespace fstiff
