@@ -16,6 +16,7 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/roughness.hpp>
+#include <fstiff/surface/self_affine.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 #include <fstiff/profile/detrend.hpp>
