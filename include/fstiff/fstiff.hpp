@@ -25,6 +25,7 @@
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/islands.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
