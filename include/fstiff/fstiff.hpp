@@ -24,6 +24,8 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/form.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
