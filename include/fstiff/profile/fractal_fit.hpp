@@ -19,7 +19,11 @@
 /// factor of 2.25) keeps to the slope of the range within 0.2, or 1.5 sqrt(n/N) where that is more, and lies between
 /// 0.05 and 1.9: 2 is a profile that is smooth below its resolution, or tilted; 0 one that has saturated. When there is
 /// none, 0.2 becomes 0.3, 0.45, 0.6, and the result is flagged as curved. Lags of 4 samples to a tenth of the points
-/// are searched; 1 sample to a quarter for a profile of fewer than 400 points.
+/// are searched; 1 sample to a quarter for a profile of fewer than 400 points. Lags below the resolution, or that may show
+/// the tip (profile/tip_cutoff.hpp), are left out of everything.
+/// A range behind a plateau is waviness over a roughness that has saturated: some shorter lag has a slope below 0.2, and
+/// the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
+/// tolerance above 0.2 only when there is none at all.
 ///
 /// Errors (one standard deviation): the larger of
 ///  - what the covariance of S of a Gaussian self-affine profile with the fitted D gives, in closed form: the limit of
@@ -37,6 +41,7 @@
 ///             D is 0.8 to 1.25 times the scatter of D (tests/profile/fractal_fit_test.cpp)
 
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 
@@ -44,6 +49,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -55,6 +61,21 @@ struct LagWindow {
     T from{}, to{};
 };
 
+/// Why a window begins or ends where it does.
+enum class WindowEnd {
+    given,       ///< by hand
+    sampling,    ///< the first lag searched: shorter ones know only a few samples
+    resolution,  ///< of the instrument
+    tip,         ///< of the instrument, by its radius
+    smooth,      ///< beyond it S grows as the square of the lag: smooth, or tilted
+    saturated,   ///< beyond it S does not grow
+    bend,        ///< beyond it the slope of S is another one
+    length,      ///< the longest lag searched: of longer ones the profile holds too few
+};
+
+/// In words, to follow "begins" or "ends".
+[[nodiscard]] constexpr std::string_view describe(WindowEnd end);
+
 template <Real T>
 struct FractalFitOptions {
     std::optional<LagWindow<T>> window{};  ///< automatic when not given
@@ -63,6 +84,21 @@ struct FractalFitOptions {
     Divisor divisor = Divisor::pairs;
     std::uint64_t seed = 2014;  ///< of the bootstrap
     int resamples = 200;        ///< of the bootstrap; 0 leaves it out
+    T tip_radius{};             ///< of the stylus [m]: lags that may show it are left out; 0: not known
+    T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
+};
+
+/// S of one profile or the mean of several, for fit_fractal().
+template <Real T>
+struct MeasuredStructureFunction {
+    StructureFunction<T> structure_function;  ///< at some lags, rising; `pairs` are those of one profile
+    T spacing{};                              ///< [m]
+    std::size_t points{};                     ///< of one profile, missing ones included
+    T profiles = T(1);                        ///< independent ones that S is the mean of: their number divides the
+                                              ///< variance that the model expects
+    /// ln S at the steps given (rows) of resamples (columns), for the errors; may be empty. ln S in any unit.
+    std::function<Eigen::Matrix<detail::Sum<T>, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)>
+        resample{};
 };
 
 template <Real T>
@@ -77,6 +113,10 @@ struct FractalFit {
     T line_dimension{};              ///< D of the ordinary straight line over the same window
     LagWindow<T> window;             ///< shortest and longest lag used [m]
     bool automatic_window{};
+    WindowEnd begins{};   ///< why the window begins there
+    WindowEnd ends{};     ///< and ends there
+    T reliable_from{};    ///< shortest lag that resolution and tip allow [m]; 0: not restricted
+    bool behind_plateau{};  ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
     T slope_tolerance{};  ///< that the automatic window took; 0 for a window given
     std::size_t lags{};   ///< lags used
     bool finite_band{};   ///< whether these terms entered
@@ -100,6 +140,27 @@ struct FractalFit {
 /// of lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {});
+
+/// D and G of a structure function, with the resamples that come with it; options.divisor, .seed and .resamples have no
+/// part in it.
+/// \throws domain_error as above, and when options.tip_radius is given: a tip needs heights, see tip_cutoff().
+template <Real T>
+[[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,
+                                        const FractalFitOptions<T>& options = {});
+
+constexpr std::string_view describe(WindowEnd end) {
+    switch (end) {
+        case WindowEnd::given: return "as given";
+        case WindowEnd::sampling: return "at the first lag searched";
+        case WindowEnd::resolution: return "at the resolution";
+        case WindowEnd::tip: return "where the tip no longer shows";
+        case WindowEnd::smooth: return "where the profile becomes smooth";
+        case WindowEnd::saturated: return "where the structure function saturates";
+        case WindowEnd::bend: return "where the slope changes";
+        case WindowEnd::length: return "at the longest lag searched";
+    }
+    return "";
+}
 
 namespace detail {
 
@@ -143,23 +204,29 @@ struct IndexRange {
     Eigen::Index first{}, last{};
 };
 
-/// The longest straight range among the lags lower ... upper (in samples) of x = ln n, y = ln S, where the local slopes
-/// may differ from that of the range by \p tolerance; see the head of this file.
+/// Whether a range of slope \p slope stands behind a lag where S was as flat as \p flattest.
 template <Real T>
-std::optional<IndexRange> straight_range(const Vector<T>& x, const Vector<T>& y, T points, T lower, T upper,
-                                         T tolerance) {
+bool is_behind_plateau(T flattest, T slope) {
+    return flattest < T(0.2) && slope > flattest + T(0.3);
+}
+
+/// The longest straight range among the lags lower ... upper (in samples) of x = ln n, y = ln S, where the local slopes
+/// may differ from that of the range by \p tolerance, before a plateau or (\p behind_plateau) behind one; see the head of
+/// this file.
+template <Real T>
+std::optional<IndexRange> straight_range(const Vector<T>& x, const Vector<T>& y, const Vector<T>& local, T points,
+                                         T lower, T upper, T tolerance, bool behind_plateau) {
     const Eigen::Index size = x.size();
-    Vector<T> local(size), allowed(size);
-    for (Eigen::Index k = 0; k < size; ++k) {
-        local[k] = local_slope(x, y, k);
+    Vector<T> allowed(size);
+    for (Eigen::Index k = 0; k < size; ++k)
         allowed[k] = std::max(tolerance, T(1.5) * std::sqrt(std::exp(x[k]) / points));
-    }
     const T from = std::log(lower) - T(1e-9), to = std::log(upper) + T(1e-9);
     const T least = std::log(static_cast<T>(least_window_ratio));
     std::optional<IndexRange> best;
-    T best_length = 0;
+    T best_length = 0, flattest = std::numeric_limits<T>::infinity();
     for (Eigen::Index a = 0; a < size; ++a) {
         if (x[a] < from) continue;
+        flattest = std::min(flattest, local[a]);
         for (Eigen::Index b = size - 1; b > a; --b) {
             if (x[b] > to) continue;
             const T length = x[b] - x[a];
@@ -168,7 +235,7 @@ std::optional<IndexRange> straight_range(const Vector<T>& x, const Vector<T>& y,
             const T mean = slope(x, y, a, b);
             const Eigen::Index count = b - a + 1;
             const auto slopes = local.segment(a, count).array();
-            const bool straight = (slopes > T(0.05)).all() && (slopes < T(1.9)).all() &&
+            const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && (slopes > T(0.05)).all() && (slopes < T(1.9)).all() &&
                                   ((slopes - mean).abs() <= allowed.segment(a, count).array()).all();
             if (straight) {
                 best = IndexRange{a, b};
@@ -325,47 +392,127 @@ inline std::vector<std::size_t> part(const std::vector<std::size_t>& all, IndexR
 
 }  // namespace detail
 
+namespace detail {
+
 template <Real T>
-FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options) {
-    using F = detail::Sum<T>;  // the fit of a float profile is done in double
-    using Eigen::Index;
-    profile.validate(16);
+void check_options(const FractalFitOptions<T>& options) {
     require(options.gamma > T(1) && options.gamma <= std::numeric_limits<T>::max(), "gamma", options.gamma,
             "finite and greater than 1");
     if (options.resamples < 0 || options.resamples > 100000)
         throw domain_error("resamples = " + std::to_string(options.resamples) + ": must be between 0 and 100000");
+    for (const auto& [name, value] : {std::pair{"tip radius", options.tip_radius}, {"resolution", options.resolution}})
+        require(value >= T(0) && value <= std::numeric_limits<T>::max(), name, value,
+                "finite and greater than 0, or 0 when it is not known");
+}
 
-    FractalFit<T> result;
-    result.seed = options.seed;
+template <Real T>
+void check_window(const LagWindow<T>& window, T length) {
+    require_positive("window from", window.from);
+    require(window.to > window.from && window.to <= length, "window to", window.to,
+            "greater than the beginning of the window and at most the length of the profile");
+}
+
+template <Real T>
+FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
+                           T tip_length);
+
+}  // namespace detail
+
+template <Real T>
+FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options) {
+    using F = detail::Sum<T>;
+    profile.validate(16);
+    detail::check_options(options);
     const std::size_t points = profile.size();
     // beyond the usual quarter of the points only when the window asks for it
     std::size_t longest = points / 4;
     if (options.window) {
-        require_positive("window from", options.window->from);
-        require(options.window->to > options.window->from && options.window->to <= profile.length(), "window to",
-                options.window->to, "greater than the beginning of the window and at most the length of the profile");
+        detail::check_window(*options.window, profile.length());
         longest = std::max(
             longest, std::min(points - 2, static_cast<std::size_t>(options.window->to / profile.spacing * T(1.0001))));
     }
     const std::vector<std::size_t> wanted = logarithmic_lags(longest);
-    result.structure_function = structure_function(profile, std::span<const std::size_t>(wanted), options.divisor);
+    MeasuredStructureFunction<T> measured;
+    measured.structure_function = structure_function(profile, std::span<const std::size_t>(wanted), options.divisor);
+    measured.spacing = profile.spacing;
+    measured.points = points;
+    if (options.resamples > 1)
+        measured.resample = [&](const std::vector<std::size_t>& steps) {
+            const Profile<F> heights{std::vector<F>(profile.heights.begin(), profile.heights.end()),
+                                     static_cast<F>(profile.spacing)};
+            return detail::bootstrap_log_structure(heights, steps, options.resamples, options.seed);
+        };
+    const T tip_length = options.tip_radius > T(0) ? tip_cutoff(profile, options.tip_radius) : T(0);
+    FractalFit<T> result = detail::fit_measured(measured, options, tip_length);
+    result.seed = options.seed;
+    return result;
+}
+
+template <Real T>
+FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options) {
+    detail::check_options(options);
+    require_positive("spacing", measured.spacing);
+    require(measured.profiles > T(0) && measured.profiles <= std::numeric_limits<T>::max(), "profiles",
+            measured.profiles, "finite and greater than 0");
+    require(options.tip_radius == T(0), "tip radius", options.tip_radius,
+            "left out for a structure function: a tip needs heights");
+    const StructureFunction<T>& s = measured.structure_function;
+    if (s.step.size() != s.size() || s.value.size() != s.size() || s.pairs.size() != s.size())
+        throw domain_error("structure function: its vectors must have one length");
+    for (std::size_t k = 0; k < s.size(); ++k) {
+        if (s.step[k] < 1 || s.step[k] >= measured.points || (k > 0 && s.step[k] <= s.step[k - 1]) || s.pairs[k] < 1)
+            throw domain_error("structure function, lag = " + std::to_string(s.step[k]) +
+                               " samples: lags must rise between 1 and one less than the points, each with a pair");
+        require(s.value[k] >= T(0) && s.value[k] <= std::numeric_limits<T>::max(), "structure function", s.value[k],
+                "finite and not negative");
+    }
+    if (options.window)
+        detail::check_window(*options.window, static_cast<T>(measured.points - 1) * measured.spacing);
+    return detail::fit_measured(measured, options, T(0));
+}
+
+template <Real T>
+FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
+                                   T tip_length) {
+    using F = detail::Sum<T>;  // the fit of a float profile is done in double
+    using Eigen::Index;
+    FractalFit<T> result;
+    result.structure_function = measured.structure_function;
     const StructureFunction<T>& s = result.structure_function;
+    const std::size_t points = measured.points;
+    const T spacing = measured.spacing, length = static_cast<T>(points - 1) * spacing;
+    const WindowEnd limit = tip_length > options.resolution ? WindowEnd::tip : WindowEnd::resolution;
+    result.reliable_from = std::max(tip_length, options.resolution);
+    const T reliable = result.reliable_from * T(0.9999);  // a lag at the limit is in, whatever the rounding
 
     // x = ln n, y = ln(S/h^2): numbers without a unit; lags at which nothing differs (S = 0) have no logarithm
     std::vector<std::size_t> step, pairs;
     std::vector<F> log_value;
     for (std::size_t k = 0; k < s.size(); ++k)
-        if (s.value[k] > T(0)) {
+        if (s.value[k] > T(0) && static_cast<T>(s.step[k]) * spacing >= reliable) {
             step.push_back(s.step[k]);
             pairs.push_back(s.pairs[k]);
-            log_value.push_back(std::log(static_cast<F>(s.value[k])) - 2 * std::log(static_cast<F>(profile.spacing)));
+            log_value.push_back(std::log(static_cast<F>(s.value[k])) - 2 * std::log(static_cast<F>(spacing)));
         }
+    const auto only_reliable = [&]() -> std::string {
+        if (reliable == T(0)) return "";
+        return std::string("; lags below ") +
+               (reliable <= length ? detail::shown(result.reliable_from) + " m" : "any of this profile") +
+               " are left out for the " + (limit == WindowEnd::tip ? "tip radius" : "resolution");
+    };
+    if (reliable > T(0) &&
+        (step.size() < detail::least_window_lags ||
+         static_cast<double>(step.back()) < detail::least_window_ratio * static_cast<double>(step.front())))
+        throw domain_error("window: no half decade of lags is left" + only_reliable());
     if (step.size() < detail::least_window_lags)
         throw domain_error("profile has differing heights at " + std::to_string(step.size()) +
                            " lags: must be at least " + std::to_string(detail::least_window_lags));
     detail::Vector<F> log_lag(static_cast<Index>(step.size()));
     for (Index k = 0; k < log_lag.size(); ++k) log_lag[k] = std::log(static_cast<F>(step[static_cast<std::size_t>(k)]));
     const detail::Vector<F> log_s = Eigen::Map<const detail::Vector<F>>(log_value.data(), log_lag.size());
+
+    detail::Vector<F> local(log_lag.size());
+    for (Index k = 0; k < local.size(); ++k) local[k] = detail::local_slope(log_lag, log_s, k);
 
     // the window
     const bool few = points < 400;
@@ -374,8 +521,8 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
     result.automatic_window = !options.window;
     if (options.window) {
         const F slack = F(1e-4);
-        const F from = std::log(static_cast<F>(options.window->from / profile.spacing)) - slack;
-        const F to = std::log(static_cast<F>(options.window->to / profile.spacing)) + slack;
+        const F from = std::log(static_cast<F>(options.window->from / spacing)) - slack;
+        const F to = std::log(static_cast<F>(options.window->to / spacing)) + slack;
         range = {log_lag.size(), -1};
         for (Index k = 0; k < log_lag.size(); ++k)
             if (log_lag[k] >= from && log_lag[k] <= to) {
@@ -388,13 +535,21 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
             throw domain_error("window = " + detail::shown(options.window->from) + " m to " +
                                detail::shown(options.window->to) + " m: holds " + std::to_string(held) +
                                " lags; must hold at least " + std::to_string(detail::least_window_lags) +
-                               " and half a decade, between " + detail::shown(profile.spacing) + " m and " +
-                               detail::shown(profile.length()) + " m");
+                               " and half a decade, between " + detail::shown(spacing) + " m and " +
+                               detail::shown(length) + " m" + only_reliable());
     } else {
+        struct Choice {
+            F tolerance;
+            bool behind_plateau;
+        };
         std::optional<detail::IndexRange> straight;
-        for (const F tolerance : {F(0.2), F(0.3), F(0.45), F(0.6)}) {
-            straight = detail::straight_range(log_lag, log_s, static_cast<F>(points), shortest, farthest, tolerance);
-            result.slope_tolerance = static_cast<T>(tolerance);
+        for (const Choice choice : {Choice{F(0.2), false}, Choice{F(0.2), true}, Choice{F(0.3), false},
+                                    Choice{F(0.45), false}, Choice{F(0.6), false}, Choice{F(0.3), true},
+                                    Choice{F(0.45), true}, Choice{F(0.6), true}}) {
+            straight = detail::straight_range(log_lag, log_s, local, static_cast<F>(points), shortest, farthest,
+                                              choice.tolerance, choice.behind_plateau);
+            result.slope_tolerance = static_cast<T>(choice.tolerance);
+            result.behind_plateau = choice.behind_plateau;
             if (straight) break;
         }
         if (!straight)
@@ -403,27 +558,43 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
                 detail::shown(detail::local_slope(log_lag, log_s, 0)) + " at the shortest and " +
                 detail::shown(detail::local_slope(log_lag, log_s, log_lag.size() - 1)) +
                 " at the longest lag); must be a profile whose slope stays between 0.05 and 1.9, without tilt, "
-                "or a window given by hand");
+                "or a window given by hand" +
+                only_reliable());
         range = *straight;
     }
     const Index count = range.last - range.first + 1;
     const std::vector<std::size_t> used_step = detail::part(step, range), used_pairs = detail::part(pairs, range);
-    result.window = {static_cast<T>(used_step.front()) * profile.spacing,
-                     static_cast<T>(used_step.back()) * profile.spacing};
+    result.window = {static_cast<T>(used_step.front()) * spacing,
+                     static_cast<T>(used_step.back()) * spacing};
     result.lags = static_cast<std::size_t>(count);
-    result.slope_shortest = static_cast<T>(detail::local_slope(log_lag, log_s, range.first));
-    result.slope_longest = static_cast<T>(detail::local_slope(log_lag, log_s, range.last));
+    result.slope_shortest = static_cast<T>(local[range.first]);
+    result.slope_longest = static_cast<T>(local[range.last]);
     result.slope_least = result.slope_greatest = result.slope_shortest;
     for (Index k = 0; k <= range.last; ++k) {
-        const T local = static_cast<T>(detail::local_slope(log_lag, log_s, k));
+        const T here = static_cast<T>(local[k]);
         if (k >= range.first) {
-            result.slope_least = std::min(result.slope_least, local);
-            result.slope_greatest = std::max(result.slope_greatest, local);
-        } else if (log_lag[k] >= std::log(shortest) && (result.flattest_lag == T(0) || local < result.flattest_slope)) {
-            result.flattest_lag = static_cast<T>(step[static_cast<std::size_t>(k)]) * profile.spacing;
-            result.flattest_slope = local;
+            result.slope_least = std::min(result.slope_least, here);
+            result.slope_greatest = std::max(result.slope_greatest, here);
+        } else if (log_lag[k] >= std::log(shortest) && (result.flattest_lag == T(0) || here < result.flattest_slope)) {
+            result.flattest_lag = static_cast<T>(step[static_cast<std::size_t>(k)]) * spacing;
+            result.flattest_slope = here;
         }
     }
+
+    // why there
+    const auto beyond = [&](Index next, F searched_from, F searched_to, WindowEnd outermost) {
+        if (next < 0 || next >= local.size()) return outermost;
+        const F lag = std::exp(log_lag[next]) * F(1 + 1e-9);
+        if (lag < searched_from || lag > searched_to * F(1 + 1e-8)) return outermost;
+        if (local[next] > F(1.8) && local[next] > local[next < range.first ? range.first : range.last])
+            return WindowEnd::smooth;
+        return local[next] < F(0.2) ? WindowEnd::saturated : WindowEnd::bend;
+    };
+    const bool limited = reliable > T(0) && range.first == 0;
+    result.begins = limited ? limit
+                            : (options.window ? WindowEnd::given
+                                              : beyond(range.first - 1, shortest, farthest, WindowEnd::sampling));
+    result.ends = options.window ? WindowEnd::given : beyond(range.last + 1, shortest, farthest, WindowEnd::length);
 
     // the fit, about the middle of the window
     const F log_reference = (log_lag[range.first] + log_lag[range.last]) / 2;
@@ -499,16 +670,18 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
     const F log_g_slope = (log_g(dimension + nearby) - log_g(dimension - nearby)) / (2 * nearby);
     const detail::Vector<F> roughness_row = level_row / (2 * (dimension - 1)) + log_g_slope * dimension_row;
 
-    const detail::Matrix<F> covariance = detail::log_covariance(used_step, used_pairs, points, power);
+    const detail::Matrix<F> covariance =
+        detail::log_covariance(used_step, used_pairs, points, power) / static_cast<F>(measured.profiles);
     const auto from_model = [&](const detail::Vector<F>& row) {
         return std::sqrt(std::max(F(0), row.dot(covariance * row)));
     };
     F dimension_error = from_model(dimension_row), roughness_error = from_model(roughness_row);
     result.model_dimension_error = static_cast<T>(dimension_error);
-    if (options.resamples > 1) {
-        const Profile<F> heights{std::vector<F>(profile.heights.begin(), profile.heights.end()),
-                                 static_cast<F>(profile.spacing)};
-        const auto resampled = detail::bootstrap_log_structure(heights, used_step, options.resamples, options.seed);
+    if (measured.resample) {
+        const detail::Matrix<F> resampled = measured.resample(used_step);
+        if (resampled.rows() != count || resampled.cols() < 2 || !resampled.allFinite())
+            throw domain_error("resamples of the structure function: must be finite, a row for every lag asked for, two "
+                               "columns or more");
         const F bootstrap = detail::spread(dimension_row, resampled);
         result.bootstrap_dimension_error = static_cast<T>(bootstrap);
         dimension_error = std::max(dimension_error, bootstrap);
@@ -529,7 +702,7 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
                     result.slope_tolerance > T(0.21);
 
     result.fractal.dimension = static_cast<T>(dimension);
-    const F roughness = std::exp(log_g(dimension) + log_reference) * static_cast<F>(profile.spacing);
+    const F roughness = std::exp(log_g(dimension) + log_reference) * static_cast<F>(spacing);
     result.fractal.roughness = static_cast<T>(roughness);
     require(result.fractal.roughness >= std::numeric_limits<T>::min() &&
                 result.fractal.roughness <= std::numeric_limits<T>::max(),

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Structure function of a profile at every lag, by Fourier transform.
+///
+///     N_n S(n h) = A_n + B_n - 2 R_n + 2 b n sum(r_(i+n) - r_i) + N_n (b n)^2        eq. (2.8)
+///     z_i = a + b i + r_i,  R_n = sum r_i r_(i+n),  A_n, B_n: sums of r_i^2 over the first and the last N_n points
+///
+/// The line is taken off before and put back into the sum in closed form, so that an offset or a tilt costs nothing.
+/// What is left to lose is the difference A + B - 2R of large sums: the error of every lag is bounded by
+/// 8 epsilon (A_0 + ...), and a lag that may be wrong by 1e-10 of S is evaluated again:
+///  - short lags of a long smooth profile, where S is far below the variance: in segments, each about its own mean;
+///  - all others, the longest lags among them, from their pairs.
+/// Missing points drop their pairs: the number of pairs and their sums are correlations of the mask.
+///
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8).
+/// Units       lag [m], S [m^2]
+/// Valid       2 points to 2^29; every height finite or NaN (missing)
+/// Accuracy    relative error 1e-10 or less at every lag in double, offset or tilt up to 1e6 times the roughness
+///             included (tests/profile/all_lags_test.cpp); float is computed in double, long double is no better than
+///             double
+///
+/// The cost is that of two transforms of 2N points, and of N for every lag from its pairs: none to a few dozen for a rough
+/// profile, about N/1000 for one smooth wave with points missing, N/p for an exact period of p samples, whose S is 0 there.
+
+#include <fstiff/math/fft.hpp>
+#include <fstiff/profile/structure_function.hpp>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace fstiff {
+
+/// S of \p profile at all lags of 1, 2, ... \p longest samples (0: all there are).
+/// \throws domain_error as structure_function() does, and for a profile of fewer than 2 or more than 2^29 points.
+template <Real T>
+[[nodiscard]] StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest = 0,
+                                                                  Divisor divisor = Divisor::pairs);
+
+namespace detail {
+
+/// The sums over pairs of one profile; heights are scaled, and 0 where \p present is 0;
+/// an empty \p present: no point is missing.
+template <class F>
+class AllLags {
+public:
+    AllLags(const std::vector<F>& heights, const std::vector<char>& present, std::size_t longest)
+        : z_(heights), present_(present), size_(heights.size()), longest_(longest) {
+        whole_ = present.empty();
+        take_off_line();
+        correlate();
+        mend();
+    }
+
+    std::vector<F> sum;              ///< of squared differences, at lag n - 1
+    std::vector<std::size_t> pairs;  ///< at lag n - 1
+
+private:
+    /// A sum with its rounding errors (Knuth's two-sum), without the branch of CompensatedSum.
+    struct RunningSum {
+        F sum{}, error{};
+        void add(F term) {
+            const F next = sum + term, added = next - sum;
+            error += (sum - (next - added)) + (term - added);
+            sum = next;
+        }
+        F value() const { return sum + error; }
+    };
+
+    static constexpr F wanted = F(0.8e-10);  // the rest of 1e-10 is for the rounding of the sums themselves
+
+    /// Sum of \p term over the points that exist, in short runs so that rounding does not add up.
+    template <class Term>
+    F over_points(const Term& term) const {
+        constexpr std::size_t run = 1024;
+        F all = 0;
+        for (std::size_t start = 0; start < size_; start += run) {
+            F part = 0;
+            for (std::size_t i = start; i < std::min(start + run, size_); ++i)
+                if (whole_ || present_[i]) part += term(i);
+            all += part;
+        }
+        return all;
+    }
+
+    void take_off_line() {
+        const F centre = static_cast<F>(size_ - 1) / 2;  // exact
+        const auto position = [&](std::size_t i) { return static_cast<F>(i) - centre; };
+        const F points = whole_ ? static_cast<F>(size_) : std::max(over_points([](std::size_t) { return F(1); }), F(1));
+        const F level = over_points([&](std::size_t i) { return z_[i]; }) / points;
+        const F middle = whole_ ? F(0) : over_points(position) / points;
+        const F square = whole_ ? points * (points * points - 1) / 12 : over_points([&](std::size_t i) {
+            return (position(i) - middle) * (position(i) - middle);
+        });
+        slope_ = square > 0
+                     ? over_points([&](std::size_t i) { return (position(i) - middle) * (z_[i] - level); }) / square
+                     : F(0);
+        residual_.resize(fast_fft_size(size_ + longest_));  // padded with zeros for the transform
+        // z - level - slope u with the rounding errors of the difference and of the product
+        for (std::size_t i = 0; i < size_; ++i) {
+            if (!whole_ && !present_[i]) continue;
+            const F u = position(i);  // exact, so that differences of the line are slope times lag
+            const F difference = z_[i] - level, back = z_[i] - difference;
+            const F lost = (z_[i] - (difference + back)) + (back - level);
+            const F product = slope_ * u, product_lost = std::fma(slope_, u, -product);
+            residual_[i] = (difference - product) + (lost - product_lost);
+        }
+        // the residual keeps a constant, slope times middle and what rounding left: differences do not see it
+        const F constant = over_points([&](std::size_t i) { return residual_[i]; }) / points;
+        for (std::size_t i = 0; i < size_; ++i)
+            if (whole_ || present_[i]) residual_[i] -= constant;
+    }
+
+    void correlate() {
+        sum.resize(longest_);
+        pairs.resize(longest_);
+        RealFft<F> fft(residual_.size());
+        const std::size_t half = fft.size() / 2;
+        const F scale = F(1) / static_cast<F>(fft.size());
+        constexpr F epsilon = std::max(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
+        const F fft_error = 8 * epsilon;  // of a correlation, over its value at lag 0: six times what was measured
+        std::vector<std::complex<F>> spectrum, other;
+        std::vector<F> even(fft.size());
+        fft.forward(residual_, spectrum);
+
+        if (whole_) {
+            // a real even spectrum: the transform is its own inverse
+            even[0] = std::norm(spectrum[0]) * scale;
+            for (std::size_t k = 1; k <= half; ++k)
+                even[k] = even[fft.size() - k] = std::norm(spectrum[k]) * scale;
+            fft.forward(even, spectrum);
+            const F zero = over_points([&](std::size_t i) { return residual_[i] * residual_[i]; });
+            RunningSum left_out, edges;  // squares outside the pairs' beginnings and ends; last n less first n points
+            for (std::size_t n = 1; n <= longest_; ++n) {
+                const F head = residual_[n - 1], tail = residual_[size_ - n];
+                left_out.add(head * head + tail * tail);
+                edges.add(tail - head);
+                const F count = static_cast<F>(size_ - n), line = slope_ * static_cast<F>(n);
+                // sum of r_(i+n) - r_i = (all - first n) - (all - last n)
+                const F cross = 2 * line * edges.value();
+                sum[n - 1] = (2 * zero - left_out.value()) - 2 * spectrum[n].real() + cross + count * line * line;
+                pairs[n - 1] = size_ - n;
+                doubt(n, 2 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
+                                4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n)));
+            }
+            return;
+        }
+
+        // with points missing: pairs, sum of differences and sum of squared differences are three correlations
+        std::vector<F> work(size_);
+        std::vector<std::complex<F>> mask;
+        for (std::size_t i = 0; i < size_; ++i) work[i] = present_[i] ? F(1) : F(0);
+        fft.forward(work, mask);
+        for (std::size_t i = 0; i < size_; ++i) work[i] = residual_[i] * residual_[i];
+        fft.forward(work, other);
+        const F zero = other[0].real(), points = mask[0].real();
+        std::vector<F> odd(fft.size());
+        for (std::size_t k = 0; k <= half; ++k) {
+            // squares: A + B - 2R; differences: an odd imaginary spectrum, whose transform is imaginary
+            const F squares = 2 * (std::real(std::conj(mask[k]) * other[k]) - std::norm(spectrum[k])) * scale;
+            const F difference = 2 * std::imag(std::conj(mask[k]) * spectrum[k]) * scale;
+            even[k] = even[(fft.size() - k) % fft.size()] = squares;
+            odd[k] = difference;
+            odd[(fft.size() - k) % fft.size()] = k == 0 || k == half ? F(0) : -difference;
+            if (k == 0 || k == half) odd[k] = 0;
+        }
+        fft.forward(even, spectrum);
+        fft.forward(odd, other);
+        for (std::size_t k = 0; k <= half; ++k)
+            even[k] = even[(fft.size() - k) % fft.size()] = std::norm(mask[k]) * scale;
+        fft.forward(even, mask);
+        for (std::size_t n = 1; n <= longest_; ++n) {
+            const F count = std::round(mask[n].real()), line = slope_ * static_cast<F>(n);
+            const F cross = 2 * line * other[n].imag();
+            sum[n - 1] = spectrum[n].real() + cross + count * line * line;
+            pairs[n - 1] = count > 0 ? static_cast<std::size_t>(count) : 0;
+            // twice as many correlations as above; that of mask and heights is at most sqrt(points times squares)
+            doubt(n, 4 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
+                            4 * fft_error * std::abs(line) * std::sqrt(zero * points));
+        }
+    }
+
+    /// Remembers lag \p n when an \p error of its sum may be too much.
+    void doubt(std::size_t n, F error) {
+        if (pairs[n - 1] > 0 && !(error <= wanted * sum[n - 1])) doubtful_.push_back(n);
+    }
+
+    /// Sum over the pairs of lag \p n that begin at \p from or later, in short runs so that rounding does not add up.
+    F directly(std::size_t n, std::size_t from) const {
+        constexpr std::size_t run = 1024;
+        using Map = Eigen::Map<const Eigen::Array<F, Eigen::Dynamic, 1>>;
+        F all = 0;
+        for (std::size_t start = from; start < size_ - n; start += run) {
+            const std::size_t end = std::min(start + run, size_ - n);
+            const auto count = static_cast<Eigen::Index>(end - start);
+            if (whole_) {
+                all += (Map(z_.data() + start + n, count) - Map(z_.data() + start, count)).square().sum();
+            } else {
+                F part = 0;
+                for (std::size_t i = start; i < end; ++i)
+                    if (present_[i] && present_[i + n]) part += (z_[i + n] - z_[i]) * (z_[i + n] - z_[i]);
+                all += part;
+            }
+        }
+        return all;
+    }
+
+    /// Lags 1 ... \p to in segments of the profile. Cross-correlations of x, the pairs' beginnings, and y, their ends.
+    /// Returns which lags are settled.
+    std::vector<char> in_segments(std::size_t to) {
+        std::vector<char> settled(to + 1);
+        RealFft<F> fft(fast_fft_size(16 * to));
+        const std::size_t width = fft.size(), begins = width - to, half = width / 2;
+        std::vector<F> x, y;
+        std::vector<std::complex<F>> begin, end, product(half + 1);
+        std::vector<F> squares(to, F(0));
+        F zero = 0;
+        std::size_t from = 0;
+        for (; from + width <= size_; from += begins) {
+            const auto first = z_.begin() + static_cast<std::ptrdiff_t>(from);
+            y.assign(first, first + static_cast<std::ptrdiff_t>(width));
+            F mean = 0;
+            for (const F z : y) mean += z;
+            mean /= static_cast<F>(width);
+            F all = 0;
+            for (F& z : y) {
+                z -= mean;
+                all += z * z;
+            }
+            x.assign(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(begins));
+            F own = 0;
+            for (const F z : x) own += z * z;
+            F moving = own;  // squares of the ends of the pairs
+            for (std::size_t n = 1; n <= to; ++n) {
+                moving += y[begins + n - 1] * y[begins + n - 1] - y[n - 1] * y[n - 1];
+                squares[n - 1] += own + moving;
+            }
+            zero += all;
+            fft.forward(x, begin);
+            fft.forward(y, end);
+            for (std::size_t k = 0; k <= half; ++k) product[k] += std::conj(begin[k]) * end[k];
+        }
+        if (from == 0) return settled;
+        fft.inverse(product, x);
+        constexpr F epsilon = std::max(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
+        // the sums above grow segment by segment and step by step
+        const F steps = std::sqrt(static_cast<F>(to)) + std::sqrt(static_cast<F>(size_ / begins));
+        for (std::size_t n = 1; n <= to; ++n) {
+            const F segments = squares[n - 1] - 2 * x[n];
+            const F bound = (16 + steps) * epsilon * zero;
+            if (bound <= wanted * segments) {
+                sum[n - 1] = segments + directly(n, from);
+                settled[n] = 1;
+            }
+        }
+        return settled;
+    }
+
+    void mend() {
+        // how far the doubtful lags reach without a gap longer than half of what is before it
+        std::size_t last = 0, front = 0;
+        while (front < doubtful_.size() && doubtful_[front] <= std::min(2 * last + 64, size_ / 64))
+            last = doubtful_[front++];
+        std::vector<char> settled;
+        if (whole_ && front > 64) settled = in_segments(last);
+        for (const std::size_t n : doubtful_)
+            if (n >= settled.size() || !settled[n]) sum[n - 1] = directly(n, 0);
+    }
+
+    const std::vector<F>& z_;
+    const std::vector<char>& present_;
+    std::size_t size_, longest_;
+    bool whole_{};
+    F slope_{};  // per sample
+    std::vector<F> residual_;
+    std::vector<std::size_t> doubtful_;  // lags whose sum may be wrong, rising
+};
+
+}  // namespace detail
+
+template <Real T>
+StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest, Divisor divisor) {
+    using F = detail::Sum<T>;
+    require_positive("spacing", profile.spacing);
+    const std::size_t points = profile.size();
+    if (points < 2 || points > std::size_t{1} << 29)
+        throw domain_error("profile has " + std::to_string(points) + " points: must be between 2 and 2^29");
+    if (longest >= points)
+        throw domain_error("lag = " + std::to_string(longest) + " samples: must be between 1 and " +
+                           std::to_string(points - 1));
+    const F scale = static_cast<F>(detail::height_scale(profile));
+    std::vector<F> heights(points);
+    std::vector<char> present;
+    if (profile.present() < points) present.resize(points);
+    for (std::size_t i = 0; i < points; ++i) {
+        const bool exists = !std::isnan(profile.heights[i]);
+        if (!present.empty()) present[i] = exists ? 1 : 0;
+        heights[i] = exists ? static_cast<F>(profile.heights[i]) / scale : F(0);
+    }
+    detail::AllLags<F> all(heights, present, longest == 0 ? points - 1 : longest);
+    StructureFunction<T> result;
+    result.step.resize(all.sum.size());
+    result.lag.resize(all.sum.size());
+    if constexpr (std::is_same_v<T, F>)
+        result.value = std::move(all.sum);
+    else
+        result.value.assign(all.sum.begin(), all.sum.end());
+    result.pairs = std::move(all.pairs);
+    std::size_t kept = 0;  // lags without enough pairs are left out in place
+    for (std::size_t k = 0; k < result.pairs.size(); ++k) {
+        const std::size_t pairs = result.pairs[k];
+        const std::size_t divided_by = divisor == Divisor::pairs ? pairs : pairs > 0 ? pairs - 1 : 0;
+        if (divided_by == 0) continue;
+        const F sum = static_cast<F>(result.value[k]);
+        const T value = static_cast<T>(sum / static_cast<F>(divided_by) * scale * scale);
+        require(sum == 0 || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
+                "structure function", value, "a number of normal size: these heights are too large or too small");
+        result.step[kept] = k + 1;
+        result.lag[kept] = static_cast<T>(k + 1) * profile.spacing;
+        result.value[kept] = value;
+        result.pairs[kept] = pairs;
+        ++kept;
+    }
+    result.step.resize(kept);
+    result.lag.resize(kept);
+    result.value.resize(kept);
+    result.pairs.resize(kept);
+    return result;
+}
+
+}  // namespace fstiff
