@@ -9,6 +9,7 @@
 #include <fstiff/core/version.hpp>
 #include <fstiff/math/chebyshev.hpp>
 #include <fstiff/math/error_function.hpp>
+#include <fstiff/math/fft.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 #include <fstiff/math/gaussian_moment_table.hpp>
@@ -19,15 +20,18 @@
 #include <fstiff/surface/self_affine.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/islands.hpp>
+#include <fstiff/measured/sections.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
