@@ -176,6 +176,9 @@ TEST_CASE("Levels that are asked for are taken, in any order, between and beyond
     CHECK(curve.islands.front() == 0);
     CHECK(curve.density.front() == 0);
     CHECK(curve.bearing_area.back() == 1);
+    // more quantiles than points are all heights, not so many lines
+    CHECK(island_curve(map, {.quantiles = std::numeric_limits<std::size_t>::max()}).size() ==
+          island_curve(map, {.quantiles = 0}).size());
 }
 
 TEST_CASE("By default the levels stand at 200 bearing areas") {
