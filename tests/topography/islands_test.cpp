@@ -181,6 +181,18 @@ TEST_CASE("Levels that are asked for are taken, in any order, between and beyond
           island_curve(map, {.quantiles = 0}).size());
 }
 
+TEMPLATE_TEST_CASE("Zeros of both signs are one height", "", float, double, long double) {
+    using T = TestType;
+    HeightMap<T> map{HeightMap<T>::Array::Zero(4, 5), T(1), T(1)};
+    map.heights(1, 1) = map.heights(2, 3) = T(-0.0);
+    map.heights(0, 0) = T(-2);
+    map.heights(3, 4) = T(3);
+    const auto curve = island_curve(map, {.quantiles = 0});
+    REQUIRE(curve.level == std::vector<T>{T(3), T(0), T(-2)});
+    CHECK(curve.islands == std::vector<std::size_t>{0, 1, 1});
+    CHECK(curve.mean_area == std::vector<T>{T(0), T(1), T(19)});
+}
+
 TEST_CASE("By default the levels stand at 200 bearing areas") {
     const auto map = gaussian(0.8, 32, 6, 128, 4);
     const auto curve = island_curve(map);

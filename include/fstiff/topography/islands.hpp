@@ -31,6 +31,7 @@
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -257,6 +258,33 @@ struct IslandPoint {
     std::int32_t index;
 };
 
+/// Highest first, equal ones as they stand: radix sort of 11 bits a pass; std::stable_sort for long double.
+template <Real T>
+void sort_from_the_highest(std::vector<IslandPoint<T>>& points) {
+    if constexpr (std::numeric_limits<T>::is_iec559 && (sizeof(T) == 4 || sizeof(T) == 8)) {
+        using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+        constexpr int width = 8 * static_cast<int>(sizeof(T)), digit = 11;
+        constexpr Bits sign = Bits(1) << (width - 1), mask = (Bits(1) << digit) - 1;
+        const auto key = [](T height) -> Bits {                    // falls as the height rises
+            const Bits bits = std::bit_cast<Bits>(height + T(0));  // -0 becomes +0
+            return (bits & sign) != 0 ? bits : ~(bits | sign);
+        };
+        std::vector<IslandPoint<T>> other(points.size());
+        std::vector<std::size_t> start(std::size_t(mask) + 1);
+        for (int shift = 0; shift < width; shift += digit) {
+            std::fill(start.begin(), start.end(), std::size_t(0));
+            for (const IslandPoint<T>& point : points) ++start[key(point.height) >> shift & mask];
+            std::size_t sum = 0;
+            for (std::size_t& count : start) sum += std::exchange(count, sum);
+            for (const IslandPoint<T>& point : points) other[start[key(point.height) >> shift & mask]++] = point;
+            points.swap(other);
+        }
+    } else {
+        std::stable_sort(points.begin(), points.end(),
+                         [](const IslandPoint<T>& a, const IslandPoint<T>& b) { return a.height > b.height; });
+    }
+}
+
 /// The curve; the totals of every tile at every level go to \p record(level, forest).
 template <Real T, class Record>
 IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
@@ -273,9 +301,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     points.reserve(static_cast<std::size_t>(map.present()));
     for (std::int32_t p = 0; p < static_cast<std::int32_t>(map.size()); ++p)
         if (!std::isnan(z[p])) points.push_back({z[p], p});
-    std::sort(points.begin(), points.end(), [](const IslandPoint<T>& a, const IslandPoint<T>& b) {
-        return a.height != b.height ? a.height > b.height : a.index < b.index;
-    });
+    sort_from_the_highest(points);
     // sums of as many heights, and of their doubles, stay in range
     const T largest = std::max(std::abs(points.front().height), std::abs(points.back().height));
     require(largest <= std::sqrt(std::numeric_limits<T>::max()), "largest height", largest,
