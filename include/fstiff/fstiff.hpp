@@ -17,6 +17,7 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/roughness.hpp>
+#include <fstiff/surface/self_affine.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 #include <fstiff/profile/all_lags.hpp>
@@ -29,7 +30,11 @@
 #include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/form.hpp>
 #include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/islands.hpp>
+#include <fstiff/measured/sections.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Sections of a map: profiles along x and along y, D and G of each direction, and whether the two differ.
+///
+///     S_x(n dx) = mean of (z(j, i+n) - z(j, i))^2 over all rows j and all i that exist           and S_y likewise
+///
+/// One mean structure function per direction is fitted, not one a row. Its errors are the larger of what the model of
+/// fit_fractal() expects of as many independent rows as stand a tenth of a row's length apart (the longest lag that is
+/// searched: rows closer together see the same waves), and of a moving-block bootstrap of the rows, in blocks of twice
+/// the longest lag used, or of a quarter of the rows where that is less.
+///
+/// Rule of the warning. The map is called anisotropic when
+///  - D along x and y differ by more than three standard errors of their difference and by more than 0.05, or
+///  - the mean of ln S_x - ln S_y differs from 0 by more than three standard errors and by more than 0.1, over the lags
+///    that both directions have: from 4 samples of the coarser spacing to a tenth of the shorter side.
+/// The errors of the two directions are taken for independent. On 120 isotropic maps two standard errors warned ten
+/// times, three twice.
+///
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8).
+/// Units       lengths, G [m], S [m^2]
+/// Valid       maps of 16 points a side at least; remove the form first, a plane at least, with remove_form()
+/// Accuracy    S 1e-13. D of self-affine maps of 256 x 256 points, H = 0.3 to 0.8: 2 - H within 0.06 on the mean, which
+///             is what the ends of the spectrum do to S; the errors, of sampling alone, are 0.6 to 1.1 times the scatter
+///             (tests/measured/sections_test.cpp)
+
+#include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/topography/height_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fstiff {
+
+/// Direction of a section: along a row, or along a column.
+enum class Direction { x, y };
+
+/// The profile along x in row \p row, or along y in column \p column.
+/// \throws domain_error unless the map has it.
+template <Real T>
+[[nodiscard]] Profile<T> section_along_x(const HeightMap<T>& map, Eigen::Index row);
+template <Real T>
+[[nodiscard]] Profile<T> section_along_y(const HeightMap<T>& map, Eigen::Index column);
+
+/// How the error of a mean structure function is found.
+struct SectionResampling {
+    int resamples = 200;        ///< of the rows; 0 leaves the bootstrap out
+    std::uint64_t seed = 2014;  ///< of the bootstrap
+};
+
+/// Mean structure function of all sections of \p map along \p direction, at logarithmic_lags up to a quarter of their
+/// points, ready for fit_fractal().
+/// \throws domain_error for a map or an option out of range.
+template <Real T>
+[[nodiscard]] MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Direction direction,
+                                                             const SectionResampling& resampling = {});
+
+/// D and G along x and along y. A direction whose structure function allows no fit has the reason instead.
+template <Real T>
+struct DirectionalFit {
+    std::optional<FractalFit<T>> x, y;
+    std::string x_refusal, y_refusal;  ///< why there is no fit; empty when there is one
+    T dimension_difference{};          ///< D along x less D along y; 0 unless both exist
+    T dimension_difference_error{};    ///< its standard deviation
+    LagWindow<T> common;               ///< lags at which S is compared [m]; 0 to 0: both directions share too few
+    T log_level_difference{};          ///< mean of ln S_x - ln S_y over them
+    T log_level_difference_error{};    ///< its standard deviation
+    bool dimension_differs{};
+    bool level_differs{};
+
+    [[nodiscard]] bool anisotropic() const { return dimension_differs || level_differs; }
+};
+
+/// Fits both directions of \p map. Of \p options, resamples and seed are those of the rows; a window or a resolution is
+/// that of both directions.
+/// \throws domain_error for a map or an option out of range; a tip radius is refused, since the lags that it shaped need
+/// the heights of one profile: give the resolution.
+template <Real T>
+[[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {});
+
+namespace detail {
+
+/// Sums of squared differences and pairs, of every section (rows) at every lag (columns).
+template <Real F>
+struct SectionSums {
+    std::vector<std::size_t> step;
+    Matrix<F> sum, pairs;
+};
+
+template <Real T>
+SectionSums<Sum<T>> section_sums(const HeightMap<T>& map, Direction direction, Sum<T> unit) {
+    using F = Sum<T>;
+    using Rows = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Rows z = (direction == Direction::x ? Rows(map.heights.template cast<F>())
+                                              : Rows(map.heights.transpose().template cast<F>())) /
+                   unit;
+    SectionSums<F> sums;
+    sums.step = logarithmic_lags(static_cast<std::size_t>(z.cols()) / 4);
+    const auto lags = static_cast<Eigen::Index>(sums.step.size());
+    sums.sum.resize(z.rows(), lags);
+    sums.pairs.resize(z.rows(), lags);
+    Eigen::Array<F, 1, Eigen::Dynamic> squares;
+    for (Eigen::Index j = 0; j < z.rows(); ++j) {
+        const bool whole = !z.row(j).isNaN().any();
+        for (Eigen::Index k = 0; k < lags; ++k) {
+            const auto n = static_cast<Eigen::Index>(sums.step[static_cast<std::size_t>(k)]), count = z.cols() - n;
+            squares = (z.row(j).tail(count) - z.row(j).head(count)).square();
+            sums.pairs(j, k) = static_cast<F>(whole ? count : count - squares.isNaN().count());
+            sums.sum(j, k) = whole ? squares.sum() : squares.isNaN().select(F(0), squares).sum();
+        }
+    }
+    return sums;
+}
+
+/// ln of the means of S over resamples of the sections: steps given by rows, resamples by columns.
+template <Real F>
+Matrix<F> resample_sections(const SectionSums<F>& sums, const std::vector<std::size_t>& steps, std::size_t block,
+                            const SectionResampling& resampling) {
+    const auto sections = static_cast<std::size_t>(sums.sum.rows());
+    block = std::clamp<std::size_t>(block, 1, std::max<std::size_t>(1, sections / 4));
+    const std::size_t blocks = (sections + block - 1) / block;
+    std::vector<std::size_t> starts(static_cast<std::size_t>(resampling.resamples) * blocks);
+    std::uint64_t state = resampling.seed;
+    for (std::size_t& start : starts) start = static_cast<std::size_t>(splitmix64(state) % (sections - block + 1));
+    Matrix<F> resampled(static_cast<Eigen::Index>(steps.size()), resampling.resamples);
+    std::vector<F> sum_to(sections + 1), pairs_to(sections + 1);  // over all sections before this one
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        const auto lag = std::find(sums.step.begin(), sums.step.end(), steps[k]) - sums.step.begin();
+        for (std::size_t j = 0; j < sections; ++j) {
+            sum_to[j + 1] = sum_to[j] + sums.sum(static_cast<Eigen::Index>(j), lag);
+            pairs_to[j + 1] = pairs_to[j] + sums.pairs(static_cast<Eigen::Index>(j), lag);
+        }
+        for (int r = 0; r < resampling.resamples; ++r) {
+            F sum = 0, pairs = 0;
+            for (std::size_t b = 0; b < blocks; ++b) {
+                const std::size_t start = starts[static_cast<std::size_t>(r) * blocks + b];
+                sum += sum_to[start + block] - sum_to[start];
+                pairs += pairs_to[start + block] - pairs_to[start];
+            }
+            // a resample that holds nothing at this lag says nothing about it
+            resampled(static_cast<Eigen::Index>(k), r) =
+                std::log(sum > F(0) && pairs > F(0) ? sum / pairs : sum_to[sections] / pairs_to[sections]);
+        }
+    }
+    return resampled;
+}
+
+/// Mean of ln S over the lags from ... to, and its standard deviation by the larger of bootstrap and model.
+template <Real F>
+struct LogLevel {
+    F mean{}, error{};
+};
+
+template <Real T>
+LogLevel<Sum<T>> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
+    using F = Sum<T>;
+    const StructureFunction<T>& s = measured.structure_function;
+    // trapezoids over ln(lag), at 24 points of the window that both directions share
+    constexpr int points = 24;
+    std::vector<F> weight(s.size(), F(0));
+    const F from = std::log(static_cast<F>(window.from)), to = std::log(static_cast<F>(window.to));
+    for (int p = 0; p < points; ++p) {
+        const F at = from + (to - from) * static_cast<F>(p) / static_cast<F>(points - 1);
+        std::size_t k = 1;
+        while (k + 1 < s.size() && std::log(static_cast<F>(s.lag[k])) < at) ++k;
+        const F below = std::log(static_cast<F>(s.lag[k - 1])), above = std::log(static_cast<F>(s.lag[k]));
+        const F share = std::clamp((at - below) / (above - below), F(0), F(1));
+        weight[k - 1] += (1 - share) / static_cast<F>(points);
+        weight[k] += share / static_cast<F>(points);
+    }
+    std::vector<std::size_t> step, pairs;
+    std::vector<F> used, log_lag, log_s;
+    LogLevel<F> level;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+        if (weight[k] == F(0)) continue;
+        step.push_back(s.step[k]);
+        pairs.push_back(s.pairs[k]);
+        used.push_back(weight[k]);
+        log_lag.push_back(std::log(static_cast<F>(s.lag[k])));
+        log_s.push_back(std::log(static_cast<F>(s.value[k])));
+        level.mean += weight[k] * log_s.back();
+    }
+    const auto size = static_cast<Eigen::Index>(step.size());
+    const Vector<F> row = Eigen::Map<const Vector<F>>(used.data(), size);
+    const Vector<F> x = Eigen::Map<const Vector<F>>(log_lag.data(), size);
+    const Vector<F> y = Eigen::Map<const Vector<F>>(log_s.data(), size);
+    const F power = std::clamp(slope(x, y, 0, size - 1), F(0.1), F(1.9));
+    const Matrix<F> covariance = log_covariance(step, pairs, measured.points, power);
+    level.error = std::sqrt(std::max(F(0), row.dot(covariance * row)) / static_cast<F>(measured.profiles));
+    if (measured.resample) level.error = std::max(level.error, spread(row, Matrix<F>(measured.resample(step))));
+    return level;
+}
+
+}  // namespace detail
+
+template <Real T>
+Profile<T> section_along_x(const HeightMap<T>& map, Eigen::Index row) {
+    if (row < 0 || row >= map.rows())
+        throw domain_error("row = " + std::to_string(row) + ": must be between 0 and " +
+                           std::to_string(map.rows() - 1));
+    return {{map.heights.row(row).begin(), map.heights.row(row).end()}, map.dx};
+}
+
+template <Real T>
+Profile<T> section_along_y(const HeightMap<T>& map, Eigen::Index column) {
+    if (column < 0 || column >= map.columns())
+        throw domain_error("column = " + std::to_string(column) + ": must be between 0 and " +
+                           std::to_string(map.columns() - 1));
+    return {{map.heights.col(column).begin(), map.heights.col(column).end()}, map.dy};
+}
+
+template <Real T>
+MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Direction direction,
+                                               const SectionResampling& resampling) {
+    using F = detail::Sum<T>;
+    map.validate(16);
+    if (resampling.resamples < 0 || resampling.resamples > 100000)
+        throw domain_error("resamples = " + std::to_string(resampling.resamples) + ": must be between 0 and 100000");
+    const bool x = direction == Direction::x;
+    // in units of the range, a power of two: squares stay in range
+    const T low = map.heights.isNaN().select(std::numeric_limits<T>::max(), map.heights).minCoeff();
+    const T high = map.heights.isNaN().select(std::numeric_limits<T>::lowest(), map.heights).maxCoeff();
+    int exponent = 0;
+    (void)std::frexp(high / 2 - low / 2, &exponent);
+    const F unit = std::ldexp(F(1), exponent);
+    detail::SectionSums<F> sums = detail::section_sums(map, direction, unit);
+
+    MeasuredStructureFunction<T> measured;
+    measured.spacing = x ? map.dx : map.dy;
+    measured.points = static_cast<std::size_t>(x ? map.columns() : map.rows());
+    const auto sections = static_cast<F>(sums.sum.rows());
+    StructureFunction<T>& s = measured.structure_function;
+    for (std::size_t k = 0; k < sums.step.size(); ++k) {
+        const auto lag = static_cast<Eigen::Index>(k);
+        const F pairs = sums.pairs.col(lag).sum(), sum = sums.sum.col(lag).sum();
+        if (pairs == F(0)) continue;
+        const T value = static_cast<T>(sum / pairs * unit * unit);
+        require(sum == F(0) || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
+                "structure function", value, "a number of normal size: these heights are too large or too small");
+        s.step.push_back(sums.step[k]);
+        s.lag.push_back(static_cast<T>(sums.step[k]) * measured.spacing);
+        s.value.push_back(value);
+        s.pairs.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(pairs / sections + F(0.5))));
+    }
+    const F apart = static_cast<F>(x ? map.dy : map.dx) / static_cast<F>(measured.spacing);  // rows, in samples
+    const F tenth = static_cast<F>(measured.points) / 10;
+    measured.profiles = static_cast<T>(std::clamp(sections * apart / tenth, F(1), sections));
+    if (resampling.resamples > 1)
+        measured.resample = [sums = std::move(sums), resampling, apart](const std::vector<std::size_t>& steps) {
+            const F reach = 2 * static_cast<F>(*std::max_element(steps.begin(), steps.end())) / apart;
+            const auto block = static_cast<std::size_t>(std::min(reach, static_cast<F>(sums.sum.rows()))) + 1;
+            return detail::resample_sections(sums, steps, block, resampling);
+        };
+    return measured;
+}
+
+template <Real T>
+DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options) {
+    map.validate(16);
+    require(options.tip_radius == T(0), "tip radius", options.tip_radius, "left out for a map: give the resolution");
+    const SectionResampling resampling{options.resamples, options.seed};
+    const auto along_x = section_structure(map, Direction::x, resampling);
+    const auto along_y = section_structure(map, Direction::y, resampling);
+    DirectionalFit<T> result;
+    const auto fit = [&](const MeasuredStructureFunction<T>& measured, std::optional<FractalFit<T>>& into,
+                         std::string& refusal) {
+        try {
+            into = fit_fractal(measured, options);
+            into->seed = options.seed;
+        } catch (const domain_error& error) {
+            refusal = error.what();
+        }
+    };
+    fit(along_x, result.x, result.x_refusal);
+    fit(along_y, result.y, result.y_refusal);
+    if (result.x && result.y) {
+        result.dimension_difference = result.x->fractal.dimension - result.y->fractal.dimension;
+        result.dimension_difference_error = std::hypot(result.x->dimension_error, result.y->dimension_error);
+        const T difference = std::abs(result.dimension_difference);
+        result.dimension_differs = difference > 3 * result.dimension_difference_error && difference > T(0.05);
+    }
+    const T side = std::min(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
+    const LagWindow<T> common{4 * std::max(map.dx, map.dy), side / 10};
+    const auto varies = [](const MeasuredStructureFunction<T>& m) {
+        const std::vector<T>& s = m.structure_function.value;
+        return s.size() >= 4 && std::all_of(s.begin(), s.end(), [](T value) { return value > T(0); });
+    };
+    if (common.from < common.to && varies(along_x) && varies(along_y)) {
+        result.common = common;
+        const auto x = detail::log_level(along_x, common), y = detail::log_level(along_y, common);
+        result.log_level_difference = static_cast<T>(x.mean - y.mean);
+        result.log_level_difference_error = static_cast<T>(std::hypot(x.error, y.error));
+        const T difference = std::abs(result.log_level_difference);
+        result.level_differs = difference > 3 * result.log_level_difference_error && difference > T(0.1);
+    }
+    return result;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Removes the form of a map: its mean, or a least-squares plane, quadratic or cubic surface.
+///
+///     form = sum of c_kl P_k(u) P_l(v),  k + l <= degree,  u, v in [-1, 1] over the map, P_k Legendre's polynomials
+///
+/// The normal equations are those of the points that exist, of nearly orthogonal functions, and the fit is repeated on
+/// what it left: an offset or a tilt far above the roughness costs nothing but the digits that it had already cost in
+/// the data. A surface that the points do not determine (all in one row, say) is refused.
+///
+/// Units       heights [m]
+/// Valid       maps of 3 x 3 points at least, every height finite or NaN (missing; stays missing)
+/// Accuracy    offset and tilt of 1e6 times the roughness: heights within 1e-15 of the largest height before removal
+///             (tests/topography/form_test.cpp)
+
+#include <fstiff/topography/height_map.hpp>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+namespace fstiff {
+
+/// Degree of the surface that is removed.
+enum class MapForm { none = -1, mean = 0, plane = 1, quadratic = 2, cubic = 3 };
+
+/// \p map without the \p form.
+/// \throws domain_error for a map out of range, or whose points do not determine the form.
+template <Real T>
+[[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form);
+
+namespace detail {
+
+/// Legendre's polynomials 0 to 3 at the points of a side, one a column.
+template <Real S>
+Eigen::Array<S, Eigen::Dynamic, 4> legendre_of_side(Eigen::Index points) {
+    Eigen::Array<S, Eigen::Dynamic, 4> p(points, 4);
+    for (Eigen::Index i = 0; i < points; ++i) {
+        const S u = static_cast<S>(2 * i - (points - 1)) / static_cast<S>(points - 1);
+        p.row(i) << S(1), u, (3 * u * u - 1) / 2, (5 * u * u - 3) * u / 2;
+    }
+    return p;
+}
+
+}  // namespace detail
+
+template <Real T>
+HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
+    using S = std::conditional_t<std::is_same_v<T, float>, double, T>;  // sums of float in double
+    using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+    using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+    using Index = Eigen::Index;
+    map.validate();
+    HeightMap<T> result = map;
+    if (form == MapForm::none) return result;
+    const Index degree = static_cast<Index>(form), terms = (degree + 1) * (degree + 2) / 2;
+    const auto terms_shown = std::to_string(terms);
+    if (map.present() < terms)
+        throw domain_error("map of which " + std::to_string(map.present()) + " points exist: must be at least " +
+                           terms_shown + " to remove this form");
+    const auto px = detail::legendre_of_side<S>(map.columns()), py = detail::legendre_of_side<S>(map.rows());
+    // in units of the largest height, a power of two, so that no sum leaves the range of numbers
+    const S largest = static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff());
+    int exponent = 0;
+    (void)std::frexp(largest, &exponent);
+
+    // f_t = P_k(u) P_l(v), t counting k + l <= degree; row by row, since v is constant along a row
+    const auto each_term = [&](const auto& use) {
+        Index t = 0;
+        for (Index k = 0; k <= degree; ++k)
+            for (Index l = 0; k + l <= degree; ++l) use(t++, k, l);
+    };
+    using Array = Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Array exists =
+        map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<S>();
+    Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>().unaryExpr([&](S value) {
+        return std::ldexp(value, -exponent);
+    });
+    Matrix normal = Matrix::Zero(terms, terms);
+    for (Index j = 0; j < map.rows(); ++j) {
+        Eigen::Matrix<S, 4, 4> products;  // of the polynomials along this row
+        for (Index a = 0; a <= degree; ++a)
+            for (Index b = 0; b <= a; ++b)
+                products(a, b) = products(b, a) = (exists.row(j).transpose() * px.col(a) * px.col(b)).sum();
+        each_term([&](Index s, Index k, Index l) {
+            each_term([&](Index t, Index m, Index n) { normal(s, t) += products(k, m) * py(j, l) * py(j, n); });
+        });
+    }
+    normal /= static_cast<S>(map.present());
+    const Eigen::ColPivHouseholderQR<Matrix> solver = [&] {
+        Eigen::ColPivHouseholderQR<Matrix> qr;
+        qr.setThreshold(S(1e-12));  // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
+        qr.compute(normal);
+        return qr;
+    }();
+    if (solver.rank() < terms)
+        throw domain_error("map whose points determine " + std::to_string(solver.rank()) + " of the " + terms_shown +
+                           " terms of this form: must be spread over more rows and columns");
+    for (int pass = 0; pass < 3; ++pass) {
+        Vector moments = Vector::Zero(terms);
+        for (Index j = 0; j < map.rows(); ++j) {
+            Eigen::Matrix<S, 4, 1> along = Eigen::Matrix<S, 4, 1>::Zero();
+            for (Index k = 0; k <= degree; ++k) along[k] = (z.row(j).transpose() * px.col(k)).sum();
+            each_term([&](Index t, Index k, Index l) { moments[t] += along[k] * py(j, l); });
+        }
+        const Vector c = solver.solve(moments / static_cast<S>(map.present()));
+        for (Index j = 0; j < map.rows(); ++j) {
+            Eigen::Matrix<S, 4, 1> along = Eigen::Matrix<S, 4, 1>::Zero();
+            each_term([&](Index t, Index k, Index l) { along[k] += c[t] * py(j, l); });
+            for (Index k = degree; k >= 0; --k) z.row(j) -= along[k] * (px.col(k).transpose() * exists.row(j));
+        }
+    }
+    for (Index j = 0; j < map.rows(); ++j)
+        for (Index i = 0; i < map.columns(); ++i)
+            if (exists(j, i) > S(0)) result.heights(j, i) = static_cast<T>(std::ldexp(z(j, i), exponent));
+    return result;
+}
+
+}  // namespace fstiff

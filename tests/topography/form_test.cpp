@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/topography/form.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <vector>
+
+using namespace fstiff;
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+/// Values that look random, from -1 to 1, the same everywhere.
+double rough(Eigen::Index i) {
+    return std::fmod(static_cast<double>(i) * static_cast<double>(i) * 0.6180339887498949, 2.0) - 1;
+}
+
+/// 1e-7 m of roughness, and holes where \p holes.
+HeightMap<double> some_map(Eigen::Index columns, Eigen::Index rows, bool holes = false) {
+    HeightMap<double> map{HeightMap<double>::Array(rows, columns), 1e-6, 2e-6};
+    for (Eigen::Index j = 0; j < rows; ++j)
+        for (Eigen::Index i = 0; i < columns; ++i) {
+            map.heights(j, i) = 1e-7 * rough(1 + i + 37 * j);
+            if (holes && (i * j) % 7 == 3) map.heights(j, i) = missing;
+        }
+    return map;
+}
+
+/// The residual by QR of the whole design matrix of monomials, in long double: the independent slow code.
+HeightMap<double> slow(const HeightMap<double>& map, int degree) {
+    using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+    const auto monomials = [&](Eigen::Index j, Eigen::Index i) {
+        std::vector<long double> row;
+        const long double x = static_cast<long double>(i) / static_cast<long double>(map.columns()) - 0.4L;
+        const long double y = static_cast<long double>(j) / static_cast<long double>(map.rows()) - 0.6L;
+        for (int k = 0; k <= degree; ++k)
+            for (int l = 0; k + l <= degree; ++l) row.push_back(std::pow(x, k) * std::pow(y, l));
+        return row;
+    };
+    Matrix design(map.present(), (degree + 1) * (degree + 2) / 2);
+    Eigen::Matrix<long double, Eigen::Dynamic, 1> z(map.present());
+    Eigen::Index n = 0;
+    for (Eigen::Index j = 0; j < map.rows(); ++j)
+        for (Eigen::Index i = 0; i < map.columns(); ++i)
+            if (!std::isnan(map.heights(j, i))) {
+                const auto row = monomials(j, i);
+                for (std::size_t t = 0; t < row.size(); ++t) design(n, static_cast<Eigen::Index>(t)) = row[t];
+                z[n++] = map.heights(j, i);
+            }
+    const Matrix residual = z - design * design.householderQr().solve(z);
+    HeightMap<double> result = map;
+    n = 0;
+    for (Eigen::Index j = 0; j < map.rows(); ++j)
+        for (Eigen::Index i = 0; i < map.columns(); ++i)
+            if (!std::isnan(map.heights(j, i))) result.heights(j, i) = static_cast<double>(residual(n++, 0));
+    return result;
+}
+
+/// Largest difference of what exists; infinite when one map has a point that the other has not.
+double difference(const HeightMap<double>& a, const HeightMap<double>& b) {
+    double worst = 0;
+    for (Eigen::Index k = 0; k < a.size(); ++k) {
+        const double x = a.heights.data()[k], y = b.heights.data()[k];
+        if (std::isnan(x) != std::isnan(y)) return HUGE_VAL;
+        if (!std::isnan(x)) worst = std::max(worst, std::abs(x - y));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("The residual of a form is that of slow least squares, offset and tilt 1e6 times the roughness") {
+    const int degree = GENERATE(0, 1, 2, 3);
+    const bool holes = GENERATE(false, true);
+    for (const double size : {0.0, 1e-4, 0.1}) {
+        auto map = some_map(41, 30, holes);
+        for (Eigen::Index j = 0; j < map.rows(); ++j)
+            for (Eigen::Index i = 0; i < map.columns(); ++i)
+                map.heights(j, i) += size * (1 + 0.02 * static_cast<double>(i) - 0.03 * static_cast<double>(j));
+        const double largest = map.heights.isNaN().select(0.0, map.heights).abs().maxCoeff();
+        const double error = difference(remove_form(map, static_cast<MapForm>(degree)), slow(map, degree));
+        CAPTURE(degree, holes, size, error / largest);
+        CHECK(error <= 1e-15 * largest);  // the rounding of a few subtractions from the largest height
+    }
+}
+
+TEST_CASE("A form put on is taken off again, and what is left does not change when it is put on") {
+    const MapForm form = GENERATE(MapForm::mean, MapForm::plane, MapForm::quadratic, MapForm::cubic);
+    const auto degree = static_cast<int>(form);
+    const auto map = some_map(64, 50, true);
+    auto shaped = map;
+    for (Eigen::Index j = 0; j < map.rows(); ++j)
+        for (Eigen::Index i = 0; i < map.columns(); ++i) {
+            const double x = static_cast<double>(i) / 64, y = static_cast<double>(j) / 50;
+            double z = 1;
+            if (degree >= 1) z += 2 * x - y;
+            if (degree >= 2) z += x * y - 3 * x * x + y * y;
+            if (degree >= 3) z += x * x * x + 2 * x * y * y - x * x * y;
+            shaped.heights(j, i) += 1e-4 * z;
+        }
+    const auto flat = remove_form(map, form);
+    CHECK(difference(remove_form(shaped, form), flat) <= 1e-15 * 5e-4);
+    CHECK(difference(remove_form(flat, form), flat) <= 1e-15 * 1e-7);
+    CHECK(difference(remove_form(map, MapForm::none), map) == 0);
+}
+
+TEST_CASE("A map turned or in another unit leaves the same residual") {
+    const MapForm form = GENERATE(MapForm::plane, MapForm::quadratic, MapForm::cubic);
+    const auto map = some_map(33, 48, true);
+    const auto flat = remove_form(map, form);
+    const HeightMap<double> turned{map.heights.transpose(), map.dy, map.dx};
+    const HeightMap<double> back{remove_form(turned, form).heights.transpose(), map.dx, map.dy};
+    CHECK(difference(back, flat) <= 1e-15 * 1e-7);
+    for (const double unit : {1e9, 1e-9, 0x1p900, 0x1p-990}) {
+        const HeightMap<double> scaled{map.heights * unit, map.dx, map.dy};
+        const HeightMap<double> there{remove_form(scaled, form).heights / unit, map.dx, map.dy};
+        CHECK(difference(there, flat) <= 1e-15 * 1e-7);
+    }
+}
+
+TEMPLATE_TEST_CASE("Every scalar leaves its own rounding", "", float, long double) {
+    using T = TestType;
+    auto map = some_map(40, 40);
+    for (Eigen::Index j = 0; j < 40; ++j)
+        for (Eigen::Index i = 0; i < 40; ++i) map.heights(j, i) += 1e-6 * static_cast<double>(i - j);
+    const HeightMap<T> narrow{map.heights.template cast<T>(), T(1e-6), T(2e-6)};
+    const auto flat = remove_form(narrow, MapForm::plane);
+    const HeightMap<double> again{narrow.heights.template cast<double>(), 1e-6, 2e-6};
+    const auto truth = slow(again, 1);
+    // the residual is rounded once, and the truth is as good as double
+    const double rounding = 1e-7 * static_cast<double>(std::numeric_limits<T>::epsilon());
+    CHECK((flat.heights.template cast<double>() - truth.heights).abs().maxCoeff() <= rounding + 1e-15 * 4e-5);
+}
+
+TEST_CASE("A form that the points do not determine is refused") {
+    HeightMap<double> map{HeightMap<double>::Array::Constant(20, 20, missing), 1e-6, 1e-6};
+    for (Eigen::Index i = 0; i < 20; ++i) map.heights(7, i) = 1e-7 * rough(i);
+    const auto says = [&](MapForm form) { return test::refusal([&] { (void)remove_form(map, form); }); };
+    CHECK(says(MapForm::mean).empty());
+    CHECK(says(MapForm::plane).find("map whose points determine 2 of the 3 terms") == 0);
+    for (Eigen::Index i = 0; i < 20; ++i) map.heights(8, i) = 1e-7 * rough(i + 50);
+    CHECK(says(MapForm::plane).empty());
+    CHECK(says(MapForm::quadratic).find("map whose points determine 5 of the 6 terms") == 0);
+    map.heights.setConstant(missing);
+    map.heights(0, 0) = map.heights(5, 0) = 0;
+    map.heights(9, 9) = 1e-7;
+    CHECK(says(MapForm::plane).empty());
+    CHECK(says(MapForm::quadratic).find("map of which 3 points exist") == 0);
+    map.dx = -1;
+    CHECK(says(MapForm::plane).find("dx = -1") == 0);
+}
