@@ -143,8 +143,6 @@ private:
                         " is no row of numbers, nor is any line after it; must hold one or two columns of numbers");
     }
 
-    static std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
-
     /// In "0,12" the comma may separate two columns or be decimal. It separates, unless no row holds a point and the
     /// columns that it would separate could not be equally spaced positions and heights.
     void settle_lone_commas() {
@@ -218,11 +216,8 @@ private:
             }
             row_lines_.push_back(line);
         }
-        record_.separator = record_.columns == 1 && dialect_.separator == ' ' ? "none"
-                            : dialect_.separator == ','                       ? "comma"
-                            : dialect_.separator == ';'                       ? "semicolon"
-                            : dialect_.separator == '\t'                      ? "tab"
-                                                                              : "blanks";
+        record_.separator =
+            record_.columns == 1 && dialect_.separator == ' ' ? "none" : separator_name(dialect_.separator);
     }
 
     /// Of a table whose first row, line \p first, shows \p shown cells: its last ones may be missing, "0.5,".

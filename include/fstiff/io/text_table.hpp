@@ -31,6 +31,16 @@ namespace fstiff::io::detail {
     throw domain_error(name + ", line " + std::to_string(line) + ": " + reason);
 }
 
+/// What \p call returns; a domain_error of it gets the name of the file.
+template <class Call>
+auto naming_file(const std::string& name, const Call& call) {
+    try {
+        return call();
+    } catch (const domain_error& error) {
+        refuse_file(name, error.what());
+    }
+}
+
 /// A cell for a message: short, and printable whatever the file holds.
 inline std::string shown_cell(std::string_view cell) {
     constexpr std::size_t longest = 40;
@@ -113,6 +123,10 @@ inline std::string_view unquoted(std::string_view cell) {
     return cell;
 }
 
+inline std::string separator_name(char separator) {
+    return separator == ',' ? "comma" : separator == ';' ? "semicolon" : separator == '\t' ? "tab" : "blanks";
+}
+
 /// The cells of a line, empty ones included except at its end.
 inline void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells) {
     cells.clear();
@@ -161,18 +175,25 @@ inline std::optional<Cell> number_in(std::string_view cell, bool decimal_comma) 
     return Cell{fits ? number.value : tiny ? 0.0 : std::numeric_limits<double>::infinity(), exponent};
 }
 
-inline bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma) {
+/// The words that stand for a missing point in a map.
+inline bool is_missing_word(std::string_view cell) {
+    const std::string word = cell.size() == 3 ? lower_case(cell) : std::string();
+    return word == "nan" || word == "bad";
+}
+
+/// Whether the cells are numbers, at least one of them; with \p words, also words for missing points.
+inline bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma, bool words = false) {
     std::size_t numbers = 0;
     for (const std::string_view cell : cells) {
         if (cell.empty()) continue;
-        if (!number_in(cell, decimal_comma)) return false;
+        if (!number_in(cell, decimal_comma) && !(words && is_missing_word(cell))) return false;
         ++numbers;
     }
     return numbers > 0;
 }
 
-/// How the line reads as a row of numbers; none when it does not.
-inline std::optional<Dialect> dialect_of(std::string_view line) {
+/// How the line reads as a row of numbers (with \p words, also of missing points); none when it does not.
+inline std::optional<Dialect> dialect_of(std::string_view line, bool words = false) {
     std::vector<std::string_view> cells;
     std::vector<Dialect> candidates;
     if (line.find(';') != std::string_view::npos)
@@ -188,14 +209,16 @@ inline std::optional<Dialect> dialect_of(std::string_view line) {
     // "1,5 2,5": commas inside what blanks separate are decimal; "1, 5" is not
     if (candidates.front().separator == ',' && line.find(' ') != std::string_view::npos) {
         split_line(line, ' ', cells);
-        if (cells.size() > 1 && all_numbers(cells, true)) return Dialect{' ', true};
+        if (cells.size() > 1 && all_numbers(cells, true, words)) return Dialect{' ', true};
     }
     for (const Dialect& dialect : candidates) {
         split_line(line, dialect.separator, cells);
-        if (all_numbers(cells, dialect.decimal_comma)) return dialect;
+        if (all_numbers(cells, dialect.decimal_comma, words)) return dialect;
     }
     return std::nullopt;
 }
+
+inline std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
 
 inline bool is_comment(std::string_view line) {
     line = trimmed(line);
