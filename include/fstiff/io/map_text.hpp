@@ -294,6 +294,16 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
     return grid;
 }
 
+/// "Form: triples" or "Form: matrix" of a header, as write_csv writes it.
+inline std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries) {
+    for (const HeaderEntry& entry : entries)
+        if (entry.key == "form") {
+            if (entry.value == "triples") return MapForm::triples;
+            if (entry.value == "matrix") return MapForm::matrix;
+        }
+    return std::nullopt;
+}
+
 /// Equally spaced positions, some of which may be missing.
 struct GridAxis {
     double origin{}, step{};
@@ -410,6 +420,11 @@ private:
         record_.form = MapForm::matrix;
         if (table_.columns != 3) {
             record_.form_from = std::to_string(table_.columns) + " columns";
+            return;
+        }
+        if (const auto form = stated_form(entries_)) {
+            record_.form = *form;
+            record_.form_from = "the header";
             return;
         }
         const bool sized = size_given() || stated_.has_size();
