@@ -15,14 +15,15 @@ std::string archive(const std::string& main, const std::string& heights) {
     zip_source_t* const source = zip_source_buffer_create(nullptr, 0, 0, nullptr);
     zip_source_keep(source);
     zip_t* const zip = zip_open_from_source(source, ZIP_TRUNCATE, nullptr);
+    const std::string mask = heights.substr(0, 2);
     const auto add = [&](const char* name, const std::string& content) {
         const zip_int64_t index =
-            zip_file_add(zip, name, zip_source_buffer(zip, content.data(), content.size(), 0), ZIP_FL_OVERWRITE);
+            zip_file_add(zip, name, zip_source_buffer(zip, content.data(), content.size(), 0), 0);
         zip_set_file_compression(zip, static_cast<zip_uint64_t>(index), ZIP_CM_STORE, 0);
     };
     add("main.xml", main);
     add("bindata/data.bin", heights);
-    add("bindata/valid.bin", heights.substr(0, 2));
+    add("bindata/valid.bin", mask);
     fuzz::require(zip_close(zip) == 0 && zip_source_open(source) == 0, "an archive in memory");
     zip_stat_t stat;
     zip_source_stat(source, &stat);

@@ -190,8 +190,8 @@ public:
         const pugi::xml_node link = local_child(record3, "DataLink");
         const pugi::xml_node list = local_child(record3, "DataList");
         if (bool(link) == bool(list))
-            refuse_file(name_, std::string(link ? "has both" : "has neither") +
-                                   " DataLink and DataList; must have one of them");
+            refuse_file(name_, std::string(link ? "has both " : "has neither ") + "DataLink" + (link ? " and" : " nor") +
+                                   " DataList; must have one of them");
         if (link)
             read_link(link);
         else
