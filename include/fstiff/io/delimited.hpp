@@ -316,13 +316,14 @@ private:
         const double step = mean_step() * unit;
         record_.spacing_from = "mean step of the positions";
         if (stated) {
-            const bool agrees =
-                std::abs(step - stated->value) <= 0.6 * stated->resolution;  // rounded to its last digit
+            const bool same = std::abs(step - stated->value) <= 1e-9 * step;
+            // else rounded to its last digit
+            const bool agrees = same || std::abs(step - stated->value) <= 0.6 * stated->resolution;
             if (!agrees)
                 refuse_line(name_, stated->line,
                             shown_cell(stated->text) + " disagrees with the positions, whose mean step is " +
                                 number_text(step) + " m; must agree, or the spacing be given");
-            if (std::abs(step - stated->value) <= 1e-9 * step) {
+            if (same) {
                 // the same number, without the rounding of the positions
                 record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text +
                                        "), with which the positions agree";
