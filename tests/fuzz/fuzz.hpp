@@ -32,14 +32,17 @@ inline void check(const fstiff::HeightMap<double>& map) {
         map.validate(2);
 }
 
+/// Whether \p call returned; else it refused, in one line.
 template <class Call>
-void refuse_or_return(const Call& call) {
+bool returns(const Call& call) {
     try {
         call();
+        return true;
     } catch (const fstiff::domain_error& error) {
         const std::string text = error.what();
         require(!text.empty() && text.size() < 2000, "a refusal must be one sentence");
         for (const char c : text) require(c != '\n' && c != '\0', "a refusal must be one line");
+        return false;
     }
 }
 
