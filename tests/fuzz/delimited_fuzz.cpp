@@ -11,9 +11,8 @@ using namespace fstiff;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string bytes = fuzz::bytes(data, size);
-    for (const io::DelimitedOptions& options :
-         {io::DelimitedOptions{}, io::DelimitedOptions{.units = "um,nm"},
-          io::DelimitedOptions{.spacing = 1e-6, .units = "um", .column = 1}}) {
+    for (const io::DelimitedOptions& options : {io::DelimitedOptions{}, io::DelimitedOptions{.units = "um,nm"},
+                                                io::DelimitedOptions{.spacing = 1e-6, .units = "um", .column = 1}}) {
         io::DelimitedProfile read;
         std::ostringstream output;
         if (!fuzz::returns([&] {

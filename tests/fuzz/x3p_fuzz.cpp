@@ -17,8 +17,7 @@ std::string archive(const std::string& main, const std::string& heights) {
     zip_t* const zip = zip_open_from_source(source, ZIP_TRUNCATE, nullptr);
     const std::string mask = heights.substr(0, 2);
     const auto add = [&](const char* name, const std::string& content) {
-        const zip_int64_t index =
-            zip_file_add(zip, name, zip_source_buffer(zip, content.data(), content.size(), 0), 0);
+        const zip_int64_t index = zip_file_add(zip, name, zip_source_buffer(zip, content.data(), content.size(), 0), 0);
         zip_set_file_compression(zip, static_cast<zip_uint64_t>(index), ZIP_CM_STORE, 0);
     };
     add("main.xml", main);

@@ -108,9 +108,8 @@ TEST_CASE("Missing points of a matrix are words or empty cells, wherever they ar
     const auto [i, j] = GENERATE(std::pair{0, 0}, std::pair{4, 0}, std::pair{4, 3}, std::pair{2, 1});
     const std::string word = GENERATE("nan", "NaN", "BAD", "");
     CAPTURE(i, j, word);
-    const auto found = read(gwyddion + matrix(",", [&, x = i, y = j](int a, int b) {
-                                return a == x && b == y ? word : plain(a, b);
-                            }));
+    const auto found =
+        read(gwyddion + matrix(",", [&, x = i, y = j](int a, int b) { return a == x && b == y ? word : plain(a, b); }));
     CHECK(found.record.missing == 1);
     CHECK(std::isnan(found.map.heights(j, i)));
     CHECK(found.map.heights(1, 1) == height(1, 1) * 1e-9);
@@ -175,14 +174,16 @@ TEST_CASE("Positions that are rounded when printed still lie on their grid") {
 TEST_CASE("Points off a grid, twice at a place or without a unit are refused") {
     std::string scattered, grid;
     for (int i = 0; i < 40; ++i)
-        scattered += std::to_string(std::sin(i)) + " " + std::to_string(std::cos(3 * i)) + " " + std::to_string(i) + "\n";
+        scattered +=
+            std::to_string(std::sin(i)) + " " + std::to_string(std::cos(3 * i)) + " " + std::to_string(i) + "\n";
     for (int i = 0; i < 40; ++i)
         grid += std::to_string(i % 8) + " " + std::to_string(i / 8) + " " + std::to_string((i * i) % 11) + "\n";
     CHECK(has(refusal(scattered), "format = triples or format = matrix"));
     CHECK(has(refusal(scattered, {.form = MapForm::triples, .units = "um"}), "lie on no regular grid"));
     CHECK(has(refusal(grid), "states no units and none are given"));
     CHECK(has(refusal(grid, {.dx = 1e-6, .dy = 1e-6, .units = "um"}), "format = triples or format = matrix"));
-    CHECK(has(refusal("# dx: 2 um\n" + grid, {.form = MapForm::triples, .units = "um"}), "disagrees with the positions"));
+    CHECK(
+        has(refusal("# dx: 2 um\n" + grid, {.form = MapForm::triples, .units = "um"}), "disagrees with the positions"));
     CHECK(has(refusal(grid + "3 2 1\n", {.units = "um"}), "line 41: repeats the point of line 20"));
     CHECK(has(refusal(grid + "nan 2 1\n", {.form = MapForm::triples, .units = "um"}), "line 41: has no position"));
     CHECK(read(grid, {.units = "um"}).map.size() == 40);

@@ -40,10 +40,12 @@ struct Header {
     int compression = 0, type = 7, check = 0;
     std::string bytes() const {
         const bool wide = version == "bISO-2.0";
-        const auto count = [&](std::uint32_t n) { return wide ? bytes_of(n) : bytes_of(static_cast<std::uint16_t>(n)); };
-        return version + "maker     " + "010120000000" + "010120000000" + count(points) + count(profiles) + bytes_of(x) +
-               bytes_of(y) + bytes_of(z) + bytes_of(-1.0) + static_cast<char>(compression) + static_cast<char>(type) +
-               static_cast<char>(check);
+        const auto count = [&](std::uint32_t n) {
+            return wide ? bytes_of(n) : bytes_of(static_cast<std::uint16_t>(n));
+        };
+        return version + "maker     " + "010120000000" + "010120000000" + count(points) + count(profiles) +
+               bytes_of(x) + bytes_of(y) + bytes_of(z) + bytes_of(-1.0) + static_cast<char>(compression) +
+               static_cast<char>(type) + static_cast<char>(check);
     }
 };
 
@@ -208,7 +210,8 @@ TEST_CASE("What is written comes back bit for bit, text and binary") {
     REQUIRE(back.map.size() == map.size());
     for (Eigen::Index i = 0; i < map.size(); ++i) {
         const double old = map.heights.data()[i], now = back.map.heights.data()[i];
-        CHECK(((std::isnan(old) && std::isnan(now)) || std::bit_cast<std::uint64_t>(old) == std::bit_cast<std::uint64_t>(now)));
+        CHECK(((std::isnan(old) && std::isnan(now)) ||
+               std::bit_cast<std::uint64_t>(old) == std::bit_cast<std::uint64_t>(now)));
     }
     // the header as another program counts its bytes
     if (binary) CHECK(output.str().size() == 81 + 35 * 8);

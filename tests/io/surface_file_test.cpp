@@ -160,7 +160,8 @@ TEST_CASE("What could be two things is refused, and the option format decides") 
 TEST_CASE("Options that the form has no use for are refused") {
     CHECK(has(refusal(grid(), {.units = "um", .dx = 1e-6}), "format = triples or format = matrix"));
     CHECK(has(refusal(grid(), {.format = SurfaceFormat::triples, .units = "um", .dx = 1e-6}), "no use for dx"));
-    CHECK(has(refusal(profile_rows(), {.format = SurfaceFormat::profile, .units = "um", .width = 1}), "no use for width"));
+    CHECK(has(refusal(profile_rows(), {.format = SurfaceFormat::profile, .units = "um", .width = 1}),
+              "no use for width"));
     CHECK(has(refusal("aISO-1.0\n", {.units = "um"}), "no use for units"));
     CHECK(has(refusal(numbers(5), {.format = SurfaceFormat::matrix, .spacing = 1.0}), "no use for spacing"));
 }
@@ -192,7 +193,8 @@ TEST_CASE("Binary files are known by their first bytes") {
     CHECK(called);
     CHECK(has(refusal(std::string("\0\1\2", 3)), "is binary"));
     CHECK(has(refusal(""), "is empty"));
-    CHECK(has(test::refusal([] { (void)io::read_surface(std::filesystem::path("no such file")); }), "cannot be opened"));
+    CHECK(
+        has(test::refusal([] { (void)io::read_surface(std::filesystem::path("no such file")); }), "cannot be opened"));
 }
 
 TEST_CASE("Formats have names") {

@@ -24,7 +24,8 @@ void check_bits(const A& written, const B& read) {
     REQUIRE(written.size() == read.size());
     for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(written.size()); ++k) {
         const double old = written.data()[k], now = read.data()[k];
-        REQUIRE(((std::isnan(old) && std::isnan(now)) || std::bit_cast<std::uint64_t>(old) == std::bit_cast<std::uint64_t>(now)));
+        REQUIRE(((std::isnan(old) && std::isnan(now)) ||
+                 std::bit_cast<std::uint64_t>(old) == std::bit_cast<std::uint64_t>(now)));
     }
 }
 

@@ -50,8 +50,9 @@ std::string heights() {
 }
 
 const std::string link = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink>";
-const std::string masked = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>"
-                           "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink>";
+const std::string masked =
+    "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>"
+    "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink>";
 
 struct Main {
     std::string type = "D", data = link, root = "p:ISO5436_2", space = " xmlns:p=\"urn:any\"", feature = "SUR";
@@ -85,7 +86,8 @@ void check_map(const io::X3pSurface& found, double unit = 0.5) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("Heights of every type are read, deflated and stored", "", std::int16_t, std::int32_t, float, double) {
+TEMPLATE_TEST_CASE("Heights of every type are read, deflated and stored", "", std::int16_t, std::int32_t, float,
+                   double) {
     const std::string type = std::is_same_v<TestType, std::int16_t>   ? "I"
                              : std::is_same_v<TestType, std::int32_t> ? "L"
                              : std::is_same_v<TestType, float>        ? "F"
@@ -96,7 +98,8 @@ TEMPLATE_TEST_CASE("Heights of every type are read, deflated and stored", "", st
         check_map(found);
         CHECK(found.record.data_type == type[0]);
     }
-    CHECK(has(refusal(Main{.type = type}, heights<TestType>().substr(1)), "must have " + std::to_string(sizeof(TestType))));
+    CHECK(has(refusal(Main{.type = type}, heights<TestType>().substr(1)),
+              "must have " + std::to_string(sizeof(TestType))));
     CHECK(has(refusal(Main{.type = type}, heights<TestType>() + "x"), "bytes; must have"));
 }
 
@@ -141,11 +144,12 @@ TEST_CASE("Increment and offset of the heights are applied, a profile needs no C
     const auto found = read(packed({{"main.xml", Main{.z = "<Increment>2</Increment><Offset>0.25</Offset>"}.text()},
                                     {"bindata/data.bin", heights<double>()}}));
     CHECK(found.map.heights(0, 1) == 8.25);
-    check_map(read(packed({{"main.xml", Main{.z = "<Increment/><Offset/>"}.text()}, {"bindata/data.bin", heights<double>()}})),
+    check_map(read(packed(
+                  {{"main.xml", Main{.z = "<Increment/><Offset/>"}.text()}, {"bindata/data.bin", heights<double>()}})),
               1);
-    const auto profile = read(
-        packed({{"main.xml", Main{.feature = "PRF", .size = "<ListDimension>20</ListDimension>", .y = ""}.text()},
-                {"bindata/data.bin", heights<double>()}}));
+    const auto profile =
+        read(packed({{"main.xml", Main{.feature = "PRF", .size = "<ListDimension>20</ListDimension>", .y = ""}.text()},
+                     {"bindata/data.bin", heights<double>()}}));
     CHECK(profile.map.rows() == 1);
     CHECK(profile.map.columns() == 20);
 }
@@ -171,14 +175,16 @@ TEST_CASE("Archives that would swell are refused before anything is inflated") {
 TEST_CASE("Names in the archive are compared, never followed") {
     for (const char* path : {"../../etc/passwd", "/etc/passwd", "bindata/../bindata/data.bin", "", "C:\\data.bin"}) {
         CAPTURE(path);
-        CHECK(has(refusal(Main{.data = "<DataLink><PointDataLink>" + std::string(path) + "</PointDataLink></DataLink>"}),
-                  "must name a file of the archive"));
+        CHECK(
+            has(refusal(Main{.data = "<DataLink><PointDataLink>" + std::string(path) + "</PointDataLink></DataLink>"}),
+                "must name a file of the archive"));
     }
     // the same bytes under that very name are a file of the archive, and nothing outside it is touched
     const Main main{.data = "<DataLink><PointDataLink>../../x</PointDataLink></DataLink>"};
     check_map(read(packed({{"main.xml", main.text()}, {"../../x", heights<double>()}})));
     check_map(read(packed({{"main.xml", Main{.data = "<DataLink><PointDataLink>.\\bindata\\data.bin</PointDataLink>"
-                                                     "</DataLink>"}.text()},
+                                                     "</DataLink>"}
+                                            .text()},
                            {"bindata/data.bin", heights<double>()}})));
 }
 
@@ -208,8 +214,9 @@ TEST_CASE("Descriptions that cannot be read are refused with element, value and 
     CHECK(has(refusal(Main{.x = "nan"}), "CX/Increment"));
     CHECK(has(refusal(Main{.y = "-1"}), "CY/Increment = -1: must be"));
     CHECK(has(refusal(Main{.size = ""}), "no MatrixDimension"));
-    CHECK(has(refusal(Main{.size = "<MatrixDimension><SizeX>5</SizeX><SizeY>4</SizeY><SizeZ>2</SizeZ></MatrixDimension>"}),
-              "SizeZ = 2: must be 1"));
+    CHECK(has(
+        refusal(Main{.size = "<MatrixDimension><SizeX>5</SizeX><SizeY>4</SizeY><SizeZ>2</SizeZ></MatrixDimension>"}),
+        "SizeZ = 2: must be 1"));
     CHECK(has(refusal(Main{.data = ""}), "has neither DataLink nor DataList"));
     std::string infinite = heights<double>();
     infinite.replace(0, 8, std::string("\0\0\0\0\0\0\xf0\x7f", 8));

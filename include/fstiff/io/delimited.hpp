@@ -325,8 +325,8 @@ private:
                                 number_text(step) + " m; must agree, or the spacing be given");
             if (same) {
                 // the same number, without the rounding of the positions
-                record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text +
-                                       "), with which the positions agree";
+                record_.spacing_from =
+                    "line " + std::to_string(stated->line) + " (" + stated->text + "), with which the positions agree";
                 return stated->value;
             }
             record_.spacing_from +=

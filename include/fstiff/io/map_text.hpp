@@ -116,8 +116,7 @@ inline NumberTable open_table(std::string_view text, const std::string& name) {
 /// The cells of a line, empty ones at its end included.
 inline void split_row(std::string_view line, char separator, std::vector<std::string_view>& cells) {
     split_line(line, separator, cells);
-    if (separator != ' ')
-        cells.resize(static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1);
+    if (separator != ' ') cells.resize(static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1);
 }
 
 /// Reads the rows of a table that open_table has opened.
@@ -142,8 +141,9 @@ inline void read_rows(NumberTable& table, const std::string& name) {
                 const auto number = number_in(cells[c], table.dialect.decimal_comma);
                 if (!number)
                     refuse_line(name, line,
-                                shown_cell(cells[c]) + " is no number; allowed are finite decimal numbers (an empty "
-                                                       "cell, nan or BAD is a missing point)");
+                                shown_cell(cells[c]) +
+                                    " is no number; allowed are finite decimal numbers (an empty "
+                                    "cell, nan or BAD is a missing point)");
                 if (!std::isfinite(number->value))
                     refuse_line(
                         name, line,
@@ -247,8 +247,8 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
         const bool both = is_one_of(entry.key, {"pixel size", "pixel pitch", "pixel spacing", "lateral spacing"});
         const bool dx = both || is_one_of(entry.key, {"dx", "pixel width", "x pixel size", "pixel size x", "x spacing",
                                                       "spacing x", "x step", "x increment"});
-        const bool dy = both || is_one_of(entry.key, {"dy", "pixel height", "y pixel size", "pixel size y",
-                                                      "y spacing", "spacing y", "y step", "y increment"});
+        const bool dy = both || is_one_of(entry.key, {"dy", "pixel height", "y pixel size", "pixel size y", "y spacing",
+                                                      "spacing y", "y step", "y increment"});
         const bool columns = is_one_of(entry.key, {"columns", "cols", "x pixels", "xres", "nx"});
         const bool rows = is_one_of(entry.key, {"rows", "lines", "y pixels", "yres", "ny"});
         if (!(width || height || dx || dy || columns || rows)) continue;
@@ -257,7 +257,8 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
         const std::string_view written = trimmed(entry.value.substr(number.length));
         const std::string word = lower_case(written);
         const bool counted = word == "px" || word == "pixel" || word == "pixels" || word == "points";
-        const bool whole = number.value >= 1 && number.value <= 4294967296.0 && number.value == std::floor(number.value);
+        const bool whole =
+            number.value >= 1 && number.value <= 4294967296.0 && number.value == std::floor(number.value);
         const bool short_count = (entry.key == "w" || entry.key == "h") && written.empty();
         if (columns || rows || counted || (short_count && whole)) {
             if (!whole || dx || dy || !(written.empty() || counted)) continue;
@@ -444,15 +445,17 @@ private:
         if (table_.columns != 3)
             refuse_file(name_, "has " + std::to_string(table_.columns) + " columns; triples must have 3: x, y, z");
         if (size_given())
-            refuse_file(name_, "holds x, y, z triples, whose size is in the file; dx, dy, width and height must not "
-                               "be given");
+            refuse_file(name_,
+                        "holds x, y, z triples, whose size is in the file; dx, dy, width and height must not "
+                        "be given");
         for (std::size_t r = 0; r < table_.rows(); ++r)
             if (std::isnan(table_.at(r, 0)) || std::isnan(table_.at(r, 1)))
                 refuse_line(name_, table_.row_lines[r], "has no position; x and y must be finite decimal numbers");
         if (!grid_) grid_ = grid_of(table_);
         if (!grid_)
-            refuse_file(name_, "has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
-                               "y, of which a tenth of the points at least is there");
+            refuse_file(name_,
+                        "has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
+                        "y, of which a tenth of the points at least is there");
         const std::vector<std::string> axes = units_of_triples();
         const double x_unit = unit_factor(axes[0], Dimension::length);
         const double y_unit = unit_factor(axes[1], Dimension::length);
@@ -496,7 +499,7 @@ private:
         std::vector<std::string> axes;
         if (!given_units_.empty()) {
             axes = {std::string(given_units_.front()), std::string(given_units_.front()),
-                     std::string(given_units_.back())};
+                    std::string(given_units_.back())};
             if (given_units_.size() == 3) axes[1] = given_units_[1];
             record_.units_from = "options";
         }
@@ -507,9 +510,10 @@ private:
             record_.units_from = "line " + std::to_string(table_.lines[i].number);
         }
         if (axes.empty())
-            refuse_file(name_, "states no units and none are given; must be given as units = \"um,nm\" (x and y, "
-                               "heights), each one of " +
-                                   accepted_units(Dimension::length));
+            refuse_file(name_,
+                        "states no units and none are given; must be given as units = \"um,nm\" (x and y, "
+                        "heights), each one of " +
+                            accepted_units(Dimension::length));
         record_.units = "x in " + axes[0] + ", y in " + axes[1] + ", heights in " + axes[2];
         return axes;
     }
@@ -525,8 +529,8 @@ private:
         map.dx = spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns);
         map.dy = spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows);
         const double unit = value_unit();
-        map.heights = Eigen::Map<const HeightMap<double>::Array>(
-                          table_.values.data(), static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns)) *
+        map.heights = Eigen::Map<const HeightMap<double>::Array>(table_.values.data(), static_cast<Eigen::Index>(rows),
+                                                                 static_cast<Eigen::Index>(columns)) *
                       unit;
         return map;
     }
@@ -535,8 +539,8 @@ private:
                      std::size_t there) const {
         if (stated && *stated != there)
             refuse_line(name_, line,
-                        "states " + std::to_string(*stated) + " " + what + " where there are " +
-                            std::to_string(there) + "; must agree");
+                        "states " + std::to_string(*stated) + " " + what + " where there are " + std::to_string(there) +
+                            "; must agree");
     }
 
     double spacing(const std::string& step, const std::string& whole, const std::optional<double>& given_step,
@@ -549,7 +553,8 @@ private:
         if (given_step && given_whole)
             refuse_file(name_, step + " and " + whole + " are both given; must be one of them");
         if (given_step || given_whole) {
-            naming_file(name_, [&] { require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole)); });
+            naming_file(name_,
+                        [&] { require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole)); });
             note((given_step ? step : whole) + " of the options");
             return given_step ? *given_step : *given_whole / points;
         }
@@ -568,11 +573,13 @@ private:
             return stated_whole->value / points;
         }
         if (!stated_.without_unit.empty())
-            refuse_line(name_, stated_.without_unit_line,
-                        shown_cell(stated_.without_unit) +
-                            " has no unit; must be given as units = \"um,nm\" (lengths, heights), or dx and dy be given");
-        refuse_file(name_, "is a matrix that states no physical size, and none is given; must be given as dx and dy "
-                           "(between points) or width and height (of the map)");
+            refuse_line(
+                name_, stated_.without_unit_line,
+                shown_cell(stated_.without_unit) +
+                    " has no unit; must be given as units = \"um,nm\" (lengths, heights), or dx and dy be given");
+        refuse_file(name_,
+                    "is a matrix that states no physical size, and none is given; must be given as dx and dy "
+                    "(between points) or width and height (of the map)");
     }
 
     /// One unit of the heights [m].
@@ -598,9 +605,10 @@ private:
         }
         if (factor) return conversion_factor(*factor, unit);
         if (!unit)
-            refuse_file(name_, "states no unit of the heights and none is given; must be given as units = \"nm\", one "
-                               "of " +
-                                   accepted_units(Dimension::length));
+            refuse_file(name_,
+                        "states no unit of the heights and none is given; must be given as units = \"nm\", one "
+                        "of " +
+                            accepted_units(Dimension::length));
         if (!is_unit(unit->value, Dimension::length))
             refuse_line(name_, unit->line,
                         shown_cell(unit->value) +
@@ -622,15 +630,17 @@ private:
         }
         if (number.status != NumberStatus::ok || !(number.value > 0) || !is_unit(to, Dimension::length))
             refuse_line(name_, entry.line,
-                        shown_cell(entry.value) + " is no height conversion factor; must be a positive number with a "
-                                                  "unit of length, such as \"(-> m)=2.9e-8\"");
+                        shown_cell(entry.value) +
+                            " is no height conversion factor; must be a positive number with a "
+                            "unit of length, such as \"(-> m)=2.9e-8\"");
         const double factor = number.value * unit_factor(to, Dimension::length);
         if (unit && is_unit(unit->value, Dimension::length) &&
             !(std::abs(factor - unit_factor(unit->value, Dimension::length)) <= 1e-6 * factor))
             refuse_line(name_, entry.line,
                         "states a height conversion factor, line " + std::to_string(unit->line) +
                             " a unit of length that disagrees; must agree, or units be given");
-        record_.units = "heights in " + (unit ? std::string(unit->value) : "units") + " of " + number_text(factor) + " m";
+        record_.units =
+            "heights in " + (unit ? std::string(unit->value) : "units") + " of " + number_text(factor) + " m";
         record_.units_from = "line " + std::to_string(entry.line);
         return factor;
     }

@@ -154,14 +154,16 @@ private:
 
     /// Takes the memory; what is declared has been compared with what is there.
     void allocate() {
-        surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows), static_cast<Eigen::Index>(record_.columns));
+        surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
+                                    static_cast<Eigen::Index>(record_.columns));
     }
 
     /// Height \p index of the file is \p number, in units of Zscale.
     void set(std::size_t index, double number) {
         if (std::isinf(number) || std::isinf(number * record_.z_scale))
-            refuse_file(name_, "height " + std::to_string(index + 1) + " is beyond the range of double precision; "
-                               "allowed are finite numbers");
+            refuse_file(name_, "height " + std::to_string(index + 1) +
+                                   " is beyond the range of double precision; "
+                                   "allowed are finite numbers");
         surface_.map.heights.data()[index] = number * record_.z_scale;
     }
 
@@ -242,7 +244,7 @@ private:
     double whole(Integer number) const {
         using Limits = std::numeric_limits<Integer>;
         return number == (bcr_ || !Limits::is_signed ? Limits::max() : Limits::min()) ? missing
-                                                                                     : static_cast<double>(number);
+                                                                                      : static_cast<double>(number);
     }
     bool is_missing(float number) const {
         return std::isnan(number) || (bcr_ ? number >= 3.4e38F : number == std::numeric_limits<float>::lowest());

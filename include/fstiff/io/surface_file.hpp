@@ -37,10 +37,10 @@ struct DescribedMap {
 /// Only what the form has use for may be given.
 struct SurfaceOptions {
     SurfaceFormat format = SurfaceFormat::automatic;
-    std::string units{};              ///< of text: "um,nm" (lengths, heights), "um" (both); replaces the header's
-    std::optional<double> spacing{};  ///< of a profile [m]; replaces the positions of the file
-    std::size_t column = 0;           ///< of a profile, with the heights, counted from 1; 0: the last of one or two
-    std::optional<double> dx{}, dy{};         ///< of a matrix, between points [m]
+    std::string units{};               ///< of text: "um,nm" (lengths, heights), "um" (both); replaces the header's
+    std::optional<double> spacing{};   ///< of a profile [m]; replaces the positions of the file
+    std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
+    std::optional<double> dx{}, dy{};  ///< of a matrix, between points [m]
     std::optional<double> width{}, height{};  ///< of a matrix, columns dx and rows dy [m]
     /// Reads the bytes of an X3P file: x3p_reader() of <fstiff/io/x3p.hpp>, or nothing where X3P is not there.
     std::function<DescribedMap(std::string_view bytes, std::string_view name)> x3p{};
@@ -80,15 +80,18 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
     const bool profile = format == SurfaceFormat::profile;
     const bool matrix = format == SurfaceFormat::matrix;
     const bool text = profile || matrix || format == SurfaceFormat::triples;
-    const std::pair<const char*, bool> useless[] = {
-        {"units", !options.units.empty() && !text}, {"spacing", options.spacing && !profile},
-        {"column", options.column != 0 && !profile}, {"dx", options.dx && !matrix},
-        {"dy", options.dy && !matrix},               {"width", options.width && !matrix},
-        {"height", options.height && !matrix}};
+    const std::pair<const char*, bool> useless[] = {{"units", !options.units.empty() && !text},
+                                                    {"spacing", options.spacing && !profile},
+                                                    {"column", options.column != 0 && !profile},
+                                                    {"dx", options.dx && !matrix},
+                                                    {"dy", options.dy && !matrix},
+                                                    {"width", options.width && !matrix},
+                                                    {"height", options.height && !matrix}};
     for (const auto& [option, refused] : useless)
         if (refused)
             refuse_file(name, std::string("is read as ") + std::string(surface_format_name(format)) +
-                                  ", which has no use for " + option + "; must not be given, or format must be another");
+                                  ", which has no use for " + option +
+                                  "; must not be given, or format must be another");
 }
 
 /// The form of a text, and why.
@@ -98,8 +101,8 @@ inline std::pair<SurfaceFormat, std::string> text_form(std::string_view text, co
     const std::size_t columns = table.columns;
     const std::string found = columns == 1 ? "one column" : std::to_string(columns) + " columns";
     const auto entries = header_entries(table);
-    const bool sized = options.dx || options.dy || options.width || options.height ||
-                       stated_grid(entries, "m", name).has_size();
+    const bool sized =
+        options.dx || options.dy || options.width || options.height || stated_grid(entries, "m", name).has_size();
     const auto ambiguous = [&](const std::string& what, const std::string& choice) {
         refuse_file(name, "has " + found + what + "; must be told by format = " + choice);
     };
@@ -119,12 +122,13 @@ inline std::pair<SurfaceFormat, std::string> text_form(std::string_view text, co
                       "triples or format = matrix");
         if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
         if (sized || table.columns != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
-        ambiguous(", of which the first two form no regular grid, and no stated size: may be scattered triples, a matrix "
-                  "or a profile with a column to choose",
-                  "triples, format = matrix, or format = profile with column");
+        ambiguous(
+            ", of which the first two form no regular grid, and no stated size: may be scattered triples, a matrix "
+            "or a profile with a column to choose",
+            "triples, format = matrix, or format = profile with column");
     }
-    const bool titled = table.first > 0 && !units_in(table.lines[table.first - 1].text, columns,
-                                                     table.dialect.separator).empty();
+    const bool titled =
+        table.first > 0 && !units_in(table.lines[table.first - 1].text, columns, table.dialect.separator).empty();
     if (titled && !sized)
         ambiguous(" with a unit above each: may be columns of a profile or a matrix",
                   "profile with column, or format = matrix");
@@ -193,8 +197,7 @@ inline Surface read_surface(std::string bytes, std::string_view name, const Surf
             take(options.x3p(bytes, name));
             break;
         case SurfaceFormat::profile: {
-            const DelimitedOptions given{
-                .spacing = options.spacing, .units = options.units, .column = options.column};
+            const DelimitedOptions given{.spacing = options.spacing, .units = options.units, .column = options.column};
             DelimitedProfile read = detail::DelimitedReader(std::move(text), record.name, given).read();
             record.details = read.record.sentences();
             surface.data = std::move(read.profile);

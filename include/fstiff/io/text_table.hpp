@@ -81,7 +81,8 @@ inline std::string read_bytes(const std::filesystem::path& path, std::string_vie
 /// \p bytes without a byte order mark, when they may be text; \p what names the text that must be there.
 inline std::string text_of(std::string bytes, const std::string& name, std::string_view what) {
     if (bytes.find('\0') != std::string::npos)
-        refuse_file(name, "is binary, or UTF-16 (it holds NUL bytes); must be delimited text in UTF-8 or an 8-bit code page");
+        refuse_file(name,
+                    "is binary, or UTF-16 (it holds NUL bytes); must be delimited text in UTF-8 or an 8-bit code page");
     if (bytes.empty()) refuse_file(name, "is empty; must be delimited text with " + std::string(what));
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
     return bytes;

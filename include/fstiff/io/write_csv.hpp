@@ -58,8 +58,8 @@ inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapFor
         "# dx: " + detail::exact_text(map.dx) + " m\n# dy: " + detail::exact_text(map.dy) + " m\n";
     std::string text;
     if (form == MapForm::matrix) {
-        text = "# Form: matrix\n# Channel: height\n# Width: " + detail::exact_text(width) + " m\n# Height: " +
-               detail::exact_text(height) + " m\n# Value units: m\n" + spacings;
+        text = "# Form: matrix\n# Channel: height\n# Width: " + detail::exact_text(width) +
+               " m\n# Height: " + detail::exact_text(height) + " m\n# Value units: m\n" + spacings;
         for (Eigen::Index j = 0; j < map.rows(); ++j)
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 text += detail::map_cell(map.heights(j, i)) + (i + 1 < map.columns() ? '\t' : '\n');

@@ -20,9 +20,9 @@
 
 #include <fstiff/io/surface_file.hpp>
 
+#include <zip.h>
 #include <memory>
 #include <pugixml.hpp>
-#include <zip.h>
 
 namespace fstiff::io {
 
@@ -85,8 +85,8 @@ public:
         if (!archive_) refuse_file(name_, "is no zip archive, or a damaged one; must be a whole X3P file");
         const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
         if (count > limits_.files)
-            refuse_file(name_, "holds " + std::to_string(count) + " files; must be at most " +
-                                   std::to_string(limits_.files));
+            refuse_file(name_,
+                        "holds " + std::to_string(count) + " files; must be at most " + std::to_string(limits_.files));
         for (zip_int64_t i = 0; i < count; ++i) {
             const char* const entry = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_RAW);
             names_.emplace_back(entry ? entry : "");
@@ -182,16 +182,17 @@ public:
         for (pugi::xml_node root = document_.first_child(); root && !root_; root = root.next_sibling())
             if (local_child(root, "Record1") && local_child(root, "Record3")) root_ = root;
         if (!root_)
-            refuse_file(name_, shown_cell(record_.main) + " has no element that holds Record1 and Record3; must be "
-                                                          "the description of an X3P file");
+            refuse_file(name_, shown_cell(record_.main) +
+                                   " has no element that holds Record1 and Record3; must be "
+                                   "the description of an X3P file");
         read_axes();
         read_size();
         const pugi::xml_node record3 = local_child(root_, "Record3");
         const pugi::xml_node link = local_child(record3, "DataLink");
         const pugi::xml_node list = local_child(record3, "DataList");
         if (bool(link) == bool(list))
-            refuse_file(name_, std::string(link ? "has both " : "has neither ") + "DataLink" + (link ? " and" : " nor") +
-                                   " DataList; must have one of them");
+            refuse_file(name_, std::string(link ? "has both " : "has neither ") + "DataLink" +
+                                   (link ? " and" : " nor") + " DataList; must have one of them");
         if (link)
             read_link(link);
         else
@@ -254,7 +255,8 @@ private:
         for (const auto& [axis, title] : {std::pair{x, "CX"}, {y, "CY"}}) {
             const std::string type = text_at(local_child(axis, "AxisType"));
             if (type != "I" && !(profile_ && axis == y && type.empty()))
-                refuse_file(name_, std::string(title) + "/AxisType = " + shown_cell(type) + ": must be I (incremental)");
+                refuse_file(name_,
+                            std::string(title) + "/AxisType = " + shown_cell(type) + ": must be I (incremental)");
         }
         const std::string type = text_at(local_child(z, "AxisType"));
         if (type != "A") refuse_file(name_, "CZ/AxisType = " + shown_cell(type) + ": must be A (absolute)");
@@ -372,8 +374,7 @@ private:
 
     void read_list(const pugi::xml_node& list) {
         std::uint64_t found = 0;
-        for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling())
-            found += is_datum(datum);
+        for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) found += is_datum(datum);
         if (found != points_)
             refuse_file(name_, "DataList holds " + std::to_string(found) + " heights; must hold " +
                                    std::to_string(record_.columns) + " x " + std::to_string(record_.rows));
