@@ -46,7 +46,8 @@ put("map_text", "gwyddion-three-columns.txt", gwyddion + "1 2 3\n4 5 7\n0 nan 1\
 put("map_text", "factor.txt",
     "h=4 w=5\npixel size=1e-007 m\ndata unit=rad\nheight conversion factor (-> m)=2.5e-008\n" + matrix(" "))
 put("map_text", "wrong-count.txt", "h=9 w=5\npixel size=1e-007 m\ndata unit=m\n" + matrix(" "))
-put("map_text", "missing.csv", "dx = 1 um\ndy: 2 um\nunit: nm\n" + matrix(",").replace("0.5", "").replace("-0.25", "BAD"))
+put("map_text", "missing.csv",
+    "dx = 1 um\ndy: 2 um\nunit: nm\n" + matrix(",").replace("0.5", "").replace("-0.25", "BAD"))
 put("map_text", "decimal-comma.csv", "dx=1 um\ndy=1 um\nunits=nm\n" + matrix(";").replace(".", ","))
 put("map_text", "triples.csv", "x [um],y [um],z [nm]\n" + triples(","))
 put("map_text", "triples-by-column.txt", "x [um] y [um] z [nm]\n" + "".join(

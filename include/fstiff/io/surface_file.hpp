@@ -5,8 +5,8 @@
 ///
 /// Surface data files and X3P are known by their first bytes. Text is known by the columns of its first row: one or two
 /// make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four and
-/// more are a matrix, unless titles with units stand above them or SurfaceOptions::column says that they are the columns
-/// of a profile. What could be two things is refused, naming the option `format` that decides.
+/// more are a matrix, unless titles with units stand above them or SurfaceOptions::column says that they are columns of
+/// a profile. What could be two things is refused, naming the option `format` that decides.
 /// SDF and X3P of one row are profiles.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are the file's

@@ -5,7 +5,7 @@
 /// (CMake target fstiff::x3p), and is not part of fstiff.hpp.
 ///
 /// main.xml may lie in a folder of the archive, and its root element in any namespace or in none; other files are left
-/// alone. Heights are number times increment plus offset, of the types I (int16), L (int32), F and D, from a binary file
+/// alone. Heights are number times increment plus offset, of the types I (int16), L (int32), F and D, from a file
 /// or from the list in main.xml. Missing points are NaN, an empty Datum, or not set in the mask of valid points (one
 /// bit a point, the least significant first). Rows keep the order of the file.
 ///
