@@ -12,5 +12,6 @@ write_basic_package_version_file(
     ${PROJECT_BINARY_DIR}/fstiff-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(
     FILES ${PROJECT_BINARY_DIR}/fstiff-config.cmake ${PROJECT_BINARY_DIR}/fstiff-config-version.cmake
+          ${CMAKE_CURRENT_LIST_DIR}/fstiff-x3p.cmake
     DESTINATION ${fstiff_package_dir}
     COMPONENT dev)

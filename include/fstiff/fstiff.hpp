@@ -55,4 +55,9 @@
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/io/delimited.hpp>
+#include <fstiff/io/map_text.hpp>
 #include <fstiff/io/quantity.hpp>
+#include <fstiff/io/sdf.hpp>
+#include <fstiff/io/surface_file.hpp>
+#include <fstiff/io/text_table.hpp>
+#include <fstiff/io/write_csv.hpp>

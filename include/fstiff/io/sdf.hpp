@@ -1,0 +1,486 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Reads and writes surface data files (SDF), text and binary.
+///
+/// Read are the versions ISO-1.0, ISO-2.0 and their forerunner BCR-1.0, and all eight data types in each of them. The
+/// trailer is not looked at; rows keep the order of the file. Heights are number times Zscale. Missing points are "BAD"
+/// (or "NaN") in text; in binary files, and in the text of BCR-1.0, the numbers that the version reserves:
+///
+///     type        ISO                        BCR
+///     integers    least (unsigned: largest)  largest
+///     reals       least, or NaN              1.7e308 (float: 3.4e38) and above, or NaN
+///
+/// The binary header is of 81 bytes, little-endian on every host: version (8), manufacturer (10), dates (2 x 12),
+/// NumPoints and NumProfiles (2 bytes each; 4 in version 2.0), Xscale, Yscale, Zscale, Zresolution (8 each),
+/// Compression, DataType, CheckType (1 each). Sizes are compared with the bytes that are there before memory is taken.
+///
+/// Reference   ISO 25178-71:2017 (versions 1.0, 2.0); K. J. Stout et al., EUR 15178 EN (1993) (BCR). Deviation: text
+///             with a data type of integers may hold decimal fractions.
+/// Units       map in m; the scales of the file are in m
+/// Valid       2 points a side at least, or one profile (dy = dx where its Yscale is 0), of heights that vary; no
+///             compression; files up to 2^30 bytes; the check sum is not verified
+/// Accuracy    the product with Zscale is rounded once; what write_sdf writes comes back bit for bit
+///             (tests/io/sdf_test.cpp)
+
+#include <fstiff/io/text_table.hpp>
+#include <fstiff/profile/profile.hpp>
+#include <fstiff/topography/height_map.hpp>
+
+#include <bit>
+#include <cstdint>
+#include <ostream>
+
+namespace fstiff::io {
+
+/// What was found in a file.
+struct SdfRecord {
+    std::string name;
+    std::string version;       ///< "ISO-1.0"
+    std::string manufacturer;  ///< printable characters only
+    bool binary{};
+    int data_type{};  ///< 0 to 7: uint8, uint16, uint32, float32, int8, int16, int32, float64
+    double z_scale{};
+    bool check_sum{};  ///< there is one, which was not verified
+    std::size_t columns{}, rows{};
+    std::size_t missing{};
+    std::size_t trailer{};  ///< bytes after the heights
+
+    /// The above as sentences for people, one a line, without a full stop.
+    [[nodiscard]] std::vector<std::string> sentences() const;
+};
+
+struct SdfSurface {
+    HeightMap<double> map;  ///< of one row when the file holds a profile
+    SdfRecord record;
+};
+
+struct SdfOptions {
+    bool binary = true;
+    std::string manufacturer = "fstiff";  ///< at most 10 printable ASCII characters
+    std::string date = "010120000000";    ///< of creation and change, DDMMYYYYHHMM
+};
+
+/// Whether \p bytes begin as a surface data file does.
+[[nodiscard]] inline bool is_sdf(std::string_view bytes);
+
+/// \throws domain_error naming file, field, value and what is allowed.
+[[nodiscard]] inline SdfSurface read_sdf(std::istream& input, std::string_view name);
+/// Reads the file \p path. \throws domain_error also when it cannot be opened.
+[[nodiscard]] inline SdfSurface read_sdf(const std::filesystem::path& path);
+
+/// Writes numbers of double precision, version ISO-1.0 (ISO-2.0 where a side of a binary map exceeds 65535 points).
+/// \throws domain_error when the map, or an option, cannot be written.
+inline void write_sdf(std::ostream& output, const HeightMap<double>& map, const SdfOptions& options = {});
+/// As a file of one profile, whose Yscale is the spacing too.
+inline void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options = {});
+
+namespace detail {
+
+/// The unsigned integer in the first sizeof(T) bytes, the least significant first.
+template <class T>
+T little_endian(std::string_view bytes) {
+    T value = 0;
+    for (std::size_t i = 0; i < sizeof(T); ++i)
+        value = static_cast<T>(value | static_cast<T>(static_cast<T>(static_cast<unsigned char>(bytes[i])) << (8 * i)));
+    return value;
+}
+inline double double_at(std::string_view bytes) { return std::bit_cast<double>(little_endian<std::uint64_t>(bytes)); }
+inline float float_at(std::string_view bytes) { return std::bit_cast<float>(little_endian<std::uint32_t>(bytes)); }
+
+template <class T>
+void put_little_endian(std::string& bytes, T value) {
+    for (std::size_t i = 0; i < sizeof(T); ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xff);
+}
+
+/// The shortest text that reads back as \p value, whatever the locale.
+inline std::string exact_text(double value) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+class SdfReader {
+public:
+    SdfReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
+
+    SdfSurface read() {
+        if (!is_sdf(bytes_))
+            refuse_file(name_, "begins with " + shown_cell(bytes_.substr(0, 8)) +
+                                   "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, or b for a");
+        record_.name = name_;
+        record_.binary = bytes_[0] == 'b' || bytes_[0] == 'B';
+        record_.version = std::string(bytes_.substr(1, 7));
+        bcr_ = record_.version == "BCR-1.0";
+        if (record_.binary)
+            read_binary();
+        else
+            read_text();
+        surface_.map.dx = x_scale_;
+        surface_.map.dy = record_.rows == 1 && y_scale_ == 0 ? x_scale_ : y_scale_;
+        check();
+        record_.missing = static_cast<std::size_t>(surface_.map.size() - surface_.map.present());
+        surface_.record = record_;
+        return std::move(surface_);
+    }
+
+private:
+    static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+    static constexpr std::size_t type_bytes[8] = {1, 2, 4, 4, 1, 2, 4, 8};
+
+    // --- both forms ---
+
+    [[noreturn]] void refuse_field(const std::string& field, const std::string& value, const std::string& allowed) {
+        refuse_file(name_, field + " = " + value + ": must be " + allowed);
+    }
+
+    void check_header(int compression, int check_type) {
+        if (record_.columns == 0 || record_.rows == 0)
+            refuse_field("NumPoints x NumProfiles",
+                         std::to_string(record_.columns) + " x " + std::to_string(record_.rows), "at least 2 x 1");
+        require_scale("Xscale", x_scale_, false);
+        require_scale("Yscale", y_scale_, record_.rows == 1);
+        require_scale("Zscale", record_.z_scale, false);
+        if (compression != 0) refuse_field("Compression", std::to_string(compression), "0 (none)");
+        if (record_.data_type < 0 || record_.data_type > 7)
+            refuse_field("DataType", std::to_string(record_.data_type), "between 0 and 7");
+        record_.check_sum = check_type != 0;
+    }
+
+    void require_scale(const std::string& field, double value, bool zero_too) {
+        if (zero_too && value == 0) return;
+        if (!(value > 0 && value <= std::numeric_limits<double>::max()))
+            refuse_field(field, number_text(value), "finite and greater than 0");
+    }
+
+    /// Takes the memory; what is declared has been compared with what is there.
+    void allocate() {
+        surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
+                                    static_cast<Eigen::Index>(record_.columns));
+    }
+
+    /// Height \p index of the file is \p number, in units of Zscale.
+    void set(std::size_t index, double number) {
+        if (std::isinf(number) || std::isinf(number * record_.z_scale))
+            refuse_file(name_, "height " + std::to_string(index + 1) +
+                                   " is beyond the range of double precision; "
+                                   "allowed are finite numbers");
+        surface_.map.heights.data()[index] = number * record_.z_scale;
+    }
+
+    void check() {
+        if (record_.rows > 1) {
+            naming_file(name_, [&] { surface_.map.validate(2); });
+            return;
+        }
+        const double* const heights = surface_.map.heights.data();
+        const Profile<double> profile{std::vector<double>(heights, heights + record_.columns), x_scale_};
+        naming_file(name_, [&] { profile.validate(2); });
+    }
+
+    // --- binary ---
+
+    void read_binary() {
+        const std::size_t count_bytes = record_.version == "ISO-2.0" ? 4 : 2;
+        const std::size_t header = 42 + 2 * count_bytes + 35;
+        if (bytes_.size() < header)
+            refuse_file(name_, "ends after " + std::to_string(bytes_.size()) + " bytes; its header must have " +
+                                   std::to_string(header));
+        for (const char c : trimmed(bytes_.substr(8, 10)))
+            if (c != '\0') record_.manufacturer += c >= ' ' && c <= '~' ? c : '?';
+        std::string_view rest = bytes_.substr(42);
+        const auto count = [&] {
+            const std::size_t value =
+                count_bytes == 2 ? little_endian<std::uint16_t>(rest) : little_endian<std::uint32_t>(rest);
+            rest.remove_prefix(count_bytes);
+            return value;
+        };
+        record_.columns = count();
+        record_.rows = count();
+        x_scale_ = double_at(rest);
+        y_scale_ = double_at(rest.substr(8));
+        record_.z_scale = double_at(rest.substr(16));
+        record_.data_type = static_cast<unsigned char>(rest[33]);
+        check_header(static_cast<unsigned char>(rest[32]), static_cast<unsigned char>(rest[34]));
+        rest.remove_prefix(35);
+
+        const std::size_t size = type_bytes[record_.data_type];
+        // both below 2^32: the product fits into 64 bits, and the division below needs no more
+        const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
+        if (points > rest.size() / size)
+            refuse_file(name_, "declares " + std::to_string(record_.columns) + " x " + std::to_string(record_.rows) +
+                                   " heights of " + std::to_string(size) + " bytes, but holds " +
+                                   std::to_string(rest.size()) + " bytes of them; must hold all");
+        allocate();
+        for (std::size_t i = 0; i < points; ++i) set(i, number_at(rest.substr(i * size, size)));
+        record_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
+    }
+
+    double number_at(std::string_view bytes) const {
+        switch (record_.data_type) {
+            case 0:
+                return whole(little_endian<std::uint8_t>(bytes));
+            case 1:
+                return whole(little_endian<std::uint16_t>(bytes));
+            case 2:
+                return whole(little_endian<std::uint32_t>(bytes));
+            case 3: {
+                const float number = float_at(bytes);
+                return is_missing(number) ? missing : static_cast<double>(number);
+            }
+            case 4:
+                return whole(static_cast<std::int8_t>(little_endian<std::uint8_t>(bytes)));
+            case 5:
+                return whole(static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes)));
+            case 6:
+                return whole(static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes)));
+            default: {
+                const double number = double_at(bytes);
+                return is_missing(number) ? missing : number;
+            }
+        }
+    }
+
+    template <class Integer>
+    double whole(Integer number) const {
+        using Limits = std::numeric_limits<Integer>;
+        return number == (bcr_ || !Limits::is_signed ? Limits::max() : Limits::min()) ? missing
+                                                                                      : static_cast<double>(number);
+    }
+    bool is_missing(float number) const {
+        return std::isnan(number) || (bcr_ ? number >= 3.4e38F : number == std::numeric_limits<float>::lowest());
+    }
+    bool is_missing(double number) const {
+        return std::isnan(number) || (bcr_ ? number >= 1.7e308 : number == std::numeric_limits<double>::lowest());
+    }
+
+    // --- text ---
+
+    /// The next line, without its end; LF, CR and CR LF end one.
+    static std::string_view next_line(std::string_view& rest) {
+        const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+        const std::string_view line = rest.substr(0, end);
+        const bool both = rest.substr(end).starts_with("\r\n");
+        rest.remove_prefix(std::min(end + (both ? 2 : 1), rest.size()));
+        return line;
+    }
+
+    /// BCR allows comments behind a semicolon.
+    std::string_view content(std::string_view line) const {
+        return trimmed(bcr_ ? line.substr(0, line.find(';')) : line);
+    }
+
+    void read_text() {
+        std::string_view rest = bytes_.substr(8);
+        next_line(rest);
+        std::vector<std::pair<std::string, std::string_view>> fields;
+        bool ended = false;
+        while (!rest.empty() && !ended) {
+            const std::string_view line = content(next_line(rest));
+            ended = line == "*";
+            const std::size_t equal = line.find('=');
+            if (ended || equal == std::string_view::npos) continue;
+            fields.emplace_back(lower_case(trimmed(line.substr(0, equal))), trimmed(line.substr(equal + 1)));
+        }
+        if (!ended) refuse_file(name_, "has no line \"*\" that ends its header; must have one");
+        const auto field = [&](const std::string& name) {
+            for (const auto& [key, value] : fields)
+                if (key == lower_case(name)) return value;
+            refuse_file(name_, "states no " + name + "; must state it in its header");
+        };
+        const auto number = [&](const std::string& name) {
+            return naming_file(name_, [&] { return parse_number(shown_value(field(name)), name); });
+        };
+        const auto code = [&](const std::string& name, std::initializer_list<std::string_view> names) {
+            const std::string word = lower_case(field(name));
+            int index = 0;
+            for (const std::string_view candidate : names) {
+                if (bcr_ && word == candidate) return index;
+                ++index;
+            }
+            const double value = bcr_ && (word == "null" || word == "none") ? 0 : number(name);
+            return value >= 0 && value <= 255 && value == std::floor(value) ? static_cast<int>(value) : 255;
+        };
+        const auto count = [&](const std::string& name) {
+            const double value = number(name);
+            if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
+                refuse_field(name, number_text(value), "a whole number from 1 to 4294967295");
+            return static_cast<std::size_t>(value);
+        };
+        for (const auto& [key, value] : fields)
+            if (key == "manufacid")
+                for (const char c : value.substr(0, 80)) record_.manufacturer += c >= ' ' && c <= '~' ? c : '?';
+        record_.columns = count("NumPoints");
+        record_.rows = count("NumProfiles");
+        x_scale_ = number("Xscale");
+        y_scale_ = number("Yscale");
+        record_.z_scale = number("Zscale");
+        record_.data_type =
+            code("DataType", {"uchar", "uinteger", "ulongint", "float", "char", "integer", "longint", "double"});
+        check_header(code("Compression", {}), code("CheckType", {}));
+
+        // every height needs two characters, the last one needs one
+        const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
+        if (points > rest.size() / 2 + 1)
+            refuse_file(name_, "declares " + std::to_string(record_.columns) + " x " + std::to_string(record_.rows) +
+                                   " heights, but has " + std::to_string(rest.size()) +
+                                   " bytes of them; must hold all");
+        allocate();
+        std::size_t found = 0;
+        std::vector<std::string_view> cells;
+        ended = false;
+        while (!rest.empty() && !ended) {
+            const std::string_view line = content(next_line(rest));
+            ended = line == "*";
+            if (ended) break;
+            split_line(line, ' ', cells);
+            for (const std::string_view cell : cells) {
+                if (found == points)
+                    refuse_file(name_, "holds more heights than the " + std::to_string(points) +
+                                           " that it declares; must hold as many");
+                set(found, text_number(cell, found));
+                ++found;
+            }
+        }
+        if (found < points)
+            refuse_file(name_, "holds " + std::to_string(found) + " heights; must hold the " + std::to_string(points) +
+                                   " that it declares");
+        if (!ended) refuse_file(name_, "has no line \"*\" after its heights; must have one");
+        record_.trailer = rest.size();
+    }
+
+    double text_number(std::string_view cell, std::size_t index) {
+        if (is_missing_word(cell)) return missing;
+        const auto number = number_in(cell, false);
+        if (!number)
+            refuse_file(name_, "height " + std::to_string(index + 1) + " is " + shown_cell(cell) +
+                                   "; must be a decimal number or BAD");
+        return bcr_ ? reserved(number->value) : number->value;
+    }
+
+    /// BCR writes missing points of a text as the largest number of their type.
+    double reserved(double number) const {
+        static constexpr double largest[8] = {255, 65535, 4294967295.0, 3.4e38, 127, 32767, 2147483647, 1.7e308};
+        const bool real = record_.data_type == 3 || record_.data_type == 7;
+        const double limit = largest[record_.data_type];
+        return number == limit || (real && number > limit) ? missing : number;
+    }
+
+    /// For messages: short and printable.
+    static std::string shown_value(std::string_view value) {
+        std::string shown;
+        for (const char c : value.substr(0, 64)) shown += c >= ' ' && c <= '~' ? c : '?';
+        return shown;
+    }
+
+    std::string_view bytes_;
+    std::string name_;
+    bool bcr_ = false;
+    double x_scale_{}, y_scale_{};
+    SdfSurface surface_;
+    SdfRecord record_;
+};
+
+}  // namespace detail
+
+inline bool is_sdf(std::string_view bytes) {
+    if (bytes.size() < 8 || std::string_view("aAbB").find(bytes[0]) == std::string_view::npos) return false;
+    const std::string_view version = bytes.substr(1, 7);
+    return version == "ISO-1.0" || version == "ISO-2.0" || version == "BCR-1.0";
+}
+
+inline std::vector<std::string> SdfRecord::sentences() const {
+    static constexpr const char* types[8] = {"uint8", "uint16", "uint32", "float32",
+                                             "int8",  "int16",  "int32",  "float64"};
+    std::vector<std::string> all;
+    all.push_back("form: surface data file " + version + ", " + (binary ? "binary" : "text") + ", " +
+                  types[data_type & 7] + (manufacturer.empty() ? "" : ", by " + manufacturer));
+    all.push_back("units: m, heights in units of " + detail::number_text(z_scale) + " m, from Zscale");
+    all.push_back("spacing: from Xscale and Yscale");
+    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
+                  std::to_string(missing) + " missing");
+    if (trailer != 0) all.push_back("trailer: " + std::to_string(trailer) + " bytes, not read");
+    if (check_sum) all.push_back("check sum: not verified");
+    return all;
+}
+
+inline SdfSurface read_sdf(std::istream& input, std::string_view name) {
+    const std::string file(name);
+    const std::string bytes = detail::read_bytes(input, file);
+    return detail::SdfReader(bytes, file).read();
+}
+
+inline SdfSurface read_sdf(const std::filesystem::path& path) {
+    const std::string bytes = detail::read_bytes(path, "surface data");
+    return detail::SdfReader(bytes, path.string()).read();
+}
+
+inline void write_sdf(std::ostream& output, const HeightMap<double>& map, const SdfOptions& options) {
+    if (map.rows() == 1)
+        Profile<double>{std::vector<double>(map.heights.data(), map.heights.data() + map.size()), map.dx}.validate(2);
+    else
+        map.validate(2);
+    require_positive("dy", map.dy);
+    const auto printable = [](char c) { return c >= ' ' && c <= '~'; };
+    if (options.manufacturer.size() > 10 ||
+        !std::all_of(options.manufacturer.begin(), options.manufacturer.end(), printable))
+        throw domain_error("manufacturer = " + detail::shown_cell(options.manufacturer) +
+                           ": must be at most 10 printable characters");
+    if (options.date.size() != 12 || !std::all_of(options.date.begin(), options.date.end(), detail::is_digit))
+        throw domain_error("date = " + detail::shown_cell(options.date) + ": must be 12 digits, DDMMYYYYHHMM");
+    if (map.rows() > 4294967295 || map.columns() > 4294967295)
+        throw domain_error("map of " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) +
+                           " points: must have at most 4294967295 a side");
+
+    const auto is_reserved = [](double z) { return z == std::numeric_limits<double>::lowest(); };
+    if (std::any_of(map.heights.data(), map.heights.data() + map.size(), is_reserved))
+        throw domain_error("map with the height -1.8e308: stands for a missing point in the file; must not occur");
+
+    std::string text;
+    if (options.binary) {
+        const bool small = map.rows() <= 65535 && map.columns() <= 65535;
+        text = small ? "bISO-1.0" : "bISO-2.0";
+        text += options.manufacturer + std::string(10 - options.manufacturer.size(), ' ');
+        text += options.date + options.date;
+        for (const Eigen::Index count : {map.columns(), map.rows()})
+            if (small)
+                detail::put_little_endian(text, static_cast<std::uint16_t>(count));
+            else
+                detail::put_little_endian(text, static_cast<std::uint32_t>(count));
+        for (const double scale : {map.dx, map.dy, 1.0, -1.0})
+            detail::put_little_endian(text, std::bit_cast<std::uint64_t>(scale));
+        text += std::string("\0\7\0", 3);
+        for (Eigen::Index i = 0; i < map.size(); ++i) {
+            const double z = map.heights.data()[i];
+            detail::put_little_endian(
+                text, std::bit_cast<std::uint64_t>(std::isnan(z) ? std::numeric_limits<double>::lowest() : z));
+        }
+    } else {
+        const std::string end = "\r\n";
+        text = "aISO-1.0" + end + "ManufacID = " + options.manufacturer + end + "CreateDate = " + options.date + end +
+               "ModDate = " + options.date + end + "NumPoints = " + std::to_string(map.columns()) + end +
+               "NumProfiles = " + std::to_string(map.rows()) + end + "Xscale = " + detail::exact_text(map.dx) + end +
+               "Yscale = " + detail::exact_text(map.dy) + end + "Zscale = 1" + end + "Zresolution = -1" + end +
+               "Compression = 0" + end + "DataType = 7" + end + "CheckType = 0" + end + "*" + end;
+        for (Eigen::Index j = 0; j < map.rows(); ++j) {
+            for (Eigen::Index i = 0; i < map.columns(); ++i) {
+                const double z = map.heights(j, i);
+                text += (i == 0 ? "" : " ") + (std::isnan(z) ? std::string("BAD") : detail::exact_text(z));
+            }
+            text += end;
+        }
+        text += "*" + end + "*" + end;
+    }
+    output.write(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!output) throw domain_error("surface data file: cannot be written; the output must take it");
+}
+
+inline void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options) {
+    profile.validate(2);
+    HeightMap<double> map;
+    map.heights = Eigen::Map<const HeightMap<double>::Array>(profile.heights.data(), 1,
+                                                             static_cast<Eigen::Index>(profile.size()));
+    map.dx = map.dy = profile.spacing;
+    write_sdf(output, map, options);
+}
+
+}  // namespace fstiff::io

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// A measured file of any known form: a profile or a map, with the form that was recognised and every decision.
+///
+/// Surface data files and X3P are known by their first bytes. Text is known by the columns of its first row: one or two
+/// make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four and
+/// more are a matrix, unless titles with units stand above them or SurfaceOptions::column says that they are columns of
+/// a profile. What could be two things is refused, naming the option `format` that decides.
+/// SDF and X3P of one row are profiles.
+///
+/// Units       profile and map in m; SurfaceOptions::units are the file's
+/// Valid       as <fstiff/io/delimited.hpp>, <fstiff/io/map_text.hpp>, <fstiff/io/sdf.hpp> and <fstiff/io/x3p.hpp>
+/// Accuracy    as there (tests/io/surface_file_test.cpp)
+
+#include <fstiff/io/delimited.hpp>
+#include <fstiff/io/map_text.hpp>
+#include <fstiff/io/sdf.hpp>
+
+#include <functional>
+#include <variant>
+
+namespace fstiff::io {
+
+enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p };
+
+/// "profile", "triples", "matrix", "sdf", "x3p" or "auto". \throws domain_error listing them.
+[[nodiscard]] inline SurfaceFormat surface_format(std::string_view name);
+[[nodiscard]] inline std::string_view surface_format_name(SurfaceFormat format);
+
+/// A map and how it was read.
+struct DescribedMap {
+    HeightMap<double> map;
+    std::vector<std::string> sentences;
+};
+
+/// Only what the form has use for may be given.
+struct SurfaceOptions {
+    SurfaceFormat format = SurfaceFormat::automatic;
+    std::string units{};               ///< of text: "um,nm" (lengths, heights), "um" (both); replaces the header's
+    std::optional<double> spacing{};   ///< of a profile [m]; replaces the positions of the file
+    std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
+    std::optional<double> dx{}, dy{};  ///< of a matrix, between points [m]
+    std::optional<double> width{}, height{};  ///< of a matrix, columns dx and rows dy [m]
+    /// Reads the bytes of an X3P file: x3p_reader() of <fstiff/io/x3p.hpp>, or nothing where X3P is not there.
+    std::function<DescribedMap(std::string_view bytes, std::string_view name)> x3p{};
+};
+
+struct SurfaceRecord {
+    std::string name;
+    SurfaceFormat format{};
+    std::string format_from;           ///< how the form was recognised
+    std::vector<std::string> details;  ///< of the reader of that form
+
+    /// The above as sentences for people, one a line, without a full stop.
+    [[nodiscard]] std::vector<std::string> sentences() const;
+};
+
+struct Surface {
+    std::variant<Profile<double>, HeightMap<double>> data;
+    SurfaceRecord record;
+
+    [[nodiscard]] bool is_profile() const { return data.index() == 0; }
+    [[nodiscard]] const Profile<double>& profile() const { return std::get<0>(data); }
+    [[nodiscard]] const HeightMap<double>& map() const { return std::get<1>(data); }
+};
+
+/// Reads the bytes of a file; \p name stands for it in messages.
+/// \throws domain_error naming file, place, value and what is allowed, or the option that resolves an ambiguity.
+[[nodiscard]] inline Surface read_surface(std::string bytes, std::string_view name, const SurfaceOptions& options = {});
+/// Reads the file \p path. \throws domain_error also when it cannot be opened.
+[[nodiscard]] inline Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
+
+namespace detail {
+
+inline constexpr std::string_view surface_formats[] = {"auto", "profile", "triples", "matrix", "sdf", "x3p"};
+
+/// Refuses the options that \p format has no use for.
+inline void check_options(SurfaceFormat format, const SurfaceOptions& options, const std::string& name) {
+    const bool profile = format == SurfaceFormat::profile;
+    const bool matrix = format == SurfaceFormat::matrix;
+    const bool text = profile || matrix || format == SurfaceFormat::triples;
+    const std::pair<const char*, bool> useless[] = {{"units", !options.units.empty() && !text},
+                                                    {"spacing", options.spacing && !profile},
+                                                    {"column", options.column != 0 && !profile},
+                                                    {"dx", options.dx && !matrix},
+                                                    {"dy", options.dy && !matrix},
+                                                    {"width", options.width && !matrix},
+                                                    {"height", options.height && !matrix}};
+    for (const auto& [option, refused] : useless)
+        if (refused)
+            refuse_file(name, std::string("is read as ") + std::string(surface_format_name(format)) +
+                                  ", which has no use for " + option +
+                                  "; must not be given, or format must be another");
+}
+
+/// The form of a text, and why.
+inline std::pair<SurfaceFormat, std::string> text_form(std::string_view text, const std::string& name,
+                                                       const SurfaceOptions& options) {
+    NumberTable table = open_table(text, name);
+    const std::size_t columns = table.columns;
+    const std::string found = columns == 1 ? "one column" : std::to_string(columns) + " columns";
+    const auto entries = header_entries(table);
+    const bool sized =
+        options.dx || options.dy || options.width || options.height || stated_grid(entries, "m", name).has_size();
+    const auto ambiguous = [&](const std::string& what, const std::string& choice) {
+        refuse_file(name, "has " + found + what + "; must be told by format = " + choice);
+    };
+    if (options.column != 0 || options.spacing) return {SurfaceFormat::profile, "options that only a profile has"};
+    if (const auto form = stated_form(entries); form && columns > 1)
+        return {*form == MapForm::triples ? SurfaceFormat::triples : SurfaceFormat::matrix, "the header"};
+    if (columns <= 2) {
+        if (sized && columns == 2)
+            ambiguous(" and the size of a map: may be a profile or a matrix", "profile or format = matrix");
+        return {SurfaceFormat::profile, found};
+    }
+    if (columns == 3) {
+        read_rows(table, name);
+        const bool grid = table.columns == 3 && grid_of(table).has_value();
+        if (grid && sized)
+            ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
+                      "triples or format = matrix");
+        if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
+        if (sized || table.columns != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
+        ambiguous(
+            ", of which the first two form no regular grid, and no stated size: may be scattered triples, a matrix "
+            "or a profile with a column to choose",
+            "triples, format = matrix, or format = profile with column");
+    }
+    const bool titled =
+        table.first > 0 && !units_in(table.lines[table.first - 1].text, columns, table.dialect.separator).empty();
+    if (titled && !sized)
+        ambiguous(" with a unit above each: may be columns of a profile or a matrix",
+                  "profile with column, or format = matrix");
+    return {SurfaceFormat::matrix, found};
+}
+
+}  // namespace detail
+
+inline SurfaceFormat surface_format(std::string_view name) {
+    std::string allowed;
+    for (std::size_t i = 0; i < std::size(detail::surface_formats); ++i) {
+        if (name == detail::surface_formats[i]) return static_cast<SurfaceFormat>(i);
+        allowed += (allowed.empty() ? "" : ", ") + std::string(detail::surface_formats[i]);
+    }
+    throw domain_error("format = " + detail::shown_cell(name) + ": must be one of " + allowed);
+}
+
+inline std::string_view surface_format_name(SurfaceFormat format) {
+    return detail::surface_formats[static_cast<std::size_t>(format)];
+}
+
+inline std::vector<std::string> SurfaceRecord::sentences() const {
+    std::vector<std::string> all{"format: " + std::string(surface_format_name(format)) + ", from " + format_from};
+    all.insert(all.end(), details.begin(), details.end());
+    return all;
+}
+
+inline Surface read_surface(std::string bytes, std::string_view name, const SurfaceOptions& options) {
+    Surface surface;
+    SurfaceRecord& record = surface.record;
+    record.name = std::string(name);
+    record.format = options.format;
+    record.format_from = "options";
+    const bool choose = options.format == SurfaceFormat::automatic;
+    if (choose && (is_sdf(bytes) || bytes.starts_with("PK\3\4"))) {
+        record.format = is_sdf(bytes) ? SurfaceFormat::sdf : SurfaceFormat::x3p;
+        record.format_from = "the first bytes";
+    }
+    std::string text;
+    const bool binary = record.format == SurfaceFormat::sdf || record.format == SurfaceFormat::x3p;
+    if (!binary) text = detail::text_of(std::move(bytes), record.name, "numbers, or SDF, or X3P");
+    if (choose && !binary) std::tie(record.format, record.format_from) = detail::text_form(text, record.name, options);
+    detail::check_options(record.format, options, record.name);
+
+    const auto take = [&](DescribedMap read) {
+        record.details = std::move(read.sentences);
+        if (read.map.rows() == 1) {
+            Profile<double> profile;
+            profile.heights.assign(read.map.heights.data(), read.map.heights.data() + read.map.size());
+            profile.spacing = read.map.dx;
+            detail::naming_file(record.name, [&] { profile.validate(16); });
+            surface.data = std::move(profile);
+        } else {
+            surface.data = std::move(read.map);
+        }
+    };
+    switch (record.format) {
+        case SurfaceFormat::sdf: {
+            SdfSurface read = detail::SdfReader(bytes, record.name).read();
+            take({std::move(read.map), read.record.sentences()});
+            break;
+        }
+        case SurfaceFormat::x3p:
+            if (!options.x3p)
+                detail::refuse_file(record.name, "is X3P, which this program was built without; must be another form");
+            take(options.x3p(bytes, name));
+            break;
+        case SurfaceFormat::profile: {
+            const DelimitedOptions given{.spacing = options.spacing, .units = options.units, .column = options.column};
+            DelimitedProfile read = detail::DelimitedReader(std::move(text), record.name, given).read();
+            record.details = read.record.sentences();
+            surface.data = std::move(read.profile);
+            break;
+        }
+        default: {
+            const MapTextOptions given{
+                .form = record.format == SurfaceFormat::triples ? MapForm::triples : MapForm::matrix,
+                .dx = options.dx,
+                .dy = options.dy,
+                .width = options.width,
+                .height = options.height,
+                .units = options.units};
+            MapFromText read = detail::MapTextReader(text, record.name, given).read();
+            record.details = read.record.sentences();
+            record.details.erase(record.details.begin());  // the form, which is said already
+            surface.data = std::move(read.map);
+        }
+    }
+    return surface;
+}
+
+inline Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options) {
+    return read_surface(detail::read_bytes(path, "a profile or a map"), path.string(), options);
+}
+
+}  // namespace fstiff::io

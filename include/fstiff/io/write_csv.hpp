@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Writes profiles and maps as delimited text that the readers of fstiff read back bit for bit.
+///
+/// A profile has rows of x and z, triples have rows of x, y and z, separated by commas below a line of titles with
+/// units. A matrix has a row of the map a line, separated by tabs below the header that Gwyddion writes, with dx and dy
+/// beside the width and the height. Spacings stand in the header as they are; positions are multiples of them, rounded.
+/// A missing point is an empty cell of a profile, "nan" in a map.
+///
+/// Units       m, stated in the header
+/// Valid       what the readers accept: 16 points of a profile, 2 a side of a map, heights that vary
+/// Accuracy    heights and spacings come back bit for bit (tests/io/write_csv_test.cpp)
+
+#include <fstiff/io/map_text.hpp>
+#include <fstiff/io/sdf.hpp>
+
+#include <ostream>
+
+namespace fstiff::io {
+
+/// \throws domain_error when the profile is not valid, or the output does not take it.
+inline void write_csv(std::ostream& output, const Profile<double>& profile);
+/// As MapForm::matrix or MapForm::triples.
+inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapForm form = MapForm::matrix);
+
+namespace detail {
+
+inline void put_text(std::ostream& output, const std::string& text) {
+    output.write(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!output) throw domain_error("delimited text: cannot be written; the output must take it");
+}
+
+/// A height of a map.
+inline std::string map_cell(double z) { return std::isnan(z) ? "nan" : exact_text(z); }
+
+}  // namespace detail
+
+inline void write_csv(std::ostream& output, const Profile<double>& profile) {
+    profile.validate(16);
+    require_positive("length", profile.length());
+    std::string text = "# Spacing: " + detail::exact_text(profile.spacing) + " m\nx [m],z [m]\n";
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const double z = profile.heights[i];
+        text += detail::exact_text(static_cast<double>(i) * profile.spacing) + ',' +
+                (std::isnan(z) ? std::string() : detail::exact_text(z)) + '\n';
+    }
+    detail::put_text(output, text);
+}
+
+inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapForm form) {
+    map.validate(2);
+    const double width = static_cast<double>(map.columns()) * map.dx, height = static_cast<double>(map.rows()) * map.dy;
+    require_positive("width", width);
+    require_positive("height", height);
+    if (form == MapForm::automatic) throw domain_error("form = automatic: must be matrix or triples");
+    const std::string spacings =
+        "# dx: " + detail::exact_text(map.dx) + " m\n# dy: " + detail::exact_text(map.dy) + " m\n";
+    std::string text;
+    if (form == MapForm::matrix) {
+        text = "# Form: matrix\n# Channel: height\n# Width: " + detail::exact_text(width) +
+               " m\n# Height: " + detail::exact_text(height) + " m\n# Value units: m\n" + spacings;
+        for (Eigen::Index j = 0; j < map.rows(); ++j)
+            for (Eigen::Index i = 0; i < map.columns(); ++i)
+                text += detail::map_cell(map.heights(j, i)) + (i + 1 < map.columns() ? '\t' : '\n');
+    } else {
+        text = "# Form: triples\n" + spacings + "x [m],y [m],z [m]\n";
+        for (Eigen::Index j = 0; j < map.rows(); ++j)
+            for (Eigen::Index i = 0; i < map.columns(); ++i)
+                text += detail::exact_text(static_cast<double>(i) * map.dx) + ',' +
+                        detail::exact_text(static_cast<double>(j) * map.dy) + ',' +
+                        detail::map_cell(map.heights(j, i)) + '\n';
+    }
+    detail::put_text(output, text);
+}
+
+}  // namespace fstiff::io

@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Reads X3P files: a zip archive of main.xml and the heights. An opt-in header: needs libzip and pugixml
+/// (CMake target fstiff::x3p), and is not part of fstiff.hpp.
+///
+/// main.xml may lie in a folder of the archive, and its root element in any namespace or in none; other files are left
+/// alone. Heights are number times increment plus offset, of the types I (int16), L (int32), F and D, from a file
+/// or from the list in main.xml. Missing points are NaN, an empty Datum, or not set in the mask of valid points (one
+/// bit a point, the least significant first). Rows keep the order of the file.
+///
+/// Names in the archive are compared, never used as paths. Sizes are compared with the limits and with what main.xml
+/// declares before anything is inflated. The CRC of the archive is verified, MD5 sums are not.
+///
+/// Reference   ISO 25178-72:2017 (ISO 5436-2). Refused: absolute x or y axes, layers (SizeZ > 1), point clouds.
+/// Units       map in m, as the increments of the file
+/// Valid       2 points a side at least, or one profile (dy = dx where the file states none), of heights that vary;
+///             files up to 2^30 bytes
+/// Accuracy    number times increment, plus offset where there is one, each rounded once (tests/io/x3p_test.cpp)
+
+#include <fstiff/io/surface_file.hpp>
+
+#include <zip.h>
+#include <memory>
+#include <pugixml.hpp>
+
+namespace fstiff::io {
+
+/// What was found in a file.
+struct X3pRecord {
+    std::string name;
+    std::string main;        ///< of main.xml in the archive
+    std::string data;        ///< of the heights in the archive; empty when they are in main.xml
+    char data_type{};        ///< I, L, F or D
+    std::string instrument;  ///< printable characters only
+    std::size_t side_files{};
+    std::size_t columns{}, rows{};
+    std::size_t missing{};
+    bool mask{};  ///< there is a mask of valid points
+
+    /// The above as sentences for people, one a line, without a full stop.
+    [[nodiscard]] std::vector<std::string> sentences() const;
+};
+
+struct X3pSurface {
+    HeightMap<double> map;  ///< of one row when the file holds a profile
+    X3pRecord record;
+};
+
+/// What may be inflated. Measured heights shrink to a half or a tenth.
+struct X3pLimits {
+    std::uint64_t bytes = std::uint64_t(1) << 30;  ///< of one file of the archive
+    std::uint64_t ratio = 200;                     ///< inflated to deflated, above 2^20 bytes
+    std::int64_t files = 10000;                    ///< in the archive
+};
+
+/// Whether \p bytes begin as a zip archive does.
+[[nodiscard]] inline bool is_zip(std::string_view bytes) { return bytes.starts_with("PK\3\4"); }
+
+/// \throws domain_error naming file, element, value and what is allowed.
+[[nodiscard]] inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits = {});
+/// Reads all of \p input.
+[[nodiscard]] inline X3pSurface read_x3p(std::istream& input, std::string_view name, const X3pLimits& limits = {});
+/// Reads the file \p path. \throws domain_error also when it cannot be opened.
+[[nodiscard]] inline X3pSurface read_x3p(const std::filesystem::path& path, const X3pLimits& limits = {});
+
+/// The reader that SurfaceOptions::x3p takes.
+[[nodiscard]] inline std::function<DescribedMap(std::string_view, std::string_view)> x3p_reader(
+    const X3pLimits& limits = {});
+
+namespace detail {
+
+/// A zip archive in memory.
+class ZipArchive {
+public:
+    ZipArchive(std::string_view bytes, const std::string& name, const X3pLimits& limits)
+        : bytes_(bytes), name_(name), limits_(limits) {
+        zip_error_t error;
+        zip_error_init(&error);
+        if (zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error)) {
+            archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
+            if (!archive_) zip_source_free(source);
+        }
+        zip_error_fini(&error);
+        if (!archive_) refuse_file(name_, "is no zip archive, or a damaged one; must be a whole X3P file");
+        const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
+        if (count > limits_.files)
+            refuse_file(name_,
+                        "holds " + std::to_string(count) + " files; must be at most " + std::to_string(limits_.files));
+        for (zip_int64_t i = 0; i < count; ++i) {
+            const char* const entry = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_RAW);
+            names_.emplace_back(entry ? entry : "");
+        }
+    }
+
+    const std::vector<std::string>& names() const { return names_; }
+
+    /// The one file called \p entry; none when there is none.
+    std::optional<std::size_t> find(std::string_view entry) const {
+        std::optional<std::size_t> found;
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            if (names_[i] != entry) continue;
+            if (found) refuse_file(name_, "holds two files " + shown_cell(entry) + "; must hold one");
+            found = i;
+        }
+        return found;
+    }
+
+    /// Size of file \p index once inflated, which is within the limits.
+    std::size_t size(std::size_t index) const {
+        zip_stat_t stat;
+        zip_stat_init(&stat);
+        constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_ENCRYPTION_METHOD;
+        if (zip_stat_index(archive_.get(), index, 0, &stat) != 0 || (stat.valid & needed) != needed)
+            refuse_file(name_, shown_cell(names_[index]) + " has no readable entry; must be a whole X3P file");
+        if (stat.encryption_method != ZIP_EM_NONE)
+            refuse_file(name_, shown_cell(names_[index]) + " is encrypted; must not be");
+        if (stat.comp_size > bytes_.size())
+            refuse_file(name_, shown_cell(names_[index]) + " declares " + std::to_string(stat.comp_size) +
+                                   " deflated bytes, more than the file has; must be a whole X3P file");
+        if (stat.size > limits_.bytes)
+            refuse_file(name_, shown_cell(names_[index]) + " would inflate to " + std::to_string(stat.size) +
+                                   " bytes; must be at most " + std::to_string(limits_.bytes));
+        if (stat.size > (std::uint64_t(1) << 20) && stat.size / limits_.ratio > stat.comp_size)
+            refuse_file(name_, shown_cell(names_[index]) + " would inflate from " + std::to_string(stat.comp_size) +
+                                   " to " + std::to_string(stat.size) + " bytes; must be at most " +
+                                   std::to_string(limits_.ratio) + " times as many");
+        return static_cast<std::size_t>(stat.size);
+    }
+
+    std::string content(std::size_t index) const {
+        std::string text(size(index), '\0');
+        struct Close {
+            void operator()(zip_file_t* file) const { zip_fclose(file); }
+        };
+        const std::unique_ptr<zip_file_t, Close> file(zip_fopen_index(archive_.get(), index, 0));
+        if (!file) refuse_file(name_, shown_cell(names_[index]) + " cannot be inflated; must be deflated or stored");
+        std::size_t done = 0;
+        while (done < text.size()) {
+            const zip_int64_t got = zip_fread(file.get(), text.data() + done, text.size() - done);
+            if (got <= 0) break;
+            done += static_cast<std::size_t>(got);
+        }
+        char beyond = 0;  // reading to the end makes libzip compare the CRC
+        if (done < text.size() || zip_fread(file.get(), &beyond, 1) != 0)
+            refuse_file(name_, shown_cell(names_[index]) + " is damaged; must be a whole X3P file");
+        return text;
+    }
+
+private:
+    struct Discard {
+        void operator()(zip_t* archive) const { zip_discard(archive); }
+    };
+    std::string_view bytes_;
+    std::string name_;
+    X3pLimits limits_;
+    std::unique_ptr<zip_t, Discard> archive_;
+    std::vector<std::string> names_;
+};
+
+/// The child called \p name in whatever namespace; empty when there is none.
+inline pugi::xml_node local_child(const pugi::xml_node& parent, std::string_view name) {
+    for (pugi::xml_node child = parent.first_child(); child; child = child.next_sibling()) {
+        std::string_view title = child.name();
+        if (const std::size_t colon = title.find(':'); colon != std::string_view::npos) title.remove_prefix(colon + 1);
+        if (title == name) return child;
+    }
+    return {};
+}
+
+class X3pReader {
+public:
+    X3pReader(std::string_view bytes, std::string name, const X3pLimits& limits)
+        : name_(std::move(name)), archive_(bytes, name_, limits) {}
+
+    X3pSurface read() {
+        record_.name = name_;
+        find_main();
+        const std::string main = archive_.content(*archive_.find(record_.main));
+        if (!document_.load_buffer(main.data(), main.size()))
+            refuse_file(name_, shown_cell(record_.main) + " is no XML; must be a whole X3P file");
+        for (pugi::xml_node root = document_.first_child(); root && !root_; root = root.next_sibling())
+            if (local_child(root, "Record1") && local_child(root, "Record3")) root_ = root;
+        if (!root_)
+            refuse_file(name_, shown_cell(record_.main) +
+                                   " has no element that holds Record1 and Record3; must be "
+                                   "the description of an X3P file");
+        read_axes();
+        read_size();
+        const pugi::xml_node record3 = local_child(root_, "Record3");
+        const pugi::xml_node link = local_child(record3, "DataLink");
+        const pugi::xml_node list = local_child(record3, "DataList");
+        if (bool(link) == bool(list))
+            refuse_file(name_, std::string(link ? "has both " : "has neither ") + "DataLink" +
+                                   (link ? " and" : " nor") + " DataList; must have one of them");
+        if (link)
+            read_link(link);
+        else
+            read_list(list);
+        surface_.map.dx = dx_;
+        surface_.map.dy = record_.rows == 1 && dy_ == 0 ? dx_ : dy_;
+        check();
+        record_.missing = static_cast<std::size_t>(surface_.map.size() - surface_.map.present());
+        describe();
+        surface_.record = record_;
+        return std::move(surface_);
+    }
+
+private:
+    static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+    /// main.xml, in the folder that is nearest to the root of the archive.
+    void find_main() {
+        std::size_t least = std::string::npos;
+        bool twice = false;
+        for (const std::string& entry : archive_.names()) {
+            if (entry != "main.xml" && !entry.ends_with("/main.xml")) continue;
+            if (entry.starts_with("__MACOSX/")) continue;
+            const auto depth = static_cast<std::size_t>(std::count(entry.begin(), entry.end(), '/'));
+            twice = depth == least;
+            if (depth >= least) continue;
+            least = depth;
+            record_.main = entry;
+        }
+        if (least == std::string::npos) refuse_file(name_, "holds no main.xml; an X3P file must");
+        if (twice) refuse_file(name_, "holds more than one main.xml, none nearer to its root; must hold one");
+        folder_ = record_.main.substr(0, record_.main.size() - std::string_view("main.xml").size());
+    }
+
+    std::string text_at(const pugi::xml_node& node) const { return std::string(trimmed(node.text().get())); }
+
+    double number_at(const pugi::xml_node& axis, const std::string& path, double otherwise) const {
+        const std::string text = text_at(local_child(axis, path.substr(path.find('/') + 1)));
+        if (text.empty()) return otherwise;
+        return naming_file(name_, [&] {
+            if (text.size() > 64) throw domain_error(path + " = " + shown_cell(text) + ": must be a number");
+            return parse_number(shown_text(text), path);
+        });
+    }
+
+    static std::string shown_text(std::string_view text) {
+        std::string shown;
+        for (const char c : text.substr(0, 80)) shown += c >= ' ' && c <= '~' ? c : '?';
+        return shown;
+    }
+
+    void read_axes() {
+        const pugi::xml_node record1 = local_child(root_, "Record1");
+        const std::string feature = text_at(local_child(record1, "FeatureType"));
+        if (feature != "SUR" && feature != "PRF")
+            refuse_file(name_, "FeatureType = " + shown_cell(feature) + ": must be SUR (surface) or PRF (profile)");
+        profile_ = feature == "PRF";
+        const pugi::xml_node axes = local_child(record1, "Axes");
+        const pugi::xml_node x = local_child(axes, "CX"), y = local_child(axes, "CY"), z = local_child(axes, "CZ");
+        for (const auto& [axis, title] : {std::pair{x, "CX"}, {y, "CY"}}) {
+            const std::string type = text_at(local_child(axis, "AxisType"));
+            if (type != "I" && !(profile_ && axis == y && type.empty()))
+                refuse_file(name_,
+                            std::string(title) + "/AxisType = " + shown_cell(type) + ": must be I (incremental)");
+        }
+        const std::string type = text_at(local_child(z, "AxisType"));
+        if (type != "A") refuse_file(name_, "CZ/AxisType = " + shown_cell(type) + ": must be A (absolute)");
+        const std::string data = text_at(local_child(z, "DataType"));
+        if (data != "I" && data != "L" && data != "F" && data != "D")
+            refuse_file(name_, "CZ/DataType = " + shown_cell(data) + ": must be I, L, F or D");
+        record_.data_type = data[0];
+        dx_ = number_at(x, "CX/Increment", 0);
+        dy_ = number_at(y, "CY/Increment", 0);
+        z_increment_ = number_at(z, "CZ/Increment", 1);
+        z_offset_ = number_at(z, "CZ/Offset", 0);
+        naming_file(name_, [&] {
+            require_positive("CX/Increment", dx_);
+            if (!profile_) require_positive("CY/Increment", dy_);
+            require(dy_ >= 0, "CY/Increment", dy_, "at least 0");
+            require_positive("CZ/Increment", z_increment_);
+        });
+    }
+
+    std::size_t count_at(const pugi::xml_node& parent, const std::string& title) const {
+        const double value = number_at(parent, title, 0);
+        if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
+            refuse_file(name_, title + " = " + number_text(value) + ": must be a whole number from 1 to 4294967295");
+        return static_cast<std::size_t>(value);
+    }
+
+    void read_size() {
+        const pugi::xml_node record3 = local_child(root_, "Record3");
+        if (const pugi::xml_node matrix = local_child(record3, "MatrixDimension")) {
+            record_.columns = count_at(matrix, "SizeX");
+            record_.rows = count_at(matrix, "SizeY");
+            if (const std::size_t layers = count_at(matrix, "SizeZ"); layers != 1)
+                refuse_file(name_, "SizeZ = " + std::to_string(layers) + ": must be 1 (one layer)");
+        } else if (profile_ && local_child(record3, "ListDimension")) {
+            record_.columns = count_at(record3, "ListDimension");
+            record_.rows = 1;
+        } else {
+            refuse_file(name_, "has no MatrixDimension; must be a grid of points");
+        }
+        points_ = std::uint64_t(record_.columns) * record_.rows;
+    }
+
+    /// Heights still as numbers; called once their number has been compared with what is there.
+    void allocate() {
+        surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
+                                    static_cast<Eigen::Index>(record_.columns));
+    }
+
+    void set(std::size_t index, double number) {
+        double height = number * z_increment_;
+        if (z_offset_ != 0) height += z_offset_;
+        if (std::isinf(height))
+            refuse_file(name_, "height " + std::to_string(index + 1) +
+                                   " is infinite; must be finite, or NaN where the point is missing");
+        surface_.map.heights.data()[index] = height;
+    }
+
+    /// The file of the archive that \p node names, relative to main.xml.
+    std::size_t linked(const pugi::xml_node& node, const std::string& title) const {
+        std::string path = text_at(node);
+        std::replace(path.begin(), path.end(), '\\', '/');
+        while (path.starts_with("./")) path.erase(0, 2);
+        const auto index = path.empty() ? std::nullopt : archive_.find(folder_ + path);
+        if (!index) refuse_file(name_, title + " = " + shown_cell(path) + ": must name a file of the archive");
+        return *index;
+    }
+
+    void read_link(const pugi::xml_node& link) {
+        const std::size_t size = record_.data_type == 'I' ? 2 : record_.data_type == 'D' ? 8 : 4;
+        const std::size_t data = linked(local_child(link, "PointDataLink"), "PointDataLink");
+        record_.data = archive_.names()[data];
+        require_size(data, size);
+        std::optional<std::size_t> mask;
+        if (const pugi::xml_node node = local_child(link, "ValidPointsLink"); node && !text_at(node).empty()) {
+            mask = linked(node, "ValidPointsLink");
+            if (archive_.size(*mask) != points_ / 8 + (points_ % 8 != 0))
+                refuse_file(name_, shown_cell(archive_.names()[*mask]) + " has " +
+                                       std::to_string(archive_.size(*mask)) + " bytes; must have one bit for each of " +
+                                       std::to_string(points_) + " points");
+        }
+        const std::string bytes = archive_.content(data);
+        const std::string valid = mask ? archive_.content(*mask) : std::string();
+        record_.mask = mask.has_value();
+        allocate();
+        for (std::size_t i = 0; i < points_; ++i) {
+            const bool is_valid = !mask || ((static_cast<unsigned char>(valid[i / 8]) >> (i % 8)) & 1) != 0;
+            set(i, is_valid ? binary_number(std::string_view(bytes).substr(i * size, size)) : missing);
+        }
+    }
+
+    /// \throws unless file \p data has \p size bytes a point; the product cannot leave 64 bits.
+    void require_size(std::size_t data, std::size_t size) const {
+        const std::size_t there = archive_.size(data);
+        if (there % size != 0 || there / size != points_)
+            refuse_file(name_, shown_cell(archive_.names()[data]) + " has " + std::to_string(there) +
+                                   " bytes; must have " + std::to_string(size) + " for each of " +
+                                   std::to_string(record_.columns) + " x " + std::to_string(record_.rows) + " points");
+    }
+
+    double binary_number(std::string_view bytes) const {
+        std::uint64_t bits = 0;
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            bits |= std::uint64_t(static_cast<unsigned char>(bytes[i])) << (8 * i);
+        switch (record_.data_type) {
+            case 'I':
+                return static_cast<std::int16_t>(static_cast<std::uint16_t>(bits));
+            case 'L':
+                return static_cast<std::int32_t>(static_cast<std::uint32_t>(bits));
+            case 'F':
+                return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+            default:
+                return std::bit_cast<double>(bits);
+        }
+    }
+
+    void read_list(const pugi::xml_node& list) {
+        std::uint64_t found = 0;
+        for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) found += is_datum(datum);
+        if (found != points_)
+            refuse_file(name_, "DataList holds " + std::to_string(found) + " heights; must hold " +
+                                   std::to_string(record_.columns) + " x " + std::to_string(record_.rows));
+        allocate();
+        std::size_t index = 0;
+        for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) {
+            if (!is_datum(datum)) continue;
+            const std::string_view text = trimmed(datum.text().get());
+            double number = missing;
+            if (!text.empty() && !is_missing_word(text)) {
+                const auto cell = number_in(text, false);
+                if (!cell)
+                    refuse_file(name_, "height " + std::to_string(index + 1) + " is " + shown_cell(text) +
+                                           "; must be a decimal number, or nothing where the point is missing");
+                number = cell->value;
+            }
+            set(index++, number);
+        }
+    }
+
+    static bool is_datum(const pugi::xml_node& node) {
+        const std::string_view title = node.name();
+        return title == "Datum" || title.ends_with(":Datum");
+    }
+
+    void check() {
+        if (record_.rows > 1) {
+            naming_file(name_, [&] { surface_.map.validate(2); });
+            return;
+        }
+        const double* const heights = surface_.map.heights.data();
+        const Profile<double> profile{std::vector<double>(heights, heights + record_.columns), dx_};
+        naming_file(name_, [&] { profile.validate(2); });
+    }
+
+    void describe() {
+        const pugi::xml_node instrument = local_child(local_child(root_, "Record2"), "Instrument");
+        for (const char* part : {"Manufacturer", "Model"}) {
+            const std::string text = shown_text(text_at(local_child(instrument, part)));
+            if (!text.empty()) record_.instrument += (record_.instrument.empty() ? "" : " ") + text;
+        }
+        for (const std::string& entry : archive_.names())
+            record_.side_files += !entry.ends_with('/') && entry != record_.main && entry != record_.data;
+    }
+
+    std::string name_;
+    ZipArchive archive_;
+    std::string folder_;  // of main.xml, with its slash
+    pugi::xml_document document_;
+    pugi::xml_node root_;
+    bool profile_ = false;
+    double dx_{}, dy_{}, z_increment_{}, z_offset_{};
+    std::uint64_t points_{};
+    X3pSurface surface_;
+    X3pRecord record_;
+};
+
+}  // namespace detail
+
+inline std::vector<std::string> X3pRecord::sentences() const {
+    std::vector<std::string> all;
+    all.push_back("form: X3P, heights of type " + std::string(1, data_type) + " from " +
+                  detail::shown_cell(data.empty() ? main : data) +
+                  (instrument.empty() ? "" : ", measured with " + instrument));
+    all.push_back("units: m");
+    all.push_back("spacing: from the increments of CX and CY");
+    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
+                  std::to_string(missing) + " missing" + (mask ? ", from a mask" : ""));
+    if (side_files != 0) all.push_back("other files in the archive: " + std::to_string(side_files) + ", not read");
+    return all;
+}
+
+inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits) {
+    return detail::X3pReader(bytes, std::string(name), limits).read();
+}
+
+inline std::function<DescribedMap(std::string_view, std::string_view)> x3p_reader(const X3pLimits& limits) {
+    return [limits](std::string_view bytes, std::string_view name) {
+        X3pSurface read = read_x3p(bytes, name, limits);
+        return DescribedMap{std::move(read.map), read.record.sentences()};
+    };
+}
+
+inline X3pSurface read_x3p(std::istream& input, std::string_view name, const X3pLimits& limits) {
+    const std::string bytes = detail::read_bytes(input, std::string(name));
+    return read_x3p(std::string_view(bytes), name, limits);
+}
+
+inline X3pSurface read_x3p(const std::filesystem::path& path, const X3pLimits& limits) {
+    const std::string bytes = detail::read_bytes(path, "the form X3P");
+    return read_x3p(std::string_view(bytes), path.string(), limits);
+}
+
+}  // namespace fstiff::io

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/map_text.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <functional>
+#include <sstream>
+
+using namespace fstiff;
+using io::MapForm;
+using io::MapTextOptions;
+
+namespace {
+
+io::MapFromText read(const std::string& text, const MapTextOptions& options = {}) {
+    std::istringstream input(text);
+    return io::read_map(input, "file.txt", options);
+}
+std::string refusal(const std::string& text, const MapTextOptions& options = {}) {
+    return test::refusal([&] { (void)read(text, options); });
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+constexpr int columns = 5, rows = 4;
+/// In eighths: exact in binary, so that a factor of a power of ten rounds once.
+double height(int i, int j) { return ((7 * (columns * j + i)) % 20 - 3) / 8.0; }
+
+using Cell = std::function<std::string(int, int)>;
+std::string plain(int i, int j) {
+    std::ostringstream text;
+    text << height(i, j);
+    return text.str();
+}
+std::string matrix(const std::string& separator, const Cell& cell = plain, const std::string& end = "\n") {
+    std::string text;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) text += cell(i, j) + (i + 1 < columns ? separator : end);
+    return text;
+}
+std::string with_commas(std::string text) {
+    std::replace(text.begin(), text.end(), '.', ',');
+    return text;
+}
+const std::string gwyddion = "# Channel: z\n# Width: 10 um\n# Height: 800 nm\n# Value units: nm\n";
+
+void check_map(const io::MapFromText& found, double dx, double dy, double unit) {
+    REQUIRE(found.map.rows() == rows);
+    REQUIRE(found.map.columns() == columns);
+    CHECK(test::ulps(found.map.dx, dx) <= 1);
+    CHECK(test::ulps(found.map.dy, dy) <= 1);
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) REQUIRE(found.map.heights(j, i) == height(i, j) * unit);
+}
+
+}  // namespace
+
+TEST_CASE("A matrix has its size and units from a Gwyddion header, however mixed") {
+    // 1 ulp: width and count are each rounded once
+    check_map(read(gwyddion + matrix("\t")), 10e-6 / 5, 800e-9 / 4, 1e-9);
+    const auto found = read("# Width: 0.01 mm\n# Height: 8 \xC2\xB5m\n# Value units: \xB5m\n" + matrix(" "));
+    check_map(found, 2e-6, 2e-6, 1e-6);
+    CHECK(found.record.sentences().size() == 6);
+    CHECK(found.record.form == MapForm::matrix);
+}
+
+TEST_CASE("A matrix has its pitch and a height factor from a header of keys") {
+    const std::string header =
+        "h=4 w=5\npixel size=3.5e-007 m\ndata unit=rad\nheight conversion factor (-> m)=2.5e-008\n";
+    check_map(read(header + matrix(" ", plain, " \n")), 3.5e-7, 3.5e-7, 2.5e-8);
+    check_map(read("dx: 1 um\ndy: 2 um\nunit: nm\n" + matrix(",")), 1e-6, 2e-6, 1e-9);
+    CHECK(has(refusal("h=9 w=5\n" + header.substr(8) + matrix(" ")), "line 1: states 9 rows where there are 4"));
+    CHECK(has(refusal("pixel size=1 um\ndata unit=rad\n" + matrix(" ")), "no height conversion factor"));
+    CHECK(has(refusal("pixel size=1 um\ndata unit=nm\nheight conversion factor (-> m)=2e-8\n" + matrix(" ")),
+              "disagrees"));
+    CHECK(has(refusal("pixel size=1 um\npixel pitch=2 um\nunit=nm\n" + matrix(" ")), "disagrees with line 1"));
+    CHECK(has(refusal("dx=1 um\ndy=1 um\nwidth=9 um\nunit=nm\n" + matrix(" ")), "disagrees with the spacing"));
+}
+
+TEST_CASE("A matrix without a physical size or a unit is refused with the option that resolves it") {
+    CHECK(has(refusal(matrix(" ")), "dx and dy (between points) or width and height"));
+    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .units = "nm"}), "states no physical size"));
+    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6}), "units = \"nm\""));
+    CHECK(has(refusal("Width: 10\nHeight: 8\nunit: nm\n" + matrix(" ")), "line 1: \"width\" has no unit"));
+    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6, .width = 1e-6, .units = "nm"}), "both given"));
+    CHECK(has(refusal(matrix(" "), {.dx = -1e-6, .dy = 1e-6, .units = "nm"}), "dx = -1e-06: must be"));
+    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6, .units = "furlong"}), "furlong"));
+    check_map(read(matrix(" "), {.dx = 1e-6, .dy = 2e-6, .units = "nm"}), 1e-6, 2e-6, 1e-9);
+    check_map(read(matrix(" "), {.width = 5e-6, .height = 8e-6, .units = "nm"}), 1e-6, 2e-6, 1e-9);
+    check_map(read("Width: 10\nHeight: 8\n" + matrix(" "), {.units = "um,nm"}), 2e-6, 2e-6, 1e-9);
+}
+
+TEST_CASE("Options replace what the header of a matrix says") {
+    check_map(read(gwyddion + matrix("\t"), {.dx = 3e-6, .dy = 4e-6, .units = "mm"}), 3e-6, 4e-6, 1e-3);
+}
+
+TEST_CASE("Every separator and decimal sign gives the same matrix") {
+    check_map(read(gwyddion + matrix(",")), 2e-6, 200e-9, 1e-9);
+    check_map(read(gwyddion + matrix(";")), 2e-6, 200e-9, 1e-9);
+    check_map(read(gwyddion + matrix("\t", plain, "\t\n")), 2e-6, 200e-9, 1e-9);
+    check_map(read(gwyddion + with_commas(matrix(";"))), 2e-6, 200e-9, 1e-9);
+    check_map(read(gwyddion + with_commas(matrix("\t"))), 2e-6, 200e-9, 1e-9);
+    check_map(read(gwyddion + with_commas(matrix("  "))), 2e-6, 200e-9, 1e-9);
+    check_map(read(gwyddion + matrix(" ", plain, "\r\n")), 2e-6, 200e-9, 1e-9);
+}
+
+TEST_CASE("Missing points of a matrix are words or empty cells, wherever they are") {
+    const auto [i, j] = GENERATE(std::pair{0, 0}, std::pair{4, 0}, std::pair{4, 3}, std::pair{2, 1});
+    const std::string word = GENERATE("nan", "NaN", "BAD", "");
+    CAPTURE(i, j, word);
+    const auto found =
+        read(gwyddion + matrix(",", [&, x = i, y = j](int a, int b) { return a == x && b == y ? word : plain(a, b); }));
+    CHECK(found.record.missing == 1);
+    CHECK(std::isnan(found.map.heights(j, i)));
+    CHECK(found.map.heights(1, 1) == height(1, 1) * 1e-9);
+    CHECK(found.map.columns() == columns);
+}
+
+TEST_CASE("Triples give the grid back in whatever order the points come") {
+    std::vector<std::string> lines;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            lines.push_back(std::to_string(i * 5) + "," + std::to_string(10 - 2 * j) + "," + plain(i, rows - 1 - j));
+    SECTION("x fastest") {}
+    SECTION("y fastest") {
+        std::stable_sort(lines.begin(), lines.end(),
+                         [](const auto& a, const auto& b) { return std::stoi(a) < std::stoi(b); });
+    }
+    SECTION("backwards") { std::reverse(lines.begin(), lines.end()); }
+    SECTION("in no order") {
+        for (std::size_t k = 0; k < lines.size(); ++k) std::swap(lines[k], lines[(k * 7 + 3) % lines.size()]);
+    }
+    std::string text = "x [um],y [mm],z [nm]\n";
+    for (const std::string& line : lines) text += line + "\n";
+    const auto found = read(text);
+    // written with falling y: the map has y rising
+    REQUIRE(found.map.rows() == rows);
+    CHECK(test::ulps(found.map.dx, 5e-6) <= 1);
+    CHECK(test::ulps(found.map.dy, 2e-3) <= 1);
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) REQUIRE(found.map.heights(j, i) == height(i, j) * 1e-9);
+    CHECK(found.record.form == MapForm::triples);
+}
+
+TEST_CASE("Points that triples do not hold are missing, and whole missing lines keep their place") {
+    std::string text = "x [um] y [um] z [um]\n";
+    for (int j = 0; j < 6; ++j)
+        for (int i = 0; i < 6; ++i)
+            if (i != 3 && !(i == 1 && j == 4))
+                text += std::to_string(i / 2.0) + " " + std::to_string(j) + " " + std::to_string(i * j) + "\n";
+    const auto found = read(text);
+    REQUIRE(found.map.columns() == 6);
+    CHECK(found.record.missing == 7);
+    CHECK(std::isnan(found.map.heights(2, 3)));
+    CHECK(std::isnan(found.map.heights(4, 1)));
+    CHECK(found.map.heights(5, 5) == 25 * 1e-6);
+    CHECK(test::ulps(found.map.dx, 0.5e-6) <= 1);
+}
+
+TEST_CASE("Positions that are rounded when printed still lie on their grid") {
+    std::string text = "x [um] y [um] z [um]\n";
+    for (int j = 0; j < 5; ++j)
+        for (int i = 0; i < 30; ++i) {
+            char line[64];
+            std::snprintf(line, sizeof line, "%.2f %.1f %d\n", i / 3.0, j * 0.5, (i * j) % 7);
+            text += line;
+        }
+    const auto found = read(text);
+    CHECK(found.map.columns() == 30);
+    // both ends are rounded to 0.005
+    CHECK(test::relative_error(found.map.dx, 1e-6 / 3) <= 0.01 / (29 / 3.0));
+}
+
+TEST_CASE("Points off a grid, twice at a place or without a unit are refused") {
+    std::string scattered, grid;
+    for (int i = 0; i < 40; ++i)
+        scattered +=
+            std::to_string(std::sin(i)) + " " + std::to_string(std::cos(3 * i)) + " " + std::to_string(i) + "\n";
+    for (int i = 0; i < 40; ++i)
+        grid += std::to_string(i % 8) + " " + std::to_string(i / 8) + " " + std::to_string((i * i) % 11) + "\n";
+    CHECK(has(refusal(scattered), "format = triples or format = matrix"));
+    CHECK(has(refusal(scattered, {.form = MapForm::triples, .units = "um"}), "lie on no regular grid"));
+    CHECK(has(refusal(grid), "states no units and none are given"));
+    CHECK(has(refusal(grid, {.dx = 1e-6, .dy = 1e-6, .units = "um"}), "format = triples or format = matrix"));
+    CHECK(
+        has(refusal("# dx: 2 um\n" + grid, {.form = MapForm::triples, .units = "um"}), "disagrees with the positions"));
+    CHECK(has(refusal(grid + "3 2 1\n", {.units = "um"}), "line 41: repeats the point of line 20"));
+    CHECK(has(refusal(grid + "nan 2 1\n", {.form = MapForm::triples, .units = "um"}), "line 41: has no position"));
+    CHECK(read(grid, {.units = "um"}).map.size() == 40);
+    CHECK(read(grid, {.form = MapForm::matrix, .dx = 1e-6, .dy = 1e-6, .units = "um"}).map.columns() == 3);
+}
+
+TEST_CASE("Bad text is refused with the line and the cell") {
+    CHECK(has(refusal(gwyddion + "1 2 3\n4 five 6\n"), "line 6: \"five\" is no number"));
+    CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7\n"), "line 6: has 3 columns; must be 4 as in line 5"));
+    CHECK(has(refusal(gwyddion + "1,2,3,4\n5,6,7\n"), "line 6: has 3 columns"));
+    CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7 1e999\n"), "beyond the range"));
+    CHECK(has(refusal(gwyddion + "1 2 3 4\n5 6 7 inf\n"), "\"inf\" is no number"));
+    CHECK(has(refusal(gwyddion + "1 1 1 1\n1 1 1 1\n"), "constant height"));
+    CHECK(has(refusal(gwyddion + "1 2 3 4\n"), "at least 2 a side"));
+    CHECK(has(refusal(""), "is empty"));
+    CHECK(has(refusal("# Width: 1 um\n"), "no row of numbers"));
+    CHECK(has(refusal(std::string("1 2\0 3\n", 7)), "NUL"));
+    CHECK(has(refusal("# Width: -3 um\n# Height: 1 um\n" + matrix(" ")), "must be greater than 0"));
+    CHECK(has(refusal("# Width: 3 um\n# Width: 4 um\n" + matrix(" ")), "disagrees with line 1"));
+}

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/sdf.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <cstring>
+#include <sstream>
+
+using namespace fstiff;
+
+namespace {
+
+io::SdfSurface read(const std::string& bytes) {
+    std::istringstream input(bytes);
+    return io::read_sdf(input, "file.sdf");
+}
+std::string refusal(const std::string& bytes) {
+    return test::refusal([&] { (void)read(bytes); });
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The bytes of a number, the least significant first, by the remainders of its division by 256.
+template <class T>
+std::string bytes_of(T number) {
+    std::uint64_t bits = 0;
+    if constexpr (std::is_floating_point_v<T>)
+        std::memcpy(&bits, &number, sizeof number);
+    else
+        bits = static_cast<std::uint64_t>(number);
+    std::string bytes;
+    for (std::size_t i = 0; i < sizeof(T); ++i, bits /= 256) bytes += static_cast<char>(bits % 256);
+    return bytes;
+}
+
+struct Header {
+    std::string version = "bISO-1.0";
+    std::uint32_t points = 3, profiles = 2;
+    double x = 1e-6, y = 2e-6, z = 0.5;
+    int compression = 0, type = 7, check = 0;
+    std::string bytes() const {
+        const bool wide = version == "bISO-2.0";
+        const auto count = [&](std::uint32_t n) {
+            return wide ? bytes_of(n) : bytes_of(static_cast<std::uint16_t>(n));
+        };
+        return version + "maker     " + "010120000000" + "010120000000" + count(points) + count(profiles) +
+               bytes_of(x) + bytes_of(y) + bytes_of(z) + bytes_of(-1.0) + static_cast<char>(compression) +
+               static_cast<char>(type) + static_cast<char>(check);
+    }
+};
+
+template <class T>
+std::string six(T first) {
+    std::string data = bytes_of(first);
+    for (int i = 1; i < 6; ++i) data += bytes_of(static_cast<T>(i));
+    return data;
+}
+
+std::string text(const std::string& data, const std::string& version = "aISO-1.0", const std::string& points = "3",
+                 const std::string& profiles = "2", const std::string& type = "7", const std::string& end = "\r\n") {
+    return version + end + "ManufacID = maker" + end + "CreateDate = 010120000000" + end + "ModDate = 010120000000" +
+           end + "NumPoints = " + points + end + "NumProfiles = " + profiles + end + "Xscale = 1e-6" + end +
+           "Yscale = 2e-6" + end + "Zscale = 0.5" + end + "Zresolution = -1" + end + "Compression = 0" + end +
+           "DataType = " + type + end + "CheckType = 0" + end + "*" + end + data + end + "*" + end;
+}
+
+/// Heights 1 to 5 halved behind a first one.
+void check_heights(const io::SdfSurface& found) {
+    REQUIRE(found.map.rows() == 2);
+    REQUIRE(found.map.columns() == 3);
+    CHECK(found.map.dx == 1e-6);
+    CHECK(found.map.dy == 2e-6);
+    for (int i = 1; i < 6; ++i) CHECK(found.map.heights(i / 3, i % 3) == i * 0.5);
+}
+
+HeightMap<double> rough_map() {
+    HeightMap<double> map;
+    map.heights.resize(7, 5);
+    for (Eigen::Index i = 0; i < map.size(); ++i)
+        map.heights.data()[i] = 1e-6 * std::sin(1.7 * static_cast<double>(i * i)) / 3;
+    map.heights(2, 3) = std::numeric_limits<double>::quiet_NaN();
+    map.heights(4, 4) = 0x1p-1074;
+    map.heights(0, 1) = -0.0;
+    map.heights(0, 2) = std::numeric_limits<double>::max();
+    map.dx = 1e-6 / 3;
+    map.dy = 2e-6 / 7;
+    return map;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("Binary heights of every type are read, the reserved number as missing", "", std::uint8_t,
+                   std::uint16_t, std::uint32_t, float, std::int8_t, std::int16_t, std::int32_t, double) {
+    using Limits = std::numeric_limits<TestType>;
+    const int type = std::is_same_v<TestType, float>    ? 3
+                     : std::is_same_v<TestType, double> ? 7
+                                                        : (Limits::is_signed ? 4 : 0) + (sizeof(TestType) == 1   ? 0
+                                                                                         : sizeof(TestType) == 2 ? 1
+                                                                                                                 : 2);
+    const std::string version = GENERATE("bISO-1.0", "bISO-2.0", "bBCR-1.0");
+    const bool bcr = version == "bBCR-1.0";
+    CAPTURE(type, version);
+    const std::string header = Header{.version = version, .type = type}.bytes();
+    check_heights(read(header + six<TestType>(9)));
+    CHECK(read(header + six<TestType>(9)).map.heights(0, 0) == 4.5);
+    CHECK(read(header + six<TestType>(9) + "trailer").record.trailer == 7);
+
+    const TestType reserved = bcr || !Limits::is_signed ? Limits::max() : Limits::lowest();
+    const auto missing = read(header + six(reserved));
+    CHECK(missing.record.missing == 1);
+    CHECK(std::isnan(missing.map.heights(0, 0)));
+    check_heights(missing);
+    // the other end of the range is a height where the version does not reserve it
+    if (Limits::is_signed && sizeof(TestType) < 8) {
+        const TestType other = bcr ? Limits::lowest() : Limits::max();
+        CHECK(read(header + six(other)).map.heights(0, 0) == static_cast<double>(other) * 0.5);
+    }
+    CHECK(has(refusal(header + six<TestType>(9).substr(1)), "declares 3 x 2 heights"));
+}
+
+TEST_CASE("Reals that are no numbers are missing, infinite ones are refused, unless BCR reserves them") {
+    const std::string header = Header{}.bytes();
+    CHECK(read(header + six(std::numeric_limits<double>::quiet_NaN())).record.missing == 1);
+    CHECK(has(refusal(header + six(std::numeric_limits<double>::infinity())), "height 1 is beyond the range"));
+    CHECK(has(refusal(Header{.z = 1e300}.bytes() + six(1e300)), "height 1 is beyond the range"));
+    CHECK(read(Header{.version = "bBCR-1.0"}.bytes() + six(1.75e308)).record.missing == 1);
+}
+
+TEST_CASE("Text is read with any line ends, in any layout of the heights, with BAD points") {
+    const std::string end = GENERATE("\n", "\r\n", "\r");
+    const std::string version = GENERATE("aISO-1.0", "aISO-2.0", "aBCR-1.0", "AISO-1.0");
+    CAPTURE(end, version);
+    check_heights(read(text("9 1 2" + end + "3 4 5", version, "3", "2", "7", end)));
+    check_heights(read(text("9" + end + "1 2 3\t4" + end + end + " 5 ", version, "3", "2", "7", end)));
+    const auto missing = read(text("BAD 1 2" + end + "3 4 5", version, "3", "2", "7", end));
+    CHECK(missing.record.missing == 1);
+    check_heights(missing);
+    CHECK(read(text("9 1 2 3 4 5", version, "3", "2", "7", end) + "junk\n*").record.trailer > 4);
+}
+
+TEST_CASE("Text of BCR has names for codes, comments, and the largest number for missing points") {
+    const auto found = read(text("32767 1 2 ; the first is missing\n3 4 5", "aBCR-1.0", "3", "2", "INTEGER"));
+    CHECK(found.record.missing == 1);
+    CHECK(found.record.data_type == 5);
+    check_heights(found);
+    CHECK(read(text("32767 1 2\n3 4 5", "aISO-1.0", "3", "2", "5")).map.heights(0, 0) == 32767 * 0.5);
+}
+
+TEST_CASE("Declared sizes are compared with the bytes before memory is taken") {
+    // were they believed, 2^64 doubles would be asked for, and std::bad_alloc would not be a domain_error
+    CHECK(has(refusal(Header{.version = "bISO-2.0", .points = 0xFFFFFFFF, .profiles = 0xFFFFFFFF}.bytes() + six(1.0)),
+              "declares 4294967295 x 4294967295 heights"));
+    CHECK(has(refusal(Header{.points = 65535, .profiles = 65535}.bytes() + six(1.0)), "declares 65535 x 65535"));
+    CHECK(has(refusal(text("1 2 3", "aISO-1.0", "4294967295", "4294967295")), "declares 4294967295 x 4294967295"));
+    CHECK(has(refusal(text("1 2 3", "aISO-1.0", "1e30")), "NumPoints = 1e+30: must be a whole number"));
+    CHECK(has(refusal(text("1 2 3", "aISO-1.0", "2.5")), "NumPoints = 2.5"));
+    CHECK(has(refusal(text("1 2 3", "aISO-1.0", "0")), "NumPoints = 0"));
+    CHECK(has(refusal(text("1 2 3 4 5")), "holds 5 heights; must hold the 6"));
+    CHECK(has(refusal(text("1 2 3 4 5 6 7")), "holds more heights than the 6"));
+}
+
+TEST_CASE("Every file cut short is refused with a sentence") {
+    std::ostringstream whole[2];
+    for (const bool binary : {false, true}) io::write_sdf(whole[binary], rough_map(), {.binary = binary});
+    for (const auto& stream : whole) {
+        const std::string bytes = stream.str();
+        // the end of the text after the heights is trailer
+        const std::size_t least = bytes[0] == 'b' ? bytes.size() : bytes.rfind("*\r\n*");
+        for (std::size_t size = 0; size < least; ++size) {
+            CAPTURE(bytes[0], size);
+            REQUIRE(!refusal(bytes.substr(0, size)).empty());
+        }
+        CHECK(refusal(bytes).empty());
+    }
+}
+
+TEST_CASE("Headers that cannot be meant are refused with field, value and range") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(has(refusal(Header{.x = 0}.bytes() + six(1.0)), "Xscale = 0: must be"));
+    CHECK(has(refusal(Header{.x = nan}.bytes() + six(1.0)), "Xscale = nan: must be"));
+    CHECK(has(refusal(Header{.y = -1}.bytes() + six(1.0)), "Yscale = -1: must be"));
+    CHECK(has(refusal(Header{.z = 0}.bytes() + six(1.0)), "Zscale = 0: must be"));
+    CHECK(has(refusal(Header{.compression = 1}.bytes() + six(1.0)), "Compression = 1: must be 0"));
+    CHECK(has(refusal(Header{.type = 8}.bytes() + six(1.0)), "DataType = 8: must be between 0 and 7"));
+    CHECK(read(Header{.check = 1}.bytes() + six(9.0)).record.check_sum);
+    CHECK(has(refusal(text("9 1 2 3 4 x")), "height 6 is \"x\""));
+    CHECK(has(refusal("aISO-3.0\n"), "begins with \"aISO-3.0\""));
+    CHECK(has(refusal("aISO-1.0\nNumPoints = 3\n"), "that ends its header"));
+    CHECK(has(refusal("aISO-1.0\n*\n1 2\n*\n"), "states no NumPoints"));
+    CHECK(has(refusal(text("1 1 1 1 1 1")), "constant height"));
+}
+
+TEST_CASE("A file of one profile needs no Yscale") {
+    const auto found = read(Header{.points = 6, .profiles = 1, .y = 0}.bytes() + six(9.0));
+    CHECK(found.map.rows() == 1);
+    CHECK(found.map.dy == 1e-6);
+    CHECK(found.map.heights(0, 0) == 4.5);
+}
+
+TEST_CASE("What is written comes back bit for bit, text and binary") {
+    const bool binary = GENERATE(true, false);
+    const HeightMap<double> map = rough_map();
+    std::ostringstream output;
+    io::write_sdf(output, map, {.binary = binary, .manufacturer = "me", .date = "311219991234"});
+    const auto back = read(output.str());
+    CHECK(back.record.version == "ISO-1.0");
+    CHECK(back.record.manufacturer == "me");
+    CHECK(back.map.dx == map.dx);
+    CHECK(back.map.dy == map.dy);
+    REQUIRE(back.map.size() == map.size());
+    for (Eigen::Index i = 0; i < map.size(); ++i) {
+        const double old = map.heights.data()[i], now = back.map.heights.data()[i];
+        CHECK(((std::isnan(old) && std::isnan(now)) ||
+               std::bit_cast<std::uint64_t>(old) == std::bit_cast<std::uint64_t>(now)));
+    }
+    // the header as another program counts its bytes
+    if (binary) CHECK(output.str().size() == 81 + 35 * 8);
+}
+
+TEST_CASE("A profile is written as a file of one profile, a long side as version 2.0") {
+    Profile<double> profile{{}, 1e-7};
+    for (int i = 0; i < 70000; ++i) profile.heights.push_back(i % 17 * 1e-9);
+    std::ostringstream output;
+    io::write_sdf(output, profile);
+    const auto back = read(output.str());
+    CHECK(back.record.version == "ISO-2.0");
+    REQUIRE(back.map.columns() == 70000);
+    CHECK(back.map.heights(0, 16) == 16e-9);
+    CHECK(back.map.dx == 1e-7);
+}
+
+TEST_CASE("What a file cannot hold is not written") {
+    HeightMap<double> map = rough_map();
+    std::ostringstream output;
+    const auto refused = [&](const io::SdfOptions& options) {
+        return test::refusal([&] { io::write_sdf(output, map, options); });
+    };
+    CHECK(has(refused({.manufacturer = "elevenchars"}), "at most 10"));
+    CHECK(has(refused({.date = "today"}), "12 digits"));
+    map.heights(0, 0) = std::numeric_limits<double>::lowest();
+    CHECK(has(refused({}), "stands for a missing point"));
+    map.heights(0, 0) = std::numeric_limits<double>::infinity();
+    CHECK(has(refused({}), "infinite"));
+    CHECK(output.str().empty());
+}

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/surface_file.hpp>
+#ifdef FSTIFF_HAS_X3P
+#include <fstiff/io/x3p.hpp>
+#endif
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/table.hpp"
+
+#include <sstream>
+
+using namespace fstiff;
+using io::SurfaceFormat;
+using io::SurfaceOptions;
+
+namespace {
+
+io::Surface read(const std::string& text, const SurfaceOptions& options = {}) {
+    return io::read_surface(text, "file", options);
+}
+std::string refusal(const std::string& text, const SurfaceOptions& options = {}) {
+    return test::refusal([&] { (void)read(text, options); });
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Rows of \p columns numbers that form no grid.
+std::string numbers(int columns, int rows = 20) {
+    std::string text;
+    for (int k = 0; k < columns * rows; ++k)
+        text += std::to_string(std::sin(k * k)) + (k % columns + 1 < columns ? " " : "\n");
+    return text;
+}
+std::string profile_rows() {
+    std::string text;
+    for (int i = 0; i < 20; ++i) text += std::to_string(i / 2.0) + " " + std::to_string(std::sin(i)) + "\n";
+    return text;
+}
+std::string grid() {
+    std::string text;
+    for (int i = 0; i < 40; ++i)
+        text += std::to_string(i % 8) + " " + std::to_string(i / 8) + " " + std::to_string(std::sin(i)) + "\n";
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("Measured files equal what independent readers find, number for number") {
+    const test::Table table("surfaces_expected.csv");
+    std::size_t done = 0;
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const std::string& name = table.text(row, "file");
+        CAPTURE(name);
+        const std::filesystem::path path = std::filesystem::path(FSTIFF_SURFACES) / name;
+        if (!std::filesystem::exists(path)) {
+            WARN("skipped: no measured surface " << path.string());
+            continue;
+        }
+        SurfaceOptions options;
+        if (name == "nanovea_test1.txt") options.units = "mm,um";
+        if (name == "opdx-3.txt") options.units = "m";
+        if (name == "xy-4.txt") options.units = "um";
+#ifdef FSTIFF_HAS_X3P
+        options.x3p = io::x3p_reader();
+#else
+        if (path.extension() == ".x3p") {
+            WARN("skipped: built without X3P: " << path.string());
+            continue;
+        }
+#endif
+        const io::Surface found = io::read_surface(path, options);
+        REQUIRE(found.is_profile() == (table.number(row, "rows") == 1));
+        HeightMap<double> map;
+        if (found.is_profile()) {
+            const Profile<double>& profile = found.profile();
+            map.heights = Eigen::Map<const HeightMap<double>::Array>(profile.heights.data(), 1,
+                                                                     static_cast<Eigen::Index>(profile.size()));
+            map.dx = profile.spacing;
+        } else {
+            map = found.map();
+        }
+        REQUIRE(static_cast<long double>(map.rows()) == table.number(row, "rows"));
+        REQUIRE(static_cast<long double>(map.columns()) == table.number(row, "columns"));
+        CHECK(static_cast<long double>(map.size() - map.present()) == table.number(row, "missing"));
+        // two roundings in each reader: of a length or a difference, and of its division by a count
+        CHECK(test::ulps(map.dx, table.input(row, "dx")) <= 4);
+        CHECK(test::ulps(map.dy, table.input(row, "dy")) <= 4);
+
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        std::vector<double> present;
+        for (Eigen::Index k = 0; k < map.size(); ++k)
+            if (const double z = map.heights.data()[k]; !std::isnan(z)) present.push_back(z);
+        detail::CompensatedSum<double> sum, squares;
+        for (const double z : present) {
+            low = std::min(low, z);
+            high = std::max(high, z);
+            sum.add(z);
+        }
+        const auto n = static_cast<double>(present.size());
+        const double mean = sum.value() / n;
+        for (const double z : present) squares.add((z - mean) * (z - mean));
+        // number times unit, rounded once or with a unit that is itself rounded
+        CHECK(test::ulps(low, table.input(row, "min")) <= 1);
+        CHECK(test::ulps(high, table.input(row, "max")) <= 1);
+        const double largest = std::max(std::abs(low), std::abs(high));
+        CHECK(std::abs(mean - table.input(row, "mean")) <= 4e-16 * largest);
+        CHECK(test::ulps(std::sqrt(squares.value() / n), table.input(row, "rms")) <= 8);
+
+        std::stringstream points(table.text(row, "heights"));
+        for (std::string point; points >> point;) {
+            CAPTURE(point);
+            const std::size_t first = point.find(':'), second = point.rfind(':');
+            const double z = map.heights(std::stol(point.substr(0, first)), std::stol(point.substr(first + 1)));
+            const std::string expected = point.substr(second + 1);
+            CHECK((expected == "nan" ? std::isnan(z) : test::ulps(z, std::stod(expected)) <= 1));
+        }
+        CHECK(found.record.sentences().size() >= 5);
+        ++done;
+    }
+    if (done > 0) CHECK(done >= 9);  // the folder is there: all that need no X3P
+}
+
+TEST_CASE("Text without units is refused, and says how to give them") {
+    for (const char* name : {"nanovea_test1.txt", "opdx-3.txt", "xy-4.txt"}) {
+        const std::filesystem::path path = std::filesystem::path(FSTIFF_SURFACES) / name;
+        if (!std::filesystem::exists(path)) {
+            WARN("skipped: no measured surface " << path.string());
+            continue;
+        }
+        CHECK(has(test::refusal([&] { (void)io::read_surface(path); }), "must be given"));
+    }
+    CHECK(has(refusal(grid()), "states no units"));
+    CHECK(has(refusal(profile_rows()), "states no unit"));
+}
+
+TEST_CASE("The form of a text follows from its columns") {
+    CHECK(read(profile_rows(), {.units = "um"}).record.format == SurfaceFormat::profile);
+    CHECK(read(numbers(1), {.units = "um", .spacing = 1e-6}).is_profile());
+    CHECK(read(grid(), {.units = "um"}).record.format == SurfaceFormat::triples);
+    CHECK(read(numbers(7), {.units = "um", .dx = 1e-6, .dy = 1e-6}).record.format == SurfaceFormat::matrix);
+    CHECK(read("Width: 3 um\nHeight: 3 um\nunit: nm\n" + numbers(3)).record.format == SurfaceFormat::matrix);
+    CHECK(read(numbers(3), {.units = "um", .width = 1e-6, .height = 1e-6}).record.format == SurfaceFormat::matrix);
+    CHECK(read(numbers(4), {.units = "um", .spacing = 1e-6, .column = 3}).record.format == SurfaceFormat::profile);
+    CHECK(read(grid(), {.units = "um"}).record.sentences().front() ==
+          "format: triples, from three columns, the first two of which form a grid");
+}
+
+TEST_CASE("What could be two things is refused, and the option format decides") {
+    CHECK(has(refusal(numbers(3), {.units = "um"}), "format = triples, format = matrix, or format = profile"));
+    const std::string sized = "Width: 3 um\nHeight: 3 um\nunit: nm\n";
+    CHECK(has(refusal(sized + grid()), "format = triples or format = matrix"));
+    CHECK(has(refusal(sized + profile_rows()), "format = profile or format = matrix"));
+    CHECK(has(refusal("x [um] a [nm] b [nm] c [nm]\n" + numbers(4)), "format = profile with column"));
+    CHECK(read(sized + grid(), {.format = SurfaceFormat::matrix}).map().columns() == 3);
+    CHECK(read(sized + grid(), {.format = SurfaceFormat::triples, .units = "um"}).map().columns() == 8);
+    CHECK(read(sized + profile_rows(), {.format = SurfaceFormat::matrix}).map().columns() == 2);
+    CHECK(has(refusal(numbers(5), {.format = SurfaceFormat::triples, .units = "um"}), "must have 3"));
+}
+
+TEST_CASE("Options that the form has no use for are refused") {
+    CHECK(has(refusal(grid(), {.units = "um", .dx = 1e-6}), "format = triples or format = matrix"));
+    CHECK(has(refusal(grid(), {.format = SurfaceFormat::triples, .units = "um", .dx = 1e-6}), "no use for dx"));
+    CHECK(has(refusal(profile_rows(), {.format = SurfaceFormat::profile, .units = "um", .width = 1}),
+              "no use for width"));
+    CHECK(has(refusal("aISO-1.0\n", {.units = "um"}), "no use for units"));
+    CHECK(has(refusal(numbers(5), {.format = SurfaceFormat::matrix, .spacing = 1.0}), "no use for spacing"));
+}
+
+TEST_CASE("Binary files are known by their first bytes") {
+    HeightMap<double> map;
+    map.heights = HeightMap<double>::Array::Random(6, 5);
+    map.dx = 1e-6;
+    map.dy = 2e-6;
+    std::ostringstream sdf, line;
+    io::write_sdf(sdf, map);
+    const io::Surface found = read(sdf.str());
+    CHECK(found.record.format == SurfaceFormat::sdf);
+    CHECK((found.map().heights == map.heights).all());
+
+    Profile<double> profile{std::vector<double>(20, 1.0), 1e-6};
+    profile.heights[3] = 2;
+    io::write_sdf(line, profile);
+    REQUIRE(read(line.str()).is_profile());
+    CHECK(read(line.str()).profile().heights == profile.heights);
+
+    CHECK(has(refusal("PK\3\4rest"), "built without"));
+    bool called = false;
+    const SurfaceOptions options{.x3p = [&](std::string_view bytes, std::string_view) {
+        called = bytes == "PK\3\4rest";
+        return io::DescribedMap{map, {"a sentence"}};
+    }};
+    CHECK(read("PK\3\4rest", options).map().size() == 30);
+    CHECK(called);
+    CHECK(has(refusal(std::string("\0\1\2", 3)), "is binary"));
+    CHECK(has(refusal(""), "is empty"));
+    CHECK(
+        has(test::refusal([] { (void)io::read_surface(std::filesystem::path("no such file")); }), "cannot be opened"));
+}
+
+TEST_CASE("Formats have names") {
+    for (const char* name : {"auto", "profile", "triples", "matrix", "sdf", "x3p"})
+        CHECK(io::surface_format_name(io::surface_format(name)) == name);
+    CHECK(has(test::refusal([] { (void)io::surface_format("bmp"); }), "auto, profile, triples, matrix, sdf, x3p"));
+}

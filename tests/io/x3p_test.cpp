@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/x3p.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <cstring>
+#include <sstream>
+
+using namespace fstiff;
+
+namespace {
+
+using Members = std::vector<std::pair<std::string, std::string>>;
+
+/// An archive of files, by name and content.
+std::string packed(const Members& members, bool deflate = true) {
+    zip_source_t* const source = zip_source_buffer_create(nullptr, 0, 0, nullptr);
+    zip_source_keep(source);
+    zip_t* const zip = zip_open_from_source(source, ZIP_TRUNCATE, nullptr);
+    for (const auto& [name, content] : members) {
+        const zip_int64_t index =
+            zip_file_add(zip, name.c_str(), zip_source_buffer(zip, content.data(), content.size(), 0), 0);
+        zip_set_file_compression(zip, static_cast<zip_uint64_t>(index), deflate ? ZIP_CM_DEFLATE : ZIP_CM_STORE, 0);
+    }
+    REQUIRE(zip_close(zip) == 0);
+    REQUIRE(zip_source_open(source) == 0);
+    zip_stat_t stat;
+    zip_source_stat(source, &stat);
+    std::string bytes(stat.size, '\0');
+    REQUIRE(zip_source_read(source, bytes.data(), stat.size) == static_cast<zip_int64_t>(stat.size));
+    zip_source_close(source);
+    zip_source_free(source);
+    return bytes;
+}
+
+constexpr int columns = 5, rows = 4;
+int height(int k) { return (7 * k) % 20 - 3; }
+
+template <class T>
+std::string heights() {
+    std::string bytes;
+    for (int k = 0; k < columns * rows; ++k) {
+        const T value = static_cast<T>(height(k));
+        char raw[sizeof(T)];
+        std::memcpy(raw, &value, sizeof(T));  // the tests run on little-endian machines
+        bytes.append(raw, sizeof(T));
+    }
+    return bytes;
+}
+
+const std::string link = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink>";
+const std::string masked =
+    "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>"
+    "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink>";
+
+struct Main {
+    std::string type = "D", data = link, root = "p:ISO5436_2", space = " xmlns:p=\"urn:any\"", feature = "SUR";
+    std::string size = "<MatrixDimension><SizeX>5</SizeX><SizeY>4</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
+    std::string z = "<Increment>0.5</Increment>", x_type = "I", x = "1e-6", y = "2e-6";
+    std::string text() const {
+        return "<?xml version=\"1.0\"?><" + root + space + "><Record1><FeatureType>" + feature +
+               "</FeatureType><Axes><CX><AxisType>" + x_type + "</AxisType><Increment>" + x +
+               "</Increment></CX><CY><AxisType>I</AxisType><Increment>" + y +
+               "</Increment></CY><CZ><AxisType>A</AxisType><DataType>" + type + "</DataType>" + z +
+               "</CZ></Axes></Record1><Record3>" + size + data + "</Record3></" + root + ">";
+    }
+};
+
+io::X3pSurface read(const std::string& bytes) { return io::read_x3p(std::string_view(bytes), "file.x3p"); }
+std::string refusal(const std::string& bytes) {
+    return test::refusal([&] { (void)read(bytes); });
+}
+std::string refusal(const Main& main, const std::string& data = heights<double>()) {
+    return refusal(packed({{"main.xml", main.text()}, {"bindata/data.bin", data}}));
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+void check_map(const io::X3pSurface& found, double unit = 0.5) {
+    REQUIRE(found.map.rows() == rows);
+    REQUIRE(found.map.columns() == columns);
+    CHECK(found.map.dx == 1e-6);
+    CHECK(found.map.dy == 2e-6);
+    for (int k = 0; k < columns * rows; ++k) REQUIRE(found.map.heights(k / columns, k % columns) == height(k) * unit);
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("Heights of every type are read, deflated and stored", "", std::int16_t, std::int32_t, float,
+                   double) {
+    const std::string type = std::is_same_v<TestType, std::int16_t>   ? "I"
+                             : std::is_same_v<TestType, std::int32_t> ? "L"
+                             : std::is_same_v<TestType, float>        ? "F"
+                                                                      : "D";
+    for (const bool deflate : {true, false}) {
+        const auto found =
+            read(packed({{"main.xml", Main{.type = type}.text()}, {"bindata/data.bin", heights<TestType>()}}, deflate));
+        check_map(found);
+        CHECK(found.record.data_type == type[0]);
+    }
+    CHECK(has(refusal(Main{.type = type}, heights<TestType>().substr(1)),
+              "must have " + std::to_string(sizeof(TestType))));
+    CHECK(has(refusal(Main{.type = type}, heights<TestType>() + "x"), "bytes; must have"));
+}
+
+TEST_CASE("A folder in the archive, any namespace or none, and other files do not matter") {
+    const std::string folder = GENERATE("", "land/", "a/b/");
+    const Main main = GENERATE(Main{}, Main{.root = "ISO5436", .space = ""}, Main{.root = "x:y", .space = ""});
+    const auto found = read(packed({{"__MACOSX/main.xml", "junk"},
+                                    {folder + "deeper/main.xml", "junk"},
+                                    {folder + "mask.png", "png"},
+                                    {folder + "main.xml", main.text()},
+                                    {folder + "bindata/data.bin", heights<double>()}}));
+    check_map(found);
+    CHECK(found.record.side_files == 3);
+    CHECK(found.record.sentences().size() == 5);
+}
+
+TEST_CASE("Missing points are NaN, an empty datum, or not set in the mask") {
+    std::string mask = "\xff\xff\x0f";
+    mask[1] = static_cast<char>(0xfd);  // the tenth point
+    const auto found = read(packed({{"main.xml", Main{.type = "I", .data = masked}.text()},
+                                    {"bindata/data.bin", heights<std::int16_t>()},
+                                    {"bindata/valid.bin", mask}}));
+    CHECK(found.record.missing == 1);
+    CHECK(std::isnan(found.map.heights(1, 4)));
+    CHECK(found.map.heights(1, 3) == height(8) * 0.5);
+    CHECK(has(refusal(packed({{"main.xml", Main{.type = "I", .data = masked}.text()},
+                              {"bindata/data.bin", heights<std::int16_t>()},
+                              {"bindata/valid.bin", "\xff"}})),
+              "one bit for each of 20 points"));
+
+    std::string list = "<DataList>";
+    for (int k = 0; k < 19; ++k) list += "<Datum>" + std::to_string(height(k)) + "</Datum>";
+    const auto listed = read(packed({{"main.xml", Main{.data = list + "<Datum/></DataList>"}.text()}}));
+    CHECK(listed.record.missing == 1);
+    CHECK(std::isnan(listed.map.heights(3, 4)));
+    CHECK(listed.map.heights(3, 3) == height(18) * 0.5);
+    CHECK(has(refusal(Main{.data = list + "</DataList>"}), "DataList holds 19 heights; must hold 5 x 4"));
+    CHECK(has(refusal(Main{.data = list + "<Datum>x</Datum></DataList>"}), "height 20 is \"x\""));
+}
+
+TEST_CASE("Increment and offset of the heights are applied, a profile needs no CY increment") {
+    const auto found = read(packed({{"main.xml", Main{.z = "<Increment>2</Increment><Offset>0.25</Offset>"}.text()},
+                                    {"bindata/data.bin", heights<double>()}}));
+    CHECK(found.map.heights(0, 1) == 8.25);
+    check_map(read(packed(
+                  {{"main.xml", Main{.z = "<Increment/><Offset/>"}.text()}, {"bindata/data.bin", heights<double>()}})),
+              1);
+    const auto profile =
+        read(packed({{"main.xml", Main{.feature = "PRF", .size = "<ListDimension>20</ListDimension>", .y = ""}.text()},
+                     {"bindata/data.bin", heights<double>()}}));
+    CHECK(profile.map.rows() == 1);
+    CHECK(profile.map.columns() == 20);
+}
+
+TEST_CASE("Archives that would swell are refused before anything is inflated") {
+    const std::string zeros(std::size_t(2048) * 1024 * 8, '\0');
+    Main main;
+    main.size = "<MatrixDimension><SizeX>2048</SizeX><SizeY>1024</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
+    CHECK(has(refusal(main, zeros), "would inflate from"));
+    CHECK(has(refusal(packed({{"main.xml", std::string(zeros.size(), ' ')}})), "would inflate from"));
+    const std::string bytes = packed({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}});
+    const auto limited = [&](const io::X3pLimits& limits) {
+        return test::refusal([&] { (void)io::read_x3p(std::string_view(bytes), "file.x3p", limits); });
+    };
+    CHECK(has(limited({.bytes = 100}), "must be at most 100"));
+    CHECK(has(limited({.files = 1}), "holds 2 files; must be at most 1"));
+    CHECK(limited({}).empty());
+    Main huge;
+    huge.size = "<MatrixDimension><SizeX>4294967295</SizeX><SizeY>4294967295</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
+    CHECK(has(refusal(huge), "4294967295 x 4294967295 points"));
+}
+
+TEST_CASE("Names in the archive are compared, never followed") {
+    for (const char* path : {"../../etc/passwd", "/etc/passwd", "bindata/../bindata/data.bin", "", "C:\\data.bin"}) {
+        CAPTURE(path);
+        CHECK(
+            has(refusal(Main{.data = "<DataLink><PointDataLink>" + std::string(path) + "</PointDataLink></DataLink>"}),
+                "must name a file of the archive"));
+    }
+    // the same bytes under that very name are a file of the archive, and nothing outside it is touched
+    const Main main{.data = "<DataLink><PointDataLink>../../x</PointDataLink></DataLink>"};
+    check_map(read(packed({{"main.xml", main.text()}, {"../../x", heights<double>()}})));
+    check_map(read(packed({{"main.xml", Main{.data = "<DataLink><PointDataLink>.\\bindata\\data.bin</PointDataLink>"
+                                                     "</DataLink>"}
+                                            .text()},
+                           {"bindata/data.bin", heights<double>()}})));
+}
+
+TEST_CASE("Every damaged archive is refused with a sentence") {
+    const std::string bytes = packed({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}});
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        CAPTURE(size);
+        REQUIRE(!refusal(bytes.substr(0, size)).empty());
+    }
+    // one bit of the heights: the CRC knows
+    std::string stored = packed({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}}, false);
+    const std::size_t place = stored.find(heights<double>());
+    REQUIRE(place != std::string::npos);
+    stored[place + 6] ^= 1;
+    CHECK(has(refusal(stored), "is damaged"));
+    CHECK(has(refusal(packed({{"other.xml", ""}})), "holds no main.xml"));
+    CHECK(has(refusal(packed({{"a/main.xml", ""}, {"b/main.xml", ""}})), "more than one main.xml"));
+    CHECK(has(refusal(packed({{"main.xml", "<a"}})), "no XML"));
+    CHECK(has(refusal(packed({{"main.xml", "<a/>"}})), "Record1 and Record3"));
+}
+
+TEST_CASE("Descriptions that cannot be read are refused with element, value and range") {
+    CHECK(has(refusal(Main{.type = "Q"}), "CZ/DataType = \"Q\": must be I, L, F or D"));
+    CHECK(has(refusal(Main{.x_type = "A"}), "CX/AxisType = \"A\": must be I"));
+    CHECK(has(refusal(Main{.feature = "PCL"}), "FeatureType = \"PCL\""));
+    CHECK(has(refusal(Main{.x = "0"}), "CX/Increment = 0: must be"));
+    CHECK(has(refusal(Main{.x = "nan"}), "CX/Increment"));
+    CHECK(has(refusal(Main{.y = "-1"}), "CY/Increment = -1: must be"));
+    CHECK(has(refusal(Main{.size = ""}), "no MatrixDimension"));
+    CHECK(has(
+        refusal(Main{.size = "<MatrixDimension><SizeX>5</SizeX><SizeY>4</SizeY><SizeZ>2</SizeZ></MatrixDimension>"}),
+        "SizeZ = 2: must be 1"));
+    CHECK(has(refusal(Main{.data = ""}), "has neither DataLink nor DataList"));
+    std::string infinite = heights<double>();
+    infinite.replace(0, 8, std::string("\0\0\0\0\0\0\xf0\x7f", 8));
+    CHECK(has(refusal(Main{}, infinite), "height 1 is infinite"));
+}
