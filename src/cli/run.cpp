@@ -2,7 +2,7 @@
 // fstiff run: a scene to its curves, one per law and peak density.
 #include "builtin_scene.hpp"
 #include "commands.hpp"
-#include "scene.hpp"
+#include "results.hpp"
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
@@ -24,22 +24,6 @@ namespace {
 struct Options {
     OutputOptions output;
     std::string scene;
-};
-
-/// One law on one peak density, at every point of the scene.
-struct Curve {
-    Law law;
-    std::optional<double> theta, r;      // none: Greenwood-Williamson
-    std::optional<double> rms_gradient;  // of the surface, for p*
-    std::vector<ContactState<double>> states;
-};
-
-struct Results {
-    double modulus = 0;  // effective [Pa]
-    std::optional<double> plasticity_index;
-    std::vector<Curve> curves;
-    std::vector<std::string> warnings;
-    Status status = success;
 };
 
 Quantity wanted(const Scene& scene) {
@@ -92,7 +76,7 @@ PeakDensity<double> peak_density(const Peaks& peaks) {
 }
 
 Curve compute(const Scene& scene, Law law, const PeakDensity<double>& peaks, double modulus) {
-    Curve curve{law, peaks.theta(), peaks.r(), rms_gradient(scene.surface, peaks), {}};
+    Curve curve{law, peaks.theta(), peaks.r(), rms_gradient(scene.surface, peaks), {}, {}};
     RoughContactOptions<double> options;
     options.interaction = interaction(scene);
     const auto with = [&](const auto& asperity) {
@@ -186,7 +170,7 @@ Results compute(const Scene& scene) {
         results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
     for (const Law law : scene.laws) {
         if (law == Law::greenwood_williamson) {
-            Curve curve{law, {}, {}, {}, {}};
+            Curve curve{law, {}, {}, {}, {}, {}};
             fill(curve, scene, GreenwoodWilliamson<double>(scene.surface, results.modulus));
             results.curves.push_back(std::move(curve));
             continue;
