@@ -2,6 +2,7 @@
 // fstiff run: a scene to its curves, one per law and peak density.
 #include "builtin_scene.hpp"
 #include "commands.hpp"
+#include "pictures.hpp"
 #include "results.hpp"
 
 #include <fstiff/asperity/laws.hpp>
@@ -24,6 +25,7 @@ namespace {
 struct Options {
     OutputOptions output;
     std::string scene;
+    std::string picture;  ///< file; empty: none
 };
 
 Quantity wanted(const Scene& scene) {
@@ -311,11 +313,15 @@ std::string table(const Scene& scene, const Results& results) {
 }
 
 Report execute(const Options& options) {
+    if (!options.picture.empty()) require_picture_name(options.picture);
     const Scene scene = options.scene.empty() ? parse_scene(builtin_scene, "built-in scene")
                                               : parse_scene(read_all(options.scene), display_name(options.scene));
     const Results results = compute(scene);
     Report report;
     report.status = results.status;
+    if (!options.picture.empty())
+        for (const std::string& file : write_figure(results_figure(scene, results), options.picture))
+            report.diagnostics.push_back("wrote " + file);
     if (options.output.format == Format::table) {
         report.document = table(scene, results);
     } else {
@@ -334,6 +340,10 @@ Command add_run(CLI::App& app) {
         "scene", options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper");
     add_output_options(*command, options->output);
+    command
+        ->add_option("--plot", options->picture,
+                     "draw K(p) into FILE (.svg or .html); its numbers (.csv) and a gnuplot script (.gp) go beside it")
+        ->type_name("FILE");
     command->footer(
         "The keys of a scene are in docs/scene.md. Exit code 4: a real area above the nominal one, or no convergence.\n"
         "Example:\n  fstiff run --format csv");
