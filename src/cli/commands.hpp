@@ -11,5 +11,6 @@ Command add_fit(CLI::App& app);
 Command add_peaks(CLI::App& app);
 Command add_integral(CLI::App& app);
 Command add_ultrasound(CLI::App& app);
+Command add_reproduce(CLI::App& app);
 
 }  // namespace fstiff::cli

@@ -53,7 +53,7 @@ bool read_stream(std::istream& stream, std::string& bytes) {
 
 }  // namespace
 
-void add_output_options(CLI::App& app, OutputOptions& options, Format initial) {
+void add_format_option(CLI::App& app, OutputOptions& options, Format initial) {
     options.format = initial;
     static const std::map<std::string, Format> formats{
         {"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}};
@@ -64,6 +64,10 @@ void add_output_options(CLI::App& app, OutputOptions& options, Format initial) {
            "table, csv or json; default " + shown)
         ->type_name("FORMAT")
         ->check(CLI::IsMember({"table", "csv", "json"}));
+}
+
+void add_output_options(CLI::App& app, OutputOptions& options, Format initial) {
+    add_format_option(app, options, initial);
     app.add_option("-o,--output", options.file, "write to FILE instead of standard output")->type_name("FILE");
 }
 
@@ -144,6 +148,13 @@ void deliver(const std::string& document, const std::string& file) {
         fs::remove(partial, error);
         cannot_write(file);
     }
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder, error))
+        throw domain_error(folder + ": is no folder and cannot be made one");
 }
 
 std::string read_all(const std::string& file) {

@@ -34,6 +34,8 @@ struct OutputOptions {
 
 /// Adds --format and --output; \p initial is the format without --format.
 void add_output_options(CLI::App& app, OutputOptions& options, Format initial = Format::table);
+/// --format alone, for a subcommand that writes a folder: its document goes to standard output.
+void add_format_option(CLI::App& app, OutputOptions& options, Format initial = Format::table);
 
 /// The one document of a subcommand, what else there is to say (on standard error), and how it ended.
 struct Report {
@@ -81,6 +83,9 @@ std::string json_text(const Json& document);
 /// Writes \p document to \p file (beside it first, then renamed), or to standard output when \p file is empty.
 /// \throws domain_error naming the file that cannot be written.
 void deliver(const std::string& document, const std::string& file);
+
+/// Makes the folder \p folder, and those above it, where it is missing. \throws domain_error where that fails.
+void make_folder(const std::string& folder);
 
 /// All bytes of \p file; "-" is standard input. \throws domain_error naming a file that is missing, unreadable or empty.
 std::string read_all(const std::string& file);
