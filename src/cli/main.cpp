@@ -37,7 +37,7 @@ int run_main(int argc, char** argv) {
         "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, 4 result outside validity or not "
         "converged.\n"
         "Example:\n  fstiff run");
-    const std::vector<Command> commands{add_run(app), add_fit(app), add_peaks(app), add_integral(app),
+    const std::vector<Command> commands{add_run(app), add_measure(app), add_fit(app), add_peaks(app), add_integral(app),
                                         add_ultrasound(app)};
     try {
         app.parse(argc, argv);
@@ -50,7 +50,7 @@ int run_main(int argc, char** argv) {
         const auto chosen = app.get_subcommands();
         if (chosen.empty() && !app.remaining().empty())
             say(app.remaining().front() +
-                ": is no subcommand or option; must be one of run, fit, peaks, integral, ultrasound; see fstiff "
+                ": is no subcommand or option; must be one of run, measure, fit, peaks, integral, ultrasound; see fstiff "
                 "--help");
         else
             say(std::string(error.what()) + "; see fstiff " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +

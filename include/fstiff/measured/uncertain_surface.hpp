@@ -23,6 +23,25 @@
 
 namespace fstiff {
 
+/// Names in the order of Parameter.
+inline constexpr std::array<std::string_view, parameter_count> parameter_names{
+    "rms_height", "peak_radius", "peak_density", "fractal_dimension", "r", "theta"};
+
+/// Whether \p x is a value that \p which can have.
+template <Real T>
+[[nodiscard]] bool parameter_in_range(Parameter which, T x) {
+    switch (which) {
+        case Parameter::fractal_dimension:
+            return x > T(1) && x < T(2);
+        case Parameter::r:
+            return x >= T(0) && x < T(1);
+        case Parameter::theta:
+            return x > T(0) && x < std::numbers::pi_v<T> / 2;
+        default:
+            return x > T(0) && x <= std::numeric_limits<T>::max();
+    }
+}
+
 /// The parameters that enter the contact, with errors.
 template <Real T>
 struct UncertainSurface {
@@ -64,34 +83,14 @@ private:
 template <Real T>
 [[nodiscard]] T sorted_quantile(std::span<const T> values, T probability);
 
-namespace detail {
-
-inline constexpr std::array<std::string_view, parameter_count> parameter_names{
-    "rms_height", "peak_radius", "peak_density", "fractal_dimension", "r", "theta"};
-
-template <Real T>
-bool in_range(std::size_t i, T x) {
-    switch (static_cast<Parameter>(i)) {
-        case Parameter::fractal_dimension:
-            return x > T(1) && x < T(2);
-        case Parameter::r:
-            return x >= T(0) && x < T(1);
-        case Parameter::theta:
-            return x > T(0) && x < std::numbers::pi_v<T> / 2;
-        default:
-            return x > T(0) && x <= std::numeric_limits<T>::max();
-    }
-}
-
-}  // namespace detail
-
 template <Real T>
 void UncertainSurface<T>::validate() const {
     for (std::size_t i = 0; i < parameter_count; ++i) {
         if (!known[i]) continue;
-        require(detail::in_range(i, value[i]), detail::parameter_names[i], value[i], "in the range of that parameter");
+        require(parameter_in_range(static_cast<Parameter>(i), value[i]), parameter_names[i], value[i],
+                "in the range of that parameter");
         require(error[i] >= T(0) && error[i] <= std::numeric_limits<T>::max(),
-                std::string(detail::parameter_names[i]) + " error", error[i], "finite and not negative");
+                std::string(parameter_names[i]) + " error", error[i], "finite and not negative");
         for (std::size_t j = 0; j < parameter_count; ++j)
             require(std::abs(correlation[i][j]) <= T(1) && correlation[i][j] == correlation[j][i], "correlation",
                     correlation[i][j], "symmetric, between -1 and 1");
@@ -151,7 +150,7 @@ std::array<T, parameter_count> SurfaceSampler<T>::operator()() {
             const T relative = error / value;
             draw[i] = i >= first_normal ? value + error * one
                                         : value * std::exp(std::sqrt(std::log1p(relative * relative)) * one);
-            inside = inside && detail::in_range(i, draw[i]);
+            inside = inside && parameter_in_range(static_cast<Parameter>(i), draw[i]);
         }
         if (inside) return draw;
     }
