@@ -7,6 +7,7 @@
 namespace fstiff::cli {
 
 Command add_run(CLI::App& app);
+Command add_measure(CLI::App& app);
 Command add_fit(CLI::App& app);
 Command add_islands(CLI::App& app);
 Command add_peaks(CLI::App& app);
