@@ -14,6 +14,7 @@
 #include <fstiff/math/gaussian_moment.hpp>
 #include <fstiff/math/gaussian_moment_table.hpp>
 #include <fstiff/math/lanes.hpp>
+#include <fstiff/math/least_squares.hpp>
 #include <fstiff/math/root.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/roughness.hpp>
@@ -38,13 +39,16 @@
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/peaks/from_profile.hpp>
 #include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/identify.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/peak_nodes.hpp>
