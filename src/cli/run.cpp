@@ -2,7 +2,8 @@
 // fstiff run: a scene to its curves, one per law and peak density.
 #include "builtin_scene.hpp"
 #include "commands.hpp"
-#include "scene.hpp"
+#include "pictures.hpp"
+#include "results.hpp"
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
@@ -24,22 +25,7 @@ namespace {
 struct Options {
     OutputOptions output;
     std::string scene;
-};
-
-/// One law on one peak density, at every point of the scene.
-struct Curve {
-    Law law;
-    std::optional<double> theta, r;      // none: Greenwood-Williamson
-    std::optional<double> rms_gradient;  // of the surface, for p*
-    std::vector<ContactState<double>> states;
-};
-
-struct Results {
-    double modulus = 0;  // effective [Pa]
-    std::optional<double> plasticity_index;
-    std::vector<Curve> curves;
-    std::vector<std::string> warnings;
-    Status status = success;
+    std::string picture;  ///< file; empty: none
 };
 
 Quantity wanted(const Scene& scene) {
@@ -92,7 +78,7 @@ PeakDensity<double> peak_density(const Peaks& peaks) {
 }
 
 Curve compute(const Scene& scene, Law law, const PeakDensity<double>& peaks, double modulus) {
-    Curve curve{law, peaks.theta(), peaks.r(), rms_gradient(scene.surface, peaks), {}};
+    Curve curve{law, peaks.theta(), peaks.r(), rms_gradient(scene.surface, peaks), {}, {}};
     RoughContactOptions<double> options;
     options.interaction = interaction(scene);
     const auto with = [&](const auto& asperity) {
@@ -186,7 +172,7 @@ Results compute(const Scene& scene) {
         results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
     for (const Law law : scene.laws) {
         if (law == Law::greenwood_williamson) {
-            Curve curve{law, {}, {}, {}, {}};
+            Curve curve{law, {}, {}, {}, {}, {}};
             fill(curve, scene, GreenwoodWilliamson<double>(scene.surface, results.modulus));
             results.curves.push_back(std::move(curve));
             continue;
@@ -327,11 +313,15 @@ std::string table(const Scene& scene, const Results& results) {
 }
 
 Report execute(const Options& options) {
+    if (!options.picture.empty()) require_picture_name(options.picture);
     const Scene scene = options.scene.empty() ? parse_scene(builtin_scene, "built-in scene")
                                               : parse_scene(read_all(options.scene), display_name(options.scene));
     const Results results = compute(scene);
     Report report;
     report.status = results.status;
+    if (!options.picture.empty())
+        for (const std::string& file : write_figure(results_figure(scene, results), options.picture))
+            report.diagnostics.push_back("wrote " + file);
     if (options.output.format == Format::table) {
         report.document = table(scene, results);
     } else {
@@ -350,6 +340,10 @@ Command add_run(CLI::App& app) {
         "scene", options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper");
     add_output_options(*command, options->output);
+    command
+        ->add_option("--plot", options->picture,
+                     "draw K(p) into FILE (.svg or .html); its numbers (.csv) and a gnuplot script (.gp) go beside it")
+        ->type_name("FILE");
     command->footer(
         "The keys of a scene are in docs/scene.md. Exit code 4: a real area above the nominal one, or no convergence.\n"
         "Example:\n  fstiff run --format csv");

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pictures.hpp"
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/version.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fstiff::cli {
+namespace {
+
+constexpr double MPa = 1e6, GPa_per_um = 1e15;
+
+/// Law and peak density tell themselves apart by colour and stroke: the first density solid, the second dashed.
+Stroke stroke_of(const Results& results, const Curve& curve) {
+    int before = 0;
+    for (const Curve& other : results.curves) {
+        if (&other == &curve) break;
+        before += other.law == curve.law;
+    }
+    return before == 0 ? Stroke::solid : before % 2 == 1 ? Stroke::dashed : Stroke::dotted;
+}
+
+int colour_of(const Results& results, const Curve& curve) {
+    std::vector<Law> laws;
+    for (const Curve& other : results.curves)
+        if (std::find(laws.begin(), laws.end(), other.law) == laws.end()) laws.push_back(other.law);
+    return static_cast<int>(std::find(laws.begin(), laws.end(), curve.law) - laws.begin());
+}
+
+PlotLine line_of(const Results& results, const Curve& curve) {
+    PlotLine line{.label = legend_of(curve), .x = {}, .y = {}};
+    line.colour = colour_of(results, curve);
+    line.stroke = stroke_of(results, curve);
+    if (curve.states.size() == 1) line.marker = Marker::circle;
+    for (const auto& state : curve.states) line.x.push_back(state.pressure.value / MPa);
+    return line;
+}
+
+}  // namespace
+
+std::string shown_angle(double theta) {
+    for (const int n : {3, 4, 5, 6, 8, 10, 12})
+        if (std::abs(theta * n / std::numbers::pi - 1) < 1e-12) return "π/" + std::to_string(n);
+    return rounded(theta);
+}
+
+std::string legend_of(const Curve& curve) {
+    std::string text(name_of(curve.law));
+    std::replace(text.begin(), text.end(), '_', ' ');
+    if (curve.theta) text += ", θ = " + shown_angle(*curve.theta) + ", r = " + rounded(*curve.r, 3);
+    return text;
+}
+
+Panel stiffness_panel(const Scene& scene, const Results& results) {
+    Panel panel{.title = "Normal stiffness per nominal area",
+                .x = {.label = "nominal pressure p [MPa]"},
+                .y = {.label = "K/A₀ [GPa/µm]"}};
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const Curve& curve : results.curves) {
+        PlotLine line = line_of(results, curve);
+        for (const auto& state : curve.states) {
+            line.y.push_back(state.stiffness.value / GPa_per_um);
+            if (state.pressure.value > 0) low = std::min(low, state.pressure.value);
+            high = std::max(high, state.pressure.value);
+        }
+        if (curve.band.size() == curve.states.size() && !curve.band.empty()) {
+            for (const Band& band : curve.band) {
+                line.low.push_back(band.low / GPa_per_um);
+                line.high.push_back(band.high / GPa_per_um);
+            }
+            line.band = "5 to 95 %";
+        }
+        panel.lines.push_back(std::move(line));
+    }
+    if (low < high) {
+        // a straight line on logarithmic axes: two points are enough
+        PlotLine reference{.label = "p/(0.48 σ)", .x = {}, .y = {}};
+        for (const double p : {low, high}) {
+            reference.x.push_back(p / MPa);
+            reference.y.push_back(p / (0.48 * scene.surface.rms_height) / GPa_per_um);
+        }
+        reference.colour = neutral;
+        reference.stroke = Stroke::dashed;
+        panel.lines.push_back(std::move(reference));
+    }
+    return panel;
+}
+
+Panel quantity_panel(const Results& results, std::string label, bool logarithmic,
+                     const std::function<double(const ContactState<double>&)>& value) {
+    Panel panel{.x = {.label = "nominal pressure p [MPa]"},
+                .y = {.label = std::move(label), .logarithmic = logarithmic},
+                .height = 240};
+    for (const Curve& curve : results.curves) {
+        PlotLine line = line_of(results, curve);
+        for (const auto& state : curve.states) line.y.push_back(value(state));
+        panel.lines.push_back(std::move(line));
+    }
+    return panel;
+}
+
+Figure results_figure(const Scene& scene, const Results& results) {
+    if (!scene.stiffness)
+        throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
+    Figure figure{.title = "Contact stiffness: " + scene.name, .panels = {stiffness_panel(scene, results)}};
+    figure.note =
+        "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " + rounded(scene.surface.rms_height * 1e6, 4) + " µm";
+    return figure;
+}
+
+}  // namespace fstiff::cli

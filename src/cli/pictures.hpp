@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The pictures of a scene's results: what `run --plot` draws and the report shows.
+
+#include "plot.hpp"
+#include "results.hpp"
+
+#include <functional>
+
+namespace fstiff::cli {
+
+/// "π/4", or the angle in five digits.
+std::string shown_angle(double theta);
+/// "fractal, θ = π/4, r = 0" for a legend.
+std::string legend_of(const Curve& curve);
+
+/// K(p) of all curves, with the bands there are.
+Panel stiffness_panel(const Scene& scene, const Results& results);
+/// One panel of another quantity of the states against the pressure.
+Panel quantity_panel(const Results& results, std::string label, bool logarithmic,
+                     const std::function<double(const ContactState<double>&)>& value);
+
+/// What `run --plot` draws. \throws domain_error when the scene asks for no stiffness.
+Figure results_figure(const Scene& scene, const Results& results);
+
+}  // namespace fstiff::cli

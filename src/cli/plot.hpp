@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Pictures of curves as SVG that needs nothing else: no script, no font, no file beside it. Colours follow the reader's
+// light or dark setting. The same figure is written as CSV and as a gnuplot script that draws that CSV.
+// The same figure gives the same bytes.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::cli {
+
+struct Axis {
+    std::string label;  ///< with its unit, such as "p [MPa]"
+    bool logarithmic = true;
+    std::optional<double> low = {}, high = {};  ///< none: from the curves
+};
+
+enum class Stroke { solid, dashed, dotted, none };
+enum class Marker { none, circle, square, triangle, diamond, cross };
+
+/// Colours 0 to 7 tell curves apart; `neutral` is the grey of what curves are compared with.
+inline constexpr int neutral = -1, next_colour = -2;
+
+/// Points, a line through them, and a band about it when low and high are given. On a logarithmic axis a point that is
+/// not positive breaks the line.
+struct PlotLine {
+    std::string label;  ///< empty: not in the legend
+    std::vector<double> x, y;
+    std::vector<double> low = {}, high = {};  ///< of the band, one for every x
+    std::string band = {};                    ///< what the band is, for the legend
+    int colour = next_colour;
+    Stroke stroke = Stroke::solid;
+    Marker marker = Marker::none;
+    bool sets_range = true;  ///< whether the axes are chosen to show it
+};
+
+/// A shaded range of the horizontal or of the vertical axis, drawn over the lines \p from to \p to.
+struct PlotWindow {
+    std::string label;
+    double low = 0, high = 0;
+    bool of_y = false;
+};
+
+/// A PNG that fills a range of the axes.
+struct PlotImage {
+    std::string png;  ///< bytes
+    double x_low = 0, x_high = 1, y_low = 0, y_high = 1;
+};
+
+struct Panel {
+    std::string title = {};
+    Axis x, y;
+    std::vector<PlotLine> lines = {};
+    std::vector<PlotWindow> windows = {};
+    std::optional<PlotImage> image = {};
+    double width = 560, height = 360;  ///< of the plot itself
+    bool legend = true;
+};
+
+struct Figure {
+    std::string title;
+    std::vector<Panel> panels;  ///< from top to bottom
+    std::string note = {};      ///< below, small
+};
+
+/// A file of its own, or an element inside a page.
+std::string svg(const Figure& figure);
+/// The SVG in a page.
+std::string html_page(const Figure& figure);
+/// curve,panel,label,x_quantity,x,y_quantity,y,low,high: the numbers that are drawn.
+std::string figure_csv(const Figure& figure);
+/// Draws the file \p csv beside it into \p picture.
+std::string gnuplot_script(const Figure& figure, const std::string& csv, const std::string& picture);
+
+/// Writes the figure to \p file (.svg or .html) and beside it .csv and .gp. \returns the three names.
+/// \throws Usage for another ending, domain_error for a file that cannot be written.
+std::vector<std::string> write_figure(const Figure& figure, const std::string& file);
+/// \throws Usage unless \p file ends in .svg or .html.
+void require_picture_name(const std::string& file);
+
+/// \p text between the tags of SVG or HTML.
+std::string escaped(std::string_view text);
+
+/// Bytes as an indexed PNG: \p shade holds rows from top to bottom, 0 to 254 from low to high, 255 for nothing there.
+std::string heat_map_png(const std::vector<unsigned char>& shade, std::size_t columns, std::size_t rows);
+/// The colour "#rrggbb" of a share 0 to 1 of the range of a heat map.
+std::string heat_map_colour(double share);
+std::string base64(std::string_view bytes);
+
+}  // namespace fstiff::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cut-offs against the surfaces that the generators make with them.
+#include <fstiff/surface/cut_offs.hpp>
+#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <array>
+
+using namespace fstiff;
+
+namespace {
+/// Tables 1 and 2: sigma, D, G.
+struct Row {
+    double rms;
+    Fractal<double> fractal;
+};
+const std::array<Row, 3> rows{Row{0.832e-6, {1.62, 1.2e-8}}, Row{5.13e-6, {1.58, 1.1e-7}}, Row{8.94e-6, {1.70, 8.2e-7}}};
+}  // namespace
+
+TEST_CASE("a sum of cosines from the longest cosine down has the rms height that was asked for") {
+    for (const Row& row : rows) {
+        const double longest = longest_cosine(row.fractal, row.rms);
+        CHECK(longest > 1e-4);  // a fraction of a millimetre, as the traces of such surfaces need
+        CHECK(longest < 1e-3);
+        // terms down to 1e-12 of the longest leave out 1e-12^(4-2D), at most 6.3e-8 at D = 1.7
+        const WeierstrassMandelbrot<double> wm(row.fractal,
+                                               {.longest_wavelength = longest, .shortest_wavelength = 1e-12 * longest});
+        CHECK(test::relative_error(wm.variance(), row.rms * row.rms) < 1e-7);
+    }
+}
+
+TEST_CASE("sections of a Gaussian map from the longest wave down have the D and G that were asked for") {
+    const Row& row = rows[0];
+    const double longest = longest_wave(row.fractal, row.rms), hurst = 2 - row.fractal.dimension;
+    const std::size_t points = 1024;
+    const double spacing = 4 * longest / static_cast<double>(points);  // 4 long waves a side, 256 points a wave
+    double worst = 0;
+    for (const std::size_t lag : {16u, 32u}) {  // 8 and 16 shortest waves, 1/16 and 1/8 of the longest
+        double mean = 0;
+        const int seeds = 4;
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            const auto map =
+                self_affine_map<double>({.hurst = hurst, .rms = row.rms, .longest_wavelength = longest,
+                                         .long_waves = LongWaves::none, .exact_rms = false, .seed = seed},
+                                        points, points, spacing, spacing);
+            const auto n = static_cast<Eigen::Index>(lag);
+            const auto size = static_cast<Eigen::Index>(points);
+            mean += (map.rightCols(size - n) - map.leftCols(size - n)).square().mean() / seeds;
+        }
+        const double tau = static_cast<double>(lag) * spacing;
+        worst = std::max(worst, test::relative_error(mean, structure_function_at(tau, row.fractal)));
+    }
+    // the waves left out at both ends: of order (shortest/lag)^(2H) and (lag/longest)^2; and the scatter of 4 maps
+    CAPTURE(worst);
+    CHECK(worst < 0.3);
+}
+
+TEST_CASE("the ratio of slope to height of a generated map, and its inverse") {
+    const double hurst = 0.38, longest = 1e-3, shortest = 5e-5;
+    const double ratio = slope_ratio(hurst, longest, shortest);
+    CHECK(test::relative_error(shortest_wave(hurst, longest, ratio), shortest) < 1e-12);
+    // by the midpoint rule over the spectrum q^(-2H-1) of a ring; a section has half of the squared slope
+    double slopes = 0, heights = 0;
+    const int n = 20000;
+    const double step = std::log(longest / shortest) / n, pi = std::numbers::pi;
+    for (int k = 0; k < n; ++k) {
+        const double q = std::exp((k + 0.5) * step) / longest, weight = std::pow(q, -2 * hurst);
+        heights += weight;
+        slopes += weight * 2 * pi * pi * q * q;
+    }
+    CHECK(test::relative_error(ratio, slopes / heights) < 1e-7);  // the rule's error, step^2/24 times the curvature
+}
+
+TEST_CASE("cut-offs do not depend on the unit of length, and refuse what cannot be") {
+    const Row& row = rows[2];
+    const double scale = 1e6;
+    const Fractal<double> scaled{row.fractal.dimension, row.fractal.roughness * scale};
+    CHECK(test::relative_error(longest_wave(scaled, row.rms * scale), scale * longest_wave(row.fractal, row.rms)) <
+          1e-13);
+    CHECK(test::relative_error(longest_cosine(scaled, row.rms * scale), scale * longest_cosine(row.fractal, row.rms)) <
+          1e-13);
+    CHECK_THROWS_AS(longest_cosine<double>({2.0, 1e-8}, 1e-6), domain_error);
+    CHECK_THROWS_AS(longest_wave<double>({1.5, 1e-8}, -1e-6), domain_error);
+    CHECK_THROWS_AS(slope_ratio(0.5, 1e-3, 2e-3), domain_error);
+    CHECK_THROWS_AS(shortest_wave(0.5, 1e-3, 1.0), domain_error);
+}
