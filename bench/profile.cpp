@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Profiles: the structure function of 100,000 points, and 65,536 points of a Weierstrass-Mandelbrot profile.
+// Measured surfaces: structure functions of long profiles, generated profiles, islands of a map.
 #include "row.hpp"
 
+#include <fstiff/math/fft.hpp>
+#include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/surface/self_affine.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/topography/islands.hpp>
 
 namespace {
 
@@ -65,6 +69,56 @@ Accuracy structure_accuracy() {
     return collector.accuracy();
 }
 
+const fstiff::Profile<double>& million() {
+    static const fstiff::Profile<double> profile{waves(fstiff::Phases::random).sample(1000000, shortest / 2),
+                                                 shortest / 2};
+    return profile;
+}
+
+Accuracy all_lags_accuracy() {
+    const auto& z = million().heights;
+    const auto found = fstiff::structure_function_at_all_lags(million());
+    AccuracyCollector collector;
+    for (std::size_t k = 0; k < found.size(); k = 2 * k + 1) {
+        long double sum = 0;
+        for (std::size_t i = 0; i + found.step[k] < z.size(); ++i) {
+            const long double difference = static_cast<long double>(z[i + found.step[k]]) - z[i];
+            sum += difference * difference;
+        }
+        collector.add(found.value[k], static_cast<double>(sum / static_cast<long double>(z.size() - found.step[k])));
+    }
+    collector.add_cost(static_cast<double>(found.size()));
+    return collector.accuracy();
+}
+
+void transform_and_back(std::vector<double>& back) {
+    fstiff::RealFft<double> fft(million().heights.size());
+    std::vector<std::complex<double>> spectrum;
+    fft.forward(million().heights, spectrum);
+    fft.inverse(spectrum, back);
+}
+
+Accuracy transform_accuracy() {
+    std::vector<double> back;
+    transform_and_back(back);
+    const auto& z = million().heights;
+    const double rms = fstiff::rms_height(million());
+    AccuracyCollector collector;
+    for (std::size_t i = 0; i < z.size(); i += 97) collector.add(1 + (back[i] - z[i]) / rms, 1);
+    collector.add_cost(static_cast<double>(z.size()));
+    return collector.accuracy();
+}
+
+const fstiff::HeightMap<double>& map() {
+    static const fstiff::HeightMap<double> made = [] {
+        const auto surface = fstiff::self_affine_map<double>(
+            {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = 64e-6, .shortest_wavelength = 8e-6}, 2048, 2048, 1e-6,
+            1e-6);
+        return fstiff::HeightMap<double>{surface, 1e-6, 1e-6};
+    }();
+    return made;
+}
+
 const Rows rows([] {
     constexpr std::size_t points = 65536;
     constexpr double spacing = shortest / 2;
@@ -83,6 +137,37 @@ const Rows rows([] {
             benchmark::DoNotOptimize(found.value.data());
         }
     });
+    // a million points: all lags, and the yardstick, one transform there and back
+    verified_row("profile/all_lags/1000000", 1e-10, all_lags_accuracy, [](benchmark::State& state) {
+        for (auto _ : state) {
+            const auto found = fstiff::structure_function_at_all_lags(million());
+            benchmark::DoNotOptimize(found.value.data());
+        }
+    });
+    verified_row("profile/transform_and_back/1000000", 1e-12, transform_accuracy, [](benchmark::State& state) {
+        std::vector<double> back;
+        for (auto _ : state) {
+            transform_and_back(back);
+            benchmark::DoNotOptimize(back.data());
+        }
+    });
+    verified_row(
+        "topography/islands/2048x2048", 1e-12,
+        [] {  // what the curve counts at its own levels, counted again from the heights: the bearing area
+            const auto curve = fstiff::island_curve(map());
+            AccuracyCollector collector;
+            for (std::size_t i = 0; i < curve.size(); i += 10)
+                collector.add(curve.bearing_area[i], static_cast<double>((map().heights > curve.level[i]).count()) /
+                                                         static_cast<double>(map().heights.size()));
+            collector.add_cost(static_cast<double>(map().heights.size()));
+            return collector.accuracy();
+        },
+        [](benchmark::State& state) {
+            for (auto _ : state) {
+                const auto curve = fstiff::island_curve(map());
+                benchmark::DoNotOptimize(curve.level.data());
+            }
+        });
 });
 
 }  // namespace

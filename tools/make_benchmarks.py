@@ -31,8 +31,8 @@ METHODS = {  # in the order of the tables: what the documents call it
     "fstiff": "fstiff, one dimension",
     "fstiff-tensor": "fstiff, two dimensions",
     "fstiff-paper": "fstiff, the paper's 50 x 50 points",
-    "gauss_legendre-fitted": "Gauss-Legendre tuned by hand, nodes fitted to each problem",
-    "gauss_legendre-tuned": "Gauss-Legendre tuned by hand, fewest nodes for the grid",
+    "gauss_legendre-fitted": "Gauss-Legendre by hand, nodes for each problem",
+    "gauss_legendre-tuned": "Gauss-Legendre by hand, nodes for the grid",
     "gauss_legendre-eigen": "Gauss-Legendre on a box, Eigen arrays",
     "gauss_legendre-scalar": "Gauss-Legendre on a box, scalar",
     "gsl-1d": "GSL qag, one dimension, U(a,b,x)",
@@ -288,7 +288,7 @@ def picture(report):
     for i, (_, light, dark, *_) in enumerate(curves):
         style.append(f".c{i}{{stroke:{light}}}.m{i}{{fill:{light}}}")
         darker.append(f".c{i}{{stroke:{dark}}}.m{i}{{fill:{dark}}}")
-    legend_x, total_w, total_h = left + width + 24, 1060, top + height + 76
+    legend_x, total_w, total_h = left + width + 24, 1040, top + height + 76
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {total_w} {total_h}" role="img" aria-labelledby="title">',
            '<title id="title">Time of four contact integrals against the largest relative error, for fstiff and other methods</title>',
            f"<style>{''.join(style)}@media (prefers-color-scheme:dark){{{''.join(darker)}}}</style>", f'<rect class="back" width="{total_w}" height="{total_h}"/>',

@@ -4,7 +4,8 @@
 
 namespace fstiff::cli {
 
-inline constexpr const char* builtin_scene = R"toml(# Fine sand-blasted steel on a smooth steel face: Tables 1 and 2 of Buczkowski, Kleiber and Starzynski,
+inline constexpr const char* builtin_scene =
+    R"toml(# Fine sand-blasted steel on a smooth steel face: Tables 1 and 2 of Buczkowski, Kleiber and Starzynski,
 # "Normal contact stiffness of fractal rough surfaces", Arch. Mech. 66 (2014).
 name = "sand blasted (fine)"
 

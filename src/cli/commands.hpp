@@ -7,9 +7,12 @@
 namespace fstiff::cli {
 
 Command add_run(CLI::App& app);
+Command add_measure(CLI::App& app);
 Command add_fit(CLI::App& app);
+Command add_islands(CLI::App& app);
 Command add_peaks(CLI::App& app);
 Command add_integral(CLI::App& app);
+Command add_generate(CLI::App& app);
 Command add_ultrasound(CLI::App& app);
 
 }  // namespace fstiff::cli

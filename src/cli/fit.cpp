@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff fit: fractal dimension D and roughness G of a measured profile, with errors.
+// fstiff fit: fractal dimension D and roughness G of a measured profile or map, with errors, and its other statistics.
 #include "commands.hpp"
-#include "profile_options.hpp"
+#include "surface_input.hpp"
 
 #include <fstiff/core/version.hpp>
+#include <fstiff/measured/sections.hpp>
+#include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/peak_statistics.hpp>
+#include <fstiff/profile/power_spectrum.hpp>
+#include <fstiff/profile/spectral_moments.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
 
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -14,9 +21,31 @@ namespace {
 
 struct Options {
     OutputOptions output;
-    ProfileOptions profile;
-    std::string window;
+    SurfaceOptions surface;
+    std::string window, tip_radius, resolution;
     std::string convention = "exact";
+    std::uint64_t seed = FractalFitOptions<double>{}.seed;
+    int resamples = FractalFitOptions<double>{}.resamples;
+    bool all_lags = false;
+};
+
+using Strings = std::vector<std::string>;
+
+/// What one profile gives. Of the parts that need more than the fit does, the reason where there is none.
+struct ProfileResult {
+    LevelledProfile levelled;
+    FractalFit<double> fit;
+    std::optional<SpectralFit<double>> spectrum;
+    std::optional<SpectralMoments<double>> moments;
+    std::optional<PeakStatistics<double>> peaks;
+    std::string no_spectrum, no_moments, no_peaks;
+    StructureFunction<double> structure;  ///< that is shown
+};
+
+struct MapResult {
+    LevelledMap levelled;
+    DirectionalFit<double> fit;
+    ArealStatistics<double> areal;
 };
 
 LagWindow<double> parse_window(const std::string& text) {
@@ -27,96 +56,330 @@ LagWindow<double> parse_window(const std::string& text) {
             io::parse_quantity(text.substr(comma + 1), io::Dimension::length, "--window")};
 }
 
-/// Below this local slope S counts as flat.
-constexpr double saturated = 0.2;
+FractalFitOptions<double> fit_options(const Options& options) {
+    FractalFitOptions<double> how;
+    if (!options.window.empty()) how.window = parse_window(options.window);
+    how.convention = options.convention == "paper"           ? StructureConvention::paper
+                     : options.convention == "majumdar_tien" ? StructureConvention::majumdar_tien
+                                                             : StructureConvention::exact;
+    how.seed = options.seed;
+    how.resamples = options.resamples;
+    if (!options.tip_radius.empty()) how.tip_radius = parse_length(options.tip_radius, "--tip-radius");
+    if (!options.resolution.empty()) how.resolution = parse_length(options.resolution, "--resolution");
+    return how;
+}
+
+/// Runs \p call into \p result, or keeps why it cannot.
+template <class Result, class Call>
+void attempt(std::optional<Result>& result, std::string& refusal, const Call& call) {
+    try {
+        result = call();
+    } catch (const domain_error& error) {
+        refusal = error.what();
+    }
+}
+
+ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
+    FractalFitOptions<double> how = fit_options(options);
+    ProfileResult result;
+    result.levelled = level_profile(options.surface, input);
+    how.removed = result.levelled.removed;
+    const Profile<double>& profile = result.levelled.profile;
+    result.fit = about_file(options.surface.file, [&] { return fit_fractal(profile, how); });
+    attempt(result.spectrum, result.no_spectrum, [&] { return fit_spectrum(power_spectrum(profile)); });
+    attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
+    attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });
+    result.structure = options.all_lags ? structure_function_at_all_lags(profile) : result.fit.structure_function;
+    return result;
+}
+
+MapResult fit_map(const Options& options, const SurfaceInput& input) {
+    if (options.all_lags) throw Usage("--all-lags is for profiles; must not be given for a map");
+    MapResult result;
+    result.levelled = level_map(options.surface, input);
+    about_file(options.surface.file, [&] {
+        result.fit = fit_directions(result.levelled.map, fit_options(options));
+        result.areal = areal_statistics(result.levelled.map);
+        if (!result.fit.x && !result.fit.y)
+            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.x_refusal +
+                               "; along y: " + result.fit.y_refusal);
+    });
+    return result;
+}
 
 bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.window.from && lag <= fit.window.to; }
 
-std::vector<std::string> warnings(const FractalFit<double>& fit, const Measured& measured) {
-    std::vector<std::string> all;
+/// Below this local slope S counts as flat.
+constexpr double saturated = 0.2;
+
+void warn_of_fit(Strings& all, const FractalFit<double>& fit, const std::string& where) {
     if (fit.curved)
-        all.push_back("the local slope of S varies between " + rounded(fit.slope_least, 3) + " and " +
+        all.push_back(where + "the local slope of S varies between " + rounded(fit.slope_least, 3) + " and " +
                       rounded(fit.slope_greatest, 3) +
                       " over the window: this is no single power law, and D is a mean over it");
     if (fit.automatic_window && fit.flattest_lag > 0 && fit.flattest_slope < saturated &&
-        fit.slope_least > fit.flattest_slope + 0.5)
-        all.push_back("S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
+        (fit.behind_plateau || fit.slope_least > fit.flattest_slope + 0.5))
+        all.push_back(where + "S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
                       rounded(fit.flattest_lag * 1e6, 3) +
                       " µm, shorter than the window: the roughness has saturated there, and D is that of the waviness; "
                       "--window looks elsewhere");
     if (fit.log_roughness_error > std::numbers::ln10)
-        all.push_back("G is known to no better than a factor of 10: D is close to 1, where G hardly matters");
-    if (measured.record.missing > 0)
-        all.push_back(std::to_string(measured.record.missing) + " of " + std::to_string(measured.record.points) +
-                      " points are missing; their pairs are left out");
+        all.push_back(where + "G is known to no better than a factor of 10: D is close to 1, where G hardly matters");
+}
+
+Strings warnings(const SurfaceInput& input, const ProfileResult& result) {
+    Strings all;
+    warn_of_fit(all, result.fit, "");
+    // a lag shows waves up to some ten times as long, and of one as long as the cut-off the filter took a half
+    if (result.levelled.cutoff && result.fit.window.to > *result.levelled.cutoff / 10)
+        all.push_back(
+            "the window reaches beyond a tenth of the cut-off, where S has lost some of what the filter took");
+    if (result.spectrum) {
+        const double difference = result.spectrum->dimension - result.fit.fractal.dimension;
+        const double error = std::hypot(result.spectrum->dimension_error, result.fit.dimension_error);
+        if (std::abs(difference) > 3 * error && std::abs(difference) > 0.1)
+            all.push_back("D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
+                          ", is another one: over its wavelengths the profile follows another law");
+    }
+    for (std::string& line : missing_points_warning(input, "their pairs are left out")) all.push_back(std::move(line));
     return all;
 }
 
-std::string csv(const FractalFit<double>& fit) {
-    const auto& s = fit.structure_function;
+Strings warnings(const SurfaceInput& input, const MapResult& result) {
+    Strings all;
+    if (result.fit.x) warn_of_fit(all, *result.fit.x, "along x: ");
+    if (result.fit.y) warn_of_fit(all, *result.fit.y, "along y: ");
+    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.x_refusal);
+    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.y_refusal);
+    if (result.fit.anisotropic())
+        all.push_back("the map is anisotropic: D along x less D along y is " +
+                      rounded(result.fit.dimension_difference, 3) + " +- " +
+                      rounded(result.fit.dimension_difference_error, 2) + ", ln S along x less ln S along y " +
+                      rounded(result.fit.log_level_difference, 3) + " +- " +
+                      rounded(result.fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
+    for (std::string& line : missing_points_warning(input, "they enter no difference")) all.push_back(std::move(line));
+    return all;
+}
+
+Strings structure_rows(const StructureFunction<double>& s, std::size_t i) {
+    return {exact(s.lag[i]), exact(s.value[i]), std::to_string(s.pairs[i])};
+}
+
+std::string csv(const ProfileResult& result) {
     std::string text = csv_line({"lag_m", "value_m2", "pairs", "in_window"});
-    for (std::size_t i = 0; i < s.size(); ++i)
-        text += csv_line(
-            {exact(s.lag[i]), exact(s.value[i]), std::to_string(s.pairs[i]), in_window(fit, s.lag[i]) ? "1" : "0"});
+    for (std::size_t i = 0; i < result.structure.size(); ++i) {
+        Strings row = structure_rows(result.structure, i);
+        row.push_back(in_window(result.fit, result.structure.lag[i]) ? "1" : "0");
+        text += csv_line(row);
+    }
     return text;
 }
 
-std::string json(const Options& options, const Measured& measured, const FractalFit<double>& fit) {
-    const auto numbers = [](const std::vector<double>& values) {
-        Json list = Json::array();
-        for (const double value : values) list.push_back(json_number(value));
-        return list;
+std::string csv(const MapResult& result) {
+    std::string text = csv_line({"direction", "lag_m", "value_m2", "pairs", "in_window"});
+    const auto add = [&](const char* name, const std::optional<FractalFit<double>>& fit) {
+        if (!fit) return;
+        const StructureFunction<double>& s = fit->structure_function;
+        for (std::size_t i = 0; i < s.size(); ++i) {
+            Strings row = structure_rows(s, i);
+            row.insert(row.begin(), name);
+            row.push_back(in_window(*fit, s.lag[i]) ? "1" : "0");
+            text += csv_line(row);
+        }
     };
-    Json document = json_document("fit");
-    document["source"] = json_source(options.profile, measured);
-    document["inputs"] = {{"spacing", options.profile.spacing}, {"units", options.profile.units},
-                          {"column", options.profile.column},   {"detrend", options.profile.form},
-                          {"window", options.window},           {"convention", options.convention}};
-    document["equations"] = {
-        {"structure_function", "(2.8)"}, {"fit", "(2.5)"}, {"constant", "(2.4), convention " + options.convention}};
+    add("x", result.fit.x);
+    add("y", result.fit.y);
+    return text;
+}
+
+Json numbers(const std::vector<double>& values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(json_number(value));
+    return list;
+}
+
+void put_structure(Json& document, const StructureFunction<double>& s) {
+    document["structure_function"] = {{"lag_m", numbers(s.lag)}, {"value_m2", numbers(s.value)}, {"pairs", s.pairs}};
+}
+
+void put_fit(Json& document, const FractalFit<double>& fit) {
     document["fractal_dimension"] = json_number(fit.fractal.dimension);
     document["fractal_dimension_error"] = json_number(fit.dimension_error);
+    document["fractal_dimension_model_error"] = json_number(fit.model_dimension_error);
+    document["fractal_dimension_bootstrap_error"] = json_number(fit.bootstrap_dimension_error);
+    document["ordinary_least_squares"] = {{"fractal_dimension", json_number(fit.line_dimension)},
+                                          {"fractal_dimension_error", json_number(fit.regression_dimension_error)},
+                                          {"note", "as if all lags were independent: the error is too small"}};
     document["fractal_dimension_regression_error"] = json_number(fit.regression_dimension_error);
     document["fractal_roughness_m"] = json_number(fit.fractal.roughness);
     document["fractal_roughness_error_m"] = json_number(fit.roughness_error);
     document["log_fractal_roughness_error"] = json_number(fit.log_roughness_error);
     document["window_m"] = numbers({fit.window.from, fit.window.to});
     document["window_automatic"] = fit.automatic_window;
+    document["window_begins"] = describe(fit.begins);
+    document["window_ends"] = describe(fit.ends);
+    document["reliable_from_m"] = json_number(fit.reliable_from);
     document["lags_in_window"] = fit.lags;
     document["slope_at_window_ends"] = numbers({fit.slope_shortest, fit.slope_longest});
     document["slope_range_in_window"] = numbers({fit.slope_least, fit.slope_greatest});
     document["curved"] = fit.curved;
+    document["behind_plateau"] = fit.behind_plateau;
     document["log_periodic_terms"] = fit.log_periodic;
     document["finite_band_terms"] = fit.finite_band;
     document["bootstrap_seed"] = fit.seed;
-    document["rms_height_m"] = json_number(measured.rms_height);
-    document["rms_height_before_detrend_m"] = json_number(measured.rms_height_as_read);
-    document["points"] = measured.record.points;
-    document["missing_points"] = measured.record.missing;
-    document["spacing_m"] = json_number(measured.profile.spacing);
-    const auto& s = fit.structure_function;
-    document["structure_function"] = {{"lag_m", numbers(s.lag)}, {"value_m2", numbers(s.value)}, {"pairs", s.pairs}};
-    document["warnings"] = warnings(fit, measured);
+}
+
+Json json_start(const Options& options, const SurfaceInput& input, const std::string& form) {
+    Json document = json_document("fit");
+    document["source"] = json_source(options.surface, input);
+    Json inputs = json_inputs(options.surface, form);
+    inputs.update({{"window", options.window},
+                   {"tip_radius", options.tip_radius},
+                   {"resolution", options.resolution},
+                   {"seed", options.seed},
+                   {"resamples", options.resamples},
+                   {"convention", options.convention}});
+    document["inputs"] = inputs;
+    document["equations"] = {{"structure_function", "(2.8)"},
+                             {"fit", "(2.5)"},
+                             {"constant", "(2.4), convention " + options.convention},
+                             {"peak_ratio", "(4.3)"}};
+    return document;
+}
+
+std::string json(const Options& options, const SurfaceInput& input, const ProfileResult& result) {
+    Json document = json_start(options, input, result.levelled.form);
+    put_fit(document, result.fit);
+    document["rms_height_m"] = json_number(result.levelled.rms);
+    document["rms_height_before_detrend_m"] = json_number(result.levelled.rms_as_read);
+    document["points"] = input.points();
+    document["missing_points"] = input.missing();
+    document["spacing_m"] = json_number(result.levelled.profile.spacing);
+    if (const auto& s = result.spectrum)
+        document["power_spectrum"] = {{"fractal_dimension", json_number(s->dimension)},
+                                      {"fractal_dimension_error", json_number(s->dimension_error)},
+                                      {"wavelengths_m", numbers({s->window.from, s->window.to})}};
+    else
+        document["power_spectrum"] = {{"refused", result.no_spectrum}};
+    if (const auto& m = result.moments)
+        document["spectral_moments"] = {{"m0_m2", json_number(m->m0)},
+                                        {"m2", json_number(m->m2)},
+                                        {"m4_per_m2", json_number(m->m4)},
+                                        {"nayak_alpha", json_number(m->bandwidth())}};
+    else
+        document["spectral_moments"] = {{"refused", result.no_moments}};
+    if (const auto& p = result.peaks)
+        document["peak_statistics"] = {{"rms_height_m", json_number(p->rms_height)},
+                                       {"rms_slope", json_number(p->rms_slope)},
+                                       {"rms_curvature_per_m", json_number(p->rms_curvature)},
+                                       {"r", json_number(p->r)},
+                                       {"theta", json_number(p->theta)},
+                                       {"counted_peak_ratio", json_number(p->counted_peak_ratio)},
+                                       {"peak_ratio", json_number(p->peak_ratio())}};
+    else
+        document["peak_statistics"] = {{"refused", result.no_peaks}};
+    put_structure(document, result.structure);
+    document["warnings"] = warnings(input, result);
     return json_text(document);
 }
 
-std::string table(const Options& options, const Measured& measured, const FractalFit<double>& fit) {
-    std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of " + display_name(options.profile.file) + "\n";
-    for (const std::string& decision : measured.record.sentences()) text += "  file     " + decision + "\n";
-    text += "  profile  spacing " + rounded(measured.profile.spacing * 1e6) + " µm, length " +
-            rounded(measured.profile.length() * 1e6) + " µm\n";
-    text += "  Rq       " + rounded(measured.rms_height_as_read * 1e6) + " µm as read, " +
-            rounded(measured.rms_height * 1e6) + " µm after removal of the form (" + options.profile.form + ")\n";
-    text += "  window   " + rounded(fit.window.from * 1e6) + " to " + rounded(fit.window.to * 1e6) + " µm (" +
-            (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) +
-            " lags; local slope of S " + rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) +
-            ")\n\n";
+std::string json(const Options& options, const SurfaceInput& input, const MapResult& result) {
+    Json document = json_start(options, input, result.levelled.form);
+    const HeightMap<double>& map = result.levelled.map;
+    document["columns"] = map.columns();
+    document["rows"] = map.rows();
+    document["dx_m"] = json_number(map.dx);
+    document["dy_m"] = json_number(map.dy);
+    document["missing_points"] = input.missing();
+    document["rms_height_m"] = json_number(result.levelled.rms);
+    document["rms_height_before_detrend_m"] = json_number(result.levelled.rms_as_read);
+    const ArealStatistics<double>& a = result.areal;
+    document["areal"] = {{"m0_m2", json_number(a.m0)},
+                         {"m2", json_number(a.m2)},
+                         {"m2_x", json_number(a.m2_x)},
+                         {"m2_y", json_number(a.m2_y)},
+                         {"m4_per_m2", json_number(a.m4)},
+                         {"m4_x_per_m2", json_number(a.m4_x)},
+                         {"m4_y_per_m2", json_number(a.m4_y)},
+                         {"nayak_alpha", json_number(a.nayak)},
+                         {"rms_gradient", json_number(a.rms_gradient)},
+                         {"summits", a.summits},
+                         {"summit_density_per_m2", json_number(a.summit_density)},
+                         {"summit_curvature_per_m", json_number(a.summit_curvature)},
+                         {"summit_height_m", json_number(a.summit_height)}};
+    const auto direction = [&](const std::optional<FractalFit<double>>& fit, const std::string& refusal) {
+        Json part;
+        if (!fit) return Json{{"refused", refusal}};
+        put_fit(part, *fit);
+        put_structure(part, fit->structure_function);
+        return part;
+    };
+    document["x"] = direction(result.fit.x, result.fit.x_refusal);
+    document["y"] = direction(result.fit.y, result.fit.y_refusal);
+    document["anisotropic"] = result.fit.anisotropic();
+    document["fractal_dimension_difference"] = json_number(result.fit.dimension_difference);
+    document["fractal_dimension_difference_error"] = json_number(result.fit.dimension_difference_error);
+    document["log_structure_difference"] = json_number(result.fit.log_level_difference);
+    document["log_structure_difference_error"] = json_number(result.fit.log_level_difference_error);
+    document["warnings"] = warnings(input, result);
+    return json_text(document);
+}
+
+std::string window_line(const FractalFit<double>& fit) {
+    return rounded(fit.window.from * 1e6) + " to " + rounded(fit.window.to * 1e6) + " µm (" +
+           (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) +
+           " lags; local slope of S " + rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) + ")";
+}
+
+std::string window_reason(const FractalFit<double>& fit) {
+    return "begins " + std::string(describe(fit.begins)) + ", ends " + std::string(describe(fit.ends)) +
+           (fit.reliable_from > 0 ? "; lags below " + rounded(fit.reliable_from * 1e6) + " µm are left out" : "");
+}
+
+std::string errors_line(const Options& options, const FractalFit<double>& fit) {
+    return "errors of D: model " + rounded(fit.model_dimension_error, 2) +
+           (options.resamples > 0
+                ? ", block bootstrap " + rounded(fit.bootstrap_dimension_error, 2) + " (" +
+                      std::to_string(options.resamples) + " resamples, seed " + std::to_string(options.seed) + ")"
+                : ", no bootstrap");
+}
+
+std::string table(const Options& options, const SurfaceInput& input, const ProfileResult& result) {
+    const FractalFit<double>& fit = result.fit;
+    std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of " + display_name(options.surface.file) + "\n" +
+                       source_lines(input, "  file     ");
+    text += "  profile  spacing " + rounded(result.levelled.profile.spacing * 1e6) + " µm, length " +
+            rounded(result.levelled.profile.length() * 1e6) + " µm\n";
+    text += "  Rq       " + rounded(result.levelled.rms_as_read * 1e6) + " µm as read, " +
+            rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form +
+            (result.levelled.cutoff ? ", cut-off " + rounded(*result.levelled.cutoff * 1e6) + " µm" : "") + ")\n";
+    text += "  window   " + window_line(fit) + "\n           " + window_reason(fit) + "\n\n";
     text += "  D = " + rounded(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
             "   (regression alone, too small: " + rounded(fit.regression_dimension_error, 2) + ")\n";
     text += "  G = " + rounded(fit.fractal.roughness) + " m +- " + rounded(fit.roughness_error, 2) +
-            " m   (convention " + options.convention + "; ln G +- " + rounded(fit.log_roughness_error, 2) + ")\n\n";
+            " m   (convention " + options.convention + "; ln G +- " + rounded(fit.log_roughness_error, 2) + ")\n";
+    text += "  " + errors_line(options, fit) + "\n";
+    text +=
+        "  D by ordinary least squares " + rounded(fit.line_dimension) + "; by the power spectrum " +
+        (result.spectrum ? rounded(result.spectrum->dimension) + " +- " + rounded(result.spectrum->dimension_error, 2) +
+                               " (wavelengths " + rounded(result.spectrum->window.from * 1e6, 4) + " to " +
+                               rounded(result.spectrum->window.to * 1e6, 4) + " µm)"
+                         : "none: " + result.no_spectrum) +
+        "\n";
+    if (const auto& m = result.moments)
+        text += "  moments  m0 " + rounded(m->m0 * 1e12) + " µm², m2 " + rounded(m->m2) + ", m4 " +
+                rounded(m->m4 * 1e-12) + " /µm², Nayak's alpha " + rounded(m->bandwidth()) + "\n";
+    else
+        text += "  moments  none: " + result.no_moments + "\n";
+    if (const auto& p = result.peaks)
+        text += "  peaks    sigma_m " + rounded(p->rms_slope) + ", sigma_kappa " + rounded(p->rms_curvature * 1e-6) +
+                " /µm, r " + rounded(p->r) + ", theta " + rounded(p->theta) + "; peaks/ordinates counted " +
+                rounded(p->counted_peak_ratio, 4) + ", theta/pi " + rounded(p->peak_ratio(), 4) + " (4.3)\n";
+    else
+        text += "  peaks    none: " + result.no_peaks + "\n";
+    text += "\n";
 
-    const auto& s = fit.structure_function;
+    const auto& s = result.structure;
     constexpr std::size_t shown = 24;
     const std::size_t step = (s.size() + shown - 1) / shown;
     TextTable rows({"lag [µm]", "S [µm²]", "pairs", "window"});
@@ -127,30 +390,68 @@ std::string table(const Options& options, const Measured& measured, const Fracta
     if (step > 1)
         text +=
             "  every " + std::to_string(step) + ". of " + std::to_string(s.size()) + " lags; all with --format csv\n";
-    for (const std::string& warning : warnings(fit, measured)) text += "warning: " + warning + "\n";
+    for (const std::string& warning : warnings(input, result)) text += "warning: " + warning + "\n";
     return text;
 }
 
-Report execute(const Options& options) {
-    FractalFitOptions<double> how;
-    if (!options.window.empty()) how.window = parse_window(options.window);
-    how.convention = options.convention == "paper"           ? StructureConvention::paper
-                     : options.convention == "majumdar_tien" ? StructureConvention::majumdar_tien
-                                                             : StructureConvention::exact;
-    const Measured measured = measure(options.profile);
-    const auto fit = about_file(options.profile.file, [&] { return fit_fractal(measured.profile, how); });
+std::string table(const Options& options, const SurfaceInput& input, const MapResult& result) {
+    const HeightMap<double>& map = result.levelled.map;
+    const ArealStatistics<double>& a = result.areal;
+    std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of the map " + display_name(options.surface.file) +
+                       "\n" + source_lines(input, "  file     ");
+    text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
+            rounded(map.dx * 1e6) + " µm, dy " + rounded(map.dy * 1e6) + " µm\n";
+    text += "  Sq       " + rounded(result.levelled.rms_as_read * 1e6) + " µm as read, " +
+            rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form + ")\n";
+    text += "  moments  m2 " + rounded(a.m2) + " (x " + rounded(a.m2_x) + ", y " + rounded(a.m2_y) + "), m4 " +
+            rounded(a.m4 * 1e-12) + " /µm², Nayak's alpha " + rounded(a.nayak) + "\n";
+    text += "  summits  " + std::to_string(a.summits) + ", density " + rounded(a.summit_density * 1e-6) +
+            " /mm², mean curvature " + rounded(a.summit_curvature * 1e-6) + " /µm\n\n";
+    const auto direction = [&](const char* name, const std::optional<FractalFit<double>>& fit) {
+        if (!fit) return std::string("  along ") + name + "  no fit\n";
+        const std::string indent(11, ' ');
+        return std::string("  along ") + name + "  D = " + rounded(fit->fractal.dimension) + " +- " +
+               rounded(fit->dimension_error, 2) + " (ordinary least squares " + rounded(fit->line_dimension) + " +- " +
+               rounded(fit->regression_dimension_error, 2) + ", too small)\n" + indent +
+               "G = " + rounded(fit->fractal.roughness) + " m +- " + rounded(fit->roughness_error, 2) +
+               " m   (convention " + options.convention + ")\n" + indent + "window " + window_line(*fit) + "\n" +
+               indent + window_reason(*fit) + "\n";
+    };
+    text += direction("x", result.fit.x) + direction("y", result.fit.y);
+    for (const std::string& warning : warnings(input, result)) text += "warning: " + warning + "\n";
+    return text;
+}
 
-    Report report;
+template <class Result>
+void fill(Report& report, const Options& options, const SurfaceInput& input, const Result& result) {
     if (options.output.format == Format::table) {
-        report.document = table(options, measured, fit);
-        return report;
+        report.document = table(options, input, result);
+        return;
     }
-    report.document = options.output.format == Format::csv ? csv(fit) : json(options, measured, fit);
-    if (options.output.format == Format::csv)
-        report.diagnostics.push_back("D = " + shortest(fit.fractal.dimension) + " +- " +
-                                     rounded(fit.dimension_error, 2) + ", G = " + shortest(fit.fractal.roughness) +
-                                     " m +- " + rounded(fit.roughness_error, 2) + " m");
-    for (const std::string& warning : warnings(fit, measured)) report.diagnostics.push_back("warning: " + warning);
+    report.document = options.output.format == Format::csv ? csv(result) : json(options, input, result);
+    for (const std::string& warning : warnings(input, result)) report.diagnostics.push_back("warning: " + warning);
+}
+
+Report execute(const Options& options) {
+    (void)fit_options(options);  // what is wrong with them is said before the file is read
+    const SurfaceInput input = read_surface_input(options.surface);
+    Report report;
+    const auto summary = [&](const FractalFit<double>& fit, const std::string& where) {
+        if (options.output.format == Format::csv)
+            report.diagnostics.push_back(where + "D = " + shortest(fit.fractal.dimension) + " +- " +
+                                         rounded(fit.dimension_error, 2) + ", G = " + shortest(fit.fractal.roughness) +
+                                         " m +- " + rounded(fit.roughness_error, 2) + " m");
+    };
+    if (input.surface.is_profile()) {
+        const ProfileResult result = fit_profile(options, input);
+        summary(result.fit, "");
+        fill(report, options, input, result);
+    } else {
+        const MapResult result = fit_map(options, input);
+        if (result.fit.x) summary(*result.fit.x, "along x: ");
+        if (result.fit.y) summary(*result.fit.y, "along y: ");
+        fill(report, options, input, result);
+    }
     return report;
 }
 
@@ -159,16 +460,25 @@ Report execute(const Options& options) {
 Command add_fit(CLI::App& app) {
     auto options = std::make_shared<Options>();
     CLI::App* command =
-        app.add_subcommand("fit", "Fractal dimension D and roughness G of a measured profile, with errors");
-    command->add_option("profile", options->profile.file, "delimited text of one or two columns; - is standard input")
+        app.add_subcommand("fit", "Fractal dimension D and roughness G of a measured profile or map, with errors");
+    command
+        ->add_option("profile", options->surface.file,
+                     "profile or map: delimited text, SDF or X3P; - is standard input")
         ->required();
-    add_profile_options(*command, options->profile);
+    add_surface_options(*command, options->surface);
     command->add_option("--window", options->window,
                         "lags that are fitted, such as \"1 um,100 um\"; default automatic");
+    command->add_option("--tip-radius", options->tip_radius,
+                        "of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
+    command->add_option("--resolution", options->resolution, "of the instrument: shorter lags are left out");
     command
         ->add_option("--convention", options->convention,
                      "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien")
         ->check(CLI::IsMember({"exact", "paper", "majumdar_tien"}));
+    command->add_option("--seed", options->seed, "of the bootstrap; default 2014");
+    command->add_option("--resamples", options->resamples, "of the bootstrap; default 200, 0 leaves it out")
+        ->check(CLI::Range(0, 100000));
+    command->add_flag("--all-lags", options->all_lags, "the structure function at every lag (profiles)");
     add_output_options(*command, options->output);
     command->footer(
         "The CSV is the structure function; the JSON holds everything. The example makes a random walk, D = 1.5.\n"

@@ -37,8 +37,10 @@ int run_main(int argc, char** argv) {
         "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, 4 result outside validity or not "
         "converged.\n"
         "Example:\n  fstiff run");
-    const std::vector<Command> commands{add_run(app), add_fit(app), add_peaks(app), add_integral(app),
-                                        add_ultrasound(app)};
+    const std::vector<Command> commands{add_run(app),   add_measure(app),  add_fit(app),      add_islands(app),
+                                        add_peaks(app), add_integral(app), add_generate(app), add_ultrasound(app)};
+    std::string names;
+    for (const Command& command : commands) names += (names.empty() ? "" : ", ") + command.app->get_name();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -49,9 +51,8 @@ int run_main(int argc, char** argv) {
         }
         const auto chosen = app.get_subcommands();
         if (chosen.empty() && !app.remaining().empty())
-            say(app.remaining().front() +
-                ": is no subcommand or option; must be one of run, fit, peaks, integral, ultrasound; see fstiff "
-                "--help");
+            say(app.remaining().front() + ": is no subcommand or option; must be one of " + names +
+                "; see fstiff --help");
         else
             say(std::string(error.what()) + "; see fstiff " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
                 "--help");

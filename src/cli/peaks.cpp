@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff peaks: the density of peak heights and curvatures, its moments and its height marginal.
 #include "commands.hpp"
-#include "profile_options.hpp"
+#include "surface_input.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/peaks/peak_density.hpp>
@@ -19,7 +19,7 @@ struct Options {
     std::optional<double> r, rho1, rho2;
     std::string theta;
     bool exponential = false;
-    ProfileOptions profile;
+    SurfaceOptions surface;
     std::string heights;
 };
 
@@ -28,30 +28,34 @@ using Numbers = std::vector<std::pair<std::string, double>>;
 struct Source {
     PeakDensity<double> density;
     std::string from;
-    std::optional<Measured> measured;
+    std::optional<SurfaceInput> input;
+    std::optional<LevelledProfile> levelled;
     std::optional<PeakStatistics<double>> statistics;
 };
 
 Source choose(const Options& options) {
     const bool angles = options.r || !options.theta.empty() || options.exponential;
     const bool correlations = options.rho1 || options.rho2;
-    const bool file = !options.profile.file.empty();
+    const bool file = !options.surface.file.empty();
     if (int(angles) + int(correlations) + int(file) != 1)
         throw Usage("give one of --r and --theta, --theta and --exponential, --rho1 and --rho2, --profile");
     if (correlations) {
         if (!options.rho1 || !options.rho2) throw Usage("--rho1 and --rho2 belong together; give both");
-        return {PeakDensity<double>::from_autocorrelation(*options.rho1, *options.rho2), "rho1, rho2", {}, {}};
+        return {PeakDensity<double>::from_autocorrelation(*options.rho1, *options.rho2), "rho1, rho2", {}, {}, {}};
     }
     if (file) {
-        Measured measured = measure(options.profile);
-        const auto statistics = about_file(options.profile.file, [&] { return peak_statistics(measured.profile); });
-        return {PeakDensity<double>(statistics.r, statistics.theta), "profile", std::move(measured), statistics};
+        SurfaceInput input = read_surface_input(options.surface);
+        LevelledProfile levelled = level_profile(options.surface, input);
+        const auto statistics = about_file(options.surface.file, [&] { return peak_statistics(levelled.profile); });
+        return {PeakDensity<double>(statistics.r, statistics.theta), "profile", std::move(input), std::move(levelled),
+                statistics};
     }
     if (options.theta.empty() || options.exponential == options.r.has_value())
         throw Usage("--theta needs one of --r and --exponential beside it");
     const double theta = io::parse_angle(options.theta, "--theta");
-    if (options.exponential) return {PeakDensity<double>::exponential(theta), "exponential autocorrelation", {}, {}};
-    return {PeakDensity<double>(*options.r, theta), "r, theta", {}, {}};
+    if (options.exponential)
+        return {PeakDensity<double>::exponential(theta), "exponential autocorrelation", {}, {}, {}};
+    return {PeakDensity<double>(*options.r, theta), "r, theta", {}, {}, {}};
 }
 
 Numbers moments(const Source& source) {
@@ -123,11 +127,13 @@ std::string json(const Options& options, const Source& source, const std::vector
     Json document = json_document("peaks");
     document["from"] = source.from;
     document["equations"] = {{"density", "(4.4)"}, {"peak_ratio", "(4.3)"}};
-    if (source.measured) {
-        document["source"] = json_source(options.profile, *source.measured);
-        document["points"] = source.measured->record.points;
-        document["spacing_m"] = json_number(source.measured->profile.spacing);
-        document["detrend"] = options.profile.form;
+    if (source.input) {
+        document["source"] = json_source(options.surface, *source.input);
+        document["inputs"] = json_inputs(options.surface, source.levelled->form);
+        document["points"] = source.input->points();
+        document["missing_points"] = source.input->missing();
+        document["spacing_m"] = json_number(source.levelled->profile.spacing);
+        document["detrend"] = source.levelled->form;
     }
     for (const auto& [name, value] : moments(source)) document[name] = json_number(value);
     if (!heights.empty()) {
@@ -144,13 +150,10 @@ std::string json(const Options& options, const Source& source, const std::vector
 std::string table(const Options& options, const Source& source, const std::vector<double>& heights) {
     const auto& p = source.density;
     std::string text = "fstiff " FSTIFF_VERSION ": peak density (4.4) from " + source.from;
-    if (source.measured) {
-        text += " " + display_name(options.profile.file) + "\n";
-        for (const std::string& decision : source.measured->record.sentences())
-            text += "  file              " + decision + "\n";
-        text += "  form removed      " + options.profile.form + "; Rq " +
-                rounded(source.measured->rms_height_as_read * 1e6) + " µm before, " +
-                rounded(source.measured->rms_height * 1e6) + " µm after";
+    if (source.input) {
+        text += " " + display_name(options.surface.file) + "\n" + source_lines(*source.input, "  file              ");
+        text += "  form removed      " + source.levelled->form + "; Rq " + rounded(source.levelled->rms_as_read * 1e6) +
+                " µm before, " + rounded(source.levelled->rms * 1e6) + " µm after";
     }
     text += "\n  r, theta          " + rounded(p.r(), 6) + ", " + rounded(p.theta(), 6) + " rad\n";
     text += "  peaks/ordinates   " + rounded(p.peak_ratio(), 6) + " (4.3)";
@@ -195,8 +198,9 @@ Command add_peaks(CLI::App& app) {
     command->add_flag("--exponential", options->exponential, "r from --theta as for an exponential autocorrelation");
     command->add_option("--rho1", options->rho1, "autocorrelation at one sampling step, with --rho2");
     command->add_option("--rho2", options->rho2, "autocorrelation at two sampling steps");
-    command->add_option("--profile", options->profile.file, "measured profile, delimited text; - is standard input");
-    add_profile_options(*command, options->profile);
+    command->add_option("--profile", options->surface.file,
+                        "measured profile, delimited text, SDF or X3P; - is standard input");
+    add_surface_options(*command, options->surface, SurfaceKind::profile);
     command->add_option("--heights", options->heights,
                         "FROM,TO,COUNT: table of the density of the height alone (Fig. 2)");
     add_output_options(*command, options->output);

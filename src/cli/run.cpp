@@ -14,17 +14,20 @@
 #include <fstiff/peaks/peak_density.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace fstiff::cli {
 namespace {
 
 struct Options {
     OutputOptions output;
-    std::string scene;
+    std::string scene, surface;
     std::string picture;  ///< file; empty: none
 };
 
@@ -43,12 +46,16 @@ void fill(Curve& curve, const Scene& scene, const Contact& contact) {
             curve.states.push_back(scene.at_separations ? contact.at_separation(point, wanted(scene))
                                                         : contact.at_pressure(point, wanted(scene)));
         } catch (const domain_error& error) {
+            if (scene.out_of_reach_is_nan) {
+                curve.states.emplace_back().stiffness.value = std::numeric_limits<double>::quiet_NaN();
+                continue;
+            }
             throw domain_error(scene.points_where + "law " + std::string(name_of(curve.law)) + ": " + error.what());
         }
         const ContactState<double>& state = curve.states.back();
         for (const Estimate<double>* value :
              {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction, &state.contact_density})
-            if (!std::isfinite(value->value) || !std::isfinite(value->error))
+            if (!scene.out_of_reach_is_nan && (!std::isfinite(value->value) || !std::isfinite(value->error)))
                 throw domain_error(
                     scene.points_where + "law " + std::string(name_of(curve.law)) + ": a result for " +
                     shortest(point) +
@@ -165,32 +172,96 @@ void add_warnings(const Scene& scene, Results& results) {
     if (results.warnings.size() > before) results.status = doubtful_result;
 }
 
-Results compute(const Scene& scene) {
-    Results results;
-    results.modulus = effective_modulus(scene.upper, scene.lower);
-    if (scene.yield_strength)
-        results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
+/// One curve a law and peak density.
+std::vector<Curve> compute_curves(const Scene& scene, double modulus) {
+    std::vector<Curve> curves;
     for (const Law law : scene.laws) {
         if (law == Law::greenwood_williamson) {
             Curve curve{law, {}, {}, {}, {}, {}};
-            fill(curve, scene, GreenwoodWilliamson<double>(scene.surface, results.modulus));
-            results.curves.push_back(std::move(curve));
+            fill(curve, scene, GreenwoodWilliamson<double>(scene.surface, modulus));
+            curves.push_back(std::move(curve));
             continue;
         }
-        for (const Peaks& peaks : scene.peaks)
-            results.curves.push_back(compute(scene, law, peak_density(peaks), results.modulus));
+        for (const Peaks& peaks : scene.peaks) curves.push_back(compute(scene, law, peak_density(peaks), modulus));
     }
+    return curves;
+}
+
+/// The scene with the surface \p drawn about its own.
+Scene with_surface(Scene scene, const std::array<double, parameter_count>& drawn) {
+    const auto value = [&](Parameter which) { return drawn[static_cast<std::size_t>(which)]; };
+    scene.surface.rms_height = value(Parameter::rms_height);
+    scene.surface.peak_radius = value(Parameter::peak_radius);
+    scene.surface.peak_density = value(Parameter::peak_density);
+    if (scene.fractal_dimension) scene.fractal_dimension = value(Parameter::fractal_dimension);
+    for (Peaks& peaks : scene.peaks)
+        if (peaks.of_surface) peaks.r = value(Parameter::r), peaks.theta = value(Parameter::theta);
+    return scene;
+}
+
+/// The band of K over the errors of the surface; every curve and point sees the same samples.
+void add_bands(const Scene& scene, Results& results) {
+    Scene lean = scene;  // nothing but K
+    lean.separation = lean.real_area = lean.contacts = false;
+    lean.inputs.clear();
+    lean.measured.reset();
+    lean.out_of_reach_is_nan = true;
+    std::vector<std::vector<std::vector<double>>> found;  // by curve, point, sample
+    for (const Curve& curve : results.curves) found.emplace_back(curve.states.size());
+    SurfaceSampler<double> draw(scene.uncertain, scene.seed);
+    for (int i = 0; i < scene.samples; ++i) {
+        const std::vector<Curve> curves = compute_curves(with_surface(lean, draw()), results.modulus);
+        for (std::size_t c = 0; c < curves.size(); ++c)
+            for (std::size_t k = 0; k < curves[c].states.size(); ++k)
+                if (const double stiffness = curves[c].states[k].stiffness.value; std::isfinite(stiffness))
+                    found[c][k].push_back(stiffness);
+    }
+    std::size_t failed = 0;
+    for (std::size_t c = 0; c < found.size(); ++c)
+        for (std::vector<double>& values : found[c]) {
+            std::sort(values.begin(), values.end());
+            Band band;
+            band.failed = static_cast<std::size_t>(scene.samples) - values.size();
+            failed = std::max(failed, band.failed);
+            if (!values.empty()) {
+                const std::span<const double> sorted(values);
+                band.low = sorted_quantile(sorted, 0.05);
+                band.high = sorted_quantile(sorted, 0.95);
+            }
+            results.curves[c].band.push_back(band);
+        }
+    if (failed > 0)
+        results.warnings.push_back("up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +
+                                   " sampled surfaces are beyond the reach of the model at a point: the band there is "
+                                   "that of the others");
+}
+
+Results compute(const Scene& scene) {
+    Results results;
+    results.modulus = effective_modulus(scene.upper, scene.lower);
+    results.warnings = scene.warnings;
+    if (scene.yield_strength)
+        results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
+    results.curves = compute_curves(scene, results.modulus);
+    if (scene.stiffness && scene.samples > 0 && scene.has_errors()) add_bands(scene, results);
     add_warnings(scene, results);
     return results;
 }
 
+const Band* band(const Curve& curve, std::size_t point) { return curve.band.empty() ? nullptr : &curve.band[point]; }
+
 /// The machine-readable columns of one row; law, theta and r stand before them.
-std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const ContactState<double>& state) {
+std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const ContactState<double>& state,
+                                                    const Band* band) {
     std::vector<std::pair<std::string, double>> row{{"pressure_Pa", state.pressure.value}, {"eta", state.eta}};
     if (scene.separation) row.emplace_back("separation_m", state.separation.value);
     if (scene.stiffness) {
         row.emplace_back("stiffness_Pa_per_m", state.stiffness.value);
         row.emplace_back("stiffness_error_Pa_per_m", state.stiffness.error);
+    }
+    if (band) {
+        row.emplace_back("stiffness_p05_Pa_per_m", band->low);
+        row.emplace_back("stiffness_p95_Pa_per_m", band->high);
     }
     if (scene.real_area) row.emplace_back("real_area_fraction", state.real_area_fraction.value);
     if (scene.contacts) row.emplace_back("contacts_per_m2", state.contact_density.value);
@@ -199,13 +270,16 @@ std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const Co
 
 std::string csv(const Scene& scene, const Results& results) {
     std::vector<std::string> header{"law", "theta", "r"};
-    for (const auto& [name, value] : numbers(scene, {})) header.push_back(name);
+    const Band none;
+    for (const auto& [name, value] : numbers(scene, {}, results.curves.front().band.empty() ? nullptr : &none))
+        header.push_back(name);
     std::string text = csv_line(header);
     for (const Curve& curve : results.curves)
-        for (const auto& state : curve.states) {
+        for (std::size_t i = 0; i < curve.states.size(); ++i) {
             std::vector<std::string> cells{std::string(name_of(curve.law)), curve.theta ? exact(*curve.theta) : "",
                                            curve.r ? exact(*curve.r) : ""};
-            for (const auto& [name, value] : numbers(scene, state)) cells.push_back(exact(value));
+            for (const auto& [name, value] : numbers(scene, curve.states[i], band(curve, i)))
+                cells.push_back(exact(value));
             text += csv_line(cells);
         }
     return text;
@@ -228,6 +302,13 @@ Json equations(Law law) {
 std::string json(const Scene& scene, const Results& results) {
     Json document = json_document("run");
     document["scene"] = {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}};
+    if (scene.measured) {
+        Json measured = measured_document(*scene.measured);
+        document["surface"] = {{"source", measured["source"]}, {"measured", measured["surface"]}};
+    }
+    if (!results.curves.front().band.empty())
+        document["uncertainty"] = {
+            {"samples", scene.samples}, {"seed", scene.seed}, {"quantiles", {0.05, 0.95}}, {"of", "stiffness"}};
     Json& inputs = document["inputs"] = Json::object();
     for (const Input& input : scene.inputs) {
         Json& entry = inputs[input.key] = {{"written", input.written}};
@@ -240,16 +321,21 @@ std::string json(const Scene& scene, const Results& results) {
     for (const Law law : scene.laws) laws[std::string(name_of(law))] = equations(law);
     Json& rows = document["rows"] = Json::array();
     for (const Curve& curve : results.curves)
-        for (const auto& state : curve.states) {
+        for (std::size_t i = 0; i < curve.states.size(); ++i) {
             Json row{{"law", name_of(curve.law)}};
             if (curve.theta) row["theta"] = json_number(*curve.theta);
             if (curve.r) row["r"] = json_number(*curve.r);
-            for (const auto& [name, value] : numbers(scene, state)) row[name] = json_number(value);
+            for (const auto& [name, value] : numbers(scene, curve.states[i], band(curve, i)))
+                row[name] = json_number(value);
+            if (const Band* of = band(curve, i)) row["samples_out_of_reach"] = of->failed;
             rows.push_back(std::move(row));
         }
     document["warnings"] = results.warnings;
     return json_text(document);
 }
+
+/// Of the parameters, in the order of Parameter.
+constexpr std::array<const char*, parameter_count> short_names{"sigma", "R", "D_p", "D", "r", "theta"};
 
 std::string table(const Scene& scene, const Results& results) {
     const auto& s = scene.surface;
@@ -262,6 +348,15 @@ std::string table(const Scene& scene, const Results& results) {
     const auto material = [](const Material<double>& m) {
         return rounded(m.youngs_modulus / 1e9) + " GPa, nu " + rounded(m.poisson_ratio);
     };
+    if (scene.r) text += ", r " + rounded(*scene.r) + ", theta " + rounded(*scene.theta);
+    if (scene.measured) {
+        text += "\n  measured  " + scene.measured->file + " (" + scene.measured->kind + "), errors of";
+        const auto& u = scene.uncertain;
+        for (std::size_t i = 0; i < parameter_count; ++i)
+            if (u.known[i])
+                text += std::string(i ? ", " : " ") + short_names[i] + " " + rounded(100 * u.error[i] / u.value[i], 2) +
+                        " %";
+    }
     text += "\n  material  upper " + material(scene.upper) + "; lower " + material(scene.lower) +
             "; effective modulus " + rounded(results.modulus / 1e9) + " GPa";
     if (scene.yield_strength) text += "; yield strength " + rounded(*scene.yield_strength / 1e6) + " MPa";
@@ -283,10 +378,12 @@ std::string table(const Scene& scene, const Results& results) {
         header.push_back("eta");
         if (scene.separation) header.push_back("separation [µm]");
         if (scene.stiffness) header.insert(header.end(), {"K/A0 [GPa/µm]", "K/A0 [Pa/m]", "error [Pa/m]"});
+        if (!curve.band.empty()) header.insert(header.end(), {"5 % [GPa/µm]", "95 % [GPa/µm]"});
         if (scene.real_area) header.insert(header.end(), {"real area", "mean pressure [GPa]"});
         if (scene.contacts) header.push_back("contacts [1/mm²]");
         TextTable rows(header);
-        for (const auto& state : curve.states) {
+        for (std::size_t i = 0; i < curve.states.size(); ++i) {
+            const ContactState<double>& state = curve.states[i];
             std::vector<std::string> row{rounded(state.pressure.value / 1e6)};
             if (curve.rms_gradient)
                 row.push_back(
@@ -296,6 +393,8 @@ std::string table(const Scene& scene, const Results& results) {
             if (scene.stiffness)
                 row.insert(row.end(), {rounded(state.stiffness.value / 1e15), rounded(state.stiffness.value, 6),
                                        rounded(state.stiffness.error, 2)});
+            if (const Band* of = band(curve, i))
+                row.insert(row.end(), {rounded(of->low / 1e15), rounded(of->high / 1e15)});
             if (scene.real_area) {
                 const double area = state.real_area_fraction.value;
                 row.insert(row.end(), {rounded(area), area > 0 ? rounded(state.pressure.value / area / 1e9) : "-"});
@@ -307,6 +406,9 @@ std::string table(const Scene& scene, const Results& results) {
     }
     if (scene.stiffness || scene.real_area) text += "\n";
     if (scene.stiffness) text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
+    if (!results.curves.front().band.empty())
+        text += "5 % and 95 %: of " + std::to_string(scene.samples) +
+                " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) + "\n";
     if (scene.real_area) text += "mean pressure is that on the real area\n";
     for (const std::string& warning : results.warnings) text += "warning: " + warning + "\n";
     return text;
@@ -314,8 +416,11 @@ std::string table(const Scene& scene, const Results& results) {
 
 Report execute(const Options& options) {
     if (!options.picture.empty()) require_picture_name(options.picture);
-    const Scene scene = options.scene.empty() ? parse_scene(builtin_scene, "built-in scene")
-                                              : parse_scene(read_all(options.scene), display_name(options.scene));
+    if (options.scene == "-" && options.surface == "-")
+        throw Usage("the scene and --surface are both standard input; one of them must be a file");
+    const Scene scene = options.scene.empty()
+                            ? parse_scene(builtin_scene, "built-in scene", options.surface)
+                            : parse_scene(read_all(options.scene), display_name(options.scene), options.surface);
     const Results results = compute(scene);
     Report report;
     report.status = results.status;
@@ -339,6 +444,9 @@ Command add_run(CLI::App& app) {
     command->add_option(
         "scene", options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper");
+    command->add_option("--surface", options->surface,
+                        "profile, map, or JSON of fstiff measure, in place of the scene's [surface] and contact.peaks; "
+                        "- is standard input");
     add_output_options(*command, options->output);
     command
         ->add_option("--plot", options->picture,

@@ -161,12 +161,13 @@ struct Source {
 class Section {
 public:
     Section(Source& source, const toml::table& table, std::string path, std::initializer_list<std::string_view> valid)
+        : Section(source, table, std::move(path), std::span(valid.begin(), valid.size())) {}
+    Section(Source& source, const toml::table& table, std::string path, std::span<const std::string_view> valid)
         : source_(source), table_(table), path_(std::move(path)) {
         for (const auto& [key, node] : table)
             if (std::find(valid.begin(), valid.end(), key.str()) == valid.end())
                 throw domain_error(source.at(node) + ": " + this->key(key.str()) + ": unknown key; valid keys" +
-                                   (path_.empty() ? "" : " of " + path_) + " are " +
-                                   list_of({valid.begin(), valid.size()}));
+                                   (path_.empty() ? "" : " of " + path_) + " are " + list_of(valid));
     }
     std::string key(std::string_view name) const { return (path_.empty() ? "" : path_ + ".") + std::string(name); }
     /// The place of the section itself, for messages.
@@ -222,24 +223,183 @@ void read_materials(Source& source, const toml::table& table, Scene& scene) {
     if (!material.find("lower")) source.record("material.lower", "as material.upper (default)");
 }
 
-void read_surface(Source& source, const toml::table& table, Scene& scene) {
-    const Section surface(
-        source, table, "surface",
-        {"rms_height", "peak_radius", "peak_density", "max_peak_height", "fractal_dimension", "fractal_roughness"});
-    scene.surface.rms_height = surface.positive("rms_height", Dimension::length);
-    scene.surface.peak_radius = surface.positive("peak_radius", Dimension::length);
-    scene.surface.peak_density = surface.positive("peak_density", Dimension::inverse_area);
-    scene.surface.max_peak_height = surface.optional_positive("max_peak_height", Dimension::length).value_or(0);
-    if (const auto* node = surface.find("fractal_dimension")) {
-        const double dimension = source.number(*node, surface.key("fractal_dimension"));
-        try {
-            require_fractal_dimension(dimension);
-        } catch (const domain_error& error) {
-            throw domain_error(source.at(*node) + ": " + surface.key(error.what()));
-        }
-        scene.fractal_dimension = dimension;
+/// Measures or reads the file that surface.from or --surface names; messages begin with \p place.
+MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, const std::string& place) {
+    try {
+        const std::string bytes = read_all(options.input.file);
+        if (!is_measured_document(bytes)) return measure_surface(options, bytes);
+        if (!defaults)
+            throw domain_error(display_name(options.input.file) +
+                               ": is the JSON of fstiff measure, measured already; must stand without keys of reading");
+        return read_measured_document(bytes, display_name(options.input.file));
+    } catch (const Usage& error) {
+        throw domain_error(place + error.what());
+    } catch (const domain_error& error) {
+        throw domain_error(place + error.what());
     }
-    scene.fractal_roughness = surface.optional_positive("fractal_roughness", Dimension::length);
+}
+
+/// The keys beside surface.from that say how the file is read.
+constexpr std::array<std::string_view, 14> reading_keys{"format", "units",      "spacing",    "column",  "dx",
+                                                        "dy",     "width",      "height",     "detrend", "cutoff",
+                                                        "peaks",  "tip_radius", "resolution", "window"};
+
+MeasuredSurface read_from(Source& source, const Section& surface) {
+    const toml::node& from = surface.at("from");
+    MeasureOptions options;
+    std::filesystem::path path = source.text(from, surface.key("from"));
+    if (path.empty()) source.refuse(from, surface.key("from"), "must name a file");
+    const std::filesystem::path scene(source.file);
+    if (path != "-" && path.is_relative() && scene.has_parent_path()) path = scene.parent_path() / path;
+    options.input.file = path.string();
+    const std::array<std::string*, reading_keys.size()> into{
+        &options.input.format,  &options.input.units,  &options.input.spacing, nullptr,
+        &options.input.dx,      &options.input.dy,     &options.input.width,   &options.input.height,
+        &options.input.detrend, &options.input.cutoff, &options.peaks,         &options.tip_radius,
+        &options.resolution,    &options.window};
+    bool defaults = true;
+    for (std::size_t i = 0; i < reading_keys.size(); ++i) {
+        const toml::node* node = surface.find(reading_keys[i]);
+        if (!node) continue;
+        defaults = false;
+        const std::string key = surface.key(reading_keys[i]);
+        if (into[i]) {
+            *into[i] = source.text(*node, key);
+        } else {
+            const auto* column = node->as_integer();
+            if (!column || column->get() < 1 || column->get() > 1000000)
+                source.refuse(*node, key, "must be a whole number from 1 to 1000000");
+            options.input.column = static_cast<int>(column->get());
+            source.record(key, written(*node), static_cast<double>(column->get()));
+        }
+        if (reading_keys[i] == "peaks" && options.peaks != "islands" && options.peaks != "summits")
+            source.refuse(*node, key, "must be one of \"islands\", \"summits\"");
+    }
+    return measured_from(options, defaults, source.at(from) + ": " + surface.key("from") + ": ");
+}
+
+/// Fills the scene with what was measured.
+void take_measured(Source& source, Scene& scene) {
+    const MeasuredSurface& measured = *scene.measured;
+    const auto& p = measured.parameters;
+    const auto value = [&](Parameter which) { return p.value[static_cast<std::size_t>(which)]; };
+    scene.uncertain = p;
+    scene.surface = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
+                     measured.max_peak_height.value};
+    if (p.known[static_cast<std::size_t>(Parameter::fractal_dimension)])
+        scene.fractal_dimension = value(Parameter::fractal_dimension);
+    if (measured.fractal_roughness) scene.fractal_roughness = measured.fractal_roughness->value;
+    if (p.known[static_cast<std::size_t>(Parameter::r)] && p.known[static_cast<std::size_t>(Parameter::theta)]) {
+        scene.r = value(Parameter::r);
+        scene.theta = value(Parameter::theta);
+    }
+    for (const ParameterLine& line : parameter_lines(measured))
+        source.record("surface." + line.name + " (measured)", shortest(line.measured.value), line.measured.value,
+                      line.unit == "/m^2"    ? "1/m^2"
+                      : line.name == "theta" ? "rad"
+                                             : line.unit);
+}
+
+double read_angle(Source& source, const toml::node& node, const std::string& key) {
+    if (node.is_string()) {
+        const double angle = source.located(node, [&] { return io::parse_angle(written(node), key); });
+        source.record(key, written(node), angle, "rad");
+        return angle;
+    }
+    if (!node.is_number())
+        source.refuse(node, key, "must be a number of radians or a text such as \"pi/4\" or \"45 deg\"");
+    const double angle = source.number(node, key);
+    source.inputs.back().unit = "rad";
+    return angle;
+}
+
+/// One parameter of [surface], or of surface.errors.
+double read_parameter(Source& source, const Section& section, Parameter which, const toml::node& node) {
+    const std::string key = section.key(parameter_names[static_cast<std::size_t>(which)]);
+    switch (which) {
+        case Parameter::rms_height:
+        case Parameter::peak_radius:
+            return source.positive(node, key, Dimension::length);
+        case Parameter::peak_density:
+            return source.positive(node, key, Dimension::inverse_area);
+        case Parameter::theta:
+            return read_angle(source, node, key);
+        default:
+            return source.number(node, key);
+    }
+}
+
+void read_surface(Source& source, const toml::table& table, Scene& scene) {
+    constexpr std::array<Parameter, parameter_count> all{
+        Parameter::rms_height,        Parameter::peak_radius, Parameter::peak_density,
+        Parameter::fractal_dimension, Parameter::r,           Parameter::theta};
+    const std::initializer_list<std::string_view> written_keys{"from",
+                                                               "rms_height",
+                                                               "peak_radius",
+                                                               "peak_density",
+                                                               "max_peak_height",
+                                                               "fractal_dimension",
+                                                               "fractal_roughness",
+                                                               "r",
+                                                               "theta",
+                                                               "errors"};
+    std::vector<std::string_view> valid(written_keys);
+    if (table.contains("from")) valid.insert(valid.end(), reading_keys.begin(), reading_keys.end());
+    const Section surface(source, table, "surface", valid);
+    if (surface.find("from")) {
+        scene.measured = read_from(source, surface);
+        take_measured(source, scene);
+    }
+    UncertainSurface<double>& uncertain = scene.uncertain;
+    for (const Parameter which : all) {
+        const auto i = static_cast<std::size_t>(which);
+        const std::string_view name = parameter_names[i];
+        const toml::node* node =
+            !scene.measured && which <= Parameter::peak_density ? &surface.at(name) : surface.find(name);
+        if (!node) continue;
+        uncertain.set(which, {read_parameter(source, surface, which, *node), 0});
+        if (!parameter_in_range(which, uncertain.value[i]))
+            source.refuse(*node, surface.key(name),
+                          which == Parameter::fractal_dimension ? "must be between 1 and 2, both excluded"
+                          : which == Parameter::r               ? "must be at least 0 and less than 1"
+                                                                : "must be between 0 and pi/2, both excluded");
+        for (std::size_t j = 0; j < parameter_count; ++j)  // written by hand: independent of what was measured
+            uncertain.correlation[i][j] = uncertain.correlation[j][i] = i == j ? 1 : 0;
+    }
+    if (const auto* errors = surface.find("errors")) {
+        if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
+        const Section section(source, *errors->as_table(), surface.key("errors"),
+                              {parameter_names.begin(), parameter_names.end()});
+        for (const Parameter which : all) {
+            const auto i = static_cast<std::size_t>(which);
+            const toml::node* node = section.find(parameter_names[i]);
+            if (!node) continue;
+            const std::string key = section.key(parameter_names[i]);
+            if (!uncertain.known[i])
+                source.refuse(*node, key,
+                              "has no value beside it; must stand beside surface." + std::string(parameter_names[i]));
+            uncertain.error[i] = read_parameter(source, section, which, *node);
+            if (!(uncertain.error[i] >= 0 && std::isfinite(uncertain.error[i])))
+                source.refuse(*node, key, "must be finite and not negative");
+        }
+    }
+    const auto value = [&](Parameter which) -> std::optional<double> {
+        const auto i = static_cast<std::size_t>(which);
+        return uncertain.known[i] ? std::optional(uncertain.value[i]) : std::nullopt;
+    };
+    scene.surface.rms_height = *value(Parameter::rms_height);
+    scene.surface.peak_radius = *value(Parameter::peak_radius);
+    scene.surface.peak_density = *value(Parameter::peak_density);
+    if (const auto highest = surface.optional_positive("max_peak_height", Dimension::length))
+        scene.surface.max_peak_height = *highest;
+    scene.fractal_dimension = value(Parameter::fractal_dimension);
+    if (const auto roughness = surface.optional_positive("fractal_roughness", Dimension::length))
+        scene.fractal_roughness = *roughness;
+    scene.r = value(Parameter::r);
+    scene.theta = value(Parameter::theta);
+    if (scene.r.has_value() != scene.theta.has_value())
+        throw domain_error(source.at(table) + ": " + surface.key(scene.r ? "theta" : "r") +
+                           ": is missing; surface.r and surface.theta stand side by side");
 }
 
 /// A list of quantities, or { from, to, count, spacing }. Pressures are positive; separations may have either sign.
@@ -287,24 +447,25 @@ std::vector<double> read_points(Source& source, const toml::node& node, const st
     return points;
 }
 
-Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path) {
+/// The peak density of [surface].
+Peaks peaks_of_surface(const Scene& scene, const std::string& where) { return {*scene.theta, scene.r, true, where}; }
+
+Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path, const Scene& scene) {
+    if (node.is_string() && written(node) == "surface") {
+        if (!scene.r)
+            source.refuse(node, path,
+                          "needs surface.r and surface.theta" +
+                              (scene.measured ? ", which were not found: " + scene.measured->peaks_refusal : ""));
+        source.record(path, "surface");
+        return peaks_of_surface(scene, source.at(node) + ": surface.");
+    }
     if (!node.is_table())
-        source.refuse(node, path, "must be a table such as { theta = \"pi/4\", r = \"exponential\" }");
+        source.refuse(node, path, "must be a table such as { theta = \"pi/4\", r = \"exponential\" }, or \"surface\"");
     const Section section(source, *node.as_table(), path, {"theta", "r"});
     Peaks peaks;
     peaks.where = source.at(node) + ": " + path + ".";
 
-    const toml::node& theta = section.at("theta");
-    if (theta.is_string()) {
-        peaks.theta = source.located(theta, [&] { return io::parse_angle(written(theta), section.key("theta")); });
-        source.record(section.key("theta"), written(theta), peaks.theta, "rad");
-    } else {
-        if (!theta.is_number())
-            source.refuse(theta, section.key("theta"),
-                          "must be a number of radians or a text such as \"pi/4\" or \"45 deg\"");
-        peaks.theta = source.number(theta, section.key("theta"));
-        source.inputs.back().unit = "rad";
-    }
+    peaks.theta = read_angle(source, section.at("theta"), section.key("theta"));
     const toml::node& r = section.at("r");
     if (r.is_string() && written(r) == "exponential")
         source.record(section.key("r"), written(r));
@@ -344,7 +505,7 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
                            ": is missing; interaction length \"nominal\" is its square root");
 }
 
-void read_contact(Source& source, const toml::table& table, Scene& scene) {
+void read_contact(Source& source, const toml::table& table, Scene& scene, const std::string& surface) {
     const Section contact(source, table, "contact",
                           {"nominal_area", "pressures", "separations", "laws", "peaks", "interaction"});
     scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
@@ -375,21 +536,39 @@ void read_contact(Source& source, const toml::table& table, Scene& scene) {
         source.record(contact.key("laws"), scene.fractal_dimension ? "fractal, hertz, greenwood_williamson (default)"
                                                                    : "hertz, greenwood_williamson (default)");
     }
+    const bool replaced = !surface.empty();  // by --surface
+    const auto lacks = [&](Law law) {
+        return (law == Law::fractal || law == Law::fractal_consistent) && !scene.fractal_dimension;
+    };
+    if (replaced && !std::all_of(scene.laws.begin(), scene.laws.end(), lacks)) {
+        if (std::erase_if(scene.laws, lacks) > 0) scene.warnings.push_back("no fractal law is computed, for want of D");
+    }
     for (const Law law : scene.laws)
-        if ((law == Law::fractal || law == Law::fractal_consistent) && !scene.fractal_dimension)
+        if (lacks(law))
             throw domain_error(source.at(*contact.find("laws")) + ": surface.fractal_dimension: is missing; law \"" +
-                               std::string(name_of(law)) + "\" needs it");
+                               std::string(name_of(law)) + "\" needs it" +
+                               (scene.measured && !scene.measured->fractal_refusal.empty()
+                                    ? "; it was not found: " + scene.measured->fractal_refusal
+                                    : ""));
 
-    if (const auto* peaks = contact.find("peaks")) {
-        if (!peaks->is_array() || peaks->as_array()->empty())
+    const toml::node* peaks = contact.find("peaks");
+    if (scene.r && (replaced || !peaks)) {
+        scene.peaks.push_back(peaks_of_surface(scene, source.file + ": surface."));
+        source.record(contact.key("peaks"), replaced ? "surface (--surface)" : "surface (default)");
+    } else if (peaks) {
+        if (peaks->is_string())
+            scene.peaks.push_back(read_one_peaks(source, *peaks, contact.key("peaks"), scene));
+        else if (!peaks->is_array() || peaks->as_array()->empty())
             source.refuse(*peaks, contact.key("peaks"),
-                          "must be a list of tables such as { theta = \"pi/4\", r = \"exponential\" }");
-        for (std::size_t i = 0; i < peaks->as_array()->size(); ++i)
-            scene.peaks.push_back(
-                read_one_peaks(source, (*peaks->as_array())[i], contact.key("peaks") + "[" + std::to_string(i) + "]"));
+                          "must be \"surface\" or a list of tables such as { theta = \"pi/4\", r = \"exponential\" }");
+        else
+            for (std::size_t i = 0; i < peaks->as_array()->size(); ++i)
+                scene.peaks.push_back(read_one_peaks(source, (*peaks->as_array())[i],
+                                                     contact.key("peaks") + "[" + std::to_string(i) + "]", scene));
     } else {
         for (const char* theta : {"pi/4", "pi/3"})
-            scene.peaks.push_back({io::parse_angle(theta, "theta"), std::nullopt, source.file + ": contact.peaks."});
+            scene.peaks.push_back(
+                {io::parse_angle(theta, "theta"), std::nullopt, false, source.file + ": contact.peaks."});
         source.record(contact.key("peaks"), "theta = pi/4 and pi/3, r = exponential (default)");
     }
     read_interaction(source, contact, scene);
@@ -406,6 +585,25 @@ void read_output(Source& source, const toml::table* table, Scene& scene) {
         for (bool* flag : flags) *flag = true;
         source.record(output.key("quantities"), "stiffness, separation, real_area, contacts (default)");
     }
+}
+
+void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
+    const Section section(source, table, "uncertainty", {"samples", "seed"});
+    const auto whole = [&](std::string_view name, long long most) -> std::optional<long long> {
+        const toml::node* node = section.find(name);
+        if (!node) return std::nullopt;
+        const auto* number = node->as_integer();
+        if (!number || number->get() < 0 || number->get() > most)
+            source.refuse(*node, section.key(name), "must be a whole number from 0 to " + std::to_string(most));
+        source.record(section.key(name), written(*node), static_cast<double>(number->get()));
+        return number->get();
+    };
+    if (const auto samples = whole("samples", 100000)) {
+        if (*samples > 0 && *samples < 20)
+            source.refuse(*section.find("samples"), section.key("samples"), "must be 0 for no band, or at least 20");
+        scene.samples = static_cast<int>(*samples);
+    }
+    if (const auto seed = whole("seed", (1LL << 53) - 1)) scene.seed = static_cast<std::uint64_t>(*seed);
 }
 
 /// TOML allows characters beyond ASCII in quotation marks and comments only; elsewhere toml++ 3.3 runs into undefined
@@ -480,21 +678,31 @@ std::string_view name_of(Law law) {
         ->first;
 }
 
-Scene parse_scene(const std::string& text, const std::string& file) {
+Scene parse_scene(const std::string& text, const std::string& file, const std::string& surface) {
     Source source{file, {}};
     const toml::table root = parse_toml(text, file);
     Scene scene;
     scene.file = file;
     scene.sha256 = sha256(text);
 
-    const Section top(source, root, "", {"name", "surface", "material", "contact", "output"});
+    const Section top(source, root, "", {"name", "surface", "material", "contact", "uncertainty", "output"});
     if (const auto* name = top.find("name"))
         scene.name = source.text(*name, "name");
     else
         scene.name = std::filesystem::path(file).stem().string();
-    read_surface(source, top.subtable("surface"), scene);
+    if (surface.empty()) {
+        read_surface(source, top.subtable("surface"), scene);
+    } else {
+        MeasureOptions options;
+        options.input.file = surface;
+        scene.measured = measured_from(options, true, "--surface: ");
+        source.record("surface.from", display_name(surface) + " (--surface)");
+        take_measured(source, scene);
+    }
+    if (scene.measured) scene.warnings = scene.measured->warnings;
+    if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.subtable("material"), scene);
-    read_contact(source, top.subtable("contact"), scene);
+    read_contact(source, top.subtable("contact"), scene, surface);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs = std::move(source.inputs);
     return scene;

@@ -2,9 +2,13 @@
 #pragma once
 // A scene: what `fstiff run` computes, read from TOML. Every key, unit and default is in docs/scene.md.
 
+#include "measured_surface.hpp"
+
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/surface/roughness.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +30,7 @@ std::string_view name_of(Law law);
 struct Peaks {
     double theta = 0;         ///< [rad]
     std::optional<double> r;  ///< none: of an exponential autocorrelation
+    bool of_surface = false;  ///< theta and r are those of [surface], with their errors
     std::string where;        ///< file, line and key for messages
 };
 
@@ -40,6 +45,19 @@ struct Scene {
     Roughness<double> surface;
     std::optional<double> fractal_dimension;
     std::optional<double> fractal_roughness;  ///< [m]
+
+    std::optional<double> r, theta;           ///< of the surface [1, rad]; both or none
+    UncertainSurface<double> uncertain;       ///< the same with errors
+    std::optional<MeasuredSurface> measured;  ///< where surface.from says, or --surface
+    int samples = 400;                        ///< of the band; 0: no band
+    std::uint64_t seed = 2014;
+    std::vector<std::string> warnings;
+    bool out_of_reach_is_nan = false;  ///< of a sample of the band, whose points may be beyond the model: no error
+
+    /// Whether a band can be given: some parameter that enters has an error.
+    [[nodiscard]] bool has_errors() const {
+        return std::any_of(uncertain.error.begin(), uncertain.error.end(), [](double error) { return error > 0; });
+    }
 
     Material<double> upper, lower;
     std::optional<double> yield_strength;  ///< the smaller of the two that are given [Pa]
@@ -59,7 +77,9 @@ struct Scene {
     std::vector<Input> inputs;  ///< every key that was written or filled in by a default
 };
 
-/// Reads \p text, which messages call \p file. \throws domain_error "<file>:<line>: <key> = <value>: must be ...".
-Scene parse_scene(const std::string& text, const std::string& file);
+/// Reads \p text, which messages call \p file. When \p surface is not empty, it names the file that the surface is
+/// measured from, instead of the section [surface]; then contact.peaks are those of that file.
+/// \throws domain_error "<file>:<line>: <key> = <value>: must be ...".
+Scene parse_scene(const std::string& text, const std::string& file, const std::string& surface = "");
 
 }  // namespace fstiff::cli

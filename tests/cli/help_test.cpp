@@ -4,7 +4,8 @@
 #include <fstiff/core/version.hpp>
 
 TEST_CASE("The example at the end of every --help works as pasted") {
-    for (const std::string subcommand : {"", "run ", "fit ", "peaks ", "integral ", "ultrasound "}) {
+    for (const std::string subcommand :
+         {"", "run ", "fit ", "islands ", "peaks ", "integral ", "generate ", "ultrasound "}) {
         const auto help = test::fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);
         CHECK(help.status == 0);

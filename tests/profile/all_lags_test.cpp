@@ -7,7 +7,6 @@
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
 
-#include <chrono>
 #include <functional>
 #include <numbers>
 
@@ -190,34 +189,4 @@ TEST_CASE("Profiles without pairs, of few points or with an infinite height are 
     CHECK(refusal({1.0, 2.0}, 0.0, 0).find("spacing") != std::string::npos);
     CHECK(refusal({1.0, std::numeric_limits<double>::infinity()}, 1.0, 0).find("height") != std::string::npos);
     CHECK(refusal({1e250, 0.0}, 1.0, 0).find("structure function = ") == 0);
-}
-
-TEST_CASE("A million points at all lags take about two or three transforms of that size", "[long]") {
-    using Clock = std::chrono::steady_clock;
-    const std::size_t points = 1000000;
-    const auto timed = [](const auto& call) {
-        double best = 1e9;
-        for (int k = 0; k < 5; ++k) {
-            const auto start = Clock::now();
-            call();
-            best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
-        }
-        return best;
-    };
-    for (const Shape& shape : {shapes[0], shapes[2], shapes[3], shapes[4], shapes[9]}) {
-        auto z = shape.heights(1u << 20);
-        z.resize(points);
-        const double once = timed([&] {
-            RealFft<double> fft(points);
-            std::vector<std::complex<double>> spectrum;
-            std::vector<double> back;
-            fft.forward(z, spectrum);
-            fft.inverse(spectrum, back);
-        });
-        const Profile<double> profile{z, 1e-6};
-        const double all = timed([&] { (void)structure_function_at_all_lags(profile); });
-        WARN(shape.name << ": all lags " << all << " s, one transform and back " << once << " s, ratio " << all / once);
-        // three with optimisation and a quiet machine; unoptimised builds compile other parts slower
-        CHECK(all / once < 12);
-    }
 }

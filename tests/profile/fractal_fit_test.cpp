@@ -6,7 +6,6 @@
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
 
-#include <chrono>
 #include <random>
 
 using namespace fstiff;
@@ -232,15 +231,6 @@ TEST_CASE("Missing points are dropped pair by pair") {
     const auto holed = fit_fractal(profile);
     CHECK(std::abs(holed.fractal.dimension - whole.fractal.dimension) < whole.dimension_error);
     CHECK(holed.structure_function.pairs[0] < 4100);
-}
-
-TEST_CASE("Ten thousand points are fitted in well under a third of a second") {
-    const auto profile = random_walk(10000, 13);
-    const auto start = std::chrono::steady_clock::now();
-    (void)fit_fractal(profile);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    // the target is 0.3 s with optimisation; ten times that for unoptimised and instrumented builds
-    CHECK(taken.count() < 3.0);
 }
 
 TEST_CASE("Sixteen points are enough to try, fewer are not") {

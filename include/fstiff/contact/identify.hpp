@@ -32,12 +32,21 @@
 
 namespace fstiff {
 
-/// What can be fitted; the values index FitParameters.
-enum class Parameter { rms_height, peak_radius, peak_density, fractal_dimension, effective_modulus, r, theta, offset };
-inline constexpr std::size_t parameter_count = 8;
+/// What can be fitted; the values index FitParameter.
+enum class FitParameter {
+    rms_height,
+    peak_radius,
+    peak_density,
+    fractal_dimension,
+    effective_modulus,
+    r,
+    theta,
+    offset
+};
+inline constexpr std::size_t fit_parameter_count = 8;
 
-[[nodiscard]] constexpr std::string_view name_of(Parameter parameter) {
-    constexpr std::array<std::string_view, parameter_count> names{
+[[nodiscard]] constexpr std::string_view name_of(FitParameter parameter) {
+    constexpr std::array<std::string_view, fit_parameter_count> names{
         "rms_height", "peak_radius", "peak_density", "fractal_dimension", "effective_modulus", "r", "theta", "offset"};
     return names[static_cast<std::size_t>(parameter)];
 }
@@ -54,18 +63,18 @@ struct ContactParameters {
     T theta{};   ///< [rad]
     T offset{};  ///< p_0 [Pa]: what is added to the measured pressures
 
-    [[nodiscard]] T& operator[](Parameter parameter) {
-        T ContactParameters::*const members[parameter_count] = {&ContactParameters::rms_height,
-                                                                &ContactParameters::peak_radius,
-                                                                &ContactParameters::peak_density,
-                                                                &ContactParameters::fractal_dimension,
-                                                                &ContactParameters::effective_modulus,
-                                                                &ContactParameters::r,
-                                                                &ContactParameters::theta,
-                                                                &ContactParameters::offset};
+    [[nodiscard]] T& operator[](FitParameter parameter) {
+        T ContactParameters::*const members[fit_parameter_count] = {&ContactParameters::rms_height,
+                                                                    &ContactParameters::peak_radius,
+                                                                    &ContactParameters::peak_density,
+                                                                    &ContactParameters::fractal_dimension,
+                                                                    &ContactParameters::effective_modulus,
+                                                                    &ContactParameters::r,
+                                                                    &ContactParameters::theta,
+                                                                    &ContactParameters::offset};
         return this->*members[static_cast<std::size_t>(parameter)];
     }
-    [[nodiscard]] T operator[](Parameter parameter) const { return ContactParameters(*this)[parameter]; }
+    [[nodiscard]] T operator[](FitParameter parameter) const { return ContactParameters(*this)[parameter]; }
 };
 
 template <Real T>
@@ -92,7 +101,7 @@ struct IdentifyOptions {
 
 template <Real T>
 struct IdentifiedParameter {
-    Parameter parameter{};
+    FitParameter parameter{};
     T value{}, standard_error{};
     T low{}, high{};  ///< of the 95 % interval
     T looseness = 0;  ///< when singular: its share in the combination that the data do not see, of the largest
@@ -136,15 +145,15 @@ struct Chart {
     enum class Kind { identity, log, between } kind;
     T low{}, high{};
 
-    static Chart of(Parameter parameter) {
+    static Chart of(FitParameter parameter) {
         switch (parameter) {
-            case Parameter::offset:
+            case FitParameter::offset:
                 return {Kind::identity};
-            case Parameter::fractal_dimension:
+            case FitParameter::fractal_dimension:
                 return {Kind::between, T(1), T(2)};
-            case Parameter::r:
+            case FitParameter::r:
                 return {Kind::between, T(0), T(1)};
-            case Parameter::theta:
+            case FitParameter::theta:
                 return {Kind::between, T(0), std::numbers::pi_v<T> / 2};
             default:
                 return {Kind::log};
@@ -170,9 +179,10 @@ struct Chart {
 };
 
 template <Real T>
-T slope_of(const Sensitivity<T>& s, Parameter parameter) {
-    const std::array<T, parameter_count> slopes{s.rms_height,        s.peak_radius, s.peak_density, s.fractal_dimension,
-                                                s.effective_modulus, s.r,           s.theta,        s.pressure};
+T slope_of(const Sensitivity<T>& s, FitParameter parameter) {
+    const std::array<T, fit_parameter_count> slopes{
+        s.rms_height,        s.peak_radius, s.peak_density, s.fractal_dimension,
+        s.effective_modulus, s.r,           s.theta,        s.pressure};
     return slopes[static_cast<std::size_t>(parameter)];
 }
 
@@ -182,9 +192,9 @@ T slope_of(const Sensitivity<T>& s, Parameter parameter) {
 /// [](T dimension) { return FractalLaw<T>(dimension); }.
 /// \throws domain_error for data or starting values that no model has, or fewer points than parameters.
 template <Real T, class MakeLaw>
-[[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
-                                         const ContactParameters<T>& start, const MakeLaw& law,
-                                         const IdentifyOptions<T>& options = {}) {
+[[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data,
+                                         const std::vector<FitParameter>& wanted, const ContactParameters<T>& start,
+                                         const MakeLaw& law, const IdentifyOptions<T>& options = {}) {
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
     const auto with_error = std::count_if(data.begin(), data.end(), [](const auto& o) { return o.error > 0; });
@@ -211,7 +221,7 @@ template <Real T, class MakeLaw>
     const auto parameters_at = [&](const Vector& u) {
         ContactParameters<T> x = start;
         for (Eigen::Index i = 0; i < count; ++i) {
-            const Parameter p = wanted[static_cast<std::size_t>(i)];
+            const FitParameter p = wanted[static_cast<std::size_t>(i)];
             x[p] = detail::Chart<T>::of(p).value(u(i));
         }
         return x;
@@ -219,7 +229,7 @@ template <Real T, class MakeLaw>
     std::vector<T> model(data.size());
     const auto evaluate = [&](const Vector& u, Vector& f, Matrix& jacobian) {
         const ContactParameters<T> x = parameters_at(u);
-        for (const Parameter p : wanted)
+        for (const FitParameter p : wanted)
             if (!detail::Chart<T>::of(p).inside(x[p])) return false;
         for (std::size_t i = 0; i < data.size(); ++i) {
             if (!(data[i].pressure + x.offset > 0)) return false;
@@ -243,7 +253,7 @@ template <Real T, class MakeLaw>
             model[i] = value;
             f(row) = (value - data[i].value) / error;
             for (Eigen::Index k = 0; k < count; ++k) {
-                const Parameter p = wanted[static_cast<std::size_t>(k)];
+                const FitParameter p = wanted[static_cast<std::size_t>(k)];
                 jacobian(row, k) = detail::slope_of(s, p) * chain * detail::Chart<T>::of(p).slope(x[p]) / error;
             }
         }
@@ -251,7 +261,7 @@ template <Real T, class MakeLaw>
     };
     Vector u(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const Parameter p = wanted[static_cast<std::size_t>(i)];
+        const FitParameter p = wanted[static_cast<std::size_t>(i)];
         u(i) = detail::Chart<T>::of(p).variable(start[p]);
     }
     const LeastSquaresFit<T> fit = least_squares<T>(u, points, evaluate, options.search);
@@ -287,7 +297,7 @@ template <Real T, class MakeLaw>
     }
     const T largest = fit.loose.size() > 0 ? fit.loose.cwiseAbs().maxCoeff() : T(1);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const Parameter p = wanted[static_cast<std::size_t>(i)];
+        const FitParameter p = wanted[static_cast<std::size_t>(i)];
         const auto chart = detail::Chart<T>::of(p);
         IdentifiedParameter<T> found;
         found.parameter = p;
@@ -304,7 +314,7 @@ template <Real T, class MakeLaw>
     if (has_errors)
         for (Eigen::Index i = 0; i < count; ++i)
             for (Eigen::Index k = 0; k < count; ++k) {
-                const Parameter a = wanted[static_cast<std::size_t>(i)], b = wanted[static_cast<std::size_t>(k)];
+                const FitParameter a = wanted[static_cast<std::size_t>(i)], b = wanted[static_cast<std::size_t>(k)];
                 out.covariance(i, k) *=
                     detail::Chart<T>::of(a).slope(out.all[a]) * detail::Chart<T>::of(b).slope(out.all[b]);
             }

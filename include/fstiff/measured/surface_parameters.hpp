@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// What the contact models need to know of a surface, from a measured profile or map, each value with its standard error.
+///
+///                  of a map                                          of a profile, taken for isotropic
+///     sigma        rms of the heights                                the same
+///     R            A_m/(2 pi h_m) of the representative islands      3 sqrt(pi)/(8 sigma_kappa)             eq. (4.10)
+///     D_p          density of the representative islands             2 pi/(3 sqrt 3) n^2, n peaks per length
+///                  or both of the summits (PeakSource)
+///     R_p          highest point above the mean                      the same
+///     r, theta     sigma_m^2/(sigma sigma_kappa), asin(h sigma_kappa/(2 sigma_m)) of the triples of neighbours in the rows
+///     D, G         mean of both directions (measured/sections)       profile/fractal_fit
+///
+/// The density of a profile: an isotropic Gaussian surface has m4/(6 pi sqrt(3) m2) summits per area, a section of it
+/// sqrt(m4/m2)/(2 pi) peaks per length. Both go down to the sampling: R and D_p of a surface that is rough below it are
+/// those of the spacing, and a step of h loses 1 % where the shortest wave has 16 samples.
+///
+/// Errors: standard deviations over resamples, times sqrt(n/(n-1)) for n blocks: moving blocks of a profile, each five
+/// times as long as the heights stay correlated (an eighth of the profile at most), tiles of a map. A surface that is
+/// shorter than its longest waves does not show how much they vary: there every such error is too small. That of R_p is
+/// a lower bound: no resample is higher than the profile. D and G of the two directions are averaged by weight, and the
+/// error of D is half their difference at least.
+///
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Kunsch,
+///             Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), sections 2 to 4.
+/// Units       SI
+/// Valid       form removed before, with detrend() or remove_form(); profiles of 16 points and 8 triples at least, maps
+///             as representative_islands() or areal_statistics(). What cannot be had (D, or r and theta) is left out,
+///             with the reason.
+/// Accuracy    see tests/measured/surface_parameters_test.cpp
+
+#include <fstiff/measured/sections.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/islands.hpp>
+
+#include <array>
+#include <numbers>
+
+namespace fstiff {
+
+/// A measured value and its standard deviation.
+template <Real T>
+struct Measurement {
+    T value{}, error{};
+};
+
+/// What counts as a peak of a map.
+enum class PeakSource {
+    islands,  ///< the representative island: where there are most (Figs. 3 and 4)
+    summits   ///< points above their eight neighbours
+};
+
+template <Real T>
+struct SurfaceParameterOptions {
+    PeakSource peaks = PeakSource::islands;  ///< of a map
+    IslandOptions<T> islands{};
+    FractalFitOptions<T> fit{};  ///< of a profile `removed` is what detrend() took
+    std::size_t tiles = 4;       ///< of a map, a side
+    std::size_t resamples = 400;
+    std::uint64_t seed = 2014;
+};
+
+/// Order of SurfaceParameters::correlation.
+enum class Parameter { rms_height, peak_radius, peak_density, fractal_dimension, r, theta };
+inline constexpr std::size_t parameter_count = 6;
+template <Real T>
+using ParameterCorrelation = std::array<std::array<T, parameter_count>, parameter_count>;
+
+template <Real T>
+[[nodiscard]] constexpr ParameterCorrelation<T> uncorrelated() {
+    ParameterCorrelation<T> one{};
+    for (std::size_t i = 0; i < parameter_count; ++i) one[i][i] = T(1);
+    return one;
+}
+
+template <Real T>
+struct SurfaceParameters {
+    Measurement<T> rms_height;       ///< sigma [m]
+    Measurement<T> peak_radius;      ///< R [m]
+    Measurement<T> peak_density;     ///< D_p [1/m^2]
+    Measurement<T> max_peak_height;  ///< R_p [m]; the error is a lower bound
+    std::optional<Measurement<T>> fractal_dimension;
+    std::optional<Measurement<T>> fractal_roughness;  ///< G [m]
+    T log_fractal_roughness_error{};                  ///< standard deviation of ln G
+    std::optional<Measurement<T>> r, theta;           ///< theta [rad]
+    std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta; empty when there are
+    /// Of the errors; those of different origin (D; the islands of a map) are taken for independent.
+    ParameterCorrelation<T> correlation = uncorrelated<T>();
+    LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
+    bool anisotropic{};           ///< of a map
+    bool curved{};                ///< no clean power law in the window
+    std::size_t peaks_counted{};  ///< behind R and D_p
+    std::size_t blocks{};         ///< independent parts that the errors come from
+    T block_length{};             ///< of a profile [m]
+    std::uint64_t seed{};
+};
+
+/// \throws domain_error for a surface or an option out of range, or one without peaks.
+template <Real T>
+[[nodiscard]] SurfaceParameters<T> surface_parameters(const Profile<T>& profile,
+                                                      const SurfaceParameterOptions<T>& options = {});
+template <Real T>
+[[nodiscard]] SurfaceParameters<T> surface_parameters(const HeightMap<T>& map,
+                                                      const SurfaceParameterOptions<T>& options = {});
+
+namespace detail {
+
+/// Sums over points and triples of neighbours; heights from the mean, in some unit.
+template <Real S>
+struct HeightSums {
+    S points{}, first{}, square{}, triples{}, slope{}, curvature{}, peaks{};
+    S highest = std::numeric_limits<S>::lowest();
+    S inner{}, summits{}, summit_curvature{};  // of a map's summits; in SI
+
+    void add_point(S z) {
+        if (std::isnan(z)) return;
+        points += 1;
+        first += z;
+        square += z * z;
+        highest = std::max(highest, z);
+    }
+    void add_triple(S a, S b, S c) {
+        const S rise = b - a, fall = c - b;
+        if (std::isnan(rise) || std::isnan(fall)) return;
+        triples += 1;
+        slope += (rise * rise + fall * fall) / 2;
+        curvature += (fall - rise) * (fall - rise);
+        peaks += rise > S(0) && fall < S(0) ? S(1) : S(0);
+    }
+    void add(const HeightSums& other) {
+        points += other.points, first += other.first, square += other.square;
+        triples += other.triples, slope += other.slope, curvature += other.curvature, peaks += other.peaks;
+        highest = std::max(highest, other.highest);
+        inner += other.inner, summits += other.summits, summit_curvature += other.summit_curvature;
+    }
+};
+
+/// Which peaks the sums know.
+enum class PeakCount { profile, summits, none };
+
+/// sigma, R, D_p, R_p, r, theta as the sums have them: sigma and R_p in their unit, R and D_p in SI, or 1 without peaks.
+template <Real S>
+using Estimates = Eigen::Array<S, 6, 1>;
+
+template <Real S>
+Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count, S unit, S step) {
+    const S mean = sums.first / sums.points;
+    const S sigma = std::sqrt(std::max(S(0), sums.square / sums.points - mean * mean));
+    const S slope = std::sqrt(sums.slope / sums.triples), curvature = std::sqrt(sums.curvature / sums.triples);
+    Estimates<S> e;
+    e << sigma, S(1), S(1), sums.highest - mean, slope * (slope / (sigma * curvature)),
+        std::asin(curvature / slope / 2);
+    if (count == PeakCount::profile) {
+        const S per_length = sums.peaks / sums.triples / step;
+        e[1] = 3 * std::sqrt(std::numbers::pi_v<S>) / 8 * (step / (curvature * unit)) * step;
+        e[2] = 2 * std::numbers::pi_v<S> / (3 * std::sqrt(S(3))) * per_length * per_length;
+    } else if (count == PeakCount::summits) {
+        e[1] = sums.summits / sums.summit_curvature;
+        e[2] = sums.summits / sums.inner;
+    }
+    return e;
+}
+
+/// Standard deviations of the estimates, relative to the whole (of r and theta absolute), and their correlation.
+template <Real S>
+struct EstimateSpread {
+    Estimates<S> error = Estimates<S>::Zero();
+    ParameterCorrelation<S> correlation = uncorrelated<S>();
+    std::size_t blocks{};
+};
+
+/// Resamples of \p cells, drawn in runs of \p block neighbours, as many as make the whole.
+template <Real S, class Estimate>
+EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::size_t block, const Estimate& estimate,
+                                 std::size_t resamples, std::uint64_t seed) {
+    EstimateSpread<S> spread;
+    spread.blocks = (cells.size() + block - 1) / block;
+    HeightSums<S> all;
+    for (const auto& cell : cells) all.add(cell);
+    Estimates<S> unit = estimate(all);
+    unit[4] = unit[5] = S(1);
+    std::vector<Estimates<S>> draws;
+    for (std::size_t k = 0; k < resamples && spread.blocks > 1; ++k) {
+        HeightSums<S> sums;
+        for (std::size_t b = 0; b < spread.blocks; ++b) {
+            const auto start = static_cast<std::size_t>(splitmix64(seed) % (cells.size() - block + 1));
+            for (std::size_t i = start; i < start + block; ++i) sums.add(cells[i]);
+        }
+        const Estimates<S> draw = estimate(sums) / unit;
+        if (draw.isFinite().all()) draws.push_back(draw);  // a draw without peaks says nothing
+    }
+    if (draws.size() < 2) return spread;
+    Estimates<S> mean = Estimates<S>::Zero();
+    for (const auto& draw : draws) mean += draw / static_cast<S>(draws.size());
+    Eigen::Matrix<S, 6, 6> covariance = Eigen::Matrix<S, 6, 6>::Zero();
+    for (const auto& draw : draws) covariance += (draw - mean).matrix() * (draw - mean).matrix().transpose();
+    const S blocks = static_cast<S>(spread.blocks);
+    covariance *= blocks / (blocks - 1) / static_cast<S>(draws.size() - 1);
+    spread.error = covariance.diagonal().array().sqrt();
+    constexpr std::array<std::size_t, 5> mine{0, 1, 2, 4, 5};  // without R_p, whose place in Parameter is that of D
+    for (const std::size_t i : mine)
+        for (const std::size_t j : mine)
+            if (const S both = spread.error[static_cast<Eigen::Index>(i)] * spread.error[static_cast<Eigen::Index>(j)];
+                i != j && both > S(0))
+                spread.correlation[i][j] = std::clamp(
+                    covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) / both, S(-1), S(1));
+    return spread;
+}
+
+/// A power of two near half of the range, in which no square leaves the range of numbers.
+template <Real T>
+Sum<T> range_unit(T low, T high) {
+    int exponent = 0;
+    (void)std::frexp(high / 2 - low / 2, &exponent);
+    return std::ldexp(Sum<T>(1), exponent);
+}
+
+/// Takes over what does not depend on the kind of surface.
+template <Real T>
+void take_over(SurfaceParameters<T>& result, const Estimates<Sum<T>>& whole, const EstimateSpread<Sum<T>>& spread,
+               Sum<T> unit) {
+    const auto measured = [&](Eigen::Index i, Sum<T> scale) {
+        return Measurement<T>{static_cast<T>(whole[i] * scale), static_cast<T>(whole[i] * scale * spread.error[i])};
+    };
+    result.rms_height = measured(0, unit);
+    result.max_peak_height = measured(3, unit);
+    result.blocks = spread.blocks;
+    for (std::size_t i = 0; i < parameter_count; ++i)
+        for (std::size_t j = 0; j < parameter_count; ++j)
+            result.correlation[i][j] = static_cast<T>(spread.correlation[i][j]);
+    const T r = static_cast<T>(whole[4]), theta = static_cast<T>(whole[5]);
+    if (r >= T(0) && r < T(1) && theta > T(0) && theta < std::numbers::pi_v<T> / 2) {
+        result.r = {r, static_cast<T>(spread.error[4])};
+        result.theta = {theta, static_cast<T>(spread.error[5])};
+    } else {
+        result.peaks_refusal = "r = " + (std::isfinite(r) ? shown(r) : std::string("unknown")) +
+                               ", must be less than 1: too near to a single sine, a straight line or a zigzag";
+    }
+}
+
+template <Real T>
+void take_over(SurfaceParameters<T>& result, const FractalFit<T>& fit) {
+    result.fractal_dimension = {fit.fractal.dimension, fit.dimension_error};
+    result.fractal_roughness = {fit.fractal.roughness, fit.roughness_error};
+    result.log_fractal_roughness_error = fit.log_roughness_error;
+    result.window = fit.window;
+    result.curved = fit.curved;
+}
+
+/// D and G of both directions as one, by weight.
+template <Real T>
+void take_over(SurfaceParameters<T>& result, const DirectionalFit<T>& fit) {
+    result.anisotropic = fit.anisotropic();
+    if (!fit.x && !fit.y) {
+        result.fractal_refusal = "along x: " + fit.x_refusal + "; along y: " + fit.y_refusal;
+        return;
+    }
+    take_over(result, fit.x && (!fit.y || fit.x->dimension_error <= fit.y->dimension_error) ? *fit.x : *fit.y);
+    if (!fit.x || !fit.y) return;
+    const T ex = fit.x->dimension_error, ey = fit.y->dimension_error, square = ex * ex + ey * ey;
+    const T share = square > T(0) ? ey * ey / square : T(0.5);  // of x
+    const T dx = fit.x->fractal.dimension, dy = fit.y->fractal.dimension;
+    const T gx = std::log(fit.x->fractal.roughness), gy = std::log(fit.y->fractal.roughness);
+    const T log_g = share * gx + (1 - share) * gy;
+    result.fractal_dimension = {share * dx + (1 - share) * dy,
+                                std::max(std::hypot(share * ex, (1 - share) * ey), std::abs(dx - dy) / 2)};
+    result.log_fractal_roughness_error =
+        std::max(std::hypot(share * fit.x->log_roughness_error, (1 - share) * fit.y->log_roughness_error),
+                 std::abs(gx - gy) / 2);
+    const T g = std::exp(log_g);
+    result.fractal_roughness = {g, g * result.log_fractal_roughness_error};
+    result.curved = fit.x->curved || fit.y->curved;
+}
+
+template <Real T>
+void require_resampling(const SurfaceParameterOptions<T>& options) {
+    if (options.resamples < 2 || options.resamples > 100000)
+        throw domain_error("resamples = " + std::to_string(options.resamples) + ": must be between 2 and 100000");
+    if (options.tiles < 2 || options.tiles > 64)
+        throw domain_error("tiles = " + std::to_string(options.tiles) + ": must be between 2 and 64 a side");
+}
+
+}  // namespace detail
+
+template <Real T>
+SurfaceParameters<T> surface_parameters(const Profile<T>& profile, const SurfaceParameterOptions<T>& options) {
+    using S = detail::Sum<T>;
+    profile.validate(16);
+    detail::require_resampling(options);
+    const std::size_t size = profile.size();
+    const std::vector<T>& z = profile.heights;
+    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+    for (const T height : z)
+        if (!std::isnan(height)) low = std::min(low, height), high = std::max(high, height);
+    const S unit = detail::range_unit(low, high), mean = static_cast<S>(mean_height(profile));
+    const S step = static_cast<S>(profile.spacing);
+
+    // How long heights stay correlated: until S reaches 1 - 1/e of where it ends.
+    const StructureFunction<T> s = structure_function(profile);
+    const T sigma = rms_height(profile);
+    std::size_t correlated = size / 4;
+    for (std::size_t k = s.size(); k-- > 0;)
+        if (s.value[k] >= T(2) * sigma * sigma * T(0.632)) correlated = s.step[k];
+    const std::size_t cells = std::min<std::size_t>(256, size / 2), length = (size + cells - 1) / cells;
+    std::vector<detail::HeightSums<S>> sums((size + length - 1) / length);
+    const auto height = [&](std::size_t i) { return (static_cast<S>(z[i]) - mean) / unit; };
+    for (std::size_t i = 0; i < size; ++i) {
+        sums[i / length].add_point(height(i));
+        if (i > 0 && i + 1 < size) sums[i / length].add_triple(height(i - 1), height(i), height(i + 1));
+    }
+    detail::HeightSums<S> all;
+    for (const auto& cell : sums) all.add(cell);
+    if (all.triples < S(8))
+        throw domain_error("profile has " + std::to_string(static_cast<std::size_t>(all.triples)) +
+                           " triples of neighbouring points: must be at least 8");
+    require(all.peaks > S(0), "peaks of the profile", all.peaks, "at least 1");
+    const std::size_t block =
+        std::clamp<std::size_t>((5 * correlated + length - 1) / length, 1, std::max<std::size_t>(1, sums.size() / 8));
+
+    SurfaceParameters<T> result;
+    const auto estimate = [&](const detail::HeightSums<S>& some) {
+        return detail::estimates(some, detail::PeakCount::profile, unit, step);
+    };
+    const detail::Estimates<S> whole = estimate(all);
+    const auto spread = detail::resample_cells(sums, block, estimate, options.resamples, options.seed);
+    detail::take_over(result, whole, spread, unit);
+    result.peak_radius = {static_cast<T>(whole[1]), static_cast<T>(whole[1] * spread.error[1])};
+    result.peak_density = {static_cast<T>(whole[2]), static_cast<T>(whole[2] * spread.error[2])};
+    result.peaks_counted = static_cast<std::size_t>(all.peaks);
+    result.block_length = static_cast<T>(block * length) * profile.spacing;
+    result.seed = options.seed;
+    try {
+        detail::take_over(result, fit_fractal(profile, options.fit));
+    } catch (const domain_error& error) {
+        result.fractal_refusal = error.what();
+    }
+    return result;
+}
+
+template <Real T>
+SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options) {
+    using S = detail::Sum<T>;
+    using Index = Eigen::Index;
+    map.validate();
+    detail::require_resampling(options);
+    const auto& z = map.heights;
+    const S unit = detail::range_unit(z.isNaN().select(std::numeric_limits<T>::max(), z).minCoeff(),
+                                      z.isNaN().select(std::numeric_limits<T>::lowest(), z).maxCoeff());
+    const S mean = static_cast<S>(mean_height(Profile<T>{{z.data(), z.data() + z.size()}, map.dx}));
+    const auto height = [&](Index j, Index i) { return (static_cast<S>(z(j, i)) - mean) / unit; };
+    const bool summits = options.peaks == PeakSource::summits;
+    const Index tiles = static_cast<Index>(options.tiles);
+    std::vector<detail::HeightSums<S>> sums;
+    detail::HeightSums<S> all;
+    for (Index t = 0; t < tiles * tiles; ++t) {
+        const Index top = t / tiles * map.rows() / tiles, bottom = (t / tiles + 1) * map.rows() / tiles;
+        const Index left = t % tiles * map.columns() / tiles, right = (t % tiles + 1) * map.columns() / tiles;
+        detail::HeightSums<S> tile;
+        for (Index j = top; j < bottom; ++j)
+            for (Index i = left; i < right; ++i) {
+                tile.add_point(height(j, i));
+                if (i > 0 && i + 1 < map.columns()) tile.add_triple(height(j, i - 1), height(j, i), height(j, i + 1));
+            }
+        if (summits) {
+            try {
+                const HeightMap<T> part{z.block(top, left, bottom - top, right - left), map.dx, map.dy};
+                const ArealStatistics<T> statistics = areal_statistics(part);
+                tile.inner = static_cast<S>(statistics.inner) * static_cast<S>(map.dx) * static_cast<S>(map.dy);
+                tile.summits = static_cast<S>(statistics.summits);
+                tile.summit_curvature = tile.summits * static_cast<S>(statistics.summit_curvature);
+            } catch (const domain_error&) {  // a tile without points, or flat, says nothing of its summits
+            }
+        }
+        all.add(tile);
+        if (tile.points > S(0)) sums.push_back(tile);
+    }
+    require(all.triples > S(0), "triples of neighbouring points in the rows", all.triples, "at least 1");
+
+    SurfaceParameters<T> result;
+    const auto estimate = [&](const detail::HeightSums<S>& some) {
+        return detail::estimates(some, summits ? detail::PeakCount::summits : detail::PeakCount::none, unit,
+                                 static_cast<S>(map.dx));
+    };
+    const auto spread = detail::resample_cells(sums, 1, estimate, options.resamples, options.seed);
+    detail::take_over(result, estimate(all), spread, unit);
+    if (summits) {
+        const ArealStatistics<T> statistics = areal_statistics(map);
+        require(statistics.summit_curvature > T(0), "summits of the map", static_cast<T>(statistics.summits),
+                "at least 1, and curved");
+        const T radius = 1 / statistics.summit_curvature, density = statistics.summit_density;
+        result.peak_radius = {radius, radius * static_cast<T>(spread.error[1])};
+        result.peak_density = {density, density * static_cast<T>(spread.error[2])};
+        result.peaks_counted = statistics.summits;
+    } else {
+        const RepresentativeIslands<T> islands =
+            representative_islands(map, options.islands, {options.tiles, options.resamples, options.seed});
+        result.peak_radius = {islands.radius, islands.radius_error};
+        result.peak_density = {islands.density, islands.density_error};
+        result.peaks_counted = islands.islands;
+        const auto radius = static_cast<std::size_t>(Parameter::peak_radius);
+        const auto density = static_cast<std::size_t>(Parameter::peak_density);
+        result.correlation[radius][density] = result.correlation[density][radius] = islands.correlation;
+    }
+    result.seed = options.seed;
+    try {
+        detail::take_over(result, fit_directions(map, options.fit));
+    } catch (const domain_error& error) {
+        result.fractal_refusal = error.what();
+    }
+    return result;
+}
+
+}  // namespace fstiff

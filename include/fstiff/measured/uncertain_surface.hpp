@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Surfaces drawn at random about the measured parameters of one, for a band about whatever is computed of them.
+///
+///     x = value exp(s z),  s^2 = ln(1 + (error/value)^2)      sigma, R, D_p: lognormal, the value is the median
+///     x = value + error z                                     D in (1, 2), r in [0, 1), theta in (0, pi/2): truncated
+///     z                                                       standard normal, with the correlation of the errors
+///
+/// A draw in which D, r or theta leaves its range is drawn again, all of it. An error of 0 gives the value itself.
+///
+/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); splitmix64 of surface/weierstrass_mandelbrot.hpp: the same seed
+///             gives the same bits on every platform
+/// Units       SI
+/// Valid       values in the range of each parameter, errors finite and not negative, a correlation that is positive
+///             semidefinite (an eigenvalue below -1e-9 is refused)
+
+#include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/surface/fractal.hpp>
+#include <fstiff/surface/roughness.hpp>
+
+#include <span>
+
+namespace fstiff {
+
+/// Names in the order of Parameter.
+inline constexpr std::array<std::string_view, parameter_count> parameter_names{
+    "rms_height", "peak_radius", "peak_density", "fractal_dimension", "r", "theta"};
+
+/// Whether \p x is a value that \p which can have.
+template <Real T>
+[[nodiscard]] bool parameter_in_range(Parameter which, T x) {
+    switch (which) {
+        case Parameter::fractal_dimension:
+            return x > T(1) && x < T(2);
+        case Parameter::r:
+            return x >= T(0) && x < T(1);
+        case Parameter::theta:
+            return x > T(0) && x < std::numbers::pi_v<T> / 2;
+        default:
+            return x > T(0) && x <= std::numeric_limits<T>::max();
+    }
+}
+
+/// The parameters that enter the contact, with errors.
+template <Real T>
+struct UncertainSurface {
+    std::array<T, parameter_count> value{}, error{};  ///< in the order of Parameter
+    std::array<bool, parameter_count> known{};        ///< D, r and theta may not be
+    ParameterCorrelation<T> correlation = uncorrelated<T>();
+
+    constexpr void set(Parameter which, const Measurement<T>& measured) {
+        const auto i = static_cast<std::size_t>(which);
+        value[i] = measured.value, error[i] = measured.error, known[i] = true;
+    }
+    /// \throws domain_error naming the parameter that is out of range.
+    void validate() const;
+};
+
+/// The parameters of a measured surface.
+template <Real T>
+[[nodiscard]] UncertainSurface<T> uncertain(const SurfaceParameters<T>& measured);
+
+/// Draws surfaces, one a call.
+template <Real T>
+class SurfaceSampler {
+public:
+    /// \throws domain_error as UncertainSurface::validate().
+    SurfaceSampler(const UncertainSurface<T>& surface, std::uint64_t seed);
+    /// In the order of Parameter; what is not known stays 0.
+    /// \throws domain_error when 1000 draws in a row leave the range of D, r or theta.
+    [[nodiscard]] std::array<T, parameter_count> operator()();
+
+private:
+    T normal();
+    UncertainSurface<T> surface_;
+    Eigen::Matrix<T, 6, 6> root_;  ///< of the correlation
+    std::uint64_t state_;
+};
+
+/// The value below which the share \p probability of the sorted \p values lies: linear between neighbours, as
+/// Hyndman, Fan, Am. Stat. 50 (1996) 361, definition 7. \throws domain_error without values.
+template <Real T>
+[[nodiscard]] T sorted_quantile(std::span<const T> values, T probability);
+
+template <Real T>
+void UncertainSurface<T>::validate() const {
+    for (std::size_t i = 0; i < parameter_count; ++i) {
+        if (!known[i]) continue;
+        require(parameter_in_range(static_cast<Parameter>(i), value[i]), parameter_names[i], value[i],
+                "in the range of that parameter");
+        require(error[i] >= T(0) && error[i] <= std::numeric_limits<T>::max(),
+                std::string(parameter_names[i]) + " error", error[i], "finite and not negative");
+        for (std::size_t j = 0; j < parameter_count; ++j)
+            require(std::abs(correlation[i][j]) <= T(1) && correlation[i][j] == correlation[j][i], "correlation",
+                    correlation[i][j], "symmetric, between -1 and 1");
+        require(correlation[i][i] == T(1), "correlation of a parameter with itself", correlation[i][i], "1");
+    }
+}
+
+template <Real T>
+UncertainSurface<T> uncertain(const SurfaceParameters<T>& measured) {
+    UncertainSurface<T> surface;
+    surface.set(Parameter::rms_height, measured.rms_height);
+    surface.set(Parameter::peak_radius, measured.peak_radius);
+    surface.set(Parameter::peak_density, measured.peak_density);
+    if (measured.fractal_dimension) surface.set(Parameter::fractal_dimension, *measured.fractal_dimension);
+    if (measured.r) surface.set(Parameter::r, *measured.r);
+    if (measured.theta) surface.set(Parameter::theta, *measured.theta);
+    surface.correlation = measured.correlation;
+    return surface;
+}
+
+template <Real T>
+SurfaceSampler<T>::SurfaceSampler(const UncertainSurface<T>& surface, std::uint64_t seed)
+    : surface_(surface), state_(seed) {
+    surface_.validate();
+    Eigen::Matrix<T, 6, 6> correlation;
+    for (std::size_t i = 0; i < parameter_count; ++i)
+        for (std::size_t j = 0; j < parameter_count; ++j)
+            correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = surface.correlation[i][j];
+    // the symmetric root: a correlation of exactly 1, or rounded to a few digits, does it no harm
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, 6, 6>> solver(correlation);
+    const T least = solver.eigenvalues().minCoeff();
+    const T rounding = std::max(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
+    require(least >= -rounding, "least eigenvalue of the correlation", least, "at least 0");
+    root_ = solver.eigenvectors() * solver.eigenvalues().cwiseMax(T(0)).cwiseSqrt().asDiagonal() *
+            solver.eigenvectors().transpose();
+}
+
+template <Real T>
+T SurfaceSampler<T>::normal() {
+    const T uniform = static_cast<T>((detail::splitmix64(state_) >> 11) + 1) * T(0x1p-53L);  // in (0, 1]
+    const T turn = static_cast<T>(detail::splitmix64(state_) >> 11) * T(0x1p-53L);
+    return std::sqrt(-2 * std::log(uniform)) * std::cos(2 * std::numbers::pi_v<T> * turn);
+}
+
+template <Real T>
+std::array<T, parameter_count> SurfaceSampler<T>::operator()() {
+    constexpr auto first_normal = static_cast<std::size_t>(Parameter::fractal_dimension);
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+        Eigen::Matrix<T, 6, 1> z;
+        for (Eigen::Index i = 0; i < 6; ++i) z[i] = normal();
+        z = (root_ * z).eval();
+        std::array<T, parameter_count> draw{};
+        bool inside = true;
+        for (std::size_t i = 0; i < parameter_count; ++i) {
+            if (!surface_.known[i]) continue;
+            const T value = surface_.value[i], error = surface_.error[i], one = z[static_cast<Eigen::Index>(i)];
+            const T relative = error / value;
+            draw[i] = i >= first_normal ? value + error * one
+                                        : value * std::exp(std::sqrt(std::log1p(relative * relative)) * one);
+            inside = inside && parameter_in_range(static_cast<Parameter>(i), draw[i]);
+        }
+        if (inside) return draw;
+    }
+    throw domain_error("errors so large that 1000 draws in a row leave the range of D, r or theta: must be smaller");
+}
+
+template <Real T>
+T sorted_quantile(std::span<const T> values, T probability) {
+    if (values.empty()) throw domain_error("values of a quantile = 0: must be at least 1");
+    require(probability >= T(0) && probability <= T(1), "probability", probability, "between 0 and 1");
+    const T place = probability * static_cast<T>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    const T share = place - static_cast<T>(below);
+    return values[below] + share * (values[above] - values[below]);
+}
+
+}  // namespace fstiff

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measured_surface.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace fstiff::cli {
+namespace {
+
+constexpr std::array<Parameter, parameter_count> all_parameters{
+    Parameter::rms_height,        Parameter::peak_radius, Parameter::peak_density,
+    Parameter::fractal_dimension, Parameter::r,           Parameter::theta};
+
+std::size_t index(Parameter which) { return static_cast<std::size_t>(which); }
+
+FractalFitOptions<double> fit_options(const MeasureOptions& options) {
+    const std::string prefix(options.input.prefix);
+    FractalFitOptions<double> fit;
+    if (!options.tip_radius.empty())
+        fit.tip_radius = parse_length(options.tip_radius, prefix + (prefix.empty() ? "tip_radius" : "tip-radius"));
+    if (!options.resolution.empty()) fit.resolution = parse_length(options.resolution, prefix + "resolution");
+    if (!options.window.empty()) {
+        const auto comma = options.window.find(',');
+        if (comma == std::string::npos)
+            throw Usage(prefix + "window = \"" + options.window + "\": must be two lengths, such as \"1 um,100 um\"");
+        fit.window = LagWindow<double>{parse_length(options.window.substr(0, comma), prefix + "window"),
+                                       parse_length(options.window.substr(comma + 1), prefix + "window")};
+    }
+    return fit;
+}
+
+std::string um(double length) { return rounded(length * 1e6) + " µm"; }
+
+/// What was decided beside the reading of the file.
+void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, const std::string& form, double before,
+              double after, const MeasureOptions& options) {
+    auto& said = surface.decisions;
+    const bool profile = surface.kind == "profile";
+    said.push_back("rms height " + um(before) + " as read, " + um(after) + " without its form (" + form + ")");
+    if (profile)
+        said.push_back("taken for isotropic: R and D_p from the triples and the " +
+                       std::to_string(found.peaks_counted) + " peaks of the profile");
+    else
+        said.push_back("R and D_p from " + std::to_string(found.peaks_counted) +
+                       (options.peaks == "summits" ? " summits" : " islands at the level where there are most"));
+    if (found.fractal_dimension)
+        said.push_back("D and G from lags of " + um(found.window.from) + " to " + um(found.window.to) +
+                       (options.window.empty() ? " (automatic)" : " (given)"));
+    said.push_back("errors by " + std::to_string(options.resamples) + " resamples of " +
+                   (profile ? "blocks of " + um(found.block_length) : std::to_string(found.blocks) + " tiles") +
+                   ", seed " + std::to_string(options.seed));
+
+    auto& warned = surface.warnings;
+    if (!found.fractal_refusal.empty())
+        warned.push_back("no D and G, and no fractal law without one given: " + found.fractal_refusal);
+    else if (found.curved)
+        warned.push_back("the structure function is no single power law over the window: D is a mean over it");
+    if (!found.peaks_refusal.empty()) warned.push_back("no r and theta: " + found.peaks_refusal);
+    if (found.anisotropic) warned.push_back("the map differs along x and y; the models take it for isotropic");
+    if (found.peaks_counted < 30)
+        warned.push_back("R and D_p come from " + std::to_string(found.peaks_counted) +
+                         " peaks only; their errors are rough");
+    for (const auto& [name, measured] : {std::pair("R", found.peak_radius), std::pair("D_p", found.peak_density)})
+        if (measured.error > 0.3 * measured.value)
+            warned.push_back(std::string(name) + " is known to " + rounded(100 * measured.error / measured.value, 2) +
+                             " % only");
+}
+
+double number_of(const Json& object, const char* key, const std::string& place) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number())
+        throw domain_error(place + "." + key + ": is missing or no number; must be that of fstiff measure");
+    return found->get<double>();
+}
+
+Measurement<double> measurement_of(const Json& object, const std::string& place) {
+    if (!object.is_object()) throw domain_error(place + ": must be an object with value and error");
+    return {number_of(object, "value", place), number_of(object, "error", place)};
+}
+
+std::string text_of(const Json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::vector<std::string> texts_of(const Json& object, const char* key) {
+    std::vector<std::string> texts;
+    if (const auto found = object.find(key); found != object.end() && found->is_array())
+        for (const Json& item : *found)
+            if (item.is_string()) texts.push_back(item.get<std::string>());
+    return texts;
+}
+
+}  // namespace
+
+MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes) {
+    SurfaceParameterOptions<double> how;
+    how.fit = fit_options(options);
+    how.fit.seed = how.seed = options.seed;
+    how.resamples = static_cast<std::size_t>(options.resamples);
+    how.peaks = options.peaks == "summits" ? PeakSource::summits : PeakSource::islands;
+    const SurfaceInput input = read_surface_input(options.input, bytes);
+    const bool profile = input.surface.is_profile();
+    MeasuredSurface surface;
+    surface.file = display_name(options.input.file);
+    surface.sha256 = input.sha256;
+    surface.kind = profile ? "profile" : "map";
+    surface.decisions = input.surface.record.sentences();
+    surface.warnings = missing_points_warning(input, "what needs them is left out");
+    if (!profile && how.fit.tip_radius > 0)
+        throw domain_error(surface.file +
+                           ": is a map, whose lags cannot be freed of the tip; must be told by the resolution instead");
+    SurfaceParameters<double> found;
+    if (profile) {
+        const LevelledProfile levelled = level_profile(options.input, input);
+        how.fit.removed = levelled.removed;
+        found = about_file(options.input.file, [&] { return surface_parameters(levelled.profile, how); });
+        describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
+    } else {
+        const LevelledMap levelled = level_map(options.input, input);
+        found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
+        describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
+    }
+    surface.parameters = uncertain(found);
+    surface.max_peak_height = found.max_peak_height;
+    if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
+    surface.fractal_refusal = found.fractal_refusal;
+    surface.peaks_refusal = found.peaks_refusal;
+    return surface;
+}
+
+std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
+    const bool profile = surface.kind == "profile";
+    const auto& p = surface.parameters;
+    const auto of = [&](Parameter which) { return Measurement<double>{p.value[index(which)], p.error[index(which)]}; };
+    std::vector<ParameterLine> lines{
+        {"rms_height", "m", of(Parameter::rms_height), "root of the mean square about the mean"},
+        {"peak_radius", "m", of(Parameter::peak_radius),
+         profile ? "3 sqrt(pi)/(8 sigma_kappa), (4.10)" : "mean of the peaks"},
+        {"peak_density", "/m^2", of(Parameter::peak_density),
+         profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area"}};
+    if (surface.max_peak_height.value > 0)
+        lines.push_back({"max_peak_height", "m", surface.max_peak_height, "highest point; the error is a lower bound"});
+    if (p.known[index(Parameter::fractal_dimension)])
+        lines.push_back({"fractal_dimension", "", of(Parameter::fractal_dimension),
+                         profile ? "structure function, (2.5)" : "structure functions along x and y, (2.5)"});
+    if (surface.fractal_roughness) lines.push_back({"fractal_roughness", "m", *surface.fractal_roughness, "the same"});
+    if (p.known[index(Parameter::r)]) {
+        lines.push_back({"r", "", of(Parameter::r), "triples of neighbours, (4.1)"});
+        lines.push_back({"theta", "", of(Parameter::theta), "triples of neighbours, (4.3) [rad]"});
+    }
+    return lines;
+}
+
+Json measured_document(const MeasuredSurface& surface) {
+    Json document = json_document("measure");
+    document["source"] = {
+        {"file", surface.file}, {"sha256", surface.sha256}, {"kind", surface.kind}, {"decisions", surface.decisions}};
+    Json& values = document["surface"] = Json::object();
+    for (const ParameterLine& line : parameter_lines(surface)) {
+        Json& entry = values[line.name] = Json::object();
+        if (!line.unit.empty()) entry["quantity"] = shortest(line.measured.value) + " " + line.unit;
+        entry["value"] = json_number(line.measured.value);
+        entry["error"] = json_number(line.measured.error);
+        if (!line.unit.empty()) entry["unit"] = line.unit;
+        entry["how"] = line.how;
+    }
+    if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;
+    if (!surface.peaks_refusal.empty()) document["no_r_and_theta"] = surface.peaks_refusal;
+    Json names = Json::array(), rows = Json::array();
+    for (const Parameter one : all_parameters) {
+        names.push_back(parameter_names[index(one)]);
+        Json row = Json::array();
+        for (const Parameter two : all_parameters)
+            row.push_back(json_number(surface.parameters.correlation[index(one)][index(two)]));
+        rows.push_back(std::move(row));
+    }
+    document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};
+    document["warnings"] = surface.warnings;
+    return document;
+}
+
+bool is_measured_document(std::string_view bytes) {
+    const auto first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '{';
+}
+
+MeasuredSurface read_measured_document(const std::string& bytes, const std::string& name) {
+    const Json document = Json::parse(bytes, nullptr, false);
+    if (!document.is_object() || text_of(document, "command") != "measure")
+        throw domain_error(name +
+                           ": is not the JSON of fstiff measure, whole and unchanged; must be that, or a surface");
+    if (const auto version = document.find("schema_version"); version == document.end() || *version != 1)
+        throw domain_error(name + ": schema_version must be 1");
+    const auto values = document.find("surface");
+    if (values == document.end() || !values->is_object())
+        throw domain_error(name + ": surface: is missing; must be that of fstiff measure");
+    MeasuredSurface surface;
+    if (const auto source = document.find("source"); source != document.end() && source->is_object()) {
+        surface.file = text_of(*source, "file");
+        surface.sha256 = text_of(*source, "sha256");
+        surface.kind = text_of(*source, "kind");
+        surface.decisions = texts_of(*source, "decisions");
+    }
+    surface.warnings = texts_of(document, "warnings");
+    surface.fractal_refusal = text_of(document, "no_fractal_dimension");
+    surface.peaks_refusal = text_of(document, "no_r_and_theta");
+    const auto read = [&](const char* key) -> std::optional<Measurement<double>> {
+        const auto found = values->find(key);
+        if (found == values->end()) return std::nullopt;
+        return measurement_of(*found, name + ": surface." + key);
+    };
+    for (const Parameter which : all_parameters) {
+        const std::string key(parameter_names[index(which)]);
+        if (const auto measured = read(key.c_str()))
+            surface.parameters.set(which, *measured);
+        else if (which <= Parameter::peak_density)
+            throw domain_error(name + ": surface." + key + ": is missing; must be that of fstiff measure");
+    }
+    surface.max_peak_height = read("max_peak_height").value_or(Measurement<double>{});
+    surface.fractal_roughness = read("fractal_roughness");
+    if (const auto correlation = document.find("correlation_of_errors");
+        correlation != document.end() && correlation->is_object()) {
+        const auto matrix = correlation->find("matrix");
+        for (std::size_t i = 0; i < parameter_count; ++i)
+            for (std::size_t j = 0; j < parameter_count; ++j) {
+                const bool there = matrix != correlation->end() && matrix->is_array() && i < matrix->size() &&
+                                   (*matrix)[i].is_array() && j < (*matrix)[i].size() && (*matrix)[i][j].is_number();
+                if (!there) throw domain_error(name + ": correlation_of_errors.matrix: must be 6 rows of 6 numbers");
+                surface.parameters.correlation[i][j] = (*matrix)[i][j].get<double>();
+            }
+    }
+    try {
+        SurfaceSampler<double>(surface.parameters, 0);  // refuses what no sample could be drawn of
+    } catch (const domain_error& error) {
+        throw domain_error(name + ": " + error.what());
+    }
+    return surface;
+}
+
+}  // namespace fstiff::cli

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The parameters of a scene's [surface], from a measured file or from what `fstiff measure` wrote of one.
+
+#include "surface_input.hpp"
+
+#include <fstiff/measured/uncertain_surface.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::cli {
+
+/// How a file is read, and how its parameters are found.
+struct MeasureOptions {
+    SurfaceOptions input;
+    std::string peaks = "islands";  ///< of a map: islands or summits
+    std::string tip_radius, resolution, window;
+    int resamples = 400;
+    std::uint64_t seed = 2014;
+};
+
+struct MeasuredSurface {
+    std::string file, sha256, kind;  ///< of the measured file; kind: profile or map
+    std::vector<std::string> decisions, warnings;
+    UncertainSurface<double> parameters;
+    Measurement<double> max_peak_height;  ///< [m]; 0: not known
+    std::optional<Measurement<double>> fractal_roughness;
+    std::string fractal_refusal, peaks_refusal;  ///< why there is no D, no r and theta
+};
+
+/// \throws domain_error in one sentence with the name of the file, Usage for options that do not fit it.
+[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes);
+
+/// Whether \p bytes look like the document of `fstiff measure`, not like a surface.
+[[nodiscard]] bool is_measured_document(std::string_view bytes);
+/// \throws domain_error when \p bytes, which messages call \p name, are no such document.
+[[nodiscard]] MeasuredSurface read_measured_document(const std::string& bytes, const std::string& name);
+[[nodiscard]] Json measured_document(const MeasuredSurface& surface);
+
+/// How one parameter of a scene's [surface] is called, its unit and how it was found.
+struct ParameterLine {
+    std::string name, unit;  ///< unit in a scene; empty: a plain number
+    Measurement<double> measured;
+    std::string how;
+};
+/// Those that are known, in the order of docs/scene.md.
+[[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface);
+
+}  // namespace fstiff::cli

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface_input.hpp"
+
+#include "sha256.hpp"
+
+#include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#ifdef FSTIFF_HAS_X3P
+#include <fstiff/io/x3p.hpp>
+#endif
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace fstiff::cli {
+namespace {
+
+template <class Value, std::size_t count>
+using Names = std::array<std::pair<std::string_view, Value>, count>;
+
+constexpr Names<Form, 5> profile_forms{{{"none", Form::none},
+                                        {"mean", Form::mean},
+                                        {"line", Form::line},
+                                        {"parabola", Form::parabola},
+                                        {"gaussian", Form::line}}};  // the filter follows
+constexpr Names<MapForm, 5> map_forms{{{"none", MapForm::none},
+                                       {"mean", MapForm::mean},
+                                       {"plane", MapForm::plane},
+                                       {"quadratic", MapForm::quadratic},
+                                       {"cubic", MapForm::cubic}}};
+
+template <class Value, std::size_t count>
+Value form_of(const Names<Value, count>& forms, const SurfaceOptions& options, std::string_view name,
+              std::string_view what) {
+    std::string allowed;
+    for (const auto& [known, value] : forms) {
+        if (known == name) return value;
+        allowed += (allowed.empty() ? "" : ", ") + std::string(known);
+    }
+    throw Usage(std::string(options.prefix) + "detrend = \"" + std::string(name) + "\": of a " + std::string(what) +
+                " must be one of " + allowed);
+}
+
+void refuse_cutoff(const SurfaceOptions& options) {
+    if (!options.cutoff.empty())
+        throw Usage(std::string(options.prefix) + "cutoff belongs to " + std::string(options.prefix) +
+                    "detrend gaussian, of a profile; must not be given without it");
+}
+
+/// The library calls the option that chooses the form "format".
+std::string with_option_name(std::string message, std::string_view name) {
+    if (name == "format") return message;
+    for (const std::string_view part : {"format = ", "format must"}) {
+        std::size_t at = 0;
+        while ((at = message.find(part, at)) != std::string::npos) {
+            message.replace(at, 6, name);
+            at += name.size();
+        }
+    }
+    return message;
+}
+
+}  // namespace
+
+double parse_length(const std::string& text, std::string_view name) {
+    const double value = io::parse_quantity(text, io::Dimension::length, std::string(name));
+    require_positive(std::string(name).c_str(), value);
+    return value;
+}
+
+void add_surface_options(CLI::App& app, SurfaceOptions& options, SurfaceKind kind) {
+    options.prefix = "--";
+    options.format_name = "--input-format";
+    const bool profiles = kind != SurfaceKind::map, maps = kind != SurfaceKind::profile;
+    app.add_option("--input-format", options.format,
+                   "form of the file: auto (default), profile, triples, matrix, sdf or x3p")
+        ->check(CLI::IsMember({"auto", "profile", "triples", "matrix", "sdf", "x3p"}));
+    app.add_option("--units", options.units,
+                   "units of lengths and heights of a text, such as um,nm, or one for both; replace those of the file");
+    std::vector<std::string> names{"none", "mean"};
+    std::string forms;
+    if (profiles) {
+        names.insert(names.end(), {"line", "parabola", "gaussian"});
+        forms = "; of a profile none, mean, line (default), parabola or gaussian";
+        app.add_option("--spacing", options.spacing,
+                       "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file");
+        app.add_option("--column", options.column,
+                       "column of the heights of a profile, counted from 1; default the last of one or two")
+            ->check(CLI::Range(1, 1000000));
+        app.add_option("--cutoff", options.cutoff,
+                       "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\"");
+    }
+    if (maps) {
+        names.insert(names.end(), {"plane", "quadratic", "cubic"});
+        forms += "; of a map none, mean, plane (default), quadratic or cubic";
+        app.add_option("--dx", options.dx, "distance of neighbouring columns of a matrix; replaces that of the file");
+        app.add_option("--dy", options.dy, "distance of neighbouring rows of a matrix");
+        app.add_option("--width", options.width, "columns times dx of a matrix, instead of --dx");
+        app.add_option("--height", options.height, "rows times dy of a matrix, instead of --dy");
+    }
+    app.add_option("--detrend", options.detrend, "form that is removed" + forms)->check(CLI::IsMember(names));
+}
+
+std::size_t SurfaceInput::points() const {
+    return surface.is_profile() ? surface.profile().size() : static_cast<std::size_t>(surface.map().size());
+}
+
+std::size_t SurfaceInput::missing() const {
+    return points() -
+           (surface.is_profile() ? surface.profile().present() : static_cast<std::size_t>(surface.map().present()));
+}
+
+SurfaceInput read_surface_input(const SurfaceOptions& options) {
+    return read_surface_input(options, read_all(options.file));
+}
+
+SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes) {
+    io::SurfaceOptions how;
+    how.format = io::surface_format(options.format);
+    how.units = options.units;
+    how.column = static_cast<std::size_t>(options.column);
+    const auto length = [&](const std::string& text, const char* name) {
+        return text.empty() ? std::optional<double>() : parse_length(text, std::string(options.prefix) + name);
+    };
+    how.spacing = length(options.spacing, "spacing");
+    how.dx = length(options.dx, "dx");
+    how.dy = length(options.dy, "dy");
+    how.width = length(options.width, "width");
+    how.height = length(options.height, "height");
+#ifdef FSTIFF_HAS_X3P
+    how.x3p = io::x3p_reader();
+#endif
+    SurfaceInput input;
+    input.sha256 = sha256(bytes);
+    try {
+        input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
+    } catch (const domain_error& error) {
+        throw domain_error(with_option_name(error.what(), options.format_name));
+    }
+    return input;
+}
+
+LevelledProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
+    if (!input.surface.is_profile())
+        throw domain_error(display_name(options.file) + ": holds a map (" +
+                           std::to_string(input.surface.map().columns()) + " x " +
+                           std::to_string(input.surface.map().rows()) + " points); must be a profile");
+    LevelledProfile result;
+    result.form = options.detrend.empty() ? "line" : options.detrend;
+    const Form form = form_of(profile_forms, options, result.form, "profile");
+    const bool filter = result.form == "gaussian";
+    const std::string name = std::string(options.prefix) + "cutoff";
+    if (!filter) refuse_cutoff(options);
+    if (filter && options.cutoff.empty())
+        throw Usage(std::string(options.prefix) + "detrend gaussian needs " + name + ", such as \"0.8 mm\"");
+    if (filter) result.cutoff = parse_length(options.cutoff, name);
+    about_file(options.file, [&] {
+        const Profile<double>& read = input.surface.profile();
+        result.rms_as_read = rms_height(read);
+        result.profile = detrend(read, form);
+        if (filter) result.profile = gaussian_roughness(result.profile, *result.cutoff);
+        result.rms = rms_height(result.profile);
+        result.removed = filter ? Form::none : form;
+    });
+    return result;
+}
+
+LevelledMap level_map(const SurfaceOptions& options, const SurfaceInput& input) {
+    if (input.surface.is_profile())
+        throw domain_error(display_name(options.file) + ": holds a profile (" +
+                           std::to_string(input.surface.profile().size()) + " points); must be a map");
+    LevelledMap result;
+    result.form = options.detrend.empty() ? "plane" : options.detrend;
+    const MapForm form = form_of(map_forms, options, result.form, "map");
+    refuse_cutoff(options);
+    about_file(options.file, [&] {
+        const HeightMap<double>& read = input.surface.map();
+        result.map = remove_form(read, form);
+        result.rms_as_read = areal_statistics(read).rms_height;
+        result.rms = areal_statistics(result.map).rms_height;
+    });
+    return result;
+}
+
+Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
+    return {{"file", display_name(options.file)},
+            {"sha256", input.sha256},
+            {"format", io::surface_format_name(input.surface.record.format)},
+            {"kind", input.surface.is_profile() ? "profile" : "map"},
+            {"decisions", input.surface.record.sentences()}};
+}
+
+Json json_inputs(const SurfaceOptions& options, const std::string& form) {
+    return {{"input_format", options.format}, {"units", options.units},   {"spacing", options.spacing},
+            {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
+            {"width", options.width},         {"height", options.height}, {"detrend", form},
+            {"cutoff", options.cutoff}};
+}
+
+std::string source_lines(const SurfaceInput& input, std::string_view indent) {
+    std::string text;
+    for (const std::string& decision : input.surface.record.sentences()) text += std::string(indent) + decision + "\n";
+    return text;
+}
+
+std::vector<std::string> missing_points_warning(const SurfaceInput& input, std::string_view consequence) {
+    if (input.missing() == 0) return {};
+    return {std::to_string(input.missing()) + " of " + std::to_string(input.points()) + " points are missing; " +
+            std::string(consequence)};
+}
+
+}  // namespace fstiff::cli
