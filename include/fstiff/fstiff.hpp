@@ -16,6 +16,7 @@
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/math/least_squares.hpp>
 #include <fstiff/math/root.hpp>
+#include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/self_affine.hpp>
@@ -36,6 +37,8 @@
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/measured/sections.hpp>
+#include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
