@@ -3,6 +3,7 @@
 // A scene: what `fstiff run` computes, read from TOML. Every key, unit and default is in docs/scene.md.
 
 #include "measured_surface.hpp"
+#include "waves.hpp"
 
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/surface/roughness.hpp>
@@ -72,7 +73,16 @@ struct Scene {
     InteractionLength length = InteractionLength::nominal;
     double given_length = 0;  ///< [m], for InteractionLength::given
 
-    bool stiffness = false, separation = false, real_area = false, contacts = false;  ///< output.quantities
+    std::optional<Waves> ultrasound;
+
+    /// output.quantities
+    bool stiffness = false, separation = false, real_area = false, contacts = false;
+    bool tangential_stiffness = false, reflection = false, shear_reflection = false;
+
+    /// Whether K is computed, though it may not be shown.
+    [[nodiscard]] bool needs_stiffness() const {
+        return stiffness || tangential_stiffness || reflection || shear_reflection;
+    }
 
     std::vector<Input> inputs;  ///< every key that was written or filled in by a default
 };
