@@ -78,14 +78,6 @@ Interaction<double> interaction(const Scene& scene) {
     return result;
 }
 
-PeakDensity<double> peak_density(const Peaks& peaks) {
-    try {
-        return peaks.r ? PeakDensity<double>(*peaks.r, peaks.theta) : PeakDensity<double>::exponential(peaks.theta);
-    } catch (const domain_error& error) {
-        throw domain_error(peaks.where + error.what());
-    }
-}
-
 Curve compute(const Scene& scene, Law law, const PeakDensity<double>& peaks, double modulus) {
     Curve curve{law, peaks.theta(), peaks.r(), rms_gradient(scene.surface, peaks), {}, {}};
     RoughContactOptions<double> options;

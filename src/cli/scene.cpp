@@ -769,6 +769,14 @@ std::string_view name_of(Law law) {
         ->first;
 }
 
+PeakDensity<double> peak_density(const Peaks& peaks) {
+    try {
+        return peaks.r ? PeakDensity<double>(*peaks.r, peaks.theta) : PeakDensity<double>::exponential(peaks.theta);
+    } catch (const domain_error& error) {
+        throw domain_error(peaks.where + error.what());
+    }
+}
+
 Scene parse_scene(const std::string& text, const std::string& file, const std::string& surface) {
     Source source{file, {}};
     const toml::table root = parse_toml(text, file);

@@ -6,6 +6,7 @@
 #include "waves.hpp"
 
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/peaks/peak_density.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <algorithm>
@@ -34,6 +35,9 @@ struct Peaks {
     bool of_surface = false;  ///< theta and r are those of [surface], with their errors
     std::string where;        ///< file, line and key for messages
 };
+
+/// \throws domain_error naming the place of the value that no peak density has.
+PeakDensity<double> peak_density(const Peaks& peaks);
 
 enum class Reading { none, effective_separation, as_printed };
 enum class InteractionLength { nominal, peak_spacing, given };
