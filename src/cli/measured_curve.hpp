@@ -53,7 +53,7 @@ inline Title title_of(std::string_view cell) {
     for (std::size_t i = 0; i < cell.size(); ++i) {
         if (cell[i] != '_' && cell[i] != '/' && cell[i] != ' ') continue;
         std::string unit(cell.substr(i + 1));
-        if (const std::size_t per = unit.find("_per_"); per != std::string::npos) unit.replace(per, 5, "/");
+        if (const std::size_t per = unit.find("_per_"); per != std::string::npos) unit.erase(per, 4), unit[per] = '/';
         if (is_any(unit)) return {io_detail::lower_case(io_detail::trimmed(cell.substr(0, i))), unit};
     }
     return {io_detail::lower_case(io_detail::trimmed(cell)), ""};
