@@ -162,7 +162,8 @@ void add_warnings(Work& work) {
             continue;
         }
         if (found.status == FitStatus::not_converged) {
-            work.warnings.push_back(where + "the search did not converge; start closer to the data");
+            work.warnings.push_back(where +
+                                    "the search did not converge: start closer to the data, or fit fewer parameters");
             work.status = doubtful_result;
         }
         const auto dof = static_cast<double>(found.degrees_of_freedom);
@@ -242,6 +243,9 @@ Work work_of(const Options& options) {
     return work;
 }
 
+/// An interval of data that say little may end beyond the range of numbers: nothing is shown there.
+Json finite_json(double value) { return std::isfinite(value) ? json_number(value) : Json(nullptr); }
+
 std::string_view status_name(FitStatus status) {
     return status == FitStatus::converged ? "converged" : status == FitStatus::singular ? "singular" : "not_converged";
 }
@@ -283,7 +287,8 @@ std::string table(const Work& work) {
         for (const auto& p : found.parameters) {
             const Naming& naming = naming_of(p.parameter);
             const auto cell = [&](double value, int digits) {
-                return has_errors ? rounded(value * naming.factor, digits) : "-";
+                return has_errors && std::isfinite(value * naming.factor) ? rounded(value * naming.factor, digits)
+                                                                          : "-";
             };
             parameters.add({std::string(naming.shown), rounded(fit.start[p.parameter] * naming.factor),
                             found.status == FitStatus::singular ? "-" : rounded(p.value * naming.factor),
@@ -331,7 +336,9 @@ std::string csv(const Work& work) {
             const auto& p = fit.found.parameters[i];
             const bool singular = fit.found.status == FitStatus::singular;
             const bool has_errors = fit.found.covariance.size() > 0;
-            const auto cell = [&](double value) { return has_errors ? exact(value) : std::string(); };
+            const auto cell = [&](double value) {
+                return has_errors && std::isfinite(value) ? exact(value) : std::string();
+            };
             std::vector<std::string> cells{std::string(name_of(fit.law)),
                                            exact(fit.theta),
                                            exact(fit.r),
@@ -358,7 +365,7 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
     Json rows = Json::array();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         Json row = Json::array();
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(json_number(matrix(i, k)));
+        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(finite_json(matrix(i, k)));
         rows.push_back(std::move(row));
     }
     return rows;
@@ -399,8 +406,8 @@ std::string json(const Work& work) {
             else
                 one["value"] = json_number(p.value);
             if (found.covariance.size() > 0) {
-                one["standard_error"] = json_number(p.standard_error);
-                one["interval"] = {{"level", 0.95}, {"low", json_number(p.low)}, {"high", json_number(p.high)}};
+                one["standard_error"] = finite_json(p.standard_error);
+                one["interval"] = {{"level", 0.95}, {"low", finite_json(p.low)}, {"high", finite_json(p.high)}};
             }
             parameters.push_back(std::move(one));
         }

@@ -78,6 +78,7 @@ std::vector<int> coverage(const ContactParameters<double>& x, const std::vector<
 void check_coverage(const std::vector<int>& hits) {
     // binomial: 95 with a standard deviation of 2.2
     for (const int hit : hits) {
+        CAPTURE(hit);
         CHECK(hit >= 91);
         CHECK(hit <= 99);
     }
@@ -99,10 +100,11 @@ TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from 
 
 TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from R(p)") {
     using enum FitParameter;
-    check_coverage(coverage(truth, {rms_height, peak_density}, fractal, 0.003, true, &wave));
-    check_coverage(coverage(truth, {effective_modulus}, hertz, 0.005, false, &wave));
+    // 1 - R is 1e-5 to 0.04 here: with errors ten times these, two parameters have no minimum in some runs
+    check_coverage(coverage(truth, {rms_height, peak_density}, fractal, 0.0003, true, &wave));
+    check_coverage(coverage(truth, {effective_modulus}, hertz, 0.001, false, &wave));
     const Wave<double> shear{{25e6, 25e6}, 4.398e7, 1.4 / 1.7};
-    check_coverage(coverage(truth, {rms_height, fractal_dimension}, fractal, 0.002, true, &shear));
+    check_coverage(coverage(truth, {rms_height, fractal_dimension}, fractal, 0.0003, true, &shear));
 }
 
 TEST_CASE("without noise the truth comes back") {
