@@ -68,7 +68,8 @@ struct Work {
 
 std::vector<FitParameter> wanted_of(const std::vector<std::string>& names) {
     std::vector<FitParameter> wanted;
-    for (const std::string& name : names) {
+    for (const std::string& written : names) {
+        const std::string name(io::detail::trimmed(written));
         const auto found = std::find_if(namings.begin(), namings.end(), [&](const Naming& naming) {
             return name == naming.name || name == name_of(naming.parameter);
         });
@@ -174,6 +175,23 @@ void add_warnings(Work& work) {
         if (found.covariance.size() == 0)
             work.warnings.push_back(where +
                                     "no standard errors: as many parameters as points, and no column of errors");
+        for (const auto& p : found.parameters) {
+            const std::string name(naming_of(p.parameter).name);
+            const bool between = p.parameter == FitParameter::fractal_dimension || p.parameter == FitParameter::r ||
+                                 p.parameter == FitParameter::theta;
+            const double lowest = p.parameter == FitParameter::fractal_dimension ? 1 : 0;
+            const double highest = p.parameter == FitParameter::fractal_dimension ? 2
+                                   : p.parameter == FitParameter::r               ? 1
+                                                                                  : std::numbers::pi / 2;
+            if (between && !(p.value > lowest + 1e-6 && p.value < highest - 1e-6)) {
+                work.warnings.push_back(where + name + " came to the end of its range: no value of it fits the data");
+                work.status = doubtful_result;
+            } else if (!between && p.parameter != FitParameter::offset && found.covariance.size() > 0 &&
+                       !(p.high < 100 * p.low)) {
+                work.warnings.push_back(where + "the data say next to nothing of " + name +
+                                        ": the ends of its interval are a factor of 100 or more apart");
+            }
+        }
         for (Eigen::Index i = 0; i < found.correlation.rows(); ++i)
             for (Eigen::Index k = 0; k < i; ++k)
                 if (std::abs(found.correlation(i, k)) > 0.99) {

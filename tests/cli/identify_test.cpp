@@ -166,6 +166,17 @@ TEST_CASE("identify: parameters that the data cannot tell apart end with exit co
     CHECK(test::contains(csv.err, "cannot tell R and Dp apart"));
 }
 
+TEST_CASE("identify says when a parameter runs out of its range, or is hardly known") {
+    const test::Folder folder;
+    // D would have to make K smaller than the least that the factor f of the fractal law, 4/3, gives
+    const auto hertz = identify(folder, scene("0.832 um", "500 /mm^2", "\"fractal\""),
+                                measured("stiffness_Pa_per_m", 0.02), "--fit D", 4);
+    CHECK(test::contains(hertz["warnings"].dump(), "D came to the end of its range"));
+    const auto vague = identify(folder, scene(), "p [MPa],K [GPa/um],error [GPa/um]\n1,0.004,1\n2,0.008,1\n3,0.01,1\n",
+                                "--fit sigma,Dp");
+    CHECK(test::contains(vague["warnings"].dump(), "next to nothing of sigma"));
+}
+
 TEST_CASE("identify fits every law of the scene and says which describes the data") {
     const test::Folder folder;
     const std::string both = scene("0.8 um", "450 /mm^2", "\"hertz\", \"fractal\", \"greenwood_williamson\"");
@@ -183,7 +194,7 @@ TEST_CASE("identify fits every law of the scene and says which describes the dat
 
 TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
     const test::Folder folder;
-    const auto fit = identify(folder, scene(), measured("stiffness_Pa_per_m", 0.02, 1), "--fit sigma,Dp")["fits"][0];
+    const auto fit = identify(folder, scene(), measured("stiffness_Pa_per_m", 0.02, 1), "--fit 'sigma, Dp'")["fits"][0];
     const std::string call =
         "identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit sigma,Dp";
     const test::Csv csv(test::fstiff(call + " --format csv").out);
@@ -236,6 +247,8 @@ TEST_CASE("identify refuses what it cannot fit, in one sentence") {
     refused(start + "--fit sigma", 3, {"ultrasound", "missing"}, "p [MPa],R\n1,0.99\n2,0.9\n");
     folder.write("scene.toml", test::replaced(scene(), "fractal_dimension = 1.62\n", ""));
     refused(start + "--fit D", 3, {"surface.fractal_dimension", "missing"}, data);
+    folder.write("scene.toml", test::replaced(scene(), "r = 0.4", "r = 0.0"));
+    refused(start + "--fit r", 3, {"r = 0", "between 0 and 1"}, data);
     folder.write("scene.toml", scene("0.8 um", "500 /mm^2", "\"greenwood_williamson\""));
     refused(start + "--fit sigma", 3, {"contact.laws", "no derivatives"}, data);
 }

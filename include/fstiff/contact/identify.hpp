@@ -159,6 +159,20 @@ struct Chart {
                 return {Kind::log};
         }
     }
+    static std::string_view range(FitParameter parameter) {
+        switch (parameter) {
+            case FitParameter::offset:
+                return "finite";
+            case FitParameter::fractal_dimension:
+                return "between 1 and 2, both excluded, to start a fit from";
+            case FitParameter::r:
+                return "between 0 and 1, both excluded, to start a fit from";
+            case FitParameter::theta:
+                return "between 0 and pi/2, both excluded, to start a fit from";
+            default:
+                return "finite and greater than 0 to start a fit from";
+        }
+    }
     T variable(T x) const {
         return kind == Kind::identity ? x : kind == Kind::log ? std::log(x) : std::log((x - low) / (high - x));
     }
@@ -208,8 +222,7 @@ template <Real T, class MakeLaw>
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const T x = start[wanted[i]];
-        require(detail::Chart<T>::of(wanted[i]).inside(x), name_of(wanted[i]), x,
-                "inside its range to start a fit from");
+        require(detail::Chart<T>::of(wanted[i]).inside(x), name_of(wanted[i]), x, detail::Chart<T>::range(wanted[i]));
         if (std::count(wanted.begin(), wanted.end(), wanted[i]) > 1)
             throw domain_error(std::string(name_of(wanted[i])) + ": is fitted twice; must be named once");
     }
