@@ -14,6 +14,7 @@ Command add_peaks(CLI::App& app);
 Command add_integral(CLI::App& app);
 Command add_generate(CLI::App& app);
 Command add_ultrasound(CLI::App& app);
+Command add_identify(CLI::App& app);
 Command add_reproduce(CLI::App& app);
 
 }  // namespace fstiff::cli

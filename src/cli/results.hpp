@@ -30,7 +30,8 @@ struct Curve {
 };
 
 struct Results {
-    double modulus = 0;  ///< effective [Pa]
+    double modulus = 0;           ///< effective [Pa]
+    double tangential_ratio = 0;  ///< of the tangential stiffness to K
     std::optional<double> plasticity_index;
     std::vector<Curve> curves;
     std::vector<std::string> warnings;

@@ -6,6 +6,7 @@
 #include "results.hpp"
 
 #include <fstiff/asperity/laws.hpp>
+#include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -33,7 +34,7 @@ struct Options {
 
 Quantity wanted(const Scene& scene) {
     Quantity set = Quantity::pressure;
-    if (scene.stiffness) set = set | Quantity::stiffness;
+    if (scene.needs_stiffness()) set = set | Quantity::stiffness;
     if (scene.real_area) set = set | Quantity::real_area;
     if (scene.contacts) set = set | Quantity::contacts;
     return set;
@@ -55,7 +56,8 @@ void fill(Curve& curve, const Scene& scene, const Contact& contact) {
         const ContactState<double>& state = curve.states.back();
         for (const Estimate<double>* value :
              {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction, &state.contact_density})
-            if (!scene.out_of_reach_is_nan && (!std::isfinite(value->value) || !std::isfinite(value->error)))
+            // the tangential stiffness is up to 4/3 of K
+            if (!scene.out_of_reach_is_nan && (!std::isfinite(2 * value->value) || !std::isfinite(2 * value->error)))
                 throw domain_error(
                     scene.points_where + "law " + std::string(name_of(curve.law)) + ": a result for " +
                     shortest(point) +
@@ -74,14 +76,6 @@ Interaction<double> interaction(const Scene& scene) {
                         : scene.length == InteractionLength::peak_spacing ? 1 / std::sqrt(scene.surface.peak_density)
                                                                           : scene.given_length;
     return result;
-}
-
-PeakDensity<double> peak_density(const Peaks& peaks) {
-    try {
-        return peaks.r ? PeakDensity<double>(*peaks.r, peaks.theta) : PeakDensity<double>::exponential(peaks.theta);
-    } catch (const domain_error& error) {
-        throw domain_error(peaks.where + error.what());
-    }
 }
 
 Curve compute(const Scene& scene, Law law, const PeakDensity<double>& peaks, double modulus) {
@@ -159,11 +153,16 @@ void add_warnings(const Scene& scene, Results& results) {
         std::count(scene.laws.begin(), scene.laws.end(), Law::greenwood_williamson) > 0)
         results.warnings.push_back("interaction is not applied to greenwood_williamson");
 
+    if ((scene.reflection || scene.shear_reflection) && scene.reading != Reading::none)
+        results.warnings.push_back(
+            "K with interaction holds the elasticity of the bulk over the interaction length: its reflection is not "
+            "that of the interface alone");
+
     const std::size_t before = results.warnings.size();
     if (scene.real_area)
         warn_if_any(results, "the real area exceeds the nominal area: the model does not hold there",
                     [](const Curve&, const State& state) { return state.real_area_fraction.value > 1; });
-    if (scene.stiffness)
+    if (scene.needs_stiffness())
         warn_if_any(results, "the stiffness has an error above 1e-6 of its size: the integrals did not converge there",
                     [](const Curve&, const State& state) {
                         return state.stiffness.error >
@@ -202,6 +201,7 @@ Scene with_surface(Scene scene, const std::array<double, parameter_count>& drawn
 /// The band of K over the errors of the surface; every curve and point sees the same samples.
 void add_bands(const Scene& scene, Results& results) {
     Scene lean = scene;  // nothing but K
+    lean.stiffness = true;
     lean.separation = lean.real_area = lean.contacts = false;
     lean.inputs.clear();
     lean.measured.reset();
@@ -242,8 +242,9 @@ Results compute(const Scene& scene) {
     results.warnings = scene.warnings;
     if (scene.yield_strength)
         results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
+    results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     results.curves = compute_curves(scene, results.modulus);
-    if (scene.stiffness && scene.samples > 0 && scene.has_errors()) add_bands(scene, results);
+    if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results);
     add_warnings(scene, results);
     return results;
 }
@@ -251,18 +252,38 @@ Results compute(const Scene& scene) {
 const Band* band(const Curve& curve, std::size_t point) { return curve.band.empty() ? nullptr : &curve.band[point]; }
 
 /// The machine-readable columns of one row; law, theta and r stand before them.
-std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const ContactState<double>& state,
-                                                    const Band* band) {
+std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const Results& results,
+                                                    const ContactState<double>& state, const Band* band) {
     std::vector<std::pair<std::string, double>> row{{"pressure_Pa", state.pressure.value}, {"eta", state.eta}};
+    const auto add = [&](const std::string& name, const std::string& unit, double value, double error) {
+        row.emplace_back(name + unit, value);
+        row.emplace_back(name + "_error" + unit, error);
+    };
+    const auto add_band = [&](const std::string& name, const std::string& unit, double low, double high) {
+        row.emplace_back(name + "_p05" + unit, low);
+        row.emplace_back(name + "_p95" + unit, high);
+    };
+    const double ratio = results.tangential_ratio;
     if (scene.separation) row.emplace_back("separation_m", state.separation.value);
     if (scene.stiffness) {
-        row.emplace_back("stiffness_Pa_per_m", state.stiffness.value);
-        row.emplace_back("stiffness_error_Pa_per_m", state.stiffness.error);
+        add("stiffness", "_Pa_per_m", state.stiffness.value, state.stiffness.error);
+        if (band) add_band("stiffness", "_Pa_per_m", band->low, band->high);
     }
-    if (band) {
-        row.emplace_back("stiffness_p05_Pa_per_m", band->low);
-        row.emplace_back("stiffness_p95_Pa_per_m", band->high);
+    if (scene.tangential_stiffness) {
+        add("tangential_stiffness", "_Pa_per_m", ratio * state.stiffness.value, ratio * state.stiffness.error);
+        if (band) add_band("tangential_stiffness", "_Pa_per_m", ratio * band->low, ratio * band->high);
     }
+    const auto add_reflection = [&](const std::string& name, const Impedances<double>& media, double factor) {
+        const double angular = scene.ultrasound->angular();
+        const auto of = [&](double stiffness, double error) {
+            return reflection_of(factor * stiffness, factor * error, media, angular);
+        };
+        const Estimate<double> r = of(state.stiffness.value, state.stiffness.error);
+        add(name, "", r.value, r.error);
+        if (band) add_band(name, "", of(band->high, 0).value, of(band->low, 0).value);  // R falls with K
+    };
+    if (scene.reflection) add_reflection("reflection", scene.ultrasound->longitudinal, 1);
+    if (scene.shear_reflection) add_reflection("shear_reflection", *scene.ultrasound->shear, ratio);
     if (scene.real_area) row.emplace_back("real_area_fraction", state.real_area_fraction.value);
     if (scene.contacts) row.emplace_back("contacts_per_m2", state.contact_density.value);
     return row;
@@ -271,14 +292,14 @@ std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const Co
 std::string csv(const Scene& scene, const Results& results) {
     std::vector<std::string> header{"law", "theta", "r"};
     const Band none;
-    for (const auto& [name, value] : numbers(scene, {}, results.curves.front().band.empty() ? nullptr : &none))
+    for (const auto& [name, value] : numbers(scene, results, {}, results.curves.front().band.empty() ? nullptr : &none))
         header.push_back(name);
     std::string text = csv_line(header);
     for (const Curve& curve : results.curves)
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             std::vector<std::string> cells{std::string(name_of(curve.law)), curve.theta ? exact(*curve.theta) : "",
                                            curve.r ? exact(*curve.r) : ""};
-            for (const auto& [name, value] : numbers(scene, curve.states[i], band(curve, i)))
+            for (const auto& [name, value] : numbers(scene, results, curve.states[i], band(curve, i)))
                 cells.push_back(exact(value));
             text += csv_line(cells);
         }
@@ -317,6 +338,19 @@ std::string json(const Scene& scene, const Results& results) {
     }
     document["effective_modulus_Pa"] = json_number(results.modulus);
     if (results.plasticity_index) document["plasticity_index"] = json_number(*results.plasticity_index);
+    if (scene.tangential_stiffness || scene.shear_reflection)
+        document["tangential_ratio"] = json_number(results.tangential_ratio);
+    if (scene.ultrasound) {
+        const Waves& waves = *scene.ultrasound;
+        Json& entry = document["ultrasound"] = {{"frequency_Hz", json_number(waves.frequency)},
+                                                {"impedance_Rayl", json_number(waves.longitudinal.incident)},
+                                                {"impedance2_Rayl", json_number(waves.longitudinal.beyond)},
+                                                {"equations", {"(5.1)"}}};
+        if (waves.shear) {
+            entry["shear_impedance_Rayl"] = json_number(waves.shear->incident);
+            entry["shear_impedance2_Rayl"] = json_number(waves.shear->beyond);
+        }
+    }
     Json& laws = document["laws"] = Json::object();
     for (const Law law : scene.laws) laws[std::string(name_of(law))] = equations(law);
     Json& rows = document["rows"] = Json::array();
@@ -325,7 +359,7 @@ std::string json(const Scene& scene, const Results& results) {
             Json row{{"law", name_of(curve.law)}};
             if (curve.theta) row["theta"] = json_number(*curve.theta);
             if (curve.r) row["r"] = json_number(*curve.r);
-            for (const auto& [name, value] : numbers(scene, curve.states[i], band(curve, i)))
+            for (const auto& [name, value] : numbers(scene, results, curve.states[i], band(curve, i)))
                 row[name] = json_number(value);
             if (const Band* of = band(curve, i)) row["samples_out_of_reach"] = of->failed;
             rows.push_back(std::move(row));
@@ -369,6 +403,14 @@ std::string table(const Scene& scene, const Results& results) {
                       (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
                       " over " + rounded(how.length * 1e3) + " mm";
     if (results.plasticity_index) text += ", plasticity index " + rounded(*results.plasticity_index, 3);
+    if (scene.ultrasound) {
+        const Waves& waves = *scene.ultrasound;
+        const auto pair = [](const Impedances<double>& z) {
+            return rounded(z.incident / 1e6) + " and " + rounded(z.beyond / 1e6) + " MRayl";
+        };
+        text += "\n  ultrasound  " + rounded(waves.frequency / 1e6) + " MHz, impedances " + pair(waves.longitudinal);
+        if (waves.shear) text += ", of shear waves " + pair(*waves.shear);
+    }
     text += "\n";
 
     for (const Curve& curve : results.curves) {
@@ -378,7 +420,13 @@ std::string table(const Scene& scene, const Results& results) {
         header.push_back("eta");
         if (scene.separation) header.push_back("separation [µm]");
         if (scene.stiffness) header.insert(header.end(), {"K/A0 [GPa/µm]", "K/A0 [Pa/m]", "error [Pa/m]"});
-        if (!curve.band.empty()) header.insert(header.end(), {"5 % [GPa/µm]", "95 % [GPa/µm]"});
+        const bool banded = !curve.band.empty();
+        if (scene.stiffness && banded) header.insert(header.end(), {"5 % [GPa/µm]", "95 % [GPa/µm]"});
+        if (scene.tangential_stiffness) header.push_back("Kt/A0 [GPa/µm]");
+        if (scene.reflection) header.push_back("|R|");
+        if (scene.reflection && banded) header.insert(header.end(), {"5 %", "95 %"});
+        if (scene.shear_reflection) header.push_back("shear |R|");
+        if (scene.shear_reflection && banded) header.insert(header.end(), {"5 %", "95 %"});
         if (scene.real_area) header.insert(header.end(), {"real area", "mean pressure [GPa]"});
         if (scene.contacts) header.push_back("contacts [1/mm²]");
         TextTable rows(header);
@@ -393,8 +441,19 @@ std::string table(const Scene& scene, const Results& results) {
             if (scene.stiffness)
                 row.insert(row.end(), {rounded(state.stiffness.value / 1e15), rounded(state.stiffness.value, 6),
                                        rounded(state.stiffness.error, 2)});
-            if (const Band* of = band(curve, i))
-                row.insert(row.end(), {rounded(of->low / 1e15), rounded(of->high / 1e15)});
+            const Band* of = band(curve, i);
+            if (scene.stiffness && of) row.insert(row.end(), {rounded(of->low / 1e15), rounded(of->high / 1e15)});
+            const double ratio = results.tangential_ratio;
+            if (scene.tangential_stiffness) row.push_back(rounded(ratio * state.stiffness.value / 1e15));
+            const auto reflected = [&](const Impedances<double>& media, double factor) {
+                const auto add = [&](double stiffness) {
+                    row.push_back(rounded(reflection(factor * stiffness, media, scene.ultrasound->angular())));
+                };
+                add(state.stiffness.value);
+                if (of) add(of->high), add(of->low);
+            };
+            if (scene.reflection) reflected(scene.ultrasound->longitudinal, 1);
+            if (scene.shear_reflection) reflected(*scene.ultrasound->shear, ratio);
             if (scene.real_area) {
                 const double area = state.real_area_fraction.value;
                 row.insert(row.end(), {rounded(area), area > 0 ? rounded(state.pressure.value / area / 1e9) : "-"});
@@ -404,8 +463,13 @@ std::string table(const Scene& scene, const Results& results) {
         }
         text += rows.str();
     }
-    if (scene.stiffness || scene.real_area) text += "\n";
+    if (scene.needs_stiffness() || scene.real_area) text += "\n";
     if (scene.stiffness) text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
+    if (scene.tangential_stiffness || scene.shear_reflection)
+        text +=
+            "Kt/A0 is the tangential stiffness, " + rounded(results.tangential_ratio) + " K/A0 by Mindlin's ratio\n";
+    if (scene.reflection || scene.shear_reflection)
+        text += "|R| is the reflection of the interface as a spring, eq. (5.1); shear waves see Kt/A0\n";
     if (!results.curves.front().band.empty())
         text += "5 % and 95 %: of " + std::to_string(scene.samples) +
                 " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) + "\n";

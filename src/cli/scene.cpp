@@ -50,6 +50,14 @@ std::string_view si_unit(Dimension dimension) {
             return "Pa";
         case Dimension::angle:
             return "rad";
+        case Dimension::frequency:
+            return "Hz";
+        case Dimension::velocity:
+            return "m/s";
+        case Dimension::density:
+            return "kg/m^3";
+        case Dimension::impedance:
+            return "kg/(m^2 s)";
         default:
             return "";
     }
@@ -64,6 +72,14 @@ std::string_view example(Dimension dimension) {
             return "500 /mm^2";
         case Dimension::pressure:
             return "10 MPa";
+        case Dimension::frequency:
+            return "7 MHz";
+        case Dimension::velocity:
+            return "5900 m/s";
+        case Dimension::density:
+            return "7850 kg/m^3";
+        case Dimension::impedance:
+            return "46 MRayl";
         default:
             return "0.8 um";
     }
@@ -221,6 +237,65 @@ void read_materials(Source& source, const toml::table& table, Scene& scene) {
                                       scene.yield_strength)
                       : scene.upper;
     if (!material.find("lower")) source.record("material.lower", "as material.upper (default)");
+}
+
+/// The impedances of a body, of longitudinal waves and, where it is known, of shear waves.
+struct Body {
+    double impedance = 0;
+    std::optional<double> shear_impedance;
+};
+
+/// \p name, or the product of density and \p velocity; none: neither is there.
+std::optional<double> read_impedance(Source& source, const Section& body, std::string_view name,
+                                     std::string_view velocity, std::optional<double> density) {
+    if (body.find(name)) {
+        if (body.find(velocity))
+            throw domain_error(source.at(*body.find(velocity)) + ": " + body.key(velocity) +
+                               ": must not stand beside " + body.key(name) + "; give one of the two");
+        return body.positive(name, Dimension::impedance);
+    }
+    const auto speed = body.optional_positive(velocity, Dimension::velocity);
+    if (!speed) return std::nullopt;
+    const std::string why = "is missing; " + body.key(velocity) + " needs it";
+    if (!density) static_cast<void>(body.at("density", why));
+    const double product = *density * *speed;
+    if (!(product > 0) || !std::isfinite(product))
+        source.refuse(*body.find(velocity), body.key(velocity),
+                      "must make an impedance density * velocity in the range of double precision");
+    return product;
+}
+
+Body read_body(Source& source, const Section& body) {
+    const auto density = body.optional_positive("density", Dimension::density);
+    const auto impedance = read_impedance(source, body, "impedance", "velocity", density);
+    if (!impedance)
+        throw domain_error(source.at(body.node()) + ": " + body.key("impedance") +
+                           ": is missing; the scene needs it, or " + body.key("density") + " and " +
+                           body.key("velocity"));
+    return {*impedance, read_impedance(source, body, "shear_impedance", "shear_velocity", density)};
+}
+
+void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
+    const Section section(source, table, "ultrasound", {"frequency", "upper", "lower"});
+    const std::initializer_list<std::string_view> keys{"impedance", "density", "velocity", "shear_impedance",
+                                                       "shear_velocity"};
+    Waves waves;
+    waves.frequency = section.positive("frequency", Dimension::frequency);
+    if (!std::isfinite(waves.angular()) || waves.angular() == 0)
+        source.refuse(section.at("frequency"), section.key("frequency"), "must be in the range of double precision");
+    const Body upper = read_body(source, Section(source, section.subtable("upper"), "ultrasound.upper", keys));
+    Body lower = upper;
+    if (section.find("lower")) {
+        lower = read_body(source, Section(source, section.subtable("lower"), "ultrasound.lower", keys));
+        if (upper.shear_impedance.has_value() != lower.shear_impedance.has_value())
+            throw domain_error(source.at(table) + ": ultrasound." + (upper.shear_impedance ? "lower" : "upper") +
+                               ".shear_impedance: is missing; shear waves need that of both sides");
+    } else {
+        source.record("ultrasound.lower", "as ultrasound.upper (default)");
+    }
+    waves.longitudinal = {upper.impedance, lower.impedance};
+    if (upper.shear_impedance) waves.shear = {*upper.shear_impedance, *lower.shear_impedance};
+    scene.ultrasound = waves;
 }
 
 /// Measures or reads the file that surface.from or --surface names; messages begin with \p place.
@@ -575,15 +650,31 @@ void read_contact(Source& source, const toml::table& table, Scene& scene, const 
 }
 
 void read_output(Source& source, const toml::table* table, Scene& scene) {
-    constexpr std::array<std::string_view, 4> names{"stiffness", "separation", "real_area", "contacts"};
-    const std::array<bool*, 4> flags{&scene.stiffness, &scene.separation, &scene.real_area, &scene.contacts};
+    constexpr std::array<std::string_view, 7> names{
+        "stiffness", "separation", "real_area", "contacts", "tangential_stiffness", "reflection", "shear_reflection"};
+    const std::array<bool*, 7> flags{&scene.stiffness,       &scene.separation,           &scene.real_area,
+                                     &scene.contacts,        &scene.tangential_stiffness, &scene.reflection,
+                                     &scene.shear_reflection};
     static const toml::table none;
     const Section output(source, table ? *table : none, "output", {"quantities"});
+    const bool shear = scene.ultrasound && scene.ultrasound->shear;
     if (const auto* quantities = output.find("quantities")) {
-        for (const auto i : source.choices(*quantities, output.key("quantities"), names)) *flags[i] = true;
+        const std::string key = output.key("quantities");
+        for (const auto i : source.choices(*quantities, key, names)) *flags[i] = true;
+        if ((scene.reflection || scene.shear_reflection) && !scene.ultrasound)
+            throw domain_error(source.at(*quantities) + ": " + key + ": needs the section ultrasound for " +
+                               (scene.reflection ? "\"reflection\"" : "\"shear_reflection\""));
+        if (scene.shear_reflection && !shear)
+            throw domain_error(source.at(*quantities) + ": " + key +
+                               ": needs ultrasound.upper.shear_impedance or shear_velocity for \"shear_reflection\"");
     } else {
-        for (bool* flag : flags) *flag = true;
-        source.record(output.key("quantities"), "stiffness, separation, real_area, contacts (default)");
+        const std::size_t count = shear ? 7 : scene.ultrasound ? 6 : 4;
+        std::string text;
+        for (std::size_t i = 0; i < count; ++i) {
+            *flags[i] = true;
+            text += (i ? ", " : "") + std::string(names[i]);
+        }
+        source.record(output.key("quantities"), text + " (default)");
     }
 }
 
@@ -678,6 +769,14 @@ std::string_view name_of(Law law) {
         ->first;
 }
 
+PeakDensity<double> peak_density(const Peaks& peaks) {
+    try {
+        return peaks.r ? PeakDensity<double>(*peaks.r, peaks.theta) : PeakDensity<double>::exponential(peaks.theta);
+    } catch (const domain_error& error) {
+        throw domain_error(peaks.where + error.what());
+    }
+}
+
 Scene parse_scene(const std::string& text, const std::string& file, const std::string& surface) {
     Source source{file, {}};
     const toml::table root = parse_toml(text, file);
@@ -685,7 +784,8 @@ Scene parse_scene(const std::string& text, const std::string& file, const std::s
     scene.file = file;
     scene.sha256 = sha256(text);
 
-    const Section top(source, root, "", {"name", "surface", "material", "contact", "uncertainty", "output"});
+    const Section top(source, root, "",
+                      {"name", "surface", "material", "contact", "ultrasound", "uncertainty", "output"});
     if (const auto* name = top.find("name"))
         scene.name = source.text(*name, "name");
     else
@@ -703,6 +803,7 @@ Scene parse_scene(const std::string& text, const std::string& file, const std::s
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.subtable("material"), scene);
     read_contact(source, top.subtable("contact"), scene, surface);
+    if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs = std::move(source.inputs);
     return scene;

@@ -3,8 +3,10 @@
 // A scene: what `fstiff run` computes, read from TOML. Every key, unit and default is in docs/scene.md.
 
 #include "measured_surface.hpp"
+#include "waves.hpp"
 
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/peaks/peak_density.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <algorithm>
@@ -33,6 +35,9 @@ struct Peaks {
     bool of_surface = false;  ///< theta and r are those of [surface], with their errors
     std::string where;        ///< file, line and key for messages
 };
+
+/// \throws domain_error naming the place of the value that no peak density has.
+PeakDensity<double> peak_density(const Peaks& peaks);
 
 enum class Reading { none, effective_separation, as_printed };
 enum class InteractionLength { nominal, peak_spacing, given };
@@ -72,7 +77,16 @@ struct Scene {
     InteractionLength length = InteractionLength::nominal;
     double given_length = 0;  ///< [m], for InteractionLength::given
 
-    bool stiffness = false, separation = false, real_area = false, contacts = false;  ///< output.quantities
+    std::optional<Waves> ultrasound;
+
+    /// output.quantities
+    bool stiffness = false, separation = false, real_area = false, contacts = false;
+    bool tangential_stiffness = false, reflection = false, shear_reflection = false;
+
+    /// Whether K is computed, though it may not be shown.
+    [[nodiscard]] bool needs_stiffness() const {
+        return stiffness || tangential_stiffness || reflection || shear_reflection;
+    }
 
     std::vector<Input> inputs;  ///< every key that was written or filled in by a default
 };

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Parameters of the contact from a measured curve, K(p) or the reflection R(p), by weighted least squares.
+///
+///     minimise  sum_i [(model(p_i + p_0) - y_i)/e_i]^2       over some of sigma, R, D_p, D, E, r, theta, p_0
+///
+/// with the analytic derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp. Positive parameters are fitted
+/// as their logarithms; D, r and theta as ln (x-a)/(b-x) between their ends; the pressure offset p_0 as it is. Intervals
+/// are symmetric in the fitted variable. Without errors e_i, all points count alike (K by relative, R by absolute residual)
+/// and the covariance is scaled by chi^2 over the degrees of freedom.
+///
+/// What a curve can tell: K(p) = B g(p/A) with A = E D_p sigma^(3/2) R^(1/2) a and B = E D_p sigma^(1/2) R^(1/2) b, where g
+/// depends on r and theta, a and b on D. So E, D_p and R enter in the product E D_p sqrt(R) alone, and of
+/// sigma, that product and D no more than two can be found. Asked for more, the fit says singular and which.
+///
+/// Reference   this project; the derivatives as in their headers
+/// Units       SI
+/// Valid       laws with the slopes of contact/sensitivity.hpp, no interaction; pressures p_i + p_0 > 0
+/// Accuracy    the truth lies in the 95 % interval in 95 +- 4 of 100 runs (tests/contact/identify_test.cpp)
+
+#include <fstiff/contact/sensitivity.hpp>
+#include <fstiff/math/least_squares.hpp>
+#include <fstiff/ultrasound/propagation.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace fstiff {
+
+/// What can be fitted; the values index FitParameter.
+enum class FitParameter {
+    rms_height,
+    peak_radius,
+    peak_density,
+    fractal_dimension,
+    effective_modulus,
+    r,
+    theta,
+    offset
+};
+inline constexpr std::size_t fit_parameter_count = 8;
+
+[[nodiscard]] constexpr std::string_view name_of(FitParameter parameter) {
+    constexpr std::array<std::string_view, fit_parameter_count> names{
+        "rms_height", "peak_radius", "peak_density", "fractal_dimension", "effective_modulus", "r", "theta", "offset"};
+    return names[static_cast<std::size_t>(parameter)];
+}
+
+/// Values of all parameters: those that are fitted start from here, the others stay.
+template <Real T>
+struct ContactParameters {
+    T rms_height{};         ///< sigma [m]
+    T peak_radius{};        ///< R [m]
+    T peak_density{};       ///< D_p [1/m^2]
+    T fractal_dimension{};  ///< D; not used by HertzLaw
+    T effective_modulus{};  ///< E [Pa]
+    T r{};
+    T theta{};   ///< [rad]
+    T offset{};  ///< p_0 [Pa]: what is added to the measured pressures
+
+    [[nodiscard]] T& operator[](FitParameter parameter) {
+        T ContactParameters::*const members[fit_parameter_count] = {&ContactParameters::rms_height,
+                                                                    &ContactParameters::peak_radius,
+                                                                    &ContactParameters::peak_density,
+                                                                    &ContactParameters::fractal_dimension,
+                                                                    &ContactParameters::effective_modulus,
+                                                                    &ContactParameters::r,
+                                                                    &ContactParameters::theta,
+                                                                    &ContactParameters::offset};
+        return this->*members[static_cast<std::size_t>(parameter)];
+    }
+    [[nodiscard]] T operator[](FitParameter parameter) const { return ContactParameters(*this)[parameter]; }
+};
+
+template <Real T>
+struct Observation {
+    T pressure{};  ///< nominal [Pa]
+    T value{};     ///< K [Pa/m] or |R|
+    T error{};     ///< its standard error; 0 in every point when it is not known
+};
+
+/// How a reflection was measured; none: the observations are stiffnesses.
+template <Real T>
+struct Wave {
+    Impedances<T> media{};
+    T angular_frequency{};
+    T stiffness_ratio = T(1);  ///< of the stiffness that the wave sees to K: 1, or Mindlin's for shear waves
+};
+
+template <Real T>
+struct IdentifyOptions {
+    std::optional<Wave<T>> wave{};
+    CurvatureScale curvature = CurvatureScale::bush_gibson_thomas;
+    LeastSquaresOptions<T> search{};
+};
+
+template <Real T>
+struct IdentifiedParameter {
+    FitParameter parameter{};
+    T value{}, standard_error{};
+    T low{}, high{};  ///< of the 95 % interval
+    T looseness = 0;  ///< when singular: its share in the combination that the data do not see, of the largest
+};
+
+template <Real T>
+struct Identification {
+    FitStatus status{};
+    std::vector<IdentifiedParameter<T>> parameters;                ///< in the order asked for
+    ContactParameters<T> all{};                                    ///< fitted and fixed
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation;  ///< empty when singular
+    std::vector<T> model;                                          ///< at each observation
+    std::vector<T> residuals;                                      ///< (model - value)/error
+    T chi_squared{};
+    int degrees_of_freedom = 0;
+    bool errors_known = false;  ///< else scaled so that chi^2 = degrees_of_freedom
+    int evaluations = 0;
+};
+
+/// Half the width of the 95 % interval in standard errors: Student's t at \p degrees_of_freedom (0: the normal value).
+/// Closed for 1 and 2; else an expansion, right to 1e-3 from 5 on and to 1 % at 3.
+template <Real T>
+[[nodiscard]] T interval_factor(int degrees_of_freedom) {
+    const T z = T(1.959963984540054);
+    if (degrees_of_freedom <= 0) return z;
+    const auto n = static_cast<T>(degrees_of_freedom);
+    if (degrees_of_freedom == 1) return std::tan(T(0.475) * std::numbers::pi_v<T>);
+    if (degrees_of_freedom == 2) return T(0.95) * std::sqrt(2 / (1 - T(0.95) * T(0.95)));
+    const T s = z * z;
+    return z * (1 + (s + 1) / (4 * n) + ((5 * s + 16) * s + 3) / (96 * n * n) +
+                (((3 * s + 19) * s + 17) * s - 15) / (384 * n * n * n) +
+                ((((79 * s + 776) * s + 1482) * s - 1920) * s - 945) / (92160 * n * n * n * n));
+}
+
+namespace detail {
+
+/// A parameter between its ends as a variable without ends, and back.
+template <Real T>
+struct Chart {
+    enum class Kind { identity, log, between } kind;
+    T low{}, high{};
+
+    static Chart of(FitParameter parameter) {
+        switch (parameter) {
+            case FitParameter::offset:
+                return {Kind::identity};
+            case FitParameter::fractal_dimension:
+                return {Kind::between, T(1), T(2)};
+            case FitParameter::r:
+                return {Kind::between, T(0), T(1)};
+            case FitParameter::theta:
+                return {Kind::between, T(0), std::numbers::pi_v<T> / 2};
+            default:
+                return {Kind::log};
+        }
+    }
+    static std::string_view range(FitParameter parameter) {
+        switch (parameter) {
+            case FitParameter::offset:
+                return "finite";
+            case FitParameter::fractal_dimension:
+                return "between 1 and 2, both excluded, to start a fit from";
+            case FitParameter::r:
+                return "between 0 and 1, both excluded, to start a fit from";
+            case FitParameter::theta:
+                return "between 0 and pi/2, both excluded, to start a fit from";
+            default:
+                return "finite and greater than 0 to start a fit from";
+        }
+    }
+    T variable(T x) const {
+        return kind == Kind::identity ? x : kind == Kind::log ? std::log(x) : std::log((x - low) / (high - x));
+    }
+    T value(T u) const {
+        if (kind == Kind::identity) return u;
+        if (kind == Kind::log) return std::exp(u);
+        return u >= 0 ? high - (high - low) * (std::exp(-u) / (1 + std::exp(-u)))
+                      : low + (high - low) * (std::exp(u) / (1 + std::exp(u)));
+    }
+    T slope(T x) const {  // d value/d variable
+        return kind == Kind::identity ? T(1) : kind == Kind::log ? x : (x - low) * (high - x) / (high - low);
+    }
+    bool inside(T x) const {
+        return kind == Kind::identity ? std::isfinite(x)
+               : kind == Kind::log    ? x > 0 && x <= std::numeric_limits<T>::max()
+                                      : x > low && x < high;
+    }
+};
+
+template <Real T>
+T slope_of(const Sensitivity<T>& s, FitParameter parameter) {
+    const std::array<T, fit_parameter_count> slopes{
+        s.rms_height,        s.peak_radius, s.peak_density, s.fractal_dimension,
+        s.effective_modulus, s.r,           s.theta,        s.pressure};
+    return slopes[static_cast<std::size_t>(parameter)];
+}
+
+}  // namespace detail
+
+/// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as
+/// [](T dimension) { return FractalLaw<T>(dimension); }.
+/// \throws domain_error for data or starting values that no model has, or fewer points than parameters.
+template <Real T, class MakeLaw>
+[[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data,
+                                         const std::vector<FitParameter>& wanted, const ContactParameters<T>& start,
+                                         const MakeLaw& law, const IdentifyOptions<T>& options = {}) {
+    using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+    using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+    const auto with_error = std::count_if(data.begin(), data.end(), [](const auto& o) { return o.error > 0; });
+    const bool known = with_error > 0;
+    for (const auto& o : data) {
+        require_positive("pressure", o.pressure);
+        require_positive(options.wave ? "reflection" : "stiffness", o.value);
+        // R a little above 1 is what noise makes of light loads; left out, it would bias the rest
+        if (options.wave) require(o.value < 2, "reflection", o.value, "at most 1, but for noise");
+        if (known) require_positive("error", o.error);
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const T x = start[wanted[i]];
+        require(detail::Chart<T>::of(wanted[i]).inside(x), name_of(wanted[i]), x, detail::Chart<T>::range(wanted[i]));
+        if (std::count(wanted.begin(), wanted.end(), wanted[i]) > 1)
+            throw domain_error(std::string(name_of(wanted[i])) + ": is fitted twice; must be named once");
+    }
+    const auto count = static_cast<Eigen::Index>(wanted.size());
+    const auto points = static_cast<Eigen::Index>(data.size());
+
+    Identification<T> out;
+    out.errors_known = known;
+    const auto parameters_at = [&](const Vector& u) {
+        ContactParameters<T> x = start;
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const FitParameter p = wanted[static_cast<std::size_t>(i)];
+            x[p] = detail::Chart<T>::of(p).value(u(i));
+        }
+        return x;
+    };
+    std::vector<T> model(data.size());
+    const auto evaluate = [&](const Vector& u, Vector& f, Matrix& jacobian) {
+        const ContactParameters<T> x = parameters_at(u);
+        for (const FitParameter p : wanted)
+            if (!detail::Chart<T>::of(p).inside(x[p])) return false;
+        for (std::size_t i = 0; i < data.size(); ++i) {
+            if (!(data[i].pressure + x.offset > 0)) return false;
+            Sensitivity<T> s;
+            try {
+                s = sensitivity(Roughness<T>{x.rms_height, x.peak_radius, x.peak_density, T(0)},
+                                PeakDensity<T>(x.r, x.theta), law(x.fractal_dimension), x.effective_modulus,
+                                data[i].pressure + x.offset, options.curvature);
+            } catch (const domain_error&) {
+                return false;  // beyond the reach of the model
+            }
+            T value = s.stiffness, chain = 1;
+            if (options.wave) {
+                const auto& wave = *options.wave;
+                value = reflection(wave.stiffness_ratio * s.stiffness, wave.media, wave.angular_frequency);
+                chain = wave.stiffness_ratio *
+                        reflection_slope(wave.stiffness_ratio * s.stiffness, wave.media, wave.angular_frequency);
+            }
+            const T error = known ? data[i].error : options.wave ? T(1) : data[i].value;
+            const auto row = static_cast<Eigen::Index>(i);
+            model[i] = value;
+            f(row) = (value - data[i].value) / error;
+            for (Eigen::Index k = 0; k < count; ++k) {
+                const FitParameter p = wanted[static_cast<std::size_t>(k)];
+                jacobian(row, k) = detail::slope_of(s, p) * chain * detail::Chart<T>::of(p).slope(x[p]) / error;
+            }
+        }
+        return true;
+    };
+    Vector u(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const FitParameter p = wanted[static_cast<std::size_t>(i)];
+        u(i) = detail::Chart<T>::of(p).variable(start[p]);
+    }
+    const LeastSquaresFit<T> fit = least_squares<T>(u, points, evaluate, options.search);
+
+    out.status = fit.status;
+    out.evaluations = fit.evaluations;
+    out.all = parameters_at(fit.parameters);
+    {
+        Vector f(points);
+        Matrix jacobian(points, count);
+        static_cast<void>(evaluate(fit.parameters, f, jacobian));  // the model at the end, not at the last trial
+    }
+    out.model = model;
+    out.residuals.assign(fit.residuals.data(), fit.residuals.data() + points);
+    out.degrees_of_freedom = static_cast<int>(points - count);
+    out.chi_squared = fit.sum_of_squares;
+    T scale = 1;
+    if (!known && out.degrees_of_freedom > 0) {
+        scale = std::sqrt(fit.sum_of_squares / static_cast<T>(out.degrees_of_freedom));
+        if (scale > 0)
+            for (T& residual : out.residuals) residual /= scale;
+        out.chi_squared = scale > 0 ? static_cast<T>(out.degrees_of_freedom) : T(0);
+    }
+    const bool has_errors = fit.covariance.size() > 0 && (known || out.degrees_of_freedom > 0);
+    const T factor = interval_factor<T>(known ? 0 : out.degrees_of_freedom);
+    if (has_errors) {
+        out.covariance = fit.covariance * (scale * scale);
+        out.correlation = fit.covariance;
+        const Vector deviation = fit.covariance.diagonal().cwiseSqrt();
+        for (Eigen::Index i = 0; i < count; ++i)
+            for (Eigen::Index k = 0; k < count; ++k)
+                out.correlation(i, k) = i == k ? T(1) : fit.covariance(i, k) / (deviation(i) * deviation(k));
+    }
+    const T largest = fit.loose.size() > 0 ? fit.loose.cwiseAbs().maxCoeff() : T(1);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const FitParameter p = wanted[static_cast<std::size_t>(i)];
+        const auto chart = detail::Chart<T>::of(p);
+        IdentifiedParameter<T> found;
+        found.parameter = p;
+        found.value = found.low = found.high = out.all[p];
+        if (fit.loose.size() > 0) found.looseness = std::abs(fit.loose(i)) / largest;
+        if (has_errors) {
+            const T deviation = scale * std::sqrt(fit.covariance(i, i));
+            found.standard_error = deviation * chart.slope(found.value);
+            found.low = chart.value(fit.parameters(i) - factor * deviation);
+            found.high = chart.value(fit.parameters(i) + factor * deviation);
+        }
+        out.parameters.push_back(found);
+    }
+    if (has_errors)
+        for (Eigen::Index i = 0; i < count; ++i)
+            for (Eigen::Index k = 0; k < count; ++k) {
+                const FitParameter a = wanted[static_cast<std::size_t>(i)], b = wanted[static_cast<std::size_t>(k)];
+                out.covariance(i, k) *=
+                    detail::Chart<T>::of(a).slope(out.all[a]) * detail::Chart<T>::of(b).slope(out.all[b]);
+            }
+    return out;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Nonlinear least squares with given derivatives, and what the data say of each parameter.
+///
+///     minimise |f(x)|^2 by (J^T J + lambda diag(J^T J)) dx = -J^T f                          Levenberg-Marquardt
+///     covariance (J^T J)^-1 at the minimum, for residuals f in units of their standard error
+///
+/// The steps solve the least-squares problem of J and the damping by QR, not the normal equations. Directions in which f does
+/// not change are found from the singular values of J with its columns scaled to length 1: parameters that the data cannot
+/// tell apart.
+///
+/// Reference   Marquardt, SIAM J. Appl. Math. 11 (1963) 431-441; More, Lecture Notes in Math. 630 (1978) 105-116 (scaling).
+/// Units       those of the caller
+/// Valid       at least as many residuals as parameters; f finite at the start
+/// Accuracy    the step left at the end is below the tolerance times the standard errors (tests/math/least_squares_test.cpp)
+
+#include <fstiff/core/error.hpp>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace fstiff {
+
+template <Real T>
+struct LeastSquaresOptions {
+    int most_steps = 200;
+    T tolerance = T(1e-7);       ///< a step below this times the standard errors ends the search
+    T nothing = T(1e-11);        ///< a change of the residuals that counts as none
+    T singular_value = T(1e-7);  ///< least singular value of the scaled J, over the largest, that counts as a direction
+};
+
+enum class FitStatus {
+    converged,
+    singular,      ///< a combination of the parameters leaves the residuals as they are: no covariance
+    not_converged  ///< steps used up, or no step made the residuals smaller before the end was reached
+};
+
+template <Real T>
+struct LeastSquaresFit {
+    using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+    using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+    FitStatus status = FitStatus::not_converged;
+    Vector parameters, residuals;
+    Matrix covariance;  ///< empty when singular
+    Vector loose;       ///< when singular: the direction that the data do not see, of length 1 in scaled parameters
+    T sum_of_squares{};
+    int evaluations = 0;
+};
+
+/// Minimises |f|^2 from \p start. \p evaluate(x, f, J) fills residuals and derivatives, and returns whether x is in the
+/// domain of the model. \throws domain_error when there are fewer residuals than parameters, or the start is outside.
+template <Real T, class Evaluate>
+[[nodiscard]] LeastSquaresFit<T> least_squares(const Eigen::Matrix<T, Eigen::Dynamic, 1>& start, Eigen::Index residuals,
+                                               const Evaluate& evaluate, const LeastSquaresOptions<T>& options = {}) {
+    using Fit = LeastSquaresFit<T>;
+    using Vector = typename Fit::Vector;
+    using Matrix = typename Fit::Matrix;
+    const Eigen::Index count = start.size();
+    if (count == 0) throw domain_error("parameters to fit: none; must be at least 1");
+    if (residuals < count)
+        throw domain_error("data: " + std::to_string(residuals) + " points; must be at least as many as the " +
+                           std::to_string(count) + " parameters to fit");
+    Fit fit;
+    fit.parameters = start;
+    fit.residuals.resize(residuals);
+    Matrix jacobian(residuals, count), trial_jacobian(residuals, count);
+    Vector trial_residuals(residuals);
+    const auto usable = [&](const Vector& x, Vector& f, Matrix& j) {
+        ++fit.evaluations;
+        return evaluate(x, f, j) && f.allFinite() && j.allFinite() && std::isfinite(f.squaredNorm());
+    };
+    if (!usable(start, fit.residuals, jacobian))
+        throw domain_error("the starting values: the model has no value there for the data; must be closer to them");
+    fit.sum_of_squares = fit.residuals.squaredNorm();
+
+    const auto scales = [&] {
+        Vector scale = jacobian.colwise().norm();
+        for (T& s : scale) s = s > 0 ? s : T(1);
+        return scale;
+    };
+    T damping = T(1e-3);
+    bool ended = false;
+    for (int step = 0; step < options.most_steps && !ended; ++step) {
+        const Vector scale = scales();
+        Matrix stacked = Matrix::Zero(residuals + count, count);
+        stacked.topRows(residuals) = jacobian * scale.cwiseInverse().asDiagonal();
+        stacked.bottomRows(count).diagonal().setConstant(std::sqrt(damping));
+        Vector right = Vector::Zero(residuals + count);
+        right.head(residuals) = -fit.residuals;
+        const Vector scaled = stacked.colPivHouseholderQr().solve(right);
+        const Vector trial = fit.parameters + scaled.cwiseQuotient(scale);
+        const bool inside = trial.allFinite() && usable(trial, trial_residuals, trial_jacobian);
+        const T found = inside ? trial_residuals.squaredNorm() : std::numeric_limits<T>::infinity();
+        // |scaled| is the change of the residuals: small against their standard error, 1, or against their own size
+        const T small = std::max(options.tolerance * std::min(T(1), std::sqrt(fit.sum_of_squares)), options.nothing);
+        if (found <= fit.sum_of_squares) {
+            const bool little = fit.sum_of_squares - found <= T(1e-3) * options.tolerance * fit.sum_of_squares;
+            ended = damping <= T(1e-3) * T(1.001) && (scaled.norm() <= small || (little && damping < T(1e-6)));
+            fit.parameters = trial;
+            fit.residuals = trial_residuals;
+            jacobian = trial_jacobian;
+            fit.sum_of_squares = found;
+            damping = std::max(damping / 10, std::numeric_limits<T>::epsilon());
+            if (found == 0) ended = true;
+        } else {
+            // no step at all makes it smaller any more: the end of the digits
+            if (scaled.norm() <= small) ended = true;
+            damping *= 8;
+            if (damping > T(1e12)) break;
+        }
+    }
+
+    const Vector scale = scales();
+    const Eigen::JacobiSVD<Matrix> svd(Matrix(jacobian * scale.cwiseInverse().asDiagonal()), Eigen::ComputeThinV);
+    const auto& values = svd.singularValues();
+    const bool blind = (jacobian.colwise().norm().array() == 0).any();
+    if (blind || values(count - 1) <= options.singular_value * values(0)) {
+        fit.status = FitStatus::singular;
+        fit.loose = svd.matrixV().col(count - 1);
+        return fit;
+    }
+    const Matrix half = scale.cwiseInverse().asDiagonal() * svd.matrixV() * values.cwiseInverse().asDiagonal();
+    fit.covariance = half * half.transpose();
+    fit.status = ended ? FitStatus::converged : FitStatus::not_converged;
+    return fit;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// How reflection and stiffness of a spring-like interface move together: slopes, and the error of K from that of R.
+///
+///     s = K (z1+z2)/(omega z1 z2),  c = |z1-z2|/(z1+z2)
+///     dR/dK = -(ds/dK) (s/R) (1-c^2)/(1+s^2)^2
+///     dK/dR = -K R (1-c)(1+c) / [(1-R)(1+R) (R-c)(R+c)]
+///     error of K = |dK/dR| error of R                                                                    to first order
+///
+/// Like media: c = 0 and dK/dR = -K/(R (1-R)(1+R)), so that the relative error of K is least, 2.6 times the error of R, at
+/// R = 1/sqrt(3), and grows without bound towards R = 1 (no contact) and the welded joint. The waves may be longitudinal (z
+/// from the longitudinal velocity, K normal) or shear (z from the shear velocity, K tangential, see asperity/mindlin.hpp):
+/// the interface does not mix them at normal incidence.
+///
+/// Reference   differentiates ultrasound/spring_interface.hpp, eq. (5.1) of Buczkowski et al. (2014) for unlike media.
+/// Units       K [Pa/m], R dimensionless
+/// Valid       as spring_interface.hpp
+/// Accuracy    16 epsilon; dK/dR beyond R = c + 1e-3 (tests/ultrasound/propagation_test.cpp)
+
+#include <fstiff/ultrasound/spring_interface.hpp>
+
+#include <cmath>
+
+namespace fstiff {
+
+/// dR/dK [m/Pa] at \p stiffness: 0 for an open gap, negative beyond. \throws domain_error as reflection.
+template <Real T>
+[[nodiscard]] T reflection_slope(T stiffness, const Impedances<T>& media, T angular_frequency) {
+    const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
+    const T c = detail::contrast(media);
+    const T r = reflection(stiffness, media, angular_frequency);
+    const T y = s <= 1 ? s : 1 / s;
+    const T share = s <= 1 ? s / ((1 + s * s) * (1 + s * s)) : y * y * y / ((1 + y * y) * (1 + y * y));
+    const auto [low, high] = std::minmax({media.incident, media.beyond});
+    const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));  // 1 - c^2
+    return r > 0 || c > 0 ? -share * passed / r / angular_frequency / detail::joint_impedance(media) : T(0);
+}
+
+/// A stiffness with its standard error [Pa/m].
+template <Real T>
+struct MeasuredStiffness {
+    T value{};
+    T error{};
+    T slope{};  ///< dK/dR [Pa/m], negative
+};
+
+/// K and its error from |R| = \p reflection with the standard error \p reflection_error, to first order.
+/// \throws domain_error unless |z1-z2|/(z1+z2) < R < 1 and the error is finite and not negative.
+template <Real T>
+[[nodiscard]] MeasuredStiffness<T> measured_stiffness(T reflection, T reflection_error, const Impedances<T>& media,
+                                                      T angular_frequency) {
+    require(reflection_error >= 0 && reflection_error <= std::numeric_limits<T>::max(), "reflection_error",
+            reflection_error, "finite and not negative");
+    const T k = stiffness_from_reflection(reflection, media, angular_frequency);
+    const T c = detail::contrast(media);
+    const auto [low, high] = std::minmax({media.incident, media.beyond});
+    const int scale = std::ilogb(high);
+    const T a = std::scalbn(low, -scale), b = std::scalbn(high, -scale);
+    const T above = detail::above_welded(reflection, a, b) / (a + b);  // R - c
+    const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));
+    const T slope = -k * (passed / above) * (reflection / (reflection + c)) / ((1 - reflection) * (1 + reflection));
+    return {k, -slope * reflection_error, slope};
+}
+
+}  // namespace fstiff

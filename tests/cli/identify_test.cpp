@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+
+#include "support/accuracy.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+/// A scene with one law and peak density; \p sigma and \p density are what the fits start from.
+std::string scene(const std::string& sigma = "0.832 um", const std::string& density = "500 /mm^2",
+                  const std::string& laws = "\"hertz\"") {
+    return "name = \"fine\"\n[surface]\nrms_height = \"" + sigma + "\"\npeak_radius = \"40 um\"\npeak_density = \"" +
+           density +
+           "\"\nfractal_dimension = 1.62\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+           "[contact]\npressures = { from = \"1 MPa\", to = \"60 MPa\", count = 12 }\nlaws = [" +
+           laws +
+           "]\npeaks = [ { theta = \"pi/3\", r = 0.4 } ]\n[ultrasound]\nfrequency = \"7 MHz\"\n"
+           "upper = { density = \"7850 kg/m^3\", velocity = \"5900 m/s\", shear_velocity = \"3200 m/s\" }\n";
+}
+
+/// K(p) or R(p) of the scene as a measured file: with errors of \p error of K, or absolute for R, and disturbed by
+/// \p noise of them up and down in turn.
+std::string measured(const std::string& column, double error, double noise = 0, const std::string& text = scene()) {
+    const auto outcome = test::fstiff("run - --format csv", text);
+    REQUIRE(outcome.status == 0);
+    const test::Csv rows(outcome.out);
+    const bool is_stiffness = test::contains(column, "stiffness");
+    std::string file = std::string("pressure [Pa],") + (is_stiffness ? "stiffness [Pa/m]" : "reflection") +
+                       (error > 0 ? is_stiffness ? ",error [Pa/m]" : ",error" : "") + "\n";
+    const double pattern[4] = {1, -0.6, -1.2, 0.8};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double value = rows.number(i, column), deviation = is_stiffness ? error * value : error;
+        char line[128];
+        std::snprintf(line, sizeof line, "%.17g,%.17g", rows.number(i, "pressure_Pa"),
+                      value + noise * deviation * pattern[i % 4]);
+        file += line;
+        std::snprintf(line, sizeof line, ",%.17g", deviation);
+        file += (error > 0 ? line : "") + std::string("\n");
+    }
+    return file;
+}
+
+nlohmann::json identify(const test::Folder& folder, const std::string& start, const std::string& data,
+                        const std::string& arguments, int status = 0) {
+    folder.write("scene.toml", start);
+    folder.write("data.csv", data);
+    const auto outcome = test::fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
+                                      "' --format json " + arguments);
+    INFO(arguments << "\n" << outcome.err);
+    REQUIRE(outcome.status == status);
+    return nlohmann::json::parse(outcome.out);
+}
+
+double value(const nlohmann::json& fit, std::size_t i) { return fit["parameters"][i]["value"].get<double>(); }
+
+}  // namespace
+
+TEST_CASE("identify gives back the parameters that run computed a curve from") {
+    const test::Folder folder;
+    const auto document =
+        identify(folder, scene("1 um", "300 /mm^2"), measured("stiffness_Pa_per_m", 0.02), "--fit sigma,Dp");
+    REQUIRE(document["fits"].size() == 1);
+    const auto& fit = document["fits"][0];
+    CHECK(fit["status"] == "converged");
+    // K has 13 digits or better; sigma and Dp answer with a factor of some 10
+    CHECK(test::relative_error(value(fit, 0), 0.832e-6) < 1e-9);
+    CHECK(test::relative_error(value(fit, 1), 500e6) < 1e-9);
+    CHECK(fit["degrees_of_freedom"] == 10);
+    CHECK(fit["chi_squared"].get<double>() < 1e-10);
+    CHECK(fit["parameters"][0]["start"] == 1e-6);
+    CHECK(fit["rows"].size() == 12);
+}
+
+TEST_CASE("identify finds parameters from reflections, longitudinal and shear, and the offset of the pressure") {
+    const test::Folder folder;
+    const std::string start = scene("0.7 um", "600 /mm^2");
+    for (const std::string wave : {"", "shear_"}) {
+        const auto document =
+            identify(folder, start, measured(wave + "reflection", 1e-4),
+                     "--fit rms_height,peak_density" + std::string(wave.empty() ? "" : " --wave shear"));
+        INFO(document.dump(1));
+        // 1 - R is 4e-6 at 1 MPa and K comes from the lost digits; the points at high pressure carry the fit
+        CHECK(test::relative_error(value(document["fits"][0], 0), 0.832e-6) < 1e-7);
+        CHECK(test::relative_error(value(document["fits"][0], 1), 500e6) < 1e-7);
+        CHECK(document["measured"]["quantity"] == "reflection");
+    }
+    // every pressure is read 0.2 MPa too low
+    const std::string data = measured("stiffness_Pa_per_m", 0.01);
+    std::string shifted;
+    for (const std::string& line : test::lines(data)) {
+        char number[64];
+        const auto comma = line.find(',');
+        if (!shifted.empty()) std::snprintf(number, sizeof number, "%.17g", std::stod(line) - 0.2e6);
+        shifted += (shifted.empty() ? line : number + line.substr(comma)) + "\n";
+    }
+    const auto document = identify(folder, start, shifted, "--fit sigma,Dp,offset");
+    CHECK(test::relative_error(value(document["fits"][0], 2), 0.2e6) < 1e-7);
+}
+
+TEST_CASE(
+    "identify: the covariance is symmetric, its diagonal the squared errors, and the residuals are those of the data") {
+    const test::Folder folder;
+    const auto document = identify(folder, scene(), measured("stiffness_Pa_per_m", 0.02, 1), "--fit sigma,Dp");
+    const auto& fit = document["fits"][0];
+    double sum = 0;
+    for (const auto& row : fit["rows"]) {
+        const double residual =
+            (row["model"].get<double>() - row["stiffness_Pa_per_m"].get<double>()) / row["error"].get<double>();
+        CHECK(std::abs(row["residual"].get<double>() - residual) < 1e-10);
+        sum += residual * residual;
+    }
+    CHECK(test::relative_error(fit["chi_squared"].get<double>(), sum) < 1e-10);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& p = fit["parameters"][i];
+        const double error = p["standard_error"].get<double>();
+        CHECK(test::relative_error(fit["covariance"][i][i].get<double>(), error * error) < 1e-12);
+        CHECK(fit["correlation"][i][i] == 1.0);
+        // even in the logarithm, 1.96 standard errors to each side
+        const double width = std::exp(1.959963984540054 * error / p["value"].get<double>());
+        CHECK(test::relative_error(p["interval"]["high"].get<double>(), p["value"].get<double>() * width) < 1e-12);
+        CHECK(test::relative_error(p["interval"]["low"].get<double>(), p["value"].get<double>() / width) < 1e-12);
+    }
+    CHECK(fit["covariance"][0][1] == fit["covariance"][1][0]);
+}
+
+TEST_CASE("identify without errors takes them from the scatter") {
+    const test::Folder folder;
+    const std::string with = measured("stiffness_Pa_per_m", 0.02, 1);
+    std::string without;  // the same data without their last column
+    for (const std::string& line : test::lines(with)) without += line.substr(0, line.rfind(',')) + "\n";
+    const auto known = identify(folder, scene(), with, "--fit sigma")["fits"][0];
+    const auto unknown = identify(folder, scene(), without, "--fit sigma")["fits"][0];
+    CHECK(known["errors_known"] == true);
+    CHECK(unknown["errors_known"] == false);
+    // weights 1/(2 % of the true K) and 1/(measured K): nearly the same fit, the scatter instead of the errors
+    const double scatter = std::sqrt(known["chi_squared"].get<double>() / 11);
+    CHECK(test::relative_error(unknown["parameters"][0]["standard_error"].get<double>(),
+                               scatter * known["parameters"][0]["standard_error"].get<double>()) < 0.05);
+}
+
+TEST_CASE("identify: parameters that the data cannot tell apart end with exit code 4 and their names") {
+    const test::Folder folder;
+    const std::string data = measured("stiffness_Pa_per_m", 0.02);
+    const auto product = identify(folder, scene(), data, "--fit R,Dp,offset", 4);
+    const std::string warning = product["warnings"][0];
+    INFO(warning);
+    CHECK(test::contains(warning, "cannot tell R and Dp apart"));
+    CHECK(test::contains(warning, "E Dp sqrt(R)"));
+    CHECK(product["fits"][0]["status"] == "singular");
+    CHECK(!product["fits"][0].contains("covariance"));
+    CHECK(!product["fits"][0]["parameters"][0].contains("value"));
+    const auto blind = identify(folder, scene(), data, "--fit D", 4);
+    CHECK(test::contains(blind["warnings"][0].get<std::string>(), "do not depend on D here"));
+    const auto table =
+        test::fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit R,Dp");
+    CHECK(table.status == 4);
+    CHECK(test::contains(table.out, "singular"));
+    CHECK(test::contains(table.out, "warning: hertz"));
+    const auto csv = test::fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
+                                  "' --fit R,Dp --format csv");
+    CHECK(test::Csv(csv.out).text(1, "value").empty());
+    CHECK(test::contains(csv.err, "cannot tell R and Dp apart"));
+}
+
+TEST_CASE("identify says when a parameter runs out of its range, or is hardly known") {
+    const test::Folder folder;
+    // D would have to make K smaller than the least that the factor f of the fractal law, 4/3, gives
+    const auto hertz = identify(folder, scene("0.832 um", "500 /mm^2", "\"fractal\""),
+                                measured("stiffness_Pa_per_m", 0.02), "--fit D", 4);
+    CHECK(test::contains(hertz["warnings"].dump(), "D came to the end of its range"));
+    const auto vague = identify(folder, scene(), "p [MPa],K [GPa/um],error [GPa/um]\n1,0.004,1\n2,0.008,1\n3,0.01,1\n",
+                                "--fit sigma,Dp");
+    CHECK(test::contains(vague["warnings"].dump(), "next to nothing of sigma"));
+}
+
+TEST_CASE("identify fits every law of the scene and says which describes the data") {
+    const test::Folder folder;
+    const std::string both = scene("0.8 um", "450 /mm^2", "\"hertz\", \"fractal\", \"greenwood_williamson\"");
+    const std::string data = measured("stiffness_Pa_per_m", 0.02);
+    const auto document = identify(folder, both, data, "--fit sigma");
+    REQUIRE(document["fits"].size() == 2);
+    CHECK(document["fits"][0]["chi_squared"].get<double>() < document["fits"][1]["chi_squared"].get<double>());
+    CHECK(test::contains(document["warnings"].dump(), "greenwood_williamson is not fitted"));
+    CHECK(test::contains(document["warnings"].dump(), "does not describe the data"));
+    const auto one = identify(folder, both, data, "--fit sigma --law fractal");
+    REQUIRE(one["fits"].size() == 1);
+    CHECK(one["fits"][0]["law"] == "fractal");
+    CHECK(one["fits"][0]["parameters"] == document["fits"][1]["parameters"]);
+}
+
+TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
+    const test::Folder folder;
+    const auto fit = identify(folder, scene(), measured("stiffness_Pa_per_m", 0.02, 1), "--fit 'sigma, Dp'")["fits"][0];
+    const std::string call =
+        "identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit sigma,Dp";
+    const test::Csv csv(test::fstiff(call + " --format csv").out);
+    REQUIRE(csv.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(csv.number(i, "value") == value(fit, i));
+        CHECK(csv.number(i, "standard_error") == fit["parameters"][i]["standard_error"].get<double>());
+        CHECK(csv.number(i, "correlation_Dp") == fit["correlation"][i][1].get<double>());
+        CHECK(csv.number(i, "chi_squared") == fit["chi_squared"].get<double>());
+    }
+    const auto table = test::fstiff(call + " --plot '" + folder / "fit.svg" + "'");
+    CHECK(table.status == 0);
+    for (const char* part : {"sigma [µm]", "D_p [1/mm²]", "standard error", "95 % from", "correlation", "chi²/dof",
+                             "residual [errors]", "12 points"}) {
+        INFO(part);
+        CHECK(test::contains(table.out, part));
+    }
+    const std::string picture = test::read(folder / "fit.svg");
+    CHECK(test::contains(picture, "</svg>"));
+    CHECK(test::contains(picture, "Residuals"));
+    // two panels: measured and model above, residuals below, 12 points each
+    CHECK(test::lines(test::read(folder / "fit.csv")).size() >= 1 + 3 * 12);
+}
+
+TEST_CASE("identify refuses what it cannot fit, in one sentence") {
+    const test::Folder folder;
+    const std::string good = folder.write("scene.toml", scene()), start = "identify '" + good + "' --measured - ";
+    const std::string data = measured("stiffness_Pa_per_m", 0.02);
+    const auto refused = [&](const std::string& call, int status, const std::vector<std::string>& parts,
+                             const std::string& input) { test::check_refused(call, status, parts, input); };
+    refused(start + "--fit sigma,width", 2, {"--fit", "width", "\"offset\""}, data);
+    refused(start + "--fit sigma,sigma", 2, {"--fit", "sigma", "twice"}, data);
+    refused(start, 2, {"--fit"}, data);
+    refused("identify '" + good + "' --fit sigma", 2, {"--measured"}, data);
+    refused("identify - --measured - --fit sigma", 2, {"standard input"}, data);
+    refused(start + "--fit sigma --law gauss", 2, {"--law"}, data);
+    refused(start + "--fit sigma --law fractal", 3, {"contact.laws", "\"fractal\""}, data);
+    refused(start + "--fit sigma --wave shear", 2, {"--wave shear", "stiffnesses"}, data);
+    refused(start + "--fit sigma --plot fit.png", 2, {".svg"}, data);
+    refused(start + "--fit sigma", 3, {"standard input:1", "pressure"}, "a,b\n1,2\n");
+    refused(start + "--fit sigma,Dp,offset", 3, {"2 points", "3 parameters"}, "p [MPa],K [GPa/um]\n1,0.01\n2,0.02\n");
+    refused(start + "--fit sigma", 3, {"standard input:2", "error = 0", "greater than 0"},
+            "p [MPa],K [GPa/um],error [GPa/um]\n1,0.01,0\n2,0.02,0.001\n");
+    refused(start + "--fit sigma", 3, {"standard input:2", "reflection = 3"}, "p [MPa],R\n1,3\n2,0.9\n");
+    folder.write("scene.toml", test::replaced(scene(), "peaks =",
+                                              "interaction = { reading = \"as_printed\", length = "
+                                              "\"peak_spacing\" }\npeaks ="));
+    refused(start + "--fit sigma", 3, {"contact.interaction", "none"}, data);
+    folder.write("scene.toml", scene().substr(0, scene().find("[ultrasound]")));
+    refused(start + "--fit sigma", 3, {"ultrasound", "missing"}, "p [MPa],R\n1,0.99\n2,0.9\n");
+    folder.write("scene.toml", test::replaced(scene(), "fractal_dimension = 1.62\n", ""));
+    refused(start + "--fit D", 3, {"surface.fractal_dimension", "missing"}, data);
+    folder.write("scene.toml", test::replaced(scene(), "r = 0.4", "r = 0.0"));
+    refused(start + "--fit r", 3, {"r = 0", "between 0 and 1"}, data);
+    folder.write("scene.toml", scene("0.8 um", "500 /mm^2", "\"greenwood_williamson\""));
+    refused(start + "--fit sigma", 3, {"contact.laws", "no derivatives"}, data);
+}

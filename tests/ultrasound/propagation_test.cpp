@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/ultrasound/propagation.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <random>
+
+using namespace fstiff;
+
+namespace {
+
+using Real80 = long double;
+
+/// f' by a six-point difference: truncation (1e-3)^6 of the scale of f, 1e-14 or so; rounding 1e-16.
+template <class F>
+Real80 difference(const F& f, Real80 at, Real80 h) {
+    return (45 * (f(at + h) - f(at - h)) - 9 * (f(at + 2 * h) - f(at - 2 * h)) + (f(at + 3 * h) - f(at - 3 * h))) /
+           (60 * h);
+}
+
+const Impedances<double> pairs[] = {{46e6, 46e6}, {46e6, 17e6}, {17e6, 46e6}, {46e6, 1.5e6}, {46e6, 45.9e6}};
+
+}  // namespace
+
+TEST_CASE("dR/dK agrees with differences") {
+    const double omega = 2 * std::numbers::pi * 7e6;
+    for (const auto& media : pairs)
+        for (double k = 1e12; k < 1e19; k *= 3.7) {
+            const Impedances<Real80> wide{media.incident, media.beyond};
+            const Real80 truth =
+                difference([&](Real80 x) { return reflection<Real80>(x, wide, Real80(omega)); }, k, Real80(1e-3) * k);
+            INFO("K " << k << " z " << media.incident << " " << media.beyond);
+            // the difference itself loses eps R/(K dR/dK): up to 1e-12 where R hardly changes
+            CHECK(std::abs(reflection_slope(k, media, omega) - static_cast<double>(truth)) * k <=
+                  1e-12 * std::abs(static_cast<double>(truth)) * k + 1e-15);
+        }
+    CHECK(reflection_slope(0.0, pairs[0], omega) == 0);
+}
+
+TEST_CASE("dK/dR agrees with differences and is the inverse of dR/dK") {
+    const double omega = 2 * std::numbers::pi * 7e6;
+    for (const auto& media : pairs) {
+        const double welded = welded_reflection(media);
+        for (const double share : {0.01, 0.1, 0.5, 0.9, 0.99, 0.9999}) {
+            const double r = welded + share * (1 - welded);
+            const Impedances<Real80> wide{media.incident, media.beyond};
+            const Real80 step = 1e-4L * std::min<Real80>(1 - Real80(r), Real80(r) - Real80(welded));
+            const Real80 truth = difference(
+                [&](Real80 x) { return stiffness_from_reflection<Real80>(x, wide, Real80(omega)); }, r, step);
+            const auto k = measured_stiffness(r, 0.01, media, omega);
+            INFO("R " << r << " z " << media.incident << " " << media.beyond);
+            // r + step is rounded to 1e-19, which the division by the step enlarges
+            CHECK(test::relative_error(k.slope, static_cast<double>(truth)) <
+                  1e-12 + 1e-18 / static_cast<double>(step));
+            const auto exact = measured_stiffness<Real80>(r, 0.01L, wide, Real80(omega));
+            if (r > welded + 1e-3) CHECK(test::ulps(k.slope, static_cast<double>(exact.slope)) <= 16);
+            // R in double moves by an ulp: its effect on the slopes is that over the distance to both ends
+            const double loss = 1e-15 / std::min(1 - r, r - welded);
+            CHECK(test::relative_error(k.slope * reflection_slope(k.value, media, omega), 1.0) < 10 * loss);
+            CHECK(k.error == -0.01 * k.slope);
+            CHECK(k.value == stiffness_from_reflection(r, media, omega));
+        }
+    }
+}
+
+TEST_CASE("the relative error of K is least at R = 1/sqrt(3) for like media, 2.598 times that of R") {
+    const auto relative = [](double r) {
+        const auto k = measured_stiffness(r, 1.0, {46e6, 46e6}, 4.4e7);
+        return k.error / k.value;
+    };
+    const double best = 1 / std::sqrt(3.0);
+    CHECK(test::relative_error(relative(best), 1.5 * std::sqrt(3.0)) < 1e-14);
+    CHECK(relative(best) < relative(best - 0.01));
+    CHECK(relative(best) < relative(best + 0.01));
+}
+
+TEST_CASE("the error of K is the spread of K from scattered R") {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    const Impedances<double> media{46e6, 17e6};
+    const double omega = 4.4e7, r = 0.8, error = 0.002;
+    double sum = 0, squares = 0;
+    const int count = 20000;
+    const auto k = measured_stiffness(r, error, media, omega);
+    for (int i = 0; i < count; ++i) {
+        const double x = stiffness_from_reflection(r + error * normal(random), media, omega) / k.value - 1;
+        sum += x;
+        squares += x * x;
+    }
+    const double spread = std::sqrt(squares / count - sum * sum / count / count);
+    // 0.5 % is the error of a standard deviation of 20000 draws, 3 times that; curvature adds (0.002 * 5)^2
+    CHECK(test::relative_error(k.error / k.value, spread) < 0.016);
+}
+
+TEST_CASE("propagation refuses what has no error") {
+    const auto call = [](double r, double error) {
+        return test::refusal([&] { static_cast<void>(measured_stiffness(r, error, {46e6, 46e6}, 4.4e7)); });
+    };
+    CHECK(call(0.5, -1).find("reflection_error = -1") == 0);
+    CHECK(call(1, 0.1).find("reflection = 1") == 0);
+}
