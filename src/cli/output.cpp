@@ -4,9 +4,14 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -39,6 +44,35 @@ void write_bytes(const std::filesystem::path& path, const std::string& document,
     stream << document << std::flush;
     if (!stream) cannot_write(shown);
 }
+
+/// Name of the file that is being written, for the signal handler; empty: none.
+std::array<char, 4096> partial_name{};
+volatile std::sig_atomic_t is_partial = 0;
+
+extern "C" void remove_partial_and_end(int signal) {
+    if (is_partial) unlink(partial_name.data());
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+}
+
+/// While it lives, Ctrl-C and the like remove \p path before they end the program.
+class Interruptible {
+public:
+    explicit Interruptible(const std::filesystem::path& path) {
+        const std::string& name = path.native();
+        if (name.size() >= partial_name.size()) return;
+        std::memcpy(partial_name.data(), name.c_str(), name.size() + 1);
+        is_partial = 1;
+        for (const int signal : signals)  // what the caller ignores (nohup) stays ignored
+            if (std::signal(signal, remove_partial_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
+    }
+    Interruptible(const Interruptible&) = delete;
+    Interruptible& operator=(const Interruptible&) = delete;
+    ~Interruptible() { is_partial = 0; }
+
+private:
+    static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+};
 
 /// False when the stream breaks or never ends.
 bool read_stream(std::istream& stream, std::string& bytes) {
@@ -140,6 +174,7 @@ void deliver(const std::string& document, const std::string& file) {
 
     fs::path partial = target;
     partial += ".partial-" + std::to_string(std::random_device{}());
+    const Interruptible until_renamed(partial);
     try {
         write_bytes(partial, document, file);
         if (exists) fs::permissions(partial, fs::status(target).permissions());

@@ -38,4 +38,9 @@ struct Results {
     Status status = success;
 };
 
+/// Everything the scene asks for. \throws domain_error where the model cannot give it.
+Results results_of(const Scene& scene);
+/// The equations of the paper behind a law: load, stiffness and peaks.
+Json equations(Law law);
+
 }  // namespace fstiff::cli
