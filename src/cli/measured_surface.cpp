@@ -113,15 +113,18 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
                            ": is a map, whose lags cannot be freed of the tip; must be told by the resolution instead");
     SurfaceParameters<double> found;
     if (profile) {
-        const LevelledProfile levelled = level_profile(options.input, input);
+        surface.profile = std::make_shared<LevelledProfile>(level_profile(options.input, input));
+        const LevelledProfile& levelled = *surface.profile;
         how.fit.removed = levelled.removed;
         found = about_file(options.input.file, [&] { return surface_parameters(levelled.profile, how); });
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     } else {
-        const LevelledMap levelled = level_map(options.input, input);
+        surface.map = std::make_shared<LevelledMap>(level_map(options.input, input));
+        const LevelledMap& levelled = *surface.map;
         found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }
+    surface.fit = how.fit;
     surface.parameters = uncertain(found);
     surface.max_peak_height = found.max_peak_height;
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;

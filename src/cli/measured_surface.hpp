@@ -5,8 +5,10 @@
 #include "surface_input.hpp"
 
 #include <fstiff/measured/uncertain_surface.hpp>
+#include <fstiff/profile/fractal_fit.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +31,10 @@ struct MeasuredSurface {
     Measurement<double> max_peak_height;  ///< [m]; 0: not known
     std::optional<Measurement<double>> fractal_roughness;
     std::string fractal_refusal, peaks_refusal;  ///< why there is no D, no r and theta
+    /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
+    std::shared_ptr<const LevelledProfile> profile;
+    std::shared_ptr<const LevelledMap> map;
+    FractalFitOptions<double> fit;  ///< that gave D
 };
 
 /// \throws domain_error in one sentence with the name of the file, Usage for options that do not fit it.

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 namespace fstiff::cli {
 namespace {
@@ -40,6 +42,55 @@ PlotLine line_of(const Results& results, const Curve& curve) {
 }
 
 }  // namespace
+
+namespace {
+
+/// K that a wave of the scene's frequency tells from a weld and from a gap: |R| between 0.1 and 0.99.
+std::optional<PlotWindow> ultrasonic_window(const Scene& scene) {
+    if (!scene.ultrasound) return std::nullopt;
+    const Waves& waves = *scene.ultrasound;
+    constexpr double most = 0.99;
+    const double least = std::max(0.1, 1.01 * welded_reflection(waves.longitudinal));
+    if (least >= most) return std::nullopt;
+    const auto stiffness = [&](double r) {
+        return stiffness_from_reflection(r, waves.longitudinal, waves.angular()) / GPa_per_um;
+    };
+    return PlotWindow{"|R| " + rounded(least, 2) + " to 0.99 at " + rounded(waves.frequency / 1e6, 3) + " MHz",
+                      stiffness(most), stiffness(least), true};
+}
+
+Panel reflection_panel(const Scene& scene, const Results& results, const char* title, const Impedances<double>& media,
+                       double ratio) {
+    const auto of = [&](double stiffness) { return reflection(ratio * stiffness, media, scene.ultrasound->angular()); };
+    Panel panel = quantity_panel(results, "|R|", false,
+                                 [&](const ContactState<double>& state) { return of(state.stiffness.value); });
+    panel.title = std::string(title) + ", " + rounded(scene.ultrasound->frequency / 1e6) + " MHz";
+    panel.y.low = 0.0;
+    panel.y.high = 1.0;
+    for (std::size_t c = 0; c < results.curves.size(); ++c) {
+        const Curve& curve = results.curves[c];
+        if (curve.band.empty() || curve.band.size() != curve.states.size()) continue;
+        for (const Band& band : curve.band) {  // R falls with K
+            panel.lines[c].low.push_back(of(band.high));
+            panel.lines[c].high.push_back(of(band.low));
+        }
+        panel.lines[c].band = "5 to 95 %";
+    }
+    return panel;
+}
+
+}  // namespace
+
+std::vector<Panel> reflection_panels(const Scene& scene, const Results& results) {
+    std::vector<Panel> panels;
+    if (!scene.ultrasound) return panels;
+    const Waves& waves = *scene.ultrasound;
+    panels.push_back(reflection_panel(scene, results, "Reflection of longitudinal waves", waves.longitudinal, 1));
+    if (waves.shear)
+        panels.push_back(
+            reflection_panel(scene, results, "Reflection of shear waves", *waves.shear, results.tangential_ratio));
+    return panels;
+}
 
 std::string shown_angle(double theta) {
     for (const int n : {3, 4, 5, 6, 8, 10, 12})
@@ -75,6 +126,7 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
         }
         panel.lines.push_back(std::move(line));
     }
+    if (const auto window = ultrasonic_window(scene)) panel.windows.push_back(*window);
     if (low < high) {
         // a straight line on logarithmic axes: two points are enough
         PlotLine reference{.label = "p/(0.48 σ)", .x = {}, .y = {}};
@@ -103,9 +155,10 @@ Panel quantity_panel(const Results& results, std::string label, bool logarithmic
 }
 
 Figure results_figure(const Scene& scene, const Results& results) {
-    if (!scene.stiffness)
+    if (!scene.needs_stiffness())
         throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
     Figure figure{.title = "Contact stiffness: " + scene.name, .panels = {stiffness_panel(scene, results)}};
+    for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
     figure.note =
         "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " + rounded(scene.surface.rms_height * 1e6, 4) + " µm";
     return figure;

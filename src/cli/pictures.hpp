@@ -19,6 +19,8 @@ Panel stiffness_panel(const Scene& scene, const Results& results);
 /// One panel of another quantity of the states against the pressure.
 Panel quantity_panel(const Results& results, std::string label, bool logarithmic,
                      const std::function<double(const ContactState<double>&)>& value);
+/// |R| of longitudinal waves, and of shear waves where they are known; none without [ultrasound].
+std::vector<Panel> reflection_panels(const Scene& scene, const Results& results);
 
 /// What `run --plot` draws. \throws domain_error when the scene asks for no stiffness.
 Figure results_figure(const Scene& scene, const Results& results);

@@ -322,10 +322,10 @@ std::string draw(const Panel& panel, double top) {
     out += "</svg>\n" + rectangle("frame", left, plot_top, width, height);
 
     for (const Tick& tick : x_scale.ticks())
-        if (!tick.label.empty())
+        if (panel.x.ticks && !tick.label.empty())
             out += text_at(left + place_x(tick.value), plot_top + height + 18, tick.label, "text-anchor=\"middle\"");
     for (const Tick& tick : y_scale.ticks())
-        if (!tick.label.empty())
+        if (panel.y.ticks && !tick.label.empty())
             out += text_at(left - 7, plot_top + place_y(tick.value) + 4.5, tick.label, "text-anchor=\"end\"");
     out += text_at(left + width / 2, plot_top + height + 40, panel.x.label, "text-anchor=\"middle\"");
     const std::string middle = px(plot_top + height / 2);

@@ -15,6 +15,7 @@ struct Axis {
     std::string label;  ///< with its unit, such as "p [MPa]"
     bool logarithmic = true;
     std::optional<double> low = {}, high = {};  ///< none: from the curves
+    bool ticks = true;
 };
 
 enum class Stroke { solid, dashed, dotted, none };
