@@ -16,5 +16,6 @@ Command add_generate(CLI::App& app);
 Command add_ultrasound(CLI::App& app);
 Command add_identify(CLI::App& app);
 Command add_reproduce(CLI::App& app);
+Command add_report(CLI::App& app);
 
 }  // namespace fstiff::cli

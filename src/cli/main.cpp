@@ -37,9 +37,9 @@ int run_main(int argc, char** argv) {
         "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, 4 result outside validity or not "
         "converged.\n"
         "Example:\n  fstiff run");
-    const std::vector<Command> commands{add_run(app),      add_measure(app),  add_fit(app),      add_islands(app),
-                                        add_peaks(app),    add_integral(app), add_generate(app), add_ultrasound(app),
-                                        add_identify(app), add_reproduce(app)};
+    const std::vector<Command> commands{add_run(app),      add_measure(app),   add_fit(app),      add_islands(app),
+                                        add_peaks(app),    add_integral(app),  add_generate(app), add_ultrasound(app),
+                                        add_identify(app), add_reproduce(app), add_report(app)};
     std::string names;
     for (const Command& command : commands) names += (names.empty() ? "" : ", ") + command.app->get_name();
     try {

@@ -4,8 +4,8 @@
 #include <fstiff/core/version.hpp>
 
 TEST_CASE("The example at the end of every --help works as pasted") {
-    for (const std::string subcommand :
-         {"", "run ", "fit ", "islands ", "peaks ", "integral ", "generate ", "ultrasound ", "identify "}) {
+    for (const std::string subcommand : {"", "run ", "fit ", "islands ", "peaks ", "integral ", "generate ",
+                                         "ultrasound ", "identify ", "reproduce ", "report "}) {
         const auto help = test::fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);
         CHECK(help.status == 0);
@@ -14,7 +14,8 @@ TEST_CASE("The example at the end of every --help works as pasted") {
         REQUIRE(start != std::string::npos);
         const std::string example = help.out.substr(start + 9);
         CHECK(test::contains(example, "fstiff " + subcommand));
-        const auto outcome = test::shell(example);
+        const test::Folder folder;  // for what an example writes
+        const auto outcome = test::shell("cd '" + folder / "" + "' || exit 1\n" + example);
         INFO(example << outcome.err);
         CHECK(outcome.status == 0);
         CHECK(test::lines(outcome.out).size() >= 2);
