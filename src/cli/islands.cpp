@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff islands: the islands of a map against the cutting level, and the pair R, D_p at their greatest density.
 #include "commands.hpp"
-#include "progress.hpp"
 #include "surface_input.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -35,11 +34,8 @@ Result sweep(const Options& options, const SurfaceInput& input) {
     how.quantiles = options.levels;
     Result result;
     result.levelled = level_map(options.surface, input);
-    Progress progress("islands");
-    IslandSpread spread = options.spread;
-    spread.progress = [&](double share) { progress.at(share); };
-    result.islands =
-        about_file(options.surface.file, [&] { return representative_islands(result.levelled.map, how, spread); });
+    result.islands = about_file(options.surface.file,
+                                [&] { return representative_islands(result.levelled.map, how, options.spread); });
     return result;
 }
 

@@ -3,7 +3,6 @@
 #include "builtin_scene.hpp"
 #include "commands.hpp"
 #include "pictures.hpp"
-#include "progress.hpp"
 #include "results.hpp"
 
 #include <fstiff/asperity/laws.hpp>
@@ -210,9 +209,7 @@ void add_bands(const Scene& scene, Results& results) {
     std::vector<std::vector<std::vector<double>>> found;  // by curve, point, sample
     for (const Curve& curve : results.curves) found.emplace_back(curve.states.size());
     SurfaceSampler<double> draw(scene.uncertain, scene.seed);
-    Progress progress("band of " + std::to_string(scene.samples) + " surfaces");
     for (int i = 0; i < scene.samples; ++i) {
-        progress.at(static_cast<double>(i) / scene.samples);
         const std::vector<Curve> curves = compute_curves(with_surface(lean, draw()), results.modulus);
         for (std::size_t c = 0; c < curves.size(); ++c)
             for (std::size_t k = 0; k < curves[c].states.size(); ++k)

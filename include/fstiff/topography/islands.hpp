@@ -90,7 +90,6 @@ struct IslandSpread {
     std::size_t tiles = 4;        ///< a side; 1 leaves the spread out
     std::size_t resamples = 400;  ///< of the tiles
     std::uint64_t seed = 2014;
-    std::function<void(double)> progress{};  ///< told the share that is done, 0 to 1
 };
 
 template <Real T>
@@ -286,7 +285,7 @@ void sort_from_the_highest(std::vector<IslandPoint<T>>& points) {
     }
 }
 
-/// The curve; the totals of every tile at every level go to \p record(level, forest, share of the points done).
+/// The curve; the totals of every tile at every level go to \p record(level, forest).
 template <Real T, class Record>
 IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
                              const Record& record) {
@@ -348,7 +347,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
         curve.mean_area.push_back(area);
         curve.mean_height.push_back(height);
         curve.radius.push_back(radius);
-        record(level, forest, static_cast<double>(above) / static_cast<double>(points.size()));
+        record(level, forest);
     }
     return curve;
 }
@@ -357,7 +356,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
 
 template <Real T>
 IslandCurve<T> island_curve(const HeightMap<T>& map, const IslandOptions<T>& options) {
-    return detail::sweep_islands(map, options, 1, [](T, const detail::IslandForest<T>&, double) {});
+    return detail::sweep_islands(map, options, 1, [](T, const detail::IslandForest<T>&) {});
 }
 
 template <Real T>
@@ -374,18 +373,10 @@ RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const I
     struct Line {  // of one tile at one level
         S islands, points, height;
     };
-    // a point of the sweep costs about as much as fifty lines of the resampling
-    const double sweep_cost = 50 * static_cast<double>(map.size());
-    const double resampling_cost =
-        all_tiles == 1
-            ? 0
-            : static_cast<double>(spread.resamples * all_tiles * std::max<std::size_t>(options.quantiles, 1));
-    const double of_sweep = sweep_cost / (sweep_cost + resampling_cost);
     std::vector<Line> lines;  // all tiles of the highest level, then of the next
     RepresentativeIslands<T> result;
-    result.curve = detail::sweep_islands(
-        map, options, spread.tiles, [&](T level, const detail::IslandForest<T>& forest, double share) {
-            if (spread.progress) spread.progress(of_sweep * share);
+    result.curve =
+        detail::sweep_islands(map, options, spread.tiles, [&](T level, const detail::IslandForest<T>& forest) {
             if (all_tiles == 1) return;
             if (lines.size() + all_tiles > most_lines)
                 throw domain_error(
@@ -426,9 +417,6 @@ RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const I
     S d1 = 0, r1 = 0, dd = 0, rr = 0, dr = 0;
     std::size_t count = 0;
     for (std::size_t sample = 0; sample < spread.resamples; ++sample) {
-        if (spread.progress)
-            spread.progress(of_sweep +
-                            (1 - of_sweep) * static_cast<double>(sample) / static_cast<double>(spread.resamples));
         S points = 0;
         for (std::size_t& tile : drawn) {
             tile = held[static_cast<std::size_t>(detail::splitmix64(state) % held.size())];
