@@ -55,7 +55,7 @@ TEST_CASE("The command gives what the library gives, to the last digit") {
     REQUIRE(outcome.status == 0);
     const auto document = nlohmann::json::parse(outcome.out);
     const auto flat = fstiff::detrend(profile, fstiff::Form::line);
-    const auto fit = fstiff::fit_fractal(flat);
+    const auto fit = fstiff::fit_fractal(flat, {.removed = fstiff::Form::line});
     CHECK(document["fractal_dimension"].get<double>() == fit.fractal.dimension);
     CHECK(document["fractal_dimension_error"].get<double>() == fit.dimension_error);
     CHECK(document["fractal_roughness_m"].get<double>() == fit.fractal.roughness);
