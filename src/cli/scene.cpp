@@ -695,6 +695,8 @@ Scene parse_scene(const std::string& text, const std::string& file, const std::s
     } else {
         MeasureOptions options;
         options.input.file = surface;
+        options.input.prefix = "fstiff measure --";  // has the options that run has not
+        options.input.format_name = "fstiff measure --input-format";
         scene.measured = measured_from(options, true, "--surface: ");
         source.record("surface.from", display_name(surface) + " (--surface)");
         scene.name =

@@ -225,6 +225,7 @@ TEST_CASE("What is no surface is refused by measure, by surface.from and by --su
     test::check_refused("measure '" + map + "' --resamples 1", 2, {"--resamples"});
     test::check_refused("run - --surface -", 2, {"standard input"}, scene(""));
     test::check_refused("run --surface nowhere.sdf", 3, {"--surface", "nowhere.sdf", "no such file"});
+    test::check_refused("run --surface -", 3, {"standard input", "given as fstiff measure --units"}, "1\n2\n3\n1\n2\n");
     test::check_refused("run --surface -", 3, {"standard input", "not the JSON of fstiff measure"},
                         "{\"command\": \"fit\"}");
     test::check_refused("run --surface -", 3, {"standard input", "not the JSON"}, "{\"command\": \"mea");
