@@ -396,7 +396,11 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
         if (tile.points > S(0)) sums.push_back(tile);
     }
     require(all.triples > S(0), "triples of neighbouring points in the rows", all.triples, "at least 1");
-    require(!summits || all.summits > S(0), "summits of the map", all.summits, "at least 1");
+    const auto with_summits =
+        std::count_if(sums.begin(), sums.end(), [](const auto& tile) { return tile.summits > 0; });
+    if (summits && with_summits < 2)
+        throw domain_error("tiles of the map that hold summits = " + std::to_string(with_summits) +
+                           ": must be at least 2 for the errors of R and D_p");
 
     SurfaceParameters<T> result;
     const auto count = summits ? detail::PeakCount::summits : detail::PeakCount::none;
@@ -407,6 +411,10 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
     if (!summits) {
         const RepresentativeIslands<T> islands =
             representative_islands(map, options.islands, {options.tiles, options.resamples, options.seed});
+        if (islands.islands < 2)
+            throw domain_error(
+                "islands of the map where there are most = 1: must be at least 2 for the errors of R "
+                "and D_p");
         result.peak_radius = {islands.radius, islands.radius_error};
         result.peak_density = {islands.density, islands.density_error};
         result.peaks_counted = islands.islands;
