@@ -368,6 +368,28 @@ TEST_CASE("The errors stated are the scatter of many surfaces") {
     }
 }
 
+TEST_CASE("Waves longer than the profile: the error of sigma is too small, those of R, D_p and theta are not") {
+    Scatter scatter;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const auto z = self_affine_profile<double>({.hurst = 0.8,
+                                                    .rms = 1e-6,
+                                                    .longest_wavelength = 4 * 1024e-6,
+                                                    .shortest_wavelength = 16e-6,
+                                                    .exact_rms = false,
+                                                    .seed = seed},
+                                                   4096, 1e-6);
+        scatter.add(surface_parameters(detrend(Profile<double>{{z.begin(), z.begin() + 1024}, 1e-6}, Form::line)));
+    }
+    CAPTURE(scatter.ratio(0), scatter.ratio(1), scatter.ratio(2), scatter.ratio(4), scatter.ratio(5));
+    for (const Eigen::Index i : {1, 2, 5}) {
+        CHECK(scatter.ratio(i) >= 0.7);
+        CHECK(scatter.ratio(i) <= 1.4);
+    }
+    CHECK(scatter.ratio(0) >= 0.25);
+    CHECK(scatter.ratio(0) <= 0.7);
+    CHECK(scatter.ratio(4) >= 0.4);
+}
+
 TEST_CASE("D and G of a map are those of both directions, by weight") {
     const auto map = remove_form(
         HeightMap<double>{self_affine_map<double>({.hurst = 0.4, .rms = 1e-6, .seed = 6}, 128, 96, 1e-6, 1e-6), 1e-6,
@@ -549,6 +571,8 @@ TEST_CASE("Surfaces without what it takes are refused in a sentence") {
     CHECK(of_profile(large).find("must be") != std::string::npos);
     CHECK(of_profile(profile, {.resamples = 1}) == "resamples = 1: must be between 2 and 100000");
     CHECK(of_profile(profile, {.tiles = 33}) == "tiles a side = 33: must be between 2 and 32");
+    CHECK(of_profile(profile, {.fit = {.resolution = -1.0}}).find("resolution = -1: must be") == 0);
+    CHECK(of_map(map, {.fit = {.resamples = -1}}).find("resamples = -1: must be") == 0);
     CHECK(of_map(map, {.tiles = 1}) == "tiles a side = 1: must be between 2 and 32");
     CHECK(of_map(map, {.resamples = 200000}) == "resamples = 200000: must be between 2 and 100000");
 
