@@ -35,6 +35,8 @@
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/measured/sections.hpp>
+#include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>

@@ -429,7 +429,7 @@ TEST_CASE("Another unit of length or of height changes the numbers by that unit 
     };
     const auto units = GENERATE(Units{0x1p30, 0x1p30, 0}, Units{0x1p-30, 0x1p-30, 0}, Units{0x1p20, 0x1p-30, 0},
                                 Units{1e9, 1e9, 1e-12}, Units{1e-9, 1e-9, 1e-12}, Units{1e9, 1e-9, 1e-12});
-    const auto [length, height, tolerance] = units;
+    const double length = units.length, height = units.height, tolerance = units.tolerance;
     const auto same = [&](const Measurement<double>& there, const Measurement<double>& here, double unit) {
         CHECK(test::relative_error(there.value / unit, here.value) <= tolerance);
         // errors are differences between resamples: what is lost in them is 1e-2 of the value at most

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What the contact models need to know of a surface, from a measured profile or map, each value with its standard error.
+/// What the contact models need to know of a surface, from a measured profile or map, each with its standard error.
 ///
 ///                  of a map                                          of a profile, taken for isotropic
 ///     sigma        rms of the heights                                the same
@@ -9,19 +9,19 @@
 ///     D_p          density of the representative islands             2 pi/(3 sqrt 3) n^2, n peaks per length
 ///                  or both of the summits (PeakSource)
 ///     R_p          highest point above the mean                      the same
-///     r, theta     sigma_m^2/(sigma sigma_kappa), asin(h sigma_kappa/(2 sigma_m)) of the triples of neighbours in the rows
+///     r, theta     sigma_m^2/(sigma sigma_kappa), asin(h sigma_kappa/(2 sigma_m)) of triples of neighbours in the rows
 ///     D, G         mean of both directions (measured/sections)       profile/fractal_fit
 ///
 /// The density of a profile: an isotropic Gaussian surface has m4/(6 pi sqrt(3) m2) summits per area, a section of it
 /// sqrt(m4/m2)/(2 pi) peaks per length. Both go down to the sampling: R and D_p of a surface that is rough below it are
-/// those of the spacing, and a step of h loses 1 % where the shortest wave has 16 samples. Of neighbours of equal height
-/// none is a peak: heights that were rounded coarsely lose peaks.
+/// those of the spacing, and a step of h loses 1 % where the shortest wave has 16 samples. Of neighbours of equal
+/// height none is a peak: heights that were rounded coarsely lose peaks.
 ///
 /// Errors: standard deviations over resamples, times sqrt(n/(n-1)) for n blocks: moving blocks of a profile, each five
 /// times as long as the heights stay correlated (an eighth of the profile at most), tiles of a map. A surface that is
 /// not longer than its longest waves does not show how much they vary: there the errors of sigma and r are too small,
-/// those of R, D_p and theta are not. That of R_p is a lower bound: no resample is higher than the surface. D and G of the two directions are averaged by weight, and the
-/// error of D is half their difference at least.
+/// those of R, D_p and theta are not. That of R_p is a lower bound: no resample is higher than the surface. D and G of
+/// the two directions are averaged by weight, and the error of D is half their difference at least.
 ///
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Kunsch,
 ///             Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), sections 2 to 4.
