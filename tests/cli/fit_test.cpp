@@ -208,28 +208,35 @@ TEST_CASE("Options of fit that make no sense are refused") {
     check_refused("fit", 2, {"profile"});
 }
 
-TEST_CASE("Measured profiles give D and G without or with their units") {
+TEST_CASE("Measured profiles give D and G with their units, or say why not") {
     const std::string folder = FSTIFF_SURFACES;
-    for (const auto& [file, options, points] : {std::tuple{"dektak-1.csv", "", 9600},
-                                                {"opdx-3.txt", " --units m,m", 3001},
-                                                {"xy-4.txt", " --units um,um", 10001}}) {
-        const std::string path = folder + "/" + file;
-        if (!std::filesystem::exists(path)) {
-            WARN(std::string(file) + " is not there (FSTIFF_SURFACES): skipped");
-            continue;
-        }
-        const auto outcome = test::fstiff("fit '" + path + "' --format json" + options);
-        INFO(path << "\n" << outcome.err);
-        CHECK(outcome.status == 0);
-        if (outcome.status != 0) continue;
+    const auto there = [&](const std::string& file) {
+        if (std::filesystem::exists(folder + "/" + file)) return true;
+        WARN(file + " is not there (FSTIFF_SURFACES): skipped");
+        return false;
+    };
+    for (const auto& [file, options, points] :
+         {std::tuple{"dektak-1.csv", "", 9600}, {"opdx-3.txt", " --units m,m", 3001}}) {
+        if (!there(file)) continue;
+        const auto outcome = test::fstiff("fit '" + folder + "/" + file + "' --format json" + options);
+        INFO(file << "\n" << outcome.err);
+        REQUIRE(outcome.status == 0);
         const auto document = nlohmann::json::parse(outcome.out);
         CHECK(document["points"] == points);
         CHECK(document["fractal_dimension"] > 1);
         CHECK(document["fractal_dimension"] < 2);
         CHECK(document["fractal_dimension_error"] > 0);
-        // what README says of the two it shows: the roughness of the one has saturated below its window
-        CHECK(document["curved"] == (std::string(file) != "opdx-3.txt"));
-        CHECK(test::contains(outcome.err, "S is nearly flat") == (std::string(file) == "dektak-1.csv"));
+        // what README says of the two: the one follows a power law over nearly a decade, the other saturates at 7 um
+        const bool straight = std::string(file) == "opdx-3.txt";
+        CHECK(document["curved"] == !straight);
+        CHECK(test::contains(document["window_ends"], "saturates") == !straight);
+        CHECK((document["window_m"][1].get<double>() > 8 * document["window_m"][0].get<double>()) == straight);
+    }
+    // smooth at its short lags, a fifth of a decade of bend, then flat: the slope of S is that of no fractal
+    if (there("xy-4.txt")) {
+        test::check_refused("fit '" + folder + "/xy-4.txt' --units um,um", 3, {"xy-4.txt", "no fractal profile"});
+        test::check_refused("fit '" + folder + "/xy-4.txt' --units um,um --tip-radius '40 nm'", 3,
+                            {"xy-4.txt", "no half decade", "tip radius"});
     }
 }
 
