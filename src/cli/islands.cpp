@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff islands: the islands of a map against the cutting level, and the pair R, D_p at their greatest density.
 #include "commands.hpp"
+#include "progress.hpp"
 #include "surface_input.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -33,10 +34,12 @@ Result sweep(const Options& options, const SurfaceInput& input) {
     how.least_points = options.least_points;
     how.height = options.height == "peak" ? IslandHeight::peak : IslandHeight::twice_mean;
     how.quantiles = options.levels;
+    IslandSpread spread = options.spread;
+    how.progress = spread.progress = progress_bar();
     Result result;
     result.levelled = level_map(options.surface, input);
-    result.islands = about_file(options.surface.file,
-                                [&] { return representative_islands(result.levelled.map, how, options.spread); });
+    result.islands =
+        about_file(options.surface.file, [&] { return representative_islands(result.levelled.map, how, spread); });
     return result;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measured_surface.hpp"
 
+#include "progress.hpp"
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -99,6 +101,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     how.fit = fit_options(options);
     how.fit.seed = how.seed = options.seed;
     how.resamples = static_cast<std::size_t>(options.resamples);
+    how.progress = how.fit.progress = how.islands.progress = progress_bar();
     how.peaks = options.peaks == "summits" ? PeakSource::summits : PeakSource::islands;
     const SurfaceInput input = read_surface_input(options.input, bytes);
     const bool profile = input.surface.is_profile();

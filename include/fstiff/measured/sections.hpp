@@ -54,6 +54,7 @@ template <Real T>
 struct SectionResampling {
     int resamples = 200;        ///< of the rows; 0 leaves the bootstrap out
     std::uint64_t seed = 2014;  ///< of the bootstrap
+    ProgressHook progress{};    ///< of the bootstrap
 };
 
 /// Mean structure function of all sections of \p map along \p direction, at logarithmic_lags up to a quarter of their
@@ -133,6 +134,7 @@ Matrix<F> resample_sections(const SectionSums<F>& sums, const std::vector<std::s
     Matrix<F> resampled(static_cast<Eigen::Index>(steps.size()), resampling.resamples);
     std::vector<F> sum_to(sections + 1), pairs_to(sections + 1);  // over all sections before this one
     for (std::size_t k = 0; k < steps.size(); ++k) {
+        if (resampling.progress) resampling.progress("bootstrap", k, steps.size());
         const auto lag = std::find(sums.step.begin(), sums.step.end(), steps[k]) - sums.step.begin();
         for (std::size_t j = 0; j < sections; ++j) {
             sum_to[j + 1] = sum_to[j] + sums.sum(static_cast<Eigen::Index>(j), lag);
@@ -266,7 +268,7 @@ template <Real T>
 DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options) {
     map.validate(16);
     require(options.tip_radius == T(0), "tip radius", options.tip_radius, "left out for a map: give the resolution");
-    const SectionResampling resampling{options.resamples, options.seed};
+    const SectionResampling resampling{options.resamples, options.seed, options.progress};
     const auto along_x = section_structure(map, Direction::x, resampling);
     const auto along_y = section_structure(map, Direction::y, resampling);
     DirectionalFit<T> result;

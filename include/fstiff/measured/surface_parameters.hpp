@@ -62,6 +62,7 @@ struct SurfaceParameterOptions {
     std::size_t tiles = 4;       ///< of a map, a side
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
+    ProgressHook progress{};  ///< of the resamples; `islands` and `fit` have their own
 };
 
 /// Order of SurfaceParameters::correlation.
@@ -177,7 +178,7 @@ struct EstimateSpread {
 /// Resamples of \p cells, drawn in runs of \p block neighbours, as many as make the whole.
 template <Real S>
 EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::size_t block, PeakCount count,
-                                 std::size_t resamples, std::uint64_t seed) {
+                                 std::size_t resamples, std::uint64_t seed, const ProgressHook& progress) {
     EstimateSpread<S> spread;
     spread.blocks = (cells.size() + block - 1) / block;
     HeightSums<S> all;
@@ -188,6 +189,7 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
     unit[4] = unit[5] = S(1);
     std::vector<Estimates<S>> draws;
     for (std::size_t k = 0; k < resamples; ++k) {
+        if (progress) progress("resamples", k, resamples);
         HeightSums<S> sums;
         for (std::size_t b = 0; b < spread.blocks; ++b) {
             const auto start = static_cast<std::size_t>(splitmix64(seed) % (cells.size() - block + 1));
@@ -347,7 +349,8 @@ SurfaceParameters<T> surface_parameters(const Profile<T>& profile, const Surface
     SurfaceParameters<T> result;
     constexpr auto count = detail::PeakCount::profile;
     detail::take_over(result, detail::estimates(all, count),
-                      detail::resample_cells(sums, block, count, options.resamples, options.seed), unit, step, step);
+                      detail::resample_cells(sums, block, count, options.resamples, options.seed, options.progress),
+                      unit, step, step);
     detail::require_numbers(result);
     result.peaks_counted = static_cast<std::size_t>(all.peaks);
     result.block_length = static_cast<T>(block * length) * profile.spacing;
@@ -410,12 +413,12 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
     SurfaceParameters<T> result;
     const auto count = summits ? detail::PeakCount::summits : detail::PeakCount::none;
     detail::take_over(result, detail::estimates(all, count),
-                      detail::resample_cells(sums, 1, count, options.resamples, options.seed), unit,
+                      detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress), unit,
                       static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) {
-        const RepresentativeIslands<T> islands =
-            representative_islands(map, options.islands, {options.tiles, options.resamples, options.seed});
+        const RepresentativeIslands<T> islands = representative_islands(
+            map, options.islands, {options.tiles, options.resamples, options.seed, options.progress});
         if (islands.islands < 2)
             throw domain_error(
                 "islands of the map where there are most = 1: must be at least 2 for the errors of R "
