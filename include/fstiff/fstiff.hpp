@@ -6,6 +6,7 @@
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
+#include <fstiff/core/progress.hpp>
 #include <fstiff/core/version.hpp>
 #include <fstiff/math/chebyshev.hpp>
 #include <fstiff/math/error_function.hpp>

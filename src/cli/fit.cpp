@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff fit: fractal dimension D and roughness G of a measured profile or map, with errors, and its other statistics.
 #include "commands.hpp"
+#include "progress.hpp"
 #include "surface_input.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -81,6 +82,7 @@ void attempt(std::optional<Result>& result, std::string& refusal, const Call& ca
 
 ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     FractalFitOptions<double> how = fit_options(options);
+    how.progress = progress_bar();
     ProfileResult result;
     result.levelled = level_profile(options.surface, input);
     how.removed = result.levelled.removed;
@@ -95,10 +97,12 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
 
 MapResult fit_map(const Options& options, const SurfaceInput& input) {
     if (options.all_lags) throw Usage("--all-lags is for profiles; must not be given for a map");
+    FractalFitOptions<double> how = fit_options(options);
+    how.progress = progress_bar();
     MapResult result;
     result.levelled = level_map(options.surface, input);
     about_file(options.surface.file, [&] {
-        result.fit = fit_directions(result.levelled.map, fit_options(options));
+        result.fit = fit_directions(result.levelled.map, how);
         result.areal = areal_statistics(result.levelled.map);
         if (!result.fit.x && !result.fit.y)
             throw domain_error("no direction of the map allows a fit; along x: " + result.fit.x_refusal +

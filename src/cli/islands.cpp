@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff islands: the islands of a map against the cutting level, and the pair R, D_p at their greatest density.
 #include "commands.hpp"
+#include "progress.hpp"
 #include "surface_input.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/topography/islands.hpp>
 
+#include <cmath>
 #include <memory>
 
 namespace fstiff::cli {
@@ -32,10 +34,12 @@ Result sweep(const Options& options, const SurfaceInput& input) {
     how.least_points = options.least_points;
     how.height = options.height == "peak" ? IslandHeight::peak : IslandHeight::twice_mean;
     how.quantiles = options.levels;
+    IslandSpread spread = options.spread;
+    how.progress = spread.progress = progress_bar();
     Result result;
     result.levelled = level_map(options.surface, input);
-    result.islands = about_file(options.surface.file,
-                                [&] { return representative_islands(result.levelled.map, how, options.spread); });
+    result.islands =
+        about_file(options.surface.file, [&] { return representative_islands(result.levelled.map, how, spread); });
     return result;
 }
 
@@ -48,7 +52,7 @@ std::vector<std::string> warnings(const SurfaceInput& input, const Result& resul
         all.push_back("the greatest density stands at the " + std::string(r.index == 0 ? "highest" : "lowest") +
                       " level: it is no maximum, and the pair represents nothing");
     if (r.radius_error > large * r.radius)
-        all.push_back("R is known to no better than " + rounded(100 * r.radius_error / r.radius, 2) +
+        all.push_back("R is known to no better than " + std::to_string(std::lround(100 * r.radius_error / r.radius)) +
                       " %: the map holds too few islands, or is not the same everywhere");
     if (r.islands < few)
         all.push_back("there are " + std::to_string(r.islands) +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measured_surface.hpp"
 
+#include "progress.hpp"
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -63,8 +65,8 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
                          " peaks only; their errors are rough");
     for (const auto& [name, measured] : {std::pair("R", found.peak_radius), std::pair("D_p", found.peak_density)})
         if (measured.error > 0.3 * measured.value)
-            warned.push_back(std::string(name) + " is known to " + rounded(100 * measured.error / measured.value, 2) +
-                             " % only");
+            warned.push_back(std::string(name) + " is known to " +
+                             std::to_string(std::lround(100 * measured.error / measured.value)) + " % only");
 }
 
 double number_of(const Json& object, const char* key, const std::string& place) {
@@ -99,6 +101,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     how.fit = fit_options(options);
     how.fit.seed = how.seed = options.seed;
     how.resamples = static_cast<std::size_t>(options.resamples);
+    how.progress = how.fit.progress = how.islands.progress = progress_bar();
     how.peaks = options.peaks == "summits" ? PeakSource::summits : PeakSource::islands;
     const SurfaceInput input = read_surface_input(options.input, bytes);
     const bool profile = input.surface.is_profile();
@@ -125,6 +128,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }
     surface.fit = how.fit;
+    surface.fit.progress = {};  // the bar ends with the work
     surface.parameters = uncertain(found);
     surface.max_peak_height = found.max_peak_height;
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;

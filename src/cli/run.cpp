@@ -3,6 +3,7 @@
 #include "builtin_scene.hpp"
 #include "commands.hpp"
 #include "pictures.hpp"
+#include "progress.hpp"
 #include "results.hpp"
 
 #include <fstiff/asperity/laws.hpp>
@@ -209,7 +210,9 @@ void add_bands(const Scene& scene, Results& results) {
     std::vector<std::vector<std::vector<double>>> found;  // by curve, point, sample
     for (const Curve& curve : results.curves) found.emplace_back(curve.states.size());
     SurfaceSampler<double> draw(scene.uncertain, scene.seed);
+    const ProgressHook progress = progress_bar();
     for (int i = 0; i < scene.samples; ++i) {
+        if (progress) progress("surfaces", static_cast<std::size_t>(i), static_cast<std::size_t>(scene.samples));
         const std::vector<Curve> curves = compute_curves(with_surface(lean, draw()), results.modulus);
         for (std::size_t c = 0; c < curves.size(); ++c)
             for (std::size_t k = 0; k < curves[c].states.size(); ++k)

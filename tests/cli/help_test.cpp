@@ -4,7 +4,7 @@
 #include <fstiff/core/version.hpp>
 
 TEST_CASE("The example at the end of every --help works as pasted") {
-    for (const std::string subcommand : {"", "run ", "fit ", "islands ", "peaks ", "integral ", "generate ",
+    for (const std::string subcommand : {"", "run ", "measure ", "fit ", "islands ", "peaks ", "integral ", "generate ",
                                          "ultrasound ", "identify ", "reproduce ", "report "}) {
         const auto help = test::fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);

@@ -383,3 +383,26 @@ TEST_CASE("Maps and options out of range are named") {
     CHECK(says(bad, {}).find("tiles that hold points = 1") == 0);
     CHECK(says(bad, {}, {.tiles = 1}).empty());
 }
+
+TEST_CASE("The sweep and the resamples tell how far they are, and what the hook throws comes out") {
+    std::vector<std::pair<std::string, double>> told;
+    IslandOptions<double> options;
+    IslandSpread spread;
+    options.progress = spread.progress = [&](std::string_view what, std::size_t done, std::size_t all) {
+        REQUIRE(done < all);
+        told.emplace_back(std::string(what), static_cast<double>(done) / static_cast<double>(all));
+    };
+    const auto map = HeightMap<double>{
+        self_affine_map<double>({.hurst = 0.7, .rms = 1e-6, .seed = 1}, 64, 64, 1e-6, 1e-6), 1e-6, 1e-6};
+    const auto with = representative_islands(map, options, spread);
+    CHECK(with.radius == representative_islands(map).radius);
+    REQUIRE(told.size() == options.quantiles + spread.resamples);
+    for (std::size_t i = 1; i < told.size(); ++i)
+        CHECK((told[i].first != told[i - 1].first || told[i].second >= told[i - 1].second));
+    CHECK(told.front().first == "islands");
+    CHECK(told.back().first == "resamples");
+    spread.progress = [](std::string_view, std::size_t done, std::size_t) {
+        if (done == 7) throw std::runtime_error("enough");
+    };
+    CHECK_THROWS_AS(representative_islands(map, {}, spread), std::runtime_error);
+}

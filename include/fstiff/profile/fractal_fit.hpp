@@ -44,6 +44,7 @@
 ///             D within 0.02 and its own 3 sigma, G within a factor 1.5; 200 random walks of 1000 points: the error of
 ///             D is 0.8 to 1.25 times the scatter of D (tests/profile/fractal_fit_test.cpp)
 
+#include <fstiff/core/progress.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
@@ -92,6 +93,7 @@ struct FractalFitOptions {
     Form removed = Form::none;  ///< what detrend() took off the profile: its mark on the long lags is put right
     T tip_radius{};             ///< of the stylus [m]: lags that may show it are left out; 0: not known
     T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
+    ProgressHook progress{};    ///< of the bootstrap
 };
 
 /// S of one profile or the mean of several, for fit_fractal().
@@ -387,7 +389,7 @@ LogFit<T> log_fit(const Vector<T>& x, const Vector<T>& y, const Vector<T>& root_
 /// A pair belongs to the cell in which it begins; a resample is made of blocks of neighbouring cells.
 template <Real T>
 Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<std::size_t>& step, int resamples,
-                                  std::uint64_t seed) {
+                                  std::uint64_t seed, const ProgressHook& progress) {
     constexpr std::size_t cells_wanted = 256;
     const std::vector<T>& z = profile.heights;
     const std::size_t cell = std::max<std::size_t>(1, z.size() / cells_wanted);
@@ -403,6 +405,7 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
     Matrix<T> resampled(static_cast<Eigen::Index>(step.size()), resamples);
     std::vector<T> sum_to(cells + 1), count_to(cells + 1);  // over all cells before this one
     for (std::size_t k = 0; k < step.size(); ++k) {
+        if (progress) progress("bootstrap", k, step.size());
         const std::size_t n = step[k];
         for (std::size_t c = 0; c < cells; ++c) {
             T sum = 0, count = 0;
@@ -495,7 +498,7 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
         measured.resample = [&](const std::vector<std::size_t>& steps) {
             const Profile<F> heights{std::vector<F>(profile.heights.begin(), profile.heights.end()),
                                      static_cast<F>(profile.spacing)};
-            return detail::bootstrap_log_structure(heights, steps, options.resamples, options.seed);
+            return detail::bootstrap_log_structure(heights, steps, options.resamples, options.seed, options.progress);
         };
     const T tip_length = options.tip_radius > T(0) ? tip_cutoff(profile, options.tip_radius) : T(0);
     FractalFit<T> result = detail::fit_measured(measured, options, tip_length);

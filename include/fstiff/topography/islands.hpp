@@ -27,6 +27,7 @@
 ///             where the waves span a factor of 4 at most; 1.04 to 1.25 at 8, 1.1 to 1.7 at 16: that number is the one
 ///             of islands less lakes, and in wide bands islands have lakes.
 
+#include <fstiff/core/progress.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/height_map.hpp>
 
@@ -62,7 +63,8 @@ struct IslandOptions {
     IslandHeight height = IslandHeight::peak;
     std::vector<T> levels{};  ///< cutting levels [m], in any order; none: by bearing area
     std::size_t quantiles =
-        200;  ///< levels at bearing areas (k - 1/2)/quantiles; 0, or more than points: at every height
+        200;                  ///< levels at bearing areas (k - 1/2)/quantiles; 0, or more than points: at every height
+    ProgressHook progress{};  ///< of the sweep
 };
 
 /// Islands against the cutting level, from the highest level to the lowest; the vectors have one length. Where no
@@ -90,6 +92,7 @@ struct IslandSpread {
     std::size_t tiles = 4;        ///< a side; 1 leaves the spread out
     std::size_t resamples = 400;  ///< of the tiles
     std::uint64_t seed = 2014;
+    ProgressHook progress{};  ///< of the resamples
 };
 
 template <Real T>
@@ -329,6 +332,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
             "dx dy", cell, "an area of normal size");
     std::size_t above = 0;
     for (const T level : levels) {
+        if (options.progress) options.progress("islands", above, points.size());
         for (; above < points.size() && points[above].height > level; ++above) forest.raise(points[above].index);
         const IslandTotal<S>& total = forest.total();
         T area = 0, height = 0, radius = 0;
@@ -417,6 +421,7 @@ RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const I
     S d1 = 0, r1 = 0, dd = 0, rr = 0, dr = 0;
     std::size_t count = 0;
     for (std::size_t sample = 0; sample < spread.resamples; ++sample) {
+        if (spread.progress) spread.progress("resamples", sample, spread.resamples);
         S points = 0;
         for (std::size_t& tile : drawn) {
             tile = held[static_cast<std::size_t>(detail::splitmix64(state) % held.size())];

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The bar of long work, and what an interruption leaves behind.
+#include "command.hpp"
+
+namespace {
+
+/// Some seconds of work for one core.
+const std::string long_scene =
+    "[surface]\nrms_height = \"1 um\"\npeak_radius = \"60 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = 1.5\n"
+    "errors = { rms_height = \"0.1 um\" }\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+    "[contact]\npressures = { from = \"1 MPa\", to = \"10 MPa\", count = 10 }\n[uncertainty]\nsamples = 3000\n";
+
+}  // namespace
+
+TEST_CASE("Long work shows a bar with the time left on a terminal, and nothing in a pipe") {
+    const test::Folder folder;
+    const std::string scene = folder.write("scene.toml", long_scene);
+    const auto piped = test::fstiff("run '" + scene + "' --format csv");
+    CHECK(piped.status == 0);
+    CHECK(piped.err.empty());
+    if (test::shell("command -v script").status != 0) {
+        WARN("there is no `script` to make a terminal with: skipped");
+        return;
+    }
+    const auto shown = test::shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' run '" + scene +
+                                   "' --format csv -o '" + folder / "out.csv" + "'\" /dev/null");
+    INFO(shown.out << shown.err);
+    CHECK(shown.status == 0);
+    CHECK(test::contains(shown.out, "surfaces ["));
+    CHECK(test::contains(shown.out, " s left"));
+    CHECK(shown.out.ends_with("\r\x1b[K"));  // wiped at the end
+    CHECK(test::read(folder / "out.csv") == piped.out);
+}
