@@ -214,8 +214,10 @@ class Report:
             head = ["method", "asked for", "time", "largest relative error", "median", "evaluations", "time over fstiff at 1e-12"]
             lines += table(head + (["values off by more than 1e-6"] if grid == "hard" else []), body)
         for prefix, title in (("kernel", "Kernel in two dimensions, laws of a user"), ("law", "Compiled law, 1e5 to 1e8 Pa"), ("contact", "A contact at a pressure or a separation"),
-                              ("profile", "Profiles")):
+                              ("profile", "Profiles"), ("topography", "Maps")):
             found = [(name.split("/", 1)[1], row) for name, row in self.rows.items() if name.startswith(prefix + "/")]
+            if not found:
+                continue
             head = ["row", "time", "largest relative error", "median", "evaluations"]
             body = [[name.replace("/", ", ").replace("_", " "), *cells(row)] for name, row in found]
             if prefix == "kernel":

@@ -15,7 +15,7 @@ struct Call {
     long evaluations;
 };
 
-int integrand(unsigned, std::size_t count, const double* at, void* data, unsigned, double* out) {
+int vector_integrand(unsigned, std::size_t count, const double* at, void* data, unsigned, double* out) {
     auto& call = *static_cast<Call*>(data);
     const Window& w = call.window;
     call.evaluations += static_cast<long>(count);
@@ -38,7 +38,7 @@ Values adaptive(const Problem& p, const Setting& with) {
     const double from[] = {0, 0}, to[] = {1, 1};
     double value[4], error[4];
     const int failed =
-        pcubature_v(4, integrand, &call, 2, from, to, 1000000, 0, with.outer, ERROR_INDIVIDUAL, value, error);
+        pcubature_v(4, vector_integrand, &call, 2, from, to, 1000000, 0, with.outer, ERROR_INDIVIDUAL, value, error);
     Values out{{}, no_estimate, call.evaluations};
     for (std::size_t q = 0; q < 4; ++q)
         out.value[q] = failed != 0

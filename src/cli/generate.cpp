@@ -23,7 +23,7 @@ namespace {
 struct Options {
     OutputOptions output;
     std::string kind, form = "csv";
-    std::size_t points = 4096, rows = 0;
+    std::size_t points = 0, rows = 0;  ///< 0: by default
     std::string spacing;
     std::optional<double> dimension, hurst;
     std::string roughness, rms, longest, shortest;
@@ -58,15 +58,14 @@ void check_options(const Options& options) {
     only(!options.rms.empty(), !wm, "--rms", true);
     only(options.long_waves != "plateau", !wm, "--long-waves", false);
     only(options.rows != 0, map, "--rows", false);
-    if (options.points < 16) throw Usage("--points = " + std::to_string(options.points) + ": must be at least 16");
-    if (map && options.rows == 1) throw Usage("--rows = 1: must be at least 4");
     const std::size_t rows = !map ? 1 : options.rows == 0 ? options.points : options.rows;
     if (options.points > most_points || rows > most_points / options.points)
         throw domain_error("points = " + std::to_string(options.points) + " x " + std::to_string(rows) +
                            ": must be at most 2^22 (4194304) in all");
 }
 
-Generated make(const Options& options) {
+Generated make(Options options) {
+    if (options.points == 0) options.points = options.kind == "map" ? 256 : 4096;
     check_options(options);
     const double spacing = parse_length(options.spacing, "--spacing");
     const auto length = [](const std::string& text, const char* name, double otherwise) {
@@ -161,8 +160,10 @@ Command add_generate(CLI::App& app) {
                      "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic")
         ->required()
         ->check(CLI::IsMember({"wm", "profile", "map"}));
-    command->add_option("--points", options->points, "of the profile, or of a row of the map; default 4096");
-    command->add_option("--rows", options->rows, "of the map; default as many as points");
+    command->add_option("--points", options->points, "of the profile, default 4096; of a row of the map, default 256")
+        ->check(CLI::Range(std::size_t(16), most_points));
+    command->add_option("--rows", options->rows, "of the map; default as many as points")
+        ->check(CLI::Range(std::size_t(16), most_points));
     command->add_option("--spacing", options->spacing, "between points, such as \"0.5 um\"");
     command->add_option("--dimension", options->dimension, "D of a wm profile, between 1 and 2");
     command->add_option("--roughness", options->roughness, "G of a wm profile, such as \"12 nm\"");

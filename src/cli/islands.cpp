@@ -6,6 +6,7 @@
 #include <fstiff/core/version.hpp>
 #include <fstiff/topography/islands.hpp>
 
+#include <cmath>
 #include <memory>
 
 namespace fstiff::cli {
@@ -48,7 +49,7 @@ std::vector<std::string> warnings(const SurfaceInput& input, const Result& resul
         all.push_back("the greatest density stands at the " + std::string(r.index == 0 ? "highest" : "lowest") +
                       " level: it is no maximum, and the pair represents nothing");
     if (r.radius_error > large * r.radius)
-        all.push_back("R is known to no better than " + rounded(100 * r.radius_error / r.radius, 2) +
+        all.push_back("R is known to no better than " + std::to_string(std::lround(100 * r.radius_error / r.radius)) +
                       " %: the map holds too few islands, or is not the same everywhere");
     if (r.islands < few)
         all.push_back("there are " + std::to_string(r.islands) +

@@ -63,8 +63,8 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
                          " peaks only; their errors are rough");
     for (const auto& [name, measured] : {std::pair("R", found.peak_radius), std::pair("D_p", found.peak_density)})
         if (measured.error > 0.3 * measured.value)
-            warned.push_back(std::string(name) + " is known to " + rounded(100 * measured.error / measured.value, 2) +
-                             " % only");
+            warned.push_back(std::string(name) + " is known to " +
+                             std::to_string(std::lround(100 * measured.error / measured.value)) + " % only");
 }
 
 double number_of(const Json& object, const char* key, const std::string& place) {

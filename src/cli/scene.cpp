@@ -795,8 +795,12 @@ Scene parse_scene(const std::string& text, const std::string& file, const std::s
     } else {
         MeasureOptions options;
         options.input.file = surface;
+        options.input.prefix = "fstiff measure --";  // has the options that run has not
+        options.input.format_name = "fstiff measure --input-format";
         scene.measured = measured_from(options, true, "--surface: ");
         source.record("surface.from", display_name(surface) + " (--surface)");
+        scene.name =
+            std::filesystem::path(scene.measured->file).filename().string();  // no longer what the scene was named for
         take_measured(source, scene);
     }
     if (scene.measured) scene.warnings = scene.measured->warnings;

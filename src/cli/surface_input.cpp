@@ -48,16 +48,19 @@ void refuse_cutoff(const SurfaceOptions& options) {
                     "detrend gaussian, of a profile; must not be given without it");
 }
 
-/// The library calls the option that chooses the form "format".
-std::string with_option_name(std::string message, std::string_view name) {
-    if (name == "format") return message;
-    for (const std::string_view part : {"format = ", "format must"}) {
-        std::size_t at = 0;
-        while ((at = message.find(part, at)) != std::string::npos) {
-            message.replace(at, 6, name);
-            at += name.size();
-        }
-    }
+/// The library calls its options format, units, spacing; a message must name those of the command line.
+std::string with_option_names(std::string message, const SurfaceOptions& options) {
+    if (options.prefix.empty()) return message;
+    const std::string prefix(options.prefix), format(options.format_name);
+    const std::array<std::pair<std::string, std::string>, 5> names{
+        {{"format = ", format + " "},
+         {"format must", format + " must"},
+         {"given as units = ", "given as " + prefix + "units "},
+         {"given as spacing = ", "given as " + prefix + "spacing "},
+         {"given as dx and dy", "given as " + prefix + "dx and " + prefix + "dy"}}};
+    for (const auto& [from, to] : names)
+        for (std::size_t at = message.find(from); at != std::string::npos; at = message.find(from, at + to.size()))
+            message.replace(at, from.size(), to);
     return message;
 }
 
@@ -136,7 +139,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     try {
         input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
     } catch (const domain_error& error) {
-        throw domain_error(with_option_name(error.what(), options.format_name));
+        throw domain_error(with_option_names(error.what(), options));
     }
     return input;
 }

@@ -3,8 +3,16 @@
 
 #include "support/accuracy.hpp"
 
+#include <fstiff/io/surface_file.hpp>
+#include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/peak_statistics.hpp>
+#include <fstiff/profile/power_spectrum.hpp>
+#include <fstiff/profile/spectral_moments.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/form.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -55,7 +63,7 @@ TEST_CASE("The command gives what the library gives, to the last digit") {
     REQUIRE(outcome.status == 0);
     const auto document = nlohmann::json::parse(outcome.out);
     const auto flat = fstiff::detrend(profile, fstiff::Form::line);
-    const auto fit = fstiff::fit_fractal(flat);
+    const auto fit = fstiff::fit_fractal(flat, {.removed = fstiff::Form::line});
     CHECK(document["fractal_dimension"].get<double>() == fit.fractal.dimension);
     CHECK(document["fractal_dimension_error"].get<double>() == fit.dimension_error);
     CHECK(document["fractal_roughness_m"].get<double>() == fit.fractal.roughness);
@@ -200,27 +208,111 @@ TEST_CASE("Options of fit that make no sense are refused") {
     check_refused("fit", 2, {"profile"});
 }
 
-TEST_CASE("Measured profiles give D and G without or with their units") {
+TEST_CASE("Measured profiles give D and G with their units, or say why not") {
     const std::string folder = FSTIFF_SURFACES;
-    for (const auto& [file, options, points] : {std::tuple{"dektak-1.csv", "", 9600},
-                                                {"opdx-3.txt", " --units m,m", 3001},
-                                                {"xy-4.txt", " --units um,um", 10001}}) {
-        const std::string path = folder + "/" + file;
-        if (!std::filesystem::exists(path)) {
-            WARN(std::string(file) + " is not there (FSTIFF_SURFACES): skipped");
-            continue;
-        }
-        const auto outcome = test::fstiff("fit '" + path + "' --format json" + options);
-        INFO(path << "\n" << outcome.err);
-        CHECK(outcome.status == 0);
-        if (outcome.status != 0) continue;
+    const auto there = [&](const std::string& file) {
+        if (std::filesystem::exists(folder + "/" + file)) return true;
+        WARN(file + " is not there (FSTIFF_SURFACES): skipped");
+        return false;
+    };
+    for (const auto& [file, options, points] :
+         {std::tuple{"dektak-1.csv", "", 9600}, {"opdx-3.txt", " --units m,m", 3001}}) {
+        if (!there(file)) continue;
+        const auto outcome = test::fstiff("fit '" + folder + "/" + file + "' --format json" + options);
+        INFO(file << "\n" << outcome.err);
+        REQUIRE(outcome.status == 0);
         const auto document = nlohmann::json::parse(outcome.out);
         CHECK(document["points"] == points);
         CHECK(document["fractal_dimension"] > 1);
         CHECK(document["fractal_dimension"] < 2);
         CHECK(document["fractal_dimension_error"] > 0);
-        // what README says of the two it shows: the roughness of the one has saturated below its window
-        CHECK(document["curved"] == (std::string(file) != "opdx-3.txt"));
-        CHECK(test::contains(outcome.err, "S is nearly flat") == (std::string(file) == "dektak-1.csv"));
+        // what README says of the two: the one follows a power law over nearly a decade, the other saturates at 7 um
+        const bool straight = std::string(file) == "opdx-3.txt";
+        CHECK(document["curved"] == !straight);
+        CHECK(test::contains(document["window_ends"], "saturates") == !straight);
+        CHECK((document["window_m"][1].get<double>() > 8 * document["window_m"][0].get<double>()) == straight);
     }
+    // smooth at its short lags, a fifth of a decade of bend, then flat: the slope of S is that of no fractal
+    if (there("xy-4.txt")) {
+        test::check_refused("fit '" + folder + "/xy-4.txt' --units um,um", 3, {"xy-4.txt", "no fractal profile"});
+        test::check_refused("fit '" + folder + "/xy-4.txt' --units um,um --tip-radius '40 nm'", 3,
+                            {"xy-4.txt", "no half decade", "tip radius"});
+    }
+}
+
+TEST_CASE("A map is fitted along x and along y, and said to be anisotropic when it is") {
+    const auto made = test::fstiff("generate map --points 128 --spacing '1 um' --hurst 0.5 --rms '1 um'");
+    REQUIRE(made.status == 0);
+    const auto read = fstiff::io::read_surface(made.out, "map");
+    const auto flat = fstiff::remove_form(read.map(), fstiff::MapForm::quadratic);
+    const auto expected = fstiff::fit_directions(flat);
+    const auto document = nlohmann::json::parse(test::fstiff("fit - --detrend quadratic --format json", made.out).out);
+    CHECK(document["x"]["fractal_dimension"] == expected.x.value().fractal.dimension);
+    CHECK(document["y"]["fractal_dimension_error"] == expected.y.value().dimension_error);
+    CHECK(document["anisotropic"] == expected.anisotropic());
+    const auto areal = fstiff::areal_statistics(flat);
+    CHECK(document["areal"]["m2"] == areal.m2);
+    CHECK(document["areal"]["m4_per_m2"] == areal.m4);
+    CHECK(document["areal"]["summit_density_per_m2"] == areal.summit_density);
+    CHECK(document["areal"]["summit_curvature_per_m"] == areal.summit_curvature);
+
+    // the same heights, each column four times: steps along x are a quarter as frequent
+    std::string stretched = "# dx: 1 um\n# dy: 1 um\n# Value units: um\n";
+    for (Eigen::Index j = 0; j < 128; ++j) {
+        for (Eigen::Index i = 0; i < 128; ++i) {
+            const auto column = i / 4;
+            const double share = static_cast<double>(i % 4) / 4;
+            const double z = (1 - share) * flat.heights(j, column) + share * flat.heights(j, column + 1);
+            stretched += (i > 0 ? " " : "") + digits(z * 1e6);
+        }
+        stretched += "\n";
+    }
+    const auto outcome = test::fstiff("fit -", stretched);
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(test::contains(outcome.out, "warning: the map is anisotropic"));
+    test::check_refused("fit - --all-lags", 2, {"--all-lags", "map"}, made.out);
+    test::check_refused("fit - --detrend line", 2, {"detrend", "plane"}, made.out);
+}
+
+TEST_CASE("Tip, resolution, seed and filter do in the command what they do in the library") {
+    const auto profile = random_walk(4096);
+    const std::string text = one_column(profile);
+    const auto json = [&](const std::string& more) {
+        const auto outcome = test::fstiff(read_metres + " --format json " + more, text);
+        INFO(more << outcome.err);
+        REQUIRE(outcome.status == 0);
+        return nlohmann::json::parse(outcome.out);
+    };
+    const auto flat = fstiff::detrend(profile, fstiff::Form::line);
+    const auto same = [](const nlohmann::json& document, const fstiff::FractalFit<double>& fit) {
+        CHECK(document["fractal_dimension"] == fit.fractal.dimension);
+        CHECK(document["fractal_dimension_bootstrap_error"] == fit.bootstrap_dimension_error);
+        CHECK(document["reliable_from_m"] == fit.reliable_from);
+        CHECK(document["ordinary_least_squares"]["fractal_dimension"] == fit.line_dimension);
+    };
+    same(json("--resolution '4 um'"), fstiff::fit_fractal(flat, {.removed = fstiff::Form::line, .resolution = 4e-6}));
+    CHECK(json("--resolution '4 um'")["window_m"][0].get<double>() >= 4e-6 * (1 - 1e-12));
+    same(json("--tip-radius '5 um'"), fstiff::fit_fractal(flat, {.removed = fstiff::Form::line, .tip_radius = 5e-6}));
+    same(json("--seed 5 --resamples 50"),
+         fstiff::fit_fractal(flat, {.seed = 5, .resamples = 50, .removed = fstiff::Form::line}));
+    const auto filtered = fstiff::gaussian_roughness(flat, 200e-6);
+    const auto document = json("--detrend gaussian --cutoff '200 um'");
+    same(document, fstiff::fit_fractal(filtered));
+    CHECK(document["rms_height_m"] == fstiff::rms_height(filtered));
+    const auto moments = fstiff::spectral_moments(flat);
+    CHECK(json("")["spectral_moments"]["m4_per_m2"] == moments.m4);
+    CHECK(json("")["spectral_moments"]["nayak_alpha"] == moments.bandwidth());
+    const auto peaks = fstiff::peak_statistics(flat);
+    CHECK(json("")["peak_statistics"]["theta"] == peaks.theta);
+    CHECK(json("")["peak_statistics"]["peak_ratio"] == peaks.peak_ratio());
+    CHECK(json("")["peak_statistics"]["counted_peak_ratio"] == peaks.counted_peak_ratio);
+    CHECK(json("")["power_spectrum"]["fractal_dimension"] ==
+          fstiff::fit_spectrum(fstiff::power_spectrum(flat)).dimension);
+    CHECK(json("--all-lags")["structure_function"]["lag_m"].size() == 4095);
+
+    test::check_refused(read_metres + " --detrend gaussian", 2, {"--cutoff"}, text);
+    test::check_refused(read_metres + " --cutoff '1 um'", 2, {"--detrend gaussian"}, text);
+    test::check_refused(read_metres + " --tip-radius '1 s'", 3, {"--tip-radius"}, text);
+    test::check_refused(read_metres + " --resolution '5 mm'", 3, {"standard input"}, text);
 }

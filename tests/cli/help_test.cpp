@@ -5,7 +5,7 @@
 
 TEST_CASE("The example at the end of every --help works as pasted") {
     for (const std::string subcommand :
-         {"", "run ", "fit ", "islands ", "peaks ", "integral ", "generate ", "ultrasound ", "identify "}) {
+         {"", "run ", "measure ", "fit ", "islands ", "peaks ", "integral ", "generate ", "ultrasound ", "identify "}) {
         const auto help = test::fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);
         CHECK(help.status == 0);

@@ -287,7 +287,7 @@ private:
         }
         refuse_file(
             name_,
-            "states no unit and none is given; must be given such as \"um,nm\" (positions, heights), each one of " +
+            "states no unit and none is given; must be given as units = \"um,nm\" (positions, heights), each one of " +
                 accepted_units(Dimension::length));
     }
 
@@ -308,7 +308,7 @@ private:
         if (record_.position_column == 0) {
             if (!stated)
                 refuse_file(name_,
-                            "has no column of positions and no spacing is given; must be given such as \"0.5 um\"");
+                            "has no column of positions and no spacing is given; must be given as spacing = \"0.5 um\"");
             record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
             return stated->value;
         }

@@ -9,15 +9,16 @@
 ///
 /// A draw in which D, r or theta leaves its range is drawn again, all of it. An error of 0 gives the value itself.
 ///
-/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); splitmix64 of surface/weierstrass_mandelbrot.hpp: the same seed
-///             gives the same bits on every platform
+/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); splitmix64 of surface/weierstrass_mandelbrot.hpp: the random
+///             bits of a seed are the same on every platform; values agree to the rounding of the local log, cos, exp
+///             and eigenvectors
 /// Units       SI
 /// Valid       values in the range of each parameter, errors finite and not negative, a correlation that is positive
 ///             semidefinite (an eigenvalue below -1e-9 is refused)
 
 #include <fstiff/measured/surface_parameters.hpp>
-#include <fstiff/surface/fractal.hpp>
-#include <fstiff/surface/roughness.hpp>
+
+#include <Eigen/Eigenvalues>
 
 #include <span>
 
@@ -92,8 +93,8 @@ void UncertainSurface<T>::validate() const {
         require(error[i] >= T(0) && error[i] <= std::numeric_limits<T>::max(),
                 std::string(parameter_names[i]) + " error", error[i], "finite and not negative");
         for (std::size_t j = 0; j < parameter_count; ++j)
-            require(std::abs(correlation[i][j]) <= T(1) && correlation[i][j] == correlation[j][i], "correlation",
-                    correlation[i][j], "symmetric, between -1 and 1");
+            require(!known[j] || (std::abs(correlation[i][j]) <= T(1) && correlation[i][j] == correlation[j][i]),
+                    "correlation", correlation[i][j], "symmetric, between -1 and 1");
         require(correlation[i][i] == T(1), "correlation of a parameter with itself", correlation[i][i], "1");
     }
 }
@@ -115,10 +116,11 @@ template <Real T>
 SurfaceSampler<T>::SurfaceSampler(const UncertainSurface<T>& surface, std::uint64_t seed)
     : surface_(surface), state_(seed) {
     surface_.validate();
-    Eigen::Matrix<T, 6, 6> correlation;
+    Eigen::Matrix<T, 6, 6> correlation = Eigen::Matrix<T, 6, 6>::Identity();
     for (std::size_t i = 0; i < parameter_count; ++i)
         for (std::size_t j = 0; j < parameter_count; ++j)
-            correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = surface.correlation[i][j];
+            if (surface.known[i] && surface.known[j])
+                correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = surface.correlation[i][j];
     // the symmetric root: a correlation of exactly 1, or rounded to a few digits, does it no harm
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, 6, 6>> solver(correlation);
     const T least = solver.eigenvalues().minCoeff();
