@@ -55,7 +55,7 @@ std::optional<double> as_number(const std::string& text) {
 struct Row {
     MeasuredPoint point;
     double reflection_error;
-    MeasuredStiffness<double> stiffness;
+    std::optional<MeasuredStiffness<double>> stiffness;  ///< none: no K has this R
 };
 
 /// K of every row of a file of R(p), with the error that follows from that of R.
@@ -67,9 +67,14 @@ Report from_file(const Options& options, double frequency, const Impedances<doub
     const bool errors = curve.has_errors || options.reflection_error;
     std::vector<Row> rows;
     Report report;
-    std::size_t doubtful = 0, first = 0;
+    std::size_t doubtful = 0, first = 0, beyond = 0, first_beyond = 0;
     for (const MeasuredPoint& point : curve.points) {
         const double error = curve.has_errors ? point.error : options.reflection_error.value_or(0);
+        if (!(point.value > welded && point.value < 1)) {  // what noise makes of light loads, or of heavy ones
+            rows.push_back({point, error, {}});
+            if (beyond++ == 0) first_beyond = point.line;
+            continue;
+        }
         try {
             rows.push_back({point, error, measured_stiffness(point.value, error, media, omega)});
         } catch (const domain_error& refusal) {
@@ -79,9 +84,21 @@ Report from_file(const Options& options, double frequency, const Impedances<doub
         if (2 * error >= std::min(1 - point.value, point.value - welded) && doubtful++ == 0) first = point.line;
     }
     std::vector<std::string> warnings;
+    const auto in_rows = [&](std::size_t count, std::size_t line) {
+        return " in " + std::to_string(count) + " of " + std::to_string(rows.size()) + " rows, the first at line " +
+               std::to_string(line);
+    };
+    if (beyond > 0) {
+        if (beyond == rows.size())
+            throw domain_error(curve.name + ":" + std::to_string(first_beyond) +
+                               ": reflection = " + shortest(rows.front().point.value) + ": must be greater than " +
+                               shortest(welded) + ", that of the welded joint, and less than 1; no row is");
+        warnings.push_back("R is not between that of the welded joint, " + rounded(welded) + ", and 1" +
+                           in_rows(beyond, first_beyond) + ": no stiffness there");
+        report.status = doubtful_result;
+    }
     if (doubtful > 0)
-        warnings.push_back("R is within two errors of 1 or of the welded joint in " + std::to_string(doubtful) +
-                           " of " + std::to_string(rows.size()) + " rows, the first at line " + std::to_string(first) +
+        warnings.push_back("R is within two errors of 1 or of the welded joint" + in_rows(doubtful, first) +
                            ": the error of K is of first order and says too little there");
 
     if (options.output.format == Format::json) {
@@ -100,21 +117,26 @@ Report from_file(const Options& options, double frequency, const Impedances<doub
         for (const Row& row : rows) {
             Json entry{{"pressure_Pa", json_number(row.point.pressure)}, {"reflection", json_number(row.point.value)}};
             if (errors) entry["reflection_error"] = json_number(row.reflection_error);
-            entry["stiffness_Pa_per_m"] = json_number(row.stiffness.value);
-            if (errors) entry["stiffness_error_Pa_per_m"] = json_number(row.stiffness.error);
-            entry["slope_Pa_per_m"] = json_number(row.stiffness.slope);
+            if (row.stiffness) {
+                entry["stiffness_Pa_per_m"] = json_number(row.stiffness->value);
+                if (errors) entry["stiffness_error_Pa_per_m"] = json_number(row.stiffness->error);
+                entry["slope_Pa_per_m"] = json_number(row.stiffness->slope);
+            } else {
+                entry["stiffness_Pa_per_m"] = nullptr;
+            }
             list.push_back(std::move(entry));
         }
         document["warnings"] = warnings;
         report.document = json_text(document);
     } else if (options.output.format == Format::csv) {
-        // no column of R: the document reads back as a measured K(p)
+        // no column of R and no row without K: the document reads back as a measured K(p)
         std::vector<std::string> header{"pressure_Pa", "stiffness_Pa_per_m"};
         if (errors) header.push_back("stiffness_error_Pa_per_m");
         report.document = csv_line(header);
         for (const Row& row : rows) {
-            std::vector<std::string> cells{exact(row.point.pressure), exact(row.stiffness.value)};
-            if (errors) cells.push_back(exact(row.stiffness.error));
+            if (!row.stiffness) continue;
+            std::vector<std::string> cells{exact(row.point.pressure), exact(row.stiffness->value)};
+            if (errors) cells.push_back(exact(row.stiffness->error));
             report.document += csv_line(cells);
         }
     } else {
@@ -130,10 +152,14 @@ Report from_file(const Options& options, double frequency, const Impedances<doub
         for (const Row& row : rows) {
             std::vector<std::string> cells{rounded(row.point.pressure / 1e6), rounded(row.point.value)};
             if (errors) cells.push_back(rounded(row.reflection_error, 2));
-            cells.push_back(rounded(row.stiffness.value / 1e15));
-            if (errors)
-                cells.insert(cells.end(), {rounded(row.stiffness.error / 1e15, 2),
-                                           rounded(100 * row.stiffness.error / row.stiffness.value, 2)});
+            if (row.stiffness) {
+                cells.push_back(rounded(row.stiffness->value / 1e15));
+                if (errors)
+                    cells.insert(cells.end(), {rounded(row.stiffness->error / 1e15, 2),
+                                               rounded(100 * row.stiffness->error / row.stiffness->value, 2)});
+            } else {
+                cells.insert(cells.end(), errors ? 3 : 1, "-");
+            }
             table.add(std::move(cells));
         }
         report.document += table.str();
@@ -261,7 +287,8 @@ Command add_ultrasound(CLI::App& app) {
     command->footer(
         "A file begins with its columns and their units: pressure [MPa], reflection, reflection_error. Shear waves: "
         "give "
-        "the\nimpedances of shear waves; the stiffness is then the tangential one.\n"
+        "the\nimpedances of shear waves; the stiffness is then the tangential one. Exit code 4: rows whose R no "
+        "stiffness gives.\n"
         "Example:\n  fstiff ultrasound --stiffness \"1.764 GPa/um\" --frequency \"7 MHz\" --impedance \"46 MRayl\"");
     return {command, &options->output, [options] { return execute(*options); }};
 }

@@ -89,5 +89,67 @@ TEST_CASE("Ultrasound refuses what the spring model does not allow") {
     check_refused("ultrasound --stiffness '1 GPa/um' --frequency '7 MHz'", 2, {"--impedance", "--density"});
     check_refused("ultrasound --stiffness '1 GPa/um' --density '1 g/cm^3'" + steel, 2, {"--impedance", "--density"});
     check_refused("ultrasound --stiffness '1 GPa/um' --impedance '46 MRayl'", 2, {"--frequency"});
-    check_refused("ultrasound --reflection half" + steel, 2, {"--reflection", "half"});
+    check_refused("ultrasound --reflection half" + steel, 3, {"--reflection", "half", "existing file"});
+}
+
+TEST_CASE("A file of measured reflections gives K of every row with its error") {
+    const std::string file =
+        "# a comment\npressure [MPa]; temperature; |R|; R_error\n1; 20; 0,99; 0,001\n10; 20; 0,9; 0,002\n"
+        "60; 20; 0,5; 0,002\n";
+    const auto outcome = test::fstiff("ultrasound --reflection - --format json" + steel, file);
+    REQUIRE(outcome.status == 0);
+    const auto rows = nlohmann::json::parse(outcome.out)["rows"];
+    REQUIRE(rows.size() == 3);
+    const double pressures[3] = {1e6, 10e6, 60e6}, reflections[3] = {0.99, 0.9, 0.5}, errors[3] = {0.001, 0.002, 0.002};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double r = reflections[i];
+        const double k = std::numbers::pi * 7e6 * 46e6 * std::sqrt(1 - r * r) / r;
+        CHECK(test::relative_error(rows[i]["pressure_Pa"].get<double>(), pressures[i]) < 1e-15);
+        CHECK(test::relative_error(rows[i]["stiffness_Pa_per_m"].get<double>(), k) < 4e-15);
+        CHECK(test::relative_error(rows[i]["stiffness_error_Pa_per_m"].get<double>(),
+                                   k * errors[i] / (r * (1 - r * r))) < 2e-14);
+    }
+    // the CSV reads back as measured stiffnesses
+    const test::Folder folder;
+    const auto csv = test::fstiff("ultrasound --reflection - --format csv" + steel, file);
+    CHECK(test::lines(csv.out).front() == "pressure_Pa,stiffness_Pa_per_m,stiffness_error_Pa_per_m");
+    CHECK(test::fstiff("identify --measured - --law hertz --fit sigma", csv.out).status == 0);
+    const auto table = test::fstiff("ultrasound --reflection -" + steel, file);
+    for (const char* part : {"error of K [%]", "0.99", "46 MRayl"}) CHECK(test::contains(table.out, part));
+}
+
+TEST_CASE("Reflections without a column of errors take --reflection-error, or have none") {
+    const std::string file = "p [MPa],R\n1,0.9\n";
+    const auto with = test::fstiff("ultrasound --reflection - --reflection-error 0.002 --format csv" + steel, file);
+    const auto without = test::fstiff("ultrasound --reflection - --format csv" + steel, file);
+    CHECK(test::relative_error(test::Csv(with.out).number(0, "stiffness_error_Pa_per_m"),
+                               test::Csv(with.out).number(0, "stiffness_Pa_per_m") * 0.002 / (0.9 * 0.19)) < 2e-14);
+    CHECK(test::lines(without.out).front() == "pressure_Pa,stiffness_Pa_per_m");
+}
+
+TEST_CASE("Rows whose R no stiffness gives have none, and the exit code says so") {
+    const std::string file = "p [MPa],R,error\n1,1.002,0.002\n2,0.999,0.002\n10,0.9,0.002\n60,0.4,0.002\n";
+    const std::string call = "ultrasound --reflection - --impedance2 '17 MRayl'" + steel;
+    const auto json = test::fstiff(call + " --format json", file);
+    CHECK(json.status == 4);
+    const auto document = nlohmann::json::parse(json.out);
+    CHECK(document["rows"][0]["stiffness_Pa_per_m"].is_null());
+    CHECK(document["rows"][2]["stiffness_Pa_per_m"].is_number());
+    CHECK(document["rows"][3]["stiffness_Pa_per_m"].is_null());  // the welded joint has 29/63
+    CHECK(test::contains(json.err, "no stiffness there"));
+    CHECK(test::contains(json.err, "2 of 4 rows, the first at line 2"));
+    CHECK(test::contains(json.err, "within two errors of 1"));
+    CHECK(test::Csv(test::fstiff(call + " --format csv", file).out).size() == 2);
+    CHECK(test::contains(test::fstiff(call, file).out, "warning: R is not between"));
+}
+
+TEST_CASE("A file of reflections that is none is refused by line") {
+    const std::string call = "ultrasound --reflection -" + steel;
+    test::check_refused(call, 3, {"standard input:2", "reflection = 1.5", "less than 1"}, "p [MPa],R\n1,1.5\n");
+    test::check_refused(call, 3, {"standard input:3", "reflection", "half"}, "p [MPa],R\n1,0.5\n2,half\n");
+    test::check_refused(call, 3, {"standard input:1", "\"p\"", "no unit"}, "p,R\n1,0.5\n");
+    test::check_refused(call, 3, {"standard input:1", "row of numbers"}, "1,0.5\n");
+    test::check_refused(call, 3, {"standard input:1", "reflection"}, "p [MPa],b\n1,0.5\n");
+    test::check_refused(call, 3, {"stiffnesses", "reflection"}, "p [MPa],K [GPa/um]\n1,0.5\n");
+    test::check_refused(call, 3, {"header but no row"}, "p [MPa],R\n");
 }
