@@ -5,19 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 
 using namespace test;
 
 namespace {
-
-/// A scene whose band takes some seconds.
-std::string long_scene(int samples) {
-    std::string text = read(FSTIFF_SCENES "/sand_blasted_fine.toml");
-    text = replaced(text, "[material.upper]", "errors = { rms_height = \"0.08 um\" }\n\n[material.upper]");
-    return text + "\n[uncertainty]\nsamples = " + std::to_string(samples) + "\n";
-}
 
 /// Starts the command with standard error on \p error_to; standard output goes nowhere.
 pid_t start(const std::vector<std::string>& arguments, int error_to) {
@@ -37,39 +29,22 @@ pid_t start(const std::vector<std::string>& arguments, int error_to) {
 
 }  // namespace
 
-TEST_CASE("A band of many samples shows a bar on a terminal and nothing in a pipe") {
+TEST_CASE("Ctrl-C during long work ends the command and leaves no file") {
     const Folder folder;
-    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) {
-        WARN("there are no pseudo-terminals: skipped");
-        return;
-    }
-    const int far_end = open(ptsname(terminal), O_RDWR | O_NOCTTY);
-    REQUIRE(far_end >= 0);
-    const std::string scene = folder.write("scene.toml", long_scene(100000));
-    const pid_t child = start({"run", scene}, far_end);
-    close(far_end);
-    // until the bar is there, or the work is done without one
-    std::string shown;
-    char bytes[4096];
-    while (!contains(shown, " left")) {
-        const auto count = ::read(terminal, bytes, sizeof bytes);
-        if (count <= 0) break;
-        shown.append(bytes, static_cast<std::size_t>(count));
-    }
+    std::string scene = read(FSTIFF_SCENES "/sand_blasted_fine.toml");
+    scene = replaced(scene, "[material.upper]", "errors = { rms_height = \"0.08 um\" }\n\n[material.upper]") +
+            "\n[uncertainty]\nsamples = 100000\n";
+    const std::string file = folder.write("scene.toml", scene);
+    const int nothing = open("/dev/null", O_WRONLY);
+    const pid_t child = start({"run", file, "-o", folder / "table"}, nothing);
+    close(nothing);
+    usleep(200000);  // into the work, which takes minutes; earlier or later makes no difference to what is checked
     kill(child, SIGINT);
     int code = 0;
     waitpid(child, &code, 0);
-    close(terminal);
-    INFO(shown);
-    CHECK(contains(shown, "band of 100000 surfaces ["));
-    CHECK(contains(shown, " left"));
     CHECK(WIFSIGNALED(code));
     CHECK(WTERMSIG(code) == SIGINT);
-
-    const Outcome piped = fstiff("run '" + folder.write("short.toml", long_scene(2000)) + "'");
-    CHECK(piped.status == 0);
-    CHECK(piped.err.empty());
+    CHECK(folder.files() == 1);
 }
 
 TEST_CASE("Ctrl-C while a file is written leaves nothing of it") {

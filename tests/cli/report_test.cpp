@@ -19,10 +19,10 @@ const figures = [...document.querySelectorAll("figure > svg")].map(picture => {
     });
     const drawn = path => path.getTotalLength() > 20 && getComputedStyle(path).stroke != "none" && inside(path);
     return {width: box.width, height: box.height, panels: frames.length,
-            lines: [...picture.querySelectorAll("svg path.line")].filter(drawn).length,
-            bands: [...picture.querySelectorAll("svg path.band")].filter(inside).length,
-            windows: [...picture.querySelectorAll("svg rect.window")].filter(w => w.getBBox().width > 1 && w.getBBox().height > 1).length,
-            points: picture.querySelectorAll("svg g circle").length,
+            lines: [...picture.querySelectorAll(":scope > svg path.line")].filter(drawn).length,
+            bands: [...picture.querySelectorAll(":scope > svg path.band")].filter(inside).length,
+            windows: [...picture.querySelectorAll(":scope > svg rect.window")].filter(w => w.getBBox().width > 1 && w.getBBox().height > 1).length,
+            points: picture.querySelectorAll(":scope > svg g circle").length,
             images: picture.querySelectorAll("image").length};
 });
 const images = [...document.querySelectorAll("image")].map(async image => {
