@@ -178,8 +178,8 @@ Picture figure_4(Reproduction& all) {
         IslandSpread spread{.tiles = 4, .resamples = 200, .seed = seed};
         if (bar) {  // one bar for the three maps; the sweep of a map takes nearly all the time
             const auto before = static_cast<std::size_t>(&surface - surfaces.data());
-            how.progress = [&bar, before](std::string_view, std::size_t done, std::size_t all_points) {
-                bar("maps of Fig. 4", before * all_points + done, 3 * all_points);
+            how.progress = [&bar, before](std::string_view, std::size_t done, std::size_t of) {
+                bar("maps of Fig. 4", before * of + done, 3 * of);
             };
         }
         const auto islands = representative_islands(map, how, spread);
