@@ -45,7 +45,7 @@ public:
                "Sans',sans-serif;"
                "max-width:62rem;margin:1.5rem auto;padding:0 1rem;color:#1d1d1f;background:#ffffff}\n"
                "table{border-collapse:collapse;font-size:13px}th,td{border:1px solid #c9c9d0;padding:.25rem .6rem;"
-               "text-align:left;vertical-align:top}th{background:#f2f2f5}.wide{overflow-x:auto}\n"
+               "text-align:left;vertical-align:top}th{background:#f2f2f5}.wide{overflow-x:auto;margin:.8rem 0}\n"
                "figure{margin:1rem 0}figcaption{font-size:13px}svg{max-width:100%;height:auto}\n"
                "h2{margin-top:2rem;border-bottom:1px solid #c9c9d0}\n"
                "@media screen and (prefers-color-scheme:dark){body{color:#ececf1;background:#16161a}"

@@ -166,6 +166,7 @@ Panel structure_panel() {
 }
 
 void measured_section(Page& page, const MeasuredSurface& surface) {
+    const std::string shown = std::filesystem::path(surface.file).filename().string();
     page.heading("Measured surface");
     Rows source{{"", ""}, {"file", surface.file}, {"kind", surface.kind}, {"SHA-256", surface.sha256}};
     page.table(source);
@@ -192,13 +193,13 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
     Rows peaks{{"peak statistics", "value"}};
     if (surface.profile) {
         const Profile<double>& profile = surface.profile->profile;
-        page.figure({.title = surface.file,
-                     .panels = {profile_panel(profile), bearing_panel(profile.heights.data(), profile.size())}},
-                    "Profile, and its height against the share of it that stands above.");
+        page.figure(
+            {.title = shown, .panels = {profile_panel(profile), bearing_panel(profile.heights.data(), profile.size())}},
+            "Profile, and its height against the share of it that stands above.");
         try_fit([&] {
             Panel panel = structure_panel();
             add_structure(panel, fit_fractal(profile, surface.fit), "");
-            page.figure({.title = surface.file, .panels = {panel}}, "Structure function, its fit and the window.");
+            page.figure({.title = shown, .panels = {panel}}, "Structure function, its fit and the window.");
         });
         try {
             const PeakStatistics<double> s = peak_statistics(profile);
@@ -218,7 +219,7 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
         const HeightMap<double>& map = surface.map->map;
         std::vector<Panel> panels = map_panels(map);
         panels.push_back(bearing_panel(map.heights.data(), static_cast<std::size_t>(map.size())));
-        page.figure({.title = surface.file, .panels = panels},
+        page.figure({.title = shown, .panels = panels},
                     "Map, the heights of its colours, and height against the share of the map that stands above.");
         try_fit([&] {
             const DirectionalFit<double> fit = fit_directions(map, surface.fit);
@@ -228,7 +229,7 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
             for (const auto& [direction, refusal] : {std::pair("x", fit.x_refusal), std::pair("y", fit.y_refusal)})
                 if (!refusal.empty()) page.paragraph("No fit along " + std::string(direction) + ": " + refusal);
             if (!panel.lines.empty())
-                page.figure({.title = surface.file, .panels = {panel}},
+                page.figure({.title = shown, .panels = {panel}},
                             "Structure functions along both directions, their fits and windows.");
         });
         const ArealStatistics<double> a = areal_statistics(map);
@@ -250,8 +251,7 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
                 line.y.push_back(curve.density[k] * 1e-6);
             }
             islands.lines.push_back(std::move(line));
-            page.figure({.title = surface.file, .panels = {islands}},
-                        "Islands above a cut, against the bearing area there.");
+            page.figure({.title = shown, .panels = {islands}}, "Islands above a cut, against the bearing area there.");
         } catch (const domain_error& error) {
             page.paragraph("No islands: " + std::string(error.what()));
         }
@@ -353,7 +353,11 @@ void results_section(Page& page, const Scene& scene, const Results& results) {
                                       [](const ContactState<double>& s) { return s.separation.value / um; });
     separation.title = "Separation of the mean planes";
     others.panels = {area, contacts, separation};
-    page.figure(others, "Real area, number of contacts and separation against pressure.");
+    const auto has = [&](Law law) { return std::find(scene.laws.begin(), scene.laws.end(), law) != scene.laws.end(); };
+    page.figure(others, std::string("Real area, number of contacts and separation against pressure.") +
+                            (has(Law::fractal) && has(Law::hertz)
+                                 ? " fractal and hertz have one load, (3.7): here their curves lie on one another."
+                                 : ""));
 
     page.heading("Numbers");
     for (const Curve& curve : results.curves) {
