@@ -39,6 +39,11 @@ need() {
     }
 }
 
+# want PACKAGE: the same, but where it cannot be had the tests that use it are skipped.
+want() {
+    (need "$1") || echo "Going on without $1: the tests that use it are skipped." >&2
+}
+
 apt_update() {
     $as_root apt-get update >&2 || echo "apt-get update failed: going on with the package list there is." >&2
 }
