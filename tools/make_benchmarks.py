@@ -22,6 +22,8 @@ import pathlib
 import re
 import sys
 
+import generated
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "bench" / "results.json"
 COUNTERS = ("rel_err_max", "rel_err_median", "evaluations", "values", "wrong", "beyond_estimate", "ns_median_problem")
@@ -326,14 +328,6 @@ def picture(report):
 # ---------------------------------------------------------------- files
 
 
-def between_markers(path, text):
-    old = path.read_text()
-    new, count = re.subn(r"(<!-- benchmarks -->\n).*(<!-- /benchmarks -->)", lambda m: m[1] + text + "\n" + m[2], old, flags=re.S)
-    if count != 1:
-        raise ValueError(f"{path.relative_to(ROOT)} has no lines <!-- benchmarks --> and <!-- /benchmarks --> for the table")
-    return new
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("json", nargs="?", help="of the program built for this processor; without it bench/results.json serves")
@@ -344,17 +338,10 @@ def main():
         measure(options.json, options.portable)
     report = Report(json.loads(RESULTS.read_text()))
     wanted = {ROOT / "docs" / "benchmarks.svg": picture(report)}
-    wanted[ROOT / "docs" / "benchmarks.md"] = between_markers(ROOT / "docs" / "benchmarks.md", report.document())
+    wanted[ROOT / "docs" / "benchmarks.md"] = generated.between_markers(ROOT / "docs" / "benchmarks.md", "benchmarks", report.document())
     if "<!-- benchmarks -->" in (ROOT / "README.md").read_text():
-        wanted[ROOT / "README.md"] = between_markers(ROOT / "README.md", report.summary())
-    old = [path.relative_to(ROOT) for path, text in wanted.items() if not path.exists() or path.read_text() != text]
-    if options.check:
-        for path in old:
-            print(f"{path} is not what bench/results.json gives: run tools/make_benchmarks.py")
-        return 1 if old else 0
-    for path, text in wanted.items():
-        path.write_text(text)
-    return 0
+        wanted[ROOT / "README.md"] = generated.between_markers(ROOT / "README.md", "benchmarks", report.summary())
+    return generated.write_or_check(wanted, "bench/results.json", "make_benchmarks.py", options.check)
 
 
 if __name__ == "__main__":

@@ -13,9 +13,10 @@ import csv
 import io
 import math
 import pathlib
-import re
 import subprocess
 import sys
+
+import generated
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "bench" / "validation.csv"
@@ -139,13 +140,6 @@ def picture(rows):
     return "\n".join(out + ["</svg>"]) + "\n"
 
 
-def between_markers(path, text):
-    new, count = re.subn(r"(<!-- validation -->\n).*(<!-- /validation -->)", lambda m: m[1] + text + "\n" + m[2], path.read_text(), flags=re.S)
-    if count != 1:
-        raise ValueError(f"{path.relative_to(ROOT)} has no lines <!-- validation --> and <!-- /validation --> for the tables")
-    return new
-
-
 def same(kept, found):
     """Whether the rows are the same but for the rounding of the last digit that is printed."""
     numbers = ("p_star", "ratio", "least", "largest")
@@ -162,15 +156,8 @@ def main():
     if options.program and not same(rows, read(subprocess.run([options.program], check=True, capture_output=True, text=True).stdout)):
         print("bench/validation.csv is not what fstiff_validation prints: redirect its output there, and run tools/make_validation.py")
         return 1
-    wanted = {DOCUMENT: between_markers(DOCUMENT, document(rows)), PICTURE: picture(rows)}
-    old = [path.relative_to(ROOT) for path, text in wanted.items() if not path.exists() or path.read_text() != text]
-    if options.check:
-        for path in old:
-            print(f"{path} is not what bench/validation.csv gives: run tools/make_validation.py")
-        return 1 if old else 0
-    for path, text in wanted.items():
-        path.write_text(text)
-    return 0
+    wanted = {DOCUMENT: generated.between_markers(DOCUMENT, "validation", document(rows)), PICTURE: picture(rows)}
+    return generated.write_or_check(wanted, "bench/validation.csv", "make_validation.py", options.check)
 
 
 if __name__ == "__main__":

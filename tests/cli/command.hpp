@@ -87,20 +87,26 @@ inline std::string replaced(std::string text, const std::string& from, const std
     return text.replace(found, from.size(), to);
 }
 
+/// The cells of one line; those with commas stand in quotes.
+inline std::vector<std::string> csv_cells(const std::string& line) {
+    std::vector<std::string> cells{""};
+    bool quoted = false;
+    for (const char c : line) {
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            cells.emplace_back();
+        else
+            cells.back() += c;
+    }
+    return cells;
+}
+
 /// Cells of CSV text by column name.
 class Csv {
 public:
     explicit Csv(const std::string& text) {
-        for (const std::string& line : lines(text)) {
-            std::vector<std::string> cells{""};
-            for (const char c : line) {
-                if (c == ',')
-                    cells.emplace_back();
-                else
-                    cells.back() += c;
-            }
-            rows_.push_back(std::move(cells));
-        }
+        for (const std::string& line : lines(text)) rows_.push_back(csv_cells(line));
         if (rows_.empty()) throw std::runtime_error("the document is empty");
     }
     std::size_t size() const { return rows_.size() - 1; }

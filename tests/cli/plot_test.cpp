@@ -19,16 +19,7 @@ std::vector<Drawn> curves(const std::string& file) {
     std::string last;
     const auto rows = lines(read(file));
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        std::vector<std::string> cells{""};
-        bool quoted = false;
-        for (const char c : rows[i]) {
-            if (c == '"')
-                quoted = !quoted;
-            else if (c == ',' && !quoted)
-                cells.emplace_back();
-            else
-                cells.back() += c;
-        }
+        const auto cells = csv_cells(rows[i]);
         if (cells.at(0) != last) result.push_back({cells.at(2), {}, {}, {}, {}});
         last = cells.at(0);
         result.back().x.push_back(std::stod(cells.at(4)));

@@ -20,16 +20,7 @@ Curves curves(const std::string& file) {
     Curves result;
     const auto rows = lines(read(file));
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        std::vector<std::string> cells{""};
-        bool quoted = false;
-        for (const char c : rows[i]) {
-            if (c == '"')
-                quoted = !quoted;
-            else if (c == ',' && !quoted)
-                cells.emplace_back();
-            else
-                cells.back() += c;
-        }
+        const auto cells = csv_cells(rows[i]);
         result[{std::stoi(cells.at(1)), cells.at(2)}][std::stod(cells.at(4))] = std::stod(cells.at(6));
     }
     return result;

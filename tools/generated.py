@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the scripts that write parts of the documents share."""
+import pathlib
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def between_markers(path, name, text):
+    """The text of the file at path, with text between its lines <!-- name --> and <!-- /name -->."""
+    new, count = re.subn(rf"(<!-- {name} -->\n).*(<!-- /{name} -->)", lambda m: m[1] + text + "\n" + m[2], path.read_text(), flags=re.S)
+    if count != 1:
+        raise ValueError(f"{path.relative_to(ROOT)} has no lines <!-- {name} --> and <!-- /{name} --> for the table")
+    return new
+
+
+def write_or_check(wanted, source, script, check):
+    """Writes the texts by path, or says which differ; the exit code."""
+    old = [path.relative_to(ROOT) for path, text in wanted.items() if not path.exists() or path.read_text() != text]
+    if check:
+        for path in old:
+            print(f"{path} is not what {source} gives: run tools/{script}")
+        return 1 if old else 0
+    for path, text in wanted.items():
+        path.write_text(text)
+    return 0
