@@ -41,7 +41,6 @@ PlotLine line_of(const Results& results, const Curve& curve) {
     return line;
 }
 
-
 /// K that a wave of the scene's frequency tells from a weld and from a gap: |R| between 0.1 and 0.99.
 std::optional<PlotWindow> ultrasonic_window(const Scene& scene) {
     if (!scene.ultrasound) return std::nullopt;

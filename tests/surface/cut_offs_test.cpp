@@ -17,7 +17,8 @@ struct Row {
     double rms;
     Fractal<double> fractal;
 };
-const std::array<Row, 3> rows{Row{0.832e-6, {1.62, 1.2e-8}}, Row{5.13e-6, {1.58, 1.1e-7}}, Row{8.94e-6, {1.70, 8.2e-7}}};
+const std::array<Row, 3> rows{Row{0.832e-6, {1.62, 1.2e-8}}, Row{5.13e-6, {1.58, 1.1e-7}},
+                              Row{8.94e-6, {1.70, 8.2e-7}}};
 }  // namespace
 
 TEST_CASE("a sum of cosines from the longest cosine down has the rms height that was asked for") {
@@ -42,10 +43,13 @@ TEST_CASE("sections of a Gaussian map from the longest wave down have the D and 
         double mean = 0;
         const int seeds = 4;
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-            const auto map =
-                self_affine_map<double>({.hurst = hurst, .rms = row.rms, .longest_wavelength = longest,
-                                         .long_waves = LongWaves::none, .exact_rms = false, .seed = seed},
-                                        points, points, spacing, spacing);
+            const auto map = self_affine_map<double>({.hurst = hurst,
+                                                      .rms = row.rms,
+                                                      .longest_wavelength = longest,
+                                                      .long_waves = LongWaves::none,
+                                                      .exact_rms = false,
+                                                      .seed = seed},
+                                                     points, points, spacing, spacing);
             const auto n = static_cast<Eigen::Index>(lag);
             const auto size = static_cast<Eigen::Index>(points);
             mean += (map.rightCols(size - n) - map.leftCols(size - n)).square().mean() / seeds;

@@ -307,8 +307,8 @@ private:
         }
         if (record_.position_column == 0) {
             if (!stated)
-                refuse_file(name_,
-                            "has no column of positions and no spacing is given; must be given as spacing = \"0.5 um\"");
+                refuse_file(
+                    name_, "has no column of positions and no spacing is given; must be given as spacing = \"0.5 um\"");
             record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
             return stated->value;
         }
