@@ -6,6 +6,15 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
+def marker(kind, x, y):
+    """One point of a curve, as SVG."""
+    if kind == "circle":
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5"/>'
+    shapes = {"square": ((-4, -4), (4, -4), (4, 4), (-4, 4)), "triangle": ((0, -5.5), (5, 4), (-5, 4)), "diamond": ((0, -6), (6, 0), (0, 6), (-6, 0)),
+              "cross": ((-2, -6), (2, -6), (2, -2), (6, -2), (6, 2), (2, 2), (2, 6), (-2, 6), (-2, 2), (-6, 2), (-6, -2), (-2, -2))}
+    return '<polygon points="' + " ".join(f"{x + dx:.1f},{y + dy:.1f}" for dx, dy in shapes[kind]) + '"/>'
+
+
 def between_markers(path, name, text):
     """The text of the file at path, with text between its lines <!-- name --> and <!-- /name -->."""
     new, count = re.subn(rf"(<!-- {name} -->\n).*(<!-- /{name} -->)", lambda m: m[1] + text + "\n" + m[2], path.read_text(), flags=re.S)

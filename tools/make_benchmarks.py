@@ -263,14 +263,6 @@ CURVES = (  # method, colour on light, colour on dark, marker
 )
 
 
-def marker(kind, x, y):
-    if kind == "circle":
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5"/>'
-    shapes = {"square": ((-4, -4), (4, -4), (4, 4), (-4, 4)), "triangle": ((0, -5.5), (5, 4), (-5, 4)), "diamond": ((0, -6), (6, 0), (0, 6), (-6, 0)),
-              "cross": ((-2, -6), (2, -6), (2, -2), (6, -2), (6, 2), (2, 2), (2, 6), (-2, 6), (-2, 2), (-6, 2), (-6, -2), (-2, -2))}
-    return '<polygon points="' + " ".join(f"{x + dx:.1f},{y + dy:.1f}" for dx, dy in shapes[kind]) + '"/>'
-
-
 def picture(report):
     curves = []
     for method, light, dark, kind in CURVES:
@@ -315,11 +307,11 @@ def picture(report):
         at = [(place_x(error), place_y(ns)) for error, ns in points]
         if len(at) > 1:
             out.append(f'<polyline class="line c{i}" points="' + " ".join(f"{x:.1f},{y:.1f}" for x, y in at) + '"/>')
-        out.append(f'<g class="m{i}">' + "".join(marker(kind, x, y) for x, y in at) + "</g>")
+        out.append(f'<g class="m{i}">' + "".join(generated.marker(kind, x, y) for x, y in at) + "</g>")
     for place, i in enumerate(sorted(range(len(curves)), key=lambda i: -min(ns for _, ns in curves[i][4]))):
         y = top + 14 + 27 * place
         method, kind = curves[i][0], curves[i][3]
-        out.append(f'<line class="line c{i}" x1="{legend_x}" y1="{y}" x2="{legend_x + 26}" y2="{y}"/><g class="m{i}">{marker(kind, legend_x + 13, y)}</g>')
+        out.append(f'<line class="line c{i}" x1="{legend_x}" y1="{y}" x2="{legend_x + 26}" y2="{y}"/><g class="m{i}">{generated.marker(kind, legend_x + 13, y)}</g>')
         out.append(f'<text x="{legend_x + 34}" y="{y + 4}">{html.escape(METHODS[method])}</text>')
     out.append(f'<text x="{left}" y="{total_h - 10}" style="font-size:11px">{html.escape(report.results["machine"])}; {html.escape(report.results["compiler"])} {html.escape(report.results["flags"])}</text>')
     return "\n".join(out + ["</svg>"]) + "\n"

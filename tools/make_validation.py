@@ -79,14 +79,6 @@ def document(rows):
     return "\n".join(lines)
 
 
-def marker(kind, x, y):
-    if kind == "circle":
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5"/>'
-    shapes = {"square": ((-4, -4), (4, -4), (4, 4), (-4, 4)), "triangle": ((0, -5.5), (5, 4), (-5, 4)), "diamond": ((0, -6), (6, 0), (0, 6), (-6, 0)),
-              "cross": ((-2, -6), (2, -6), (2, -2), (6, -2), (6, 2), (2, 2), (2, 6), (-2, 6), (-2, 2), (-6, 2), (-6, -2), (-2, -2))}
-    return '<polygon points="' + " ".join(f"{x + dx:.1f},{y + dy:.1f}" for dx, dy in shapes[kind]) + '"/>'
-
-
 def picture(rows):
     pressures = sorted({r["p_star"] for r in rows})
     left, top, width, height = 80, 56, 560, 420
@@ -124,14 +116,14 @@ def picture(rows):
             ratios = [r["ratio"] for r in rows if r["law"] == law and r["p_star"] == p]
             middle.append((place_x(p), place_y(math.exp(sum(map(math.log, ratios)) / len(ratios)))))
         out.append(f'<polyline class="line c{i}" points="' + " ".join(f"{x:.1f},{y:.1f}" for x, y in middle) + '"/>')
-        out.append(f'<g class="m{i}">' + "".join(marker(kind, x, y) for x, y in middle) + "</g>")
+        out.append(f'<g class="m{i}">' + "".join(generated.marker(kind, x, y) for x, y in middle) + "</g>")
     out.append(f'<rect class="frame" x="{left}" y="{top}" width="{width}" height="{height}"/>')
     out.append(f'<text x="{left + width / 2}" y="{top + height + 46}" text-anchor="middle">p* = p/(E g_rms), pressure over modulus times rms gradient</text>')
     middle = top + height / 2
     out.append(f'<text x="24" y="{middle}" text-anchor="middle" transform="rotate(-90 24 {middle})">K of the model / K of boundary elements</text>')
     for i, (label, _, _, kind) in enumerate(LAWS.values()):
         y = top + 14 + 27 * i
-        out.append(f'<line class="line c{i}" x1="{legend_x}" y1="{y}" x2="{legend_x + 26}" y2="{y}"/><g class="m{i}">{marker(kind, legend_x + 13, y)}</g>')
+        out.append(f'<line class="line c{i}" x1="{legend_x}" y1="{y}" x2="{legend_x + 26}" y2="{y}"/><g class="m{i}">{generated.marker(kind, legend_x + 13, y)}</g>')
         out.append(f'<text x="{legend_x + 34}" y="{y + 4}">{label}</text>')
     y = top + 14 + 27 * len(LAWS)
     out.append(f'<line class="truth" x1="{legend_x}" y1="{y}" x2="{legend_x + 26}" y2="{y}"/><text x="{legend_x + 34}" y="{y + 4}">the truth</text>')

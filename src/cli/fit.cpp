@@ -49,17 +49,9 @@ struct MapResult {
     ArealStatistics<double> areal;
 };
 
-LagWindow<double> parse_window(const std::string& text) {
-    const auto comma = text.find(',');
-    if (comma == std::string::npos)
-        throw Usage("--window = \"" + text + "\": must be two lengths, such as \"1 um,100 um\"");
-    return {io::parse_quantity(text.substr(0, comma), io::Dimension::length, "--window"),
-            io::parse_quantity(text.substr(comma + 1), io::Dimension::length, "--window")};
-}
-
 FractalFitOptions<double> fit_options(const Options& options) {
     FractalFitOptions<double> how;
-    if (!options.window.empty()) how.window = parse_window(options.window);
+    if (!options.window.empty()) how.window = parse_window(options.window, "--window");
     how.convention = options.convention == "paper"           ? StructureConvention::paper
                      : options.convention == "majumdar_tien" ? StructureConvention::majumdar_tien
                                                              : StructureConvention::exact;
@@ -196,14 +188,9 @@ std::string csv(const MapResult& result) {
     return text;
 }
 
-Json numbers(const std::vector<double>& values) {
-    Json list = Json::array();
-    for (const double value : values) list.push_back(json_number(value));
-    return list;
-}
-
 void put_structure(Json& document, const StructureFunction<double>& s) {
-    document["structure_function"] = {{"lag_m", numbers(s.lag)}, {"value_m2", numbers(s.value)}, {"pairs", s.pairs}};
+    document["structure_function"] = {
+        {"lag_m", json_numbers(s.lag)}, {"value_m2", json_numbers(s.value)}, {"pairs", s.pairs}};
 }
 
 void put_fit(Json& document, const FractalFit<double>& fit) {
@@ -218,14 +205,14 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["fractal_roughness_m"] = json_number(fit.fractal.roughness);
     document["fractal_roughness_error_m"] = json_number(fit.roughness_error);
     document["log_fractal_roughness_error"] = json_number(fit.log_roughness_error);
-    document["window_m"] = numbers({fit.window.from, fit.window.to});
+    document["window_m"] = json_numbers({fit.window.from, fit.window.to});
     document["window_automatic"] = fit.automatic_window;
     document["window_begins"] = describe(fit.begins);
     document["window_ends"] = describe(fit.ends);
     document["reliable_from_m"] = json_number(fit.reliable_from);
     document["lags_in_window"] = fit.lags;
-    document["slope_at_window_ends"] = numbers({fit.slope_shortest, fit.slope_longest});
-    document["slope_range_in_window"] = numbers({fit.slope_least, fit.slope_greatest});
+    document["slope_at_window_ends"] = json_numbers({fit.slope_shortest, fit.slope_longest});
+    document["slope_range_in_window"] = json_numbers({fit.slope_least, fit.slope_greatest});
     document["curved"] = fit.curved;
     document["behind_plateau"] = fit.behind_plateau;
     document["log_periodic_terms"] = fit.log_periodic;
@@ -262,7 +249,7 @@ std::string json(const Options& options, const SurfaceInput& input, const Profil
     if (const auto& s = result.spectrum)
         document["power_spectrum"] = {{"fractal_dimension", json_number(s->dimension)},
                                       {"fractal_dimension_error", json_number(s->dimension_error)},
-                                      {"wavelengths_m", numbers({s->window.from, s->window.to})}};
+                                      {"wavelengths_m", json_numbers({s->window.from, s->window.to})}};
     else
         document["power_spectrum"] = {{"refused", result.no_spectrum}};
     if (const auto& m = result.moments)

@@ -74,11 +74,6 @@ std::string csv(const Result& result) {
 }
 
 std::string json(const Options& options, const SurfaceInput& input, const Result& result) {
-    const auto numbers = [](const std::vector<double>& values) {
-        Json list = Json::array();
-        for (const double value : values) list.push_back(json_number(value));
-        return list;
-    };
     const RepresentativeIslands<double>& r = result.islands;
     const HeightMap<double>& map = result.levelled.map;
     Json document = json_document("islands");
@@ -114,13 +109,13 @@ std::string json(const Options& options, const SurfaceInput& input, const Result
                      {"tiles", r.tiles}});
     document["representative"] = pair;
     const IslandCurve<double>& c = r.curve;
-    document["curve"] = {{"level_m", numbers(c.level)},
-                         {"bearing_area", numbers(c.bearing_area)},
+    document["curve"] = {{"level_m", json_numbers(c.level)},
+                         {"bearing_area", json_numbers(c.bearing_area)},
                          {"islands", c.islands},
-                         {"density_per_m2", numbers(c.density)},
-                         {"mean_area_m2", numbers(c.mean_area)},
-                         {"mean_height_m", numbers(c.mean_height)},
-                         {"radius_m", numbers(c.radius)}};
+                         {"density_per_m2", json_numbers(c.density)},
+                         {"mean_area_m2", json_numbers(c.mean_area)},
+                         {"mean_height_m", json_numbers(c.mean_height)},
+                         {"radius_m", json_numbers(c.radius)}};
     document["warnings"] = warnings(input, result);
     return json_text(document);
 }

@@ -22,13 +22,7 @@ FractalFitOptions<double> fit_options(const MeasureOptions& options) {
     if (!options.tip_radius.empty())
         fit.tip_radius = parse_length(options.tip_radius, prefix + (prefix.empty() ? "tip_radius" : "tip-radius"));
     if (!options.resolution.empty()) fit.resolution = parse_length(options.resolution, prefix + "resolution");
-    if (!options.window.empty()) {
-        const auto comma = options.window.find(',');
-        if (comma == std::string::npos)
-            throw Usage(prefix + "window = \"" + options.window + "\": must be two lengths, such as \"1 um,100 um\"");
-        fit.window = LagWindow<double>{parse_length(options.window.substr(0, comma), prefix + "window"),
-                                       parse_length(options.window.substr(comma + 1), prefix + "window")};
-    }
+    if (!options.window.empty()) fit.window = parse_window(options.window, prefix + "window");
     return fit;
 }
 

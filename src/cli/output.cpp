@@ -118,6 +118,12 @@ Json json_number(double value) {
     return value;
 }
 
+Json json_numbers(const std::vector<double>& values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(json_number(value));
+    return list;
+}
+
 std::string list_of(std::span<const std::string_view> items) {
     std::string text;
     for (const auto item : items) text += (text.empty() ? "\"" : ", \"") + std::string(item) + "\"";

@@ -59,6 +59,7 @@ std::string rounded(double value, int digits = 5);
 std::string shortest(double value);
 /// A number for a JSON document, guarded as above.
 Json json_number(double value);
+Json json_numbers(const std::vector<double>& values);
 /// \p items quoted as "a", "b", "c".
 std::string list_of(std::span<const std::string_view> items);
 

@@ -72,6 +72,13 @@ double parse_length(const std::string& text, std::string_view name) {
     return value;
 }
 
+LagWindow<double> parse_window(const std::string& text, std::string_view name) {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos)
+        throw Usage(std::string(name) + " = \"" + text + "\": must be two lengths, such as \"1 um,100 um\"");
+    return {parse_length(text.substr(0, comma), name), parse_length(text.substr(comma + 1), name)};
+}
+
 void add_surface_options(CLI::App& app, SurfaceOptions& options, SurfaceKind kind) {
     options.prefix = "--";
     options.format_name = "--input-format";

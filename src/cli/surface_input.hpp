@@ -7,6 +7,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/profile/detrend.hpp>
+#include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include <optional>
@@ -94,5 +95,7 @@ auto about_file(const std::string& file, const Call& call) {
 
 /// A length with its unit, greater than 0, of the option called \p name in messages. \throws domain_error.
 [[nodiscard]] double parse_length(const std::string& text, std::string_view name);
+/// Two such lengths with a comma between them, each greater than 0. \throws Usage without the comma, domain_error.
+[[nodiscard]] LagWindow<double> parse_window(const std::string& text, std::string_view name);
 
 }  // namespace fstiff::cli
