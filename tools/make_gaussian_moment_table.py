@@ -1,94 +1,75 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes include/fstiff/math/gaussian_moment_table.hpp: polynomials for F_a(x) and erf.
+"""Makes include/fstiff/math/gaussian_moment_table*.hpp: short polynomials, piece by piece, for F_a(x) and erf.
 
     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x)
 
-Each function is interpolated in Chebyshev points with 50 digits, cut where the rest of the series falls below the tolerance
-of the scalar type, and turned into powers of a variable u in [-1, 1]:
+    pieces 0 to 31    |x| + 2 in [2, 4), [4, 8), [8, 16), [16, 32), each octave in eight equal parts, x >= 0:
+                      exp(x^2/2) F_a(x)              in powers of s = |x| - middle of the piece
+    piece 32          x >= 30: exp(x^2/2) F_a(x) x^(a+1) in powers of s = 1/x^2
+    pieces 33 to 64   as 0 to 31, x < 0: F_a(x)
+    piece 65          x <= -30: F_a(x) / |x|^a       in powers of s = 1/x^2
+    erf, near         y in [0, 5/2]: erf(y)/y        in powers of u, from -1 to 1 as y^2 goes through its range
+    erf, middle, far  y in [5/2, 9/2], [9/2, 13/2]: erf(y) in powers of u = y - middle of the range
 
-    right   x >= 0        exp(x^2/2) F_a(x) (x+4)^(a+1)    u = (x-4)/(x+4)
-    middle  -5 <= x <= 0  F_a(x)                           u = (2x+5)/5
-    far     x <= -5       F_a(x) / |x|^a                   u = 2 (5/x)^2 - 1
-    series  0 <= y <= 2   erf(y)/y                         u = y^2/2 - 1
-    tail    y >= 2        exp(y^2) (1-erf(y)) (y+2)        u = (y-4)/(y+4) mapped to [-1, 1]
+Each function is interpolated in Chebyshev points with 50 digits and cut to the terms of its scalar type (erf: to the error of
+the type, and once more to 3e-5). A coefficient is printed with as many digits as count at the end of its piece. `cut[n]` is
+the largest relative error, over all pieces and powers, of the first n terms alone.
 
-Needs mpmath. Usage: tools/make_gaussian_moment_table.py [--check]; --check compares with the file instead of writing it.
+Needs mpmath. Usage: tools/make_gaussian_moment_table.py [--check]; --check compares with the files instead of writing them.
 """
 import pathlib
 import sys
 
-from mpmath import cos, erf, erfc, exp, gamma, mp, mpf, nstr, pcfd, pi, sqrt
+from mpmath import cos, erf, exp, floor, gamma, log10, mp, mpf, nstr, pcfd, pi, sqrt
 
 mp.dps = 50
-TARGET = pathlib.Path(__file__).resolve().parent.parent / "include/fstiff/math/gaussian_moment_table.hpp"
-SCALARS = (("float", mpf("1.5e-8"), 12), ("double", mpf("6e-17"), 21), ("long double", mpf("1e-20"), 25))
-POWERS = ((-1, "-1/2"), (0, "0"), (1, "1/2"), (2, "1"), (3, "3/2"), (5, "5/2"))
-POINTS = 72
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "include/fstiff/math"
+POWERS = ((0, "0"), (1, "1/2"), (2, "1"), (3, "3/2"), (-1, "-1/2"), (5, "5/2"))  # the first four are the contact integrals'
+PER_OCTAVE, OCTAVES = 8, 4
+END = 2 ** (OCTAVES + 1) - 2  # |x| from which on the last piece serves
+ERF_NEAR, ERF_MIDDLE, ERF_FAR = mpf(5) / 2, mpf(9) / 2, mpf(13) / 2
+ERF_ROUGH = mpf("3e-5")
+# scalar, file, suffix of a literal, digits, terms of F_a, error of erf
+SCALARS = (
+    ("double", "gaussian_moment_table.hpp", "", 18, 12, mpf("4e-17")),
+    ("long double", "gaussian_moment_table_extended.hpp", "L", 21, 16, mpf("1e-20")),
+)
 
 
 def moment(a, x):
     return gamma(a + 1) * exp(-x * x / 4) * pcfd(-a - 1, x)
 
 
-def asymptotic(a, x):
-    """exp(x^2/2) F_a(x) x^(a+1) for large x: sum of (-1)^n (a+1)_2n Gamma(a+1) / (n! (2 x^2)^n)."""
+def right_far(a, s):
+    """sum of (-1)^n (a+1)_2n Gamma(a+1) (s/2)^n / n!, s = 1/x^2; asymptotic, 1e-30 at s = 1/900."""
     total, term = mpf(0), gamma(a + 1)
-    for n in range(30):
+    for n in range(60):
         total += term
-        term *= -(a + 1 + 2 * n) * (a + 2 + 2 * n) / ((n + 1) * 2 * x * x)
+        following = -term * (a + 1 + 2 * n) * (a + 2 + 2 * n) * s / (2 * (n + 1))
+        if abs(following) >= abs(term):
+            break
+        term = following
     return total
 
 
-def right(a):
-    def f(u):
-        x = 4 * (1 + u) / (1 - u)
-        if x > 60:
-            return asymptotic(a, x) * ((x + 4) / x) ** (a + 1)
-        return exp(x * x / 2) * moment(a, x) * (x + 4) ** (a + 1)
-
-    return f
-
-
-def middle(a):
-    return lambda u: moment(a, 5 * (u - 1) / 2)
+def left_far(a, s):
+    """sum of (-a)_2n sqrt(2 pi) (s/2)^n / n!; what is left out is exp(-x^2/2) smaller."""
+    total, term = mpf(0), sqrt(2 * pi)
+    for n in range(60):
+        total += term
+        following = term * (a - 2 * n) * (a - 2 * n - 1) * s / (2 * (n + 1))
+        if abs(following) >= abs(term) > 0:
+            break
+        term = following
+    return total
 
 
-def far(a):
-    def f(u):
-        v = (1 + u) / 2
-        if v < mpf("0.002"):  # |x| > 111: the exponentially small part is gone, the algebraic series is exact to 50 digits
-            total, term, x2 = mpf(0), sqrt(2 * pi), 25 / v
-            for n in range(40):
-                total += term
-                term *= (a - 2 * n) * (a - 2 * n - 1) / ((n + 1) * 2 * x2)
-            return total
-        x = 5 / sqrt(v)
-        return moment(a, -x) / x**a
-
-    return f
-
-
-def series(u):
-    y = sqrt(2 * (1 + u))
-    return 2 / sqrt(pi) if y == 0 else erf(y) / y
-
-
-TAIL_LOW = mpf(-1) / 3  # (2-4)/(2+4)
-
-
-def tail(u):
-    w = TAIL_LOW + (1 - TAIL_LOW) * (1 + u) / 2
-    y = 4 * (1 + w) / (1 - w)
-    if y > 60:
-        return asymptotic(0, y * sqrt(mpf(2))) / sqrt(pi) * (y + 2) / y
-    return exp(y * y) * erfc(y) * (y + 2)
-
-
-def chebyshev(f):
-    angles = [pi * (k + mpf(1) / 2) / POINTS for k in range(POINTS)]
-    values = [f(cos(t)) for t in angles]
-    c = [2 * sum(v * cos(j * t) for v, t in zip(values, angles)) / POINTS for j in range(POINTS)]
+def chebyshev(f, low, high, points=26):
+    middle, half = (low + high) / 2, (high - low) / 2
+    angles = [pi * (k + mpf(1) / 2) / points for k in range(points)]
+    values = [f(middle + half * cos(t)) for t in angles]
+    c = [2 * sum(v * cos(j * t) for v, t in zip(values, angles)) / points for j in range(points)]
     c[0] /= 2
     return c
 
@@ -108,58 +89,136 @@ def powers(c):
     return out
 
 
-def cut(c, tolerance, scale):
+def piece(f, low, high, terms, start_at_low=False):
+    """Coefficients in powers of the distance from the middle (from \\p low), and the relative errors of cutting them."""
+    half = (high - low) / 2
+    local = powers(chebyshev(f, low, high)[:terms])
+    size = abs(local[0])
+    out, reach = [c / half**n for n, c in enumerate(local)], half
+    if start_at_low:  # powers of u = (s - half)/half into powers of s
+        reach = high - low
+        shifted = [mpf(0)] * terms
+        power = [mpf(1)]
+        for c in local:
+            for i, t in enumerate(power):
+                shifted[i] += c * t
+            grown = [mpf(0)] * (len(power) + 1)
+            for i, t in enumerate(power):
+                grown[i] -= t
+                grown[i + 1] += t / half
+            power = grown
+        out = shifted
+    sizes = [abs(c) * reach**n / size for n, c in enumerate(out)]
+    cuts = [sum(sizes[n:]) for n in range(terms)]
+    exact = chebyshev(f, low, high)
+    last = sum(abs(c) for c in exact[terms:]) / size
+    return out, [cut + last for cut in cuts] + [last], sizes
+
+
+def text(c, size, digits, suffix):
+    wanted = digits if size == 0 else max(2, min(digits, int(floor(digits + 1.5 + log10(size)))))
+    body = nstr(c, wanted, min_fixed=0, max_fixed=0) if c != 0 else "0.0"
+    return body + suffix
+
+
+def pieces_of(a, terms):
+    width = mpf(1) / PER_OCTAVE
+    for side in (1, -1):
+        for i in range(PER_OCTAVE * OCTAVES):
+            octave = mpf(2) ** (1 + i // PER_OCTAVE)
+            low = octave * (1 + i % PER_OCTAVE * width) - 2
+            high = low + octave * width
+            if side > 0:
+                yield piece(lambda x: exp(x * x / 2) * moment(a, x), low, high, terms)
+            else:
+                yield piece(lambda x: moment(a, -x), low, high, terms)
+        far = right_far if side > 0 else left_far
+        yield piece(lambda s: far(a, s), mpf(0), mpf(1) / END**2, terms, start_at_low=True)
+
+
+def rows(columns, terms, digits, suffix):
+    """A line a piece: its coefficients power by power, side by side for the functions of \\p columns."""
+    lines = []
+    for at_piece in zip(*columns):
+        numbers = [text(c[0][n], c[2][n], digits, suffix) for n in range(terms) for c in at_piece]
+        lines.append("        " + ", ".join(numbers) + ",\n")
+    return "".join(lines)
+
+
+def cut_line(columns, terms):
+    return ", ".join(nstr(max(p[1][n] for c in columns for p in c) * mpf("1.01"), 3) for n in range(terms + 1))
+
+
+def erf_range(f, low, high, error, digits, suffix):
+    """Powers of u in [-1, 1] of a Chebyshev series that leaves out less than \p error of the largest value."""
+    c = chebyshev(f, low, high, 44)
     n = len(c)
-    while n > 1 and sum(abs(x) for x in c[n - 1 :]) < tolerance * scale:
+    while n > 1 and sum(abs(x) for x in c[n - 1 :]) < error:
         n -= 1
-    return c[:n]
+    kept = powers(c[:n])
+    return n, ", ".join(text(x, abs(x / kept[0]), digits, suffix) for x in kept)
 
 
-def array(name, c, scalar, tolerance, digits, smallest):
-    kept = powers(cut(c, tolerance, smallest))
-    suffix = {"float": "F", "double": "", "long double": "L"}[scalar]
-    body = ", ".join(nstr(x, digits, min_fixed=0, max_fixed=0) + suffix for x in kept)
-    return f"    static constexpr std::array<{scalar}, {len(kept)}> {name}{{{body}}};\n"
+def erf_over_y(square):
+    y = sqrt(square)
+    return 2 / sqrt(pi) if y == 0 else erf(y) / y
+
+
+def erf_arrays(scalar, suffix, digits, error, name):
+    ranges = (("near", erf_over_y, mpf(0), ERF_NEAR**2, error * erf(ERF_NEAR) / ERF_NEAR),
+              ("middle", erf, ERF_NEAR, ERF_MIDDLE, error), ("far", erf, ERF_MIDDLE, ERF_FAR, error))
+    out = ""
+    for part, f, low, high, size in ranges:
+        n, body = erf_range(f, low, high, size, digits, suffix)
+        out += f"    static constexpr std::array<{scalar}, {n}> {name}{part}{{{body}}};\n"
+    return out
+
+
+def table(scalar, suffix, digits, terms, error):
+    columns = [list(pieces_of(mpf(twice) / 2, terms)) for twice, _ in POWERS]
+    main, side = columns[:4], columns[4:]
+    size = 2 * (PER_OCTAVE * OCTAVES + 1)
+    return (
+        f"template <>\nstruct MomentTable<{scalar}> {{\n"
+        f"    static constexpr int terms = {terms};\n"
+        f"    static constexpr std::array<double, {terms + 1}> cut{{{cut_line(main, terms)}}};\n"
+        f"    alignas(64) static constexpr {scalar} main[{size} * {terms} * 4] = {{\n"
+        f"{rows(main, terms, digits, suffix)}    }};\n"
+        f"    static constexpr {scalar} side[{size} * {terms} * 2] = {{\n"
+        f"{rows(side, terms, digits, suffix)}    }};\n}};\n\n"
+        f"template <>\nstruct ErfTable<{scalar}> {{\n"
+        f"{erf_arrays(scalar, suffix, digits, error, '')}"
+        f"    static constexpr double rough_error = {nstr(ERF_ROUGH, 2)};\n"
+        f"{erf_arrays(scalar, suffix, digits, ERF_ROUGH, 'rough_')}}};\n")
+
+
+PRIMARY = """/// The scalar in which a function of T that rests on these tables is computed.
+template <class T>
+using Tabulated = std::conditional_t<std::is_same_v<T, float>, double, T>;
+
+template <class T>
+struct MomentTable;  ///< main: a = 0, 1/2, 1, 3/2 side by side; side: a = -1/2, 5/2
+template <class T>
+struct ErfTable;
+
+"""
 
 
 def main():
-    table = {}
-    for twice, _ in POWERS:
-        a = mpf(twice) / 2
-        for name, make in (("right", right), ("middle", middle), ("far", far)):
-            f = make(a)
-            table[twice, name] = chebyshev(f), min(abs(f(u)) for u in (mpf(-1) + mpf(10) ** -30, mpf(0), 1 - mpf(10) ** -30))
-    for name, f in (("series", series), ("tail", tail)):
-        table[name] = chebyshev(f), min(abs(f(u)) for u in (mpf(-1), mpf(0), 1 - mpf(10) ** -30))
-
-    out = [
-        "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n",
-        "/// \\file\n/// Polynomial coefficients of gaussian_moment.hpp and of its erf, lowest power first. Made by\n",
-        "/// tools/make_gaussian_moment_table.py, which names the variables; the cut-off of each series is below\n",
-        "/// " + ", ".join(f"{nstr(t, 2)} ({s})" for s, t, _ in SCALARS) + " relative.\n\n",
-        "#include <array>\n\nnamespace fstiff::detail {\n\n// clang-format off\n",
-        "template <class T, int TwiceA> struct MomentTable;\ntemplate <class T> struct ErfTable;\n\n",
-    ]
-    for scalar, tolerance, digits in SCALARS:
-        for twice, label in POWERS:
-            out.append(f"template <> struct MomentTable<{scalar}, {twice}> {{  // a = {label}\n")
-            for name in ("right", "middle", "far"):
-                c, smallest = table[twice, name]
-                out.append(array(name, c, scalar, tolerance, digits, smallest))
-            out.append("};\n")
-        out.append(f"template <> struct ErfTable<{scalar}> {{\n")
-        for name in ("series", "tail"):
-            c, smallest = table[name]
-            # the tail is subtracted from 1, where it is at most 0.005: a looser cut keeps its error below the rounding of 1
-            out.append(array(name, c, scalar, tolerance * (100 if name == "tail" else 1), digits, smallest))
-        out.append("};\n\n")
-    out.append("// clang-format on\n\n}  // namespace fstiff::detail\n")
-    text = "".join(out)
-    if "--check" in sys.argv:
-        if TARGET.read_text() != text:
-            sys.exit(f"{TARGET.name} is not what this script makes")
-    else:
-        TARGET.write_text(text)
+    for scalar, name, suffix, digits, terms, error in SCALARS:
+        first = scalar == "double"
+        include = "#include <array>\n#include <type_traits>\n" if first else f"#include <fstiff/math/{SCALARS[0][1]}>\n"
+        out = (
+            "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n"
+            f"/// \\file\n/// Coefficients of gaussian_moment.hpp and of error_function.hpp in {scalar}, made by\n"
+            "/// tools/make_gaussian_moment_table.py, which names the pieces and the variables.\n\n"
+            f"{include}\nnamespace fstiff::detail {{\n\n// clang-format off\n{PRIMARY if first else ''}"
+            f"{table(scalar, suffix, digits, terms, error)}// clang-format on\n\n}}  // namespace fstiff::detail\n")
+        target = FOLDER / name
+        if "--check" not in sys.argv:
+            target.write_text(out)
+        elif target.read_text() != out:
+            sys.exit(f"{name} is not what this script makes")
 
 
 if __name__ == "__main__":

@@ -142,7 +142,6 @@ EIGEN_ALWAYS_INLINE void tuned_row(double x, double from, double width, double s
 /// NS x NW nodes; with NW = 0 as many in each row as it needs for 1e-12.
 template <std::size_t NS, std::size_t NW>
 Values tuned(const Problem& p, double depth, double column_depth) {
-    using V = fstiff::detail::Lanes<double>;
     const Window window(p, depth, column_depth);
     const double s_width = window.s_to - window.s_from, over_c = 1 / window.c, twice_depth = 2 * depth;
     std::array<Eight, 4> sum, row;
@@ -156,9 +155,8 @@ Values tuned(const Problem& p, double depth, double column_depth) {
         const Eight radius = (ahead * ahead + twice_depth).sqrt();
         const Eight from = (-x - radius).max(0.0).sqrt();
         const Eight width = (radius - x).sqrt() - from;
-        const Eight argument = window.k * t;
         Eight erf;
-        fstiff::detail::erf_ascending(V::load(argument.data()), argument[0], argument[7]).store(erf.data());
+        fstiff::detail::erf_of_eight(t.data(), window.k, erf.data());
         const Eight at_half =
             nodes<NS>.weight[i] * width * erf * (0.5 * (window.floor * window.floor - t * t - ahead * ahead)).exp();
         const Eight at_0 = at_half * s, at_1 = at_half / s, shift = 0.5 * behind * behind;

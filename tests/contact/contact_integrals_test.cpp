@@ -162,7 +162,7 @@ TEST_CASE("regimes agree at their seams") {
     const auto agree = [](double r, double theta, double eta) {
         const PeakProblem<double> problem(PeakDensity<double>(r, theta), eta, 36);
         const auto sums = [&](auto visit, double step) {
-            PeakAccumulator<double> accumulator(problem, {0, 1, 2, 1});
+            PeakAccumulator<double> accumulator(problem, {0, 1, 2, 1}, 0);
             step = visit(problem, step, accumulator);
             return accumulator.result(step);
         };

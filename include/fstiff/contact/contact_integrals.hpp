@@ -57,40 +57,33 @@ struct ScaledIntegrals {
     T log_scale;
 };
 
-/// With nodes and sums in the scalar S.
-template <Real S, Real T>
-ScaledIntegrals<T> scaled_integrals_in(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T eta, T tolerance) {
-    // few nodes: the fitted steps scatter more
-    const S digits = static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0));
-    const PeakDensity<S> same(static_cast<S>(peaks.r()), static_cast<S>(peaks.theta()));
-    const PeakProblem<S> problem(same, static_cast<S>(eta), digits + 5);
-    const PeakSums<S> sums = peak_sums(problem, minus_two_b, digits);
-    const T floor = std::max(eta, T(0));
-    ScaledIntegrals<T> out{{}, -floor * floor / 2};
-    // rounding (z inherits that of t; eta and r may have been rounded to S), and what the extrapolation of the rule's error
-    // may miss: more with few nodes
-    const T rounded = std::same_as<S, T> ? T(8) + floor : (T(8) + std::abs(eta)) / static_cast<T>(problem.c);
-    const T least = std::numeric_limits<S>::epsilon() * rounded + tolerance * (tolerance > T(1e-8) ? T(0.8) : T(0.2));
-    const T root_c = std::sqrt(static_cast<T>(problem.c));
-    T factor = 1 / (2 * static_cast<T>(problem.theta));  // c^a / (2 theta)
-    for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
-        if (minus_two_b[i] == absent) continue;
-        const T value = factor * sums.value[i];
-        out.of_power[i] = {value, value * (sums.relative_error[i] + least), sums.nodes};
-    }
-    return out;
-}
-
 template <Real T>
 ScaledIntegrals<T> scaled_integrals(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T eta, T tolerance) {
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
     require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance", tolerance,
             "at least 50 epsilon of the scalar type and at most 0.1");
-    // Four digits of a well-conditioned problem are within single precision: half the terms, twice the numbers a register.
-    if constexpr (std::same_as<T, double>)
-        if (tolerance >= 1e-4 && peaks.r() <= 0.95 && peaks.theta() <= 1.45 && std::abs(eta) <= 6)
-            return scaled_integrals_in<float>(minus_two_b, peaks, eta, tolerance);
-    return scaled_integrals_in<T>(minus_two_b, peaks, eta, tolerance);
+    using S = Tabulated<T>;
+    // few nodes: the fitted steps scatter more
+    const S digits = static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0));
+    const PeakProblem<S> problem(PeakDensity<S>(static_cast<S>(peaks.r()), static_cast<S>(peaks.theta())),
+                                 static_cast<S>(eta), digits + 5);
+    PeakAccumulator<S> accumulator(problem, minus_two_b, static_cast<S>(tolerance));
+    const S step = visit_nodes(problem, digits, accumulator);
+    const PeakSums<S> sums = accumulator.result(step);
+    const T floor = std::max(eta, T(0));
+    ScaledIntegrals<T> out{{}, -floor * floor / 2};
+    // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error may miss:
+    // more with few nodes
+    const T least = std::numeric_limits<T>::epsilon() * (T(8) + floor) + static_cast<T>(accumulator.cut()) +
+                    tolerance * (tolerance > T(1e-8) ? T(0.8) : T(0.2));
+    const T root_c = static_cast<T>(std::sqrt(problem.c));
+    T factor = static_cast<T>(1 / (2 * problem.theta));  // c^a / (2 theta)
+    for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
+        if (minus_two_b[i] == absent) continue;
+        const T value = factor * static_cast<T>(sums.value[i]);
+        out.of_power[i] = {value, value * (static_cast<T>(sums.relative_error[i]) + least), sums.nodes};
+    }
+    return out;
 }
 
 }  // namespace detail

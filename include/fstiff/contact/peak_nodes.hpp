@@ -47,50 +47,59 @@ struct PeakProblem {
     T floor = std::max(eta, T(0));   ///< exp(-floor^2/2) is taken out of every node: the rest is of order 1
     T reach = std::sqrt(2 * depth);  ///< exp(-reach^2/2) may be neglected
 
-    /// Below it erf(k t)/(2 theta) is t/sqrt(2 pi) to the last digit, while erf(k t) might underflow.
-    static inline const T least_theta = std::sqrt(std::numeric_limits<T>::epsilon()) / 100;
-
     PeakProblem(const PeakDensity<T>& peaks, T at_eta, T neglect_depth)
         : r(peaks.r()), theta(std::max(peaks.theta(), least_theta)), eta(at_eta), depth(neglect_depth) {}
+
+private:
+    /// Below it erf(k t)/(2 theta) is t/sqrt(2 pi) to the last digit of every type, while erf(k t) might underflow.
+    static constexpr T least_theta = T(1e-12);
 };
 
-/// Eight nodes at ascending curvatures t: what an integrand is made of. The ends of t and x are given as numbers too; they
-/// decide which polynomials are needed.
+/// Up to 64 nodes, eight by eight, at ascending curvatures t: what an integrand is made of.
 template <Real T>
-struct PeakNodes {
-    Lanes<T> t;
-    Lanes<T> x;             ///< (eta - r t)/c
-    Lanes<T> z;             ///< (t - r eta)/c
-    Lanes<T> excess;        ///< t - floor
-    Lanes<T> weight;        ///< dt/dy
-    Lanes<T> inverse_root;  ///< t^(-1/2)
-    T t_first, t_last, x_first, x_last;
+class PeakNodes {
+public:
+    static constexpr int capacity = 64, block = 8;
+    using V = Lanes<T, block>;
+
+    explicit PeakNodes(const PeakProblem<T>& problem) : floor_(problem.floor) {}
+
+    [[nodiscard]] int size() const { return size_; }
+    [[nodiscard]] bool full() const { return size_ == capacity; }
+    void clear() { size_ = 0; }
+
+    /// Eight nodes more: at t, x = (eta - r t)/c, z = (t - r eta)/c and t - floor, of weight dt/dy.
+    EIGEN_ALWAYS_INLINE void add(const V& t, const V& x, const V& z, const V& excess, const V& weight,
+                                 const V& inverse_root) {
+        t.store(t_ + size_);
+        x.store(x_ + size_);
+        inverse_root.store(inverse_root_ + size_);
+        V exponent = z * z;
+        if (x_[size_ + block - 1] < 0) {  // x descends
+            const V outer = excess * (t + V::all(floor_));
+            exponent = x_[size_] < 0 ? outer : select_less(x, V::all(T(0)), outer, exponent);
+        }
+        (exp(exponent * V::all(T(-0.5))) * weight).store(mass_ + size_);
+        size_ += block;
+    }
+
+    const T* t() const { return t_; }
+    const T* x() const { return x_; }
+    /// dt/dy exp(-t^2/2), times exp(-x^2/2) for x >= 0, without the factor exp(-floor^2/2).
+    const T* mass() const { return mass_; }
+    const T* inverse_root() const { return inverse_root_; }  ///< t^(-1/2)
+
+private:
+    T floor_;
+    int size_ = 0;
+    alignas(64) T t_[capacity], x_[capacity], mass_[capacity], inverse_root_[capacity];
 };
 
-/// Nodes given by t alone.
+/// j, j + 1, ..., j + 7
 template <Real T>
-EIGEN_ALWAYS_INLINE PeakNodes<T> nodes_at(const PeakProblem<T>& p, T inverse_c, const Lanes<T>& t,
-                                          const Lanes<T>& weight, const Lanes<T>& inverse_root, T t_first, T t_last) {
-    using V = Lanes<T>;
-    const T slope = -p.r * inverse_c;
-    const T start = p.eta * inverse_c;
-    return {t,
-            multiply_add(t, V(slope), V(start)),
-            (t - V(p.r * p.eta)) * V(inverse_c),
-            t - V(p.floor),
-            weight,
-            inverse_root,
-            t_first,
-            t_last,
-            slope * t_first + start,
-            slope * t_last + start};
-}
-
-/// 0, 1, ..., 7
-template <Real T>
-Lanes<T> ascending() {
-    static constexpr std::array<T, Lanes<T>::size> numbers{0, 1, 2, 3, 4, 5, 6, 7};
-    return Lanes<T>::load(numbers.data());
+EIGEN_ALWAYS_INLINE Lanes<T, 8> ascending_from(int j) {
+    alignas(64) static constexpr T numbers[8]{0, 1, 2, 3, 4, 5, 6, 7};
+    return Lanes<T, 8>::load(numbers) + Lanes<T, 8>::all(T(j));
 }
 
 /// The curvature beyond which the integrand is below exp(-depth) of its greatest value.
@@ -148,7 +157,7 @@ private:
                     std::max(scale * (std::max(v, T(0)) + std::log1p(small)), T(1e-30));  // 1/t is finite
                 rung.weight[rung.count] = scale * (1 + T(1.354) * fall) * (v > 0 ? 1 : small) / (1 + small);
                 rung.inverse_root[rung.count] = 1 / std::sqrt(rung.node[rung.count]);
-                if (rung.count % Lanes<T>::size == 0 && rung.node[rung.count] > furthest_node) break;
+                if (rung.count % PeakNodes<T>::block == 0 && rung.node[rung.count] > furthest_node) break;
             }
             step *= T(0.917004043204671);  // 2^(-1/8): a rung is at most 9 % finer than asked for
         }
@@ -158,17 +167,27 @@ private:
     std::array<Rung, 30> rungs_;
 };
 
+/// Adds nodes given by t alone.
+template <Real T>
+EIGEN_ALWAYS_INLINE void add_at(PeakNodes<T>& nodes, const PeakProblem<T>& p, T inverse_c, const Lanes<T, 8>& t,
+                                const Lanes<T, 8>& weight, const Lanes<T, 8>& inverse_root) {
+    using V = Lanes<T, 8>;
+    nodes.add(t, multiply_add(t, V::all(-p.r * inverse_c), V::all(p.eta * inverse_c)),
+              (t - V::all(p.r * p.eta)) * V::all(inverse_c), t - V::all(p.floor), weight, inverse_root);
+}
+
 template <Real T, class Sink>
 T visit_smooth(const PeakProblem<T>& p, T wanted_step, Sink& sink) {
-    using V = Lanes<T>;
+    using V = Lanes<T, 8>;
     const auto& rung = SmoothNodes<T>::get().at_most(wanted_step);
     const T last = largest_curvature(p);
     const T inverse_c = 1 / p.c;
-    for (std::size_t j = 0; j < rung.count && rung.node[j] <= last; j += V::size) {
-        const V t = V::load(&rung.node[j]);
-        sink.add(nodes_at(p, inverse_c, t, V::load(&rung.weight[j]), V::load(&rung.inverse_root[j]), rung.node[j],
-                          rung.node[j + V::size - 1]));
+    PeakNodes<T> nodes(p);
+    for (std::size_t j = 0; j < rung.count && rung.node[j] <= last; j += nodes.block) {
+        if (nodes.full()) sink.add(nodes);
+        add_at(nodes, p, inverse_c, V::load(&rung.node[j]), V::load(&rung.weight[j]), V::load(&rung.inverse_root[j]));
     }
+    sink.add(nodes);
     return rung.step;
 }
 
@@ -179,28 +198,28 @@ T graded_scale(const PeakProblem<T>& p) {
 
 template <Real T, class Sink>
 T visit_graded(const PeakProblem<T>& p, T step, Sink& sink) {
-    using V = Lanes<T>;
+    using V = Lanes<T, 8>;
     const T scale = graded_scale(p);
     const T ratio = largest_curvature(p) / scale;
     const T last = std::log(ratio) + 1 / ratio;  // y - exp(-y) = log(ratio)
     const T inverse_c = 1 / p.c;
+    const V one = V::all(T(1));
+    PeakNodes<T> nodes(p);
     for (int j = 2 * static_cast<int>(std::floor(-std::log(p.depth + 2) / (2 * step))); T(j) * step < last;
-         j += V::size) {
-        const T y_first = T(j) * step;
-        const T y_last = T(j + V::size - 1) * step;
-        const V y = multiply_add(ascending<T>(), V(step), V(y_first));
-        const V fall = exp(V(T(0)) - y);
-        const V t = V(scale) * exp(y - fall);
-        sink.add(nodes_at(p, inverse_c, t, t * (fall + V(T(1))), V(T(1)) / sqrt(t),
-                          scale * std::exp(y_first - std::exp(-y_first)),
-                          scale * std::exp(y_last - std::exp(-y_last))));
+         j += nodes.block) {
+        const V y = ascending_from<T>(j) * V::all(step);
+        const V fall = exp(V::all(T(0)) - y);
+        const V t = V::all(scale) * exp(y - fall);
+        if (nodes.full()) sink.add(nodes);
+        add_at(nodes, p, inverse_c, t, t * (fall + one), one / sqrt(t));
     }
+    sink.add(nodes);
     return step;
 }
 
 template <Real T, class Sink>
 T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
-    using V = Lanes<T>;
+    using V = Lanes<T, 8>;
     constexpr T slope = 3;
     const T high = p.c * p.eta + p.reach * p.r;
     T low = p.c * p.eta - p.reach * p.r;
@@ -213,21 +232,19 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
     const T inverse_r = 1 / p.r;
     const T distance = p.eta * (1 - p.r) * inverse_r;  // of the turn-on from t = eta
     const T least = p.c / 2;  // t at the idle end of the first eight nodes; the integrand is negligible there
-    const auto x_at = [](T y) { return -(slope * y + std::exp(y)); };
-    const auto t_at = [&](T x) { return std::max(least, (p.eta - p.c * x) * inverse_r); };
+    PeakNodes<T> nodes(p);
     for (int j = 2 * static_cast<int>(std::floor(-(high + T(0.4)) / (2 * slope * step))); T(j) * step < y_high;
-         j += V::size) {
-        const T y_first = T(j) * step;
-        const T x_first = x_at(y_first);
-        const T x_last = x_at(T(j + V::size - 1) * step);
-        const V y = multiply_add(ascending<T>(), V(step), V(y_first));
+         j += nodes.block) {
+        const V y = ascending_from<T>(j) * V::all(step);
         const V rise = exp(y);
-        const V x = V(T(0)) - multiply_add(y, V(slope), rise);
-        const V excess = multiply_add(x, V(-c_over_r), V(distance));
-        const V t = max(excess + V(p.eta), V(least));
-        sink.add({t, x, (V(p.c * p.eta) - x) * V(inverse_r), excess, (rise + V(slope)) * V(c_over_r), V(T(1)) / sqrt(t),
-                  t_at(x_first), t_at(x_last), x_first, x_last});
+        const V x = V::all(T(0)) - multiply_add(y, V::all(slope), rise);
+        const V excess = multiply_add(x, V::all(-c_over_r), V::all(distance));
+        const V t = max(excess + V::all(p.eta), V::all(least));
+        if (nodes.full()) sink.add(nodes);
+        nodes.add(t, x, (V::all(p.c * p.eta) - x) * V::all(inverse_r), excess,
+                  (rise + V::all(slope)) * V::all(c_over_r), V::all(T(1)) / sqrt(t));
     }
+    sink.add(nodes);
     return step;
 }
 
@@ -240,7 +257,7 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
 ///
 /// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are too
 /// hopeful the error estimate says so.
-/// Calls sink.add with PeakNodes, eight at a time, and returns the step: an integral is the step times the sum.
+/// Calls sink.add with PeakNodes, which it has to clear, and returns the step: an integral is the step times the sum.
 template <Real T, class Sink>
 T visit_nodes(const PeakProblem<T>& p, T digits, Sink& sink) {
     const T root = std::sqrt(digits);

@@ -29,50 +29,40 @@ struct PeakSums {
     int nodes{};
 };
 
-/// A sum over nodes: its lanes, and its outermost terms, which bound what was cut off.
-template <Real T>
-struct LaneSum {
-    Lanes<T> sum{T(0)}, first{T(0)}, last{T(0)};
-
-    EIGEN_ALWAYS_INLINE void add(const Lanes<T>& term, bool is_first) {
-        if (is_first) first = term;
-        last = term;
-        sum = sum + term;
-    }
-};
-
-/// Sums of the lanes times \p step, and the error of the trapezoidal rule relative to each.
+/// Sums of the eight rules of step 8h times \p step, and the error of the trapezoidal rule relative to each.
 ///
-/// The rule of step h errs by the Fourier transform of the integrand at the frequency 2 pi/h, and lane m of the eight holds
-/// the rule of step 8h shifted by m h: the discrete transform of the lanes at k = 1, 2 and 3 is the transform of the integrand
-/// at k/8 of that frequency. It falls geometrically or faster, and its modulus, unlike the difference of two rules, seldom
-/// vanishes by accident; so it is extrapolated from 3/8 to 1 by its fall from 2/8 or, where that is more, from 1/8, with half
-/// of one of the five steps left out to be on the safe side.
+/// The rule of step h errs by the Fourier transform of the integrand at the frequency 2 pi/h, and sums[m] holds the rule of
+/// step 8h shifted by m h: the discrete transform of the eight at k = 1, 2 and 3 is the transform of the integrand at k/8 of
+/// that frequency. It falls geometrically or faster, and its modulus, unlike the difference of two rules, seldom vanishes by
+/// accident; so it is extrapolated from 3/8 to 1 by its fall from 2/8 or, where that is more, from 1/8, with half of one of
+/// the five steps left out to be on the safe side.
 /// What is cut off beyond the first and the last node falls faster than geometrically: less than the two outermost terms.
 template <Real T>
-PeakSums<T> finish(const std::array<LaneSum<T>, 4>& sums, T step, int nodes) {
+PeakSums<T> finish(const std::array<Lanes<T, 4>, 8>& sums, const Lanes<T, 4>& first, const Lanes<T, 4>& last, T step,
+                   int nodes) {
     using Four = Eigen::Array<T, 4, 1>;
     constexpr T half_root = std::numbers::sqrt2_v<T> / 2;
-    Four at_1, at_2, at_3, total, ends;
+    const auto four = [](const Lanes<T, 4>& lanes) {
+        Four out;
+        lanes.store(out.data());
+        return out;
+    };
+    std::array<Four, 4> odd, even;
     for (std::size_t i = 0; i < 4; ++i) {
-        std::array<T, Lanes<T>::size> s, begin, end;
-        sums[i].sum.store(s.data());
-        sums[i].first.store(begin.data());
-        sums[i].last.store(end.data());
-        const std::array<T, 4> odd{s[0] - s[4], s[1] - s[5], s[2] - s[6], s[3] - s[7]};
-        const std::array<T, 4> even{s[0] + s[4], s[1] + s[5], s[2] + s[6], s[3] + s[7]};
-        const auto square = [](T x, T y) { return x * x + y * y; };
-        const auto row = static_cast<Eigen::Index>(i);
-        at_1[row] = square(odd[0] + half_root * (odd[1] - odd[3]), odd[2] + half_root * (odd[1] + odd[3]));
-        at_2[row] = square(even[0] - even[2], even[1] - even[3]);
-        at_3[row] = square(odd[0] + half_root * (odd[3] - odd[1]), odd[2] - half_root * (odd[1] + odd[3]));
-        total[row] = (even[0] + even[2]) + (even[1] + even[3]);
-        ends[row] = begin.front() + end.back();
+        const Four near = four(sums[i]), opposite = four(sums[i + 4]);
+        odd[i] = near - opposite;
+        even[i] = near + opposite;
     }
+    const Four difference = half_root * (odd[1] - odd[3]), sum = half_root * (odd[1] + odd[3]);
+    const Four at_1 = (odd[0] + difference).square() + (odd[2] + sum).square();
+    const Four at_2 = (even[0] - even[2]).square() + (even[1] - even[3]).square();
+    const Four at_3 = (odd[0] - difference).square() + (odd[2] - sum).square();
+    const Four total = (even[0] + even[2]) + (even[1] + even[3]);
     // what is not asked for is 0 throughout: the least number keeps 0/0 out
     constexpr T least = std::numeric_limits<T>::min();
+    const Four inverse = total.max(least).inverse();
     const Four ratio = (at_3 / (at_2 + least)).min((at_3 / (at_1 + least)).sqrt()).min(T(1));
-    const Four error = 2 * ((at_3 * ratio.sqrt()).sqrt() * ratio.square() + ends) / total.max(least);
+    const Four error = 2 * inverse * ((at_3 * ratio.sqrt()).sqrt() * ratio.square() + four(first) + four(last));
     PeakSums<T> out;
     out.nodes = nodes;
     Eigen::Map<Four>(out.value.data()) = step * total;
@@ -94,108 +84,74 @@ PowerSet one_power(T a, T b) {
     return set;
 }
 
-/// F_a(x) at eight nodes, and the exponential that goes with it: whichever of the three polynomials the ends of x call for.
+/// Multiplies the mass of each node by erf(k t).
 template <Real T>
-class MomentBlock {
-public:
-    using V = Lanes<T>;
-
-    EIGEN_ALWAYS_INLINE explicit MomentBlock(const PeakNodes<T>& nodes)
-        : x_(nodes.x),
-          right_(nodes.x_first >= 0),
-          middle_(nodes.x_last < 0 && -moment_middle < nodes.x_first),
-          far_(nodes.x_last < -moment_middle) {
-        const V zero{T(0)};
-        if (right_) {
-            const V clamped = max(x_, zero);
-            right_inverse_ = V(T(1)) / (clamped + V(T(4)));
-            right_root_ = sqrt(right_inverse_);
-            right_u_ = (clamped - V(T(4))) * right_inverse_;
-        }
-        if (middle_)
-            middle_u_ = multiply_add(min(max(x_, V(T(-moment_middle))), zero), V(T(2) / moment_middle), V(T(1)));
-        if (far_) {
-            far_size_ = max(zero - x_, V(T(moment_middle)));
-            far_root_ = sqrt(far_size_);
-            const V ratio = V(T(moment_middle)) / far_size_;
-            far_u_ = multiply_add(ratio + ratio, ratio, V(T(-1)));
-        }
+EIGEN_DONT_INLINE void times_erf(const PeakNodes<T>& nodes, T k, const ErfPolynomials<T>& by, T* out) {
+    using V = Lanes<T, 8>;
+    for (int i = 0; i < nodes.size(); i += 8) {
+        const T* t = nodes.t() + i;
+        (V::load(nodes.mass() + i) * erf_ascending(V::load(t) * V::all(k), k * t[0], k * t[7], by)).store(out + i);
     }
+}
 
-    /// exp(-t^2/2), times exp(-x^2/2) for x >= 0, without the factor exp(-floor^2/2): what moment() is to be multiplied with.
-    EIGEN_ALWAYS_INLINE V gaussian(const PeakNodes<T>& nodes, T floor) const {
-        V exponent{T(0)};
-        if (right_) exponent = nodes.z * nodes.z;
-        if (middle_ || far_) {
-            const V outer = nodes.excess * (nodes.t + V(floor));
-            exponent = right_ ? select_less(x_, V(T(0)), outer, exponent) : outer;
-        }
-        return exp(exponent * V(T(-0.5)));
-    }
-
-    /// F_a(x), for x >= 0 times exp(x^2/2).
-    template <int TwiceA>
-    EIGEN_ALWAYS_INLINE V moment() const {
-        V value{T(0)};
-        if (right_) value = moment_right<TwiceA, T>(right_u_, right_inverse_, right_root_);
-        if (middle_) {
-            const V m = moment_middle_range<TwiceA, T>(middle_u_);
-            value = right_ ? select_less(x_, V(T(0)), m, value) : m;
-        }
-        if (far_) {
-            const V f = moment_far<TwiceA, T>(far_u_, far_size_, far_root_);
-            value = right_ || middle_ ? select_less(x_, V(T(-moment_middle)), f, value) : f;
-        }
-        return value;
-    }
-
-private:
-    V x_;
-    bool right_, middle_, far_;
-    V right_inverse_, right_root_, right_u_, middle_u_, far_u_, far_size_, far_root_;
-};
-
-/// Sums up the integrands of a PowerSet.
+/// Sums up the integrands of a PowerSet, four side by side; what is absent is multiplied by 0.
 template <Real T>
 class PeakAccumulator {
 public:
-    using V = Lanes<T>;
-    PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b)
-        : p_(problem), minus_two_b_(minus_two_b) {}
+    using V = Lanes<T, 4>;
 
-    EIGEN_ALWAYS_INLINE void add(const PeakNodes<T>& nodes) {
-        const MomentBlock<T> block(nodes);
-        const V erf = erf_ascending(V(p_.k) * nodes.t, p_.k * nodes.t_first, p_.k * nodes.t_last);
-        const V g = nodes.weight * erf * block.gaussian(nodes, p_.floor);
-        const V g_root = g * nodes.inverse_root;
-        const std::array<V, 3> scaled{g, g_root, g_root * nodes.inverse_root};  // g t^b
-        const auto one = [&]<int TwiceA>() __attribute__((always_inline)) {
-            if (minus_two_b_[TwiceA] == absent) return;
-            sums_[TwiceA].add(scaled[static_cast<std::size_t>(minus_two_b_[TwiceA])] * block.template moment<TwiceA>(),
-                              nodes_ == 0);
-        };
-        one.template operator()<0>();
-        one.template operator()<1>();
-        one.template operator()<2>();
-        one.template operator()<3>();
-        nodes_ += V::size;
+    PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b, T tolerance)
+        : k_(problem.k),
+          rough_(tolerance > T(10 * MomentTable<T>::cut[rough_terms])),
+          erf_(ErfPolynomials<T>::for_tolerance(static_cast<double>(tolerance))) {
+        T share[3][4]{};
+        for (std::size_t i = 0; i < 4; ++i)
+            if (minus_two_b[i] != absent) share[minus_two_b[i]][i] = 1;
+        for (std::size_t b = 0; b < 3; ++b) share_[b] = V::load(share[b]);
+        sums_.fill(V::all(T(0)));
     }
 
-    PeakSums<T> result(T step) const { return finish(sums_, step, nodes_); }
+    /// Takes the nodes, and clears them.
+    EIGEN_DONT_INLINE void add(PeakNodes<T>& nodes) {
+        alignas(64) T mass[PeakNodes<T>::capacity];
+        times_erf(nodes, k_, erf_, mass);
+        rough_ ? add_by<rough_terms>(nodes, mass) : add_by<MomentTable<T>::terms>(nodes, mass);
+        nodes.clear();
+    }
+
+    /// Of the shorter polynomials, relative.
+    [[nodiscard]] T cut() const { return rough_ ? T(MomentTable<T>::cut[rough_terms] + erf_.error) : T(0); }
+    PeakSums<T> result(T step) const { return finish(sums_, first_, last_, step, count_); }
 
 private:
-    const PeakProblem<T>& p_;
-    PowerSet minus_two_b_;
-    std::array<LaneSum<T>, 4> sums_;
-    int nodes_ = 0;
-};
+    static constexpr int rough_terms = 6;
 
-template <Real T>
-PeakSums<T> peak_sums(const PeakProblem<T>& problem, const PowerSet& minus_two_b, T digits) {
-    PeakAccumulator<T> sums(problem, minus_two_b);
-    const T step = visit_nodes(problem, digits, sums);
-    return sums.result(step);
-}
+    template <int terms>
+    void add_by(const PeakNodes<T>& nodes, const T* mass) {
+        const std::array<V, 3> share = share_;
+        const T *const x = nodes.x(), *const inverse_root = nodes.inverse_root();
+        for (int i = 0; i < nodes.size(); i += 8) {
+            std::array<V, 8> term;
+            for (int m = 0; m < 8; ++m) {
+                const V root = V::all(inverse_root[i + m]);
+                const V power = multiply_add(root, multiply_add(root, share[2], share[1]), share[0]);  // t^b
+                term[static_cast<std::size_t>(m)] = scaled_moments<terms>(x[i + m]) * (power * V::all(mass[i + m]));
+            }
+            for (std::size_t m = 0; m < 8; ++m) sums_[m] = sums_[m] + term[m];
+            if (count_ + i == 0) first_ = term.front();
+            last_ = term.back();
+        }
+        count_ += nodes.size();
+    }
+
+    T k_;
+    bool rough_;  ///< by the shorter polynomials
+    ErfPolynomials<T> erf_;
+    int count_ = 0;
+    std::array<V, 3> share_;  ///< 1 where b = 0, -1/2, -1
+    std::array<V, 8> sums_;   ///< by the number of the node modulo 8
+    V first_ = V::all(T(0)), last_ = V::all(T(0));
+};
 
 }  // namespace detail
 }  // namespace fstiff

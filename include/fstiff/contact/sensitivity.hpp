@@ -55,44 +55,39 @@ struct LogDerivatives {
     One stiffness, load;
 };
 
-/// The seven sums that the derivatives need.
+/// The seven sums that the derivatives need, over b = -1/2.
 template <Real T>
 class DerivativeAccumulator {
 public:
-    using V = Lanes<T>;
     enum Sum { j_minus, j_half, j_three, r_half, r_three, theta_half, theta_three, sums };
 
-    explicit DerivativeAccumulator(const PeakProblem<T>& problem) : p_(problem) {}
+    explicit DerivativeAccumulator(const PeakProblem<T>& problem) : k_(problem.k) {}
 
-    EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {
-        const MomentBlock<T> block(nodes);
-        const V k{p_.k};
-        const V kt = k * nodes.t;
-        const V g = nodes.weight * nodes.inverse_root * block.gaussian(nodes, p_.floor);  // with t^b = t^(-1/2)
-        const V erf = erf_ascending(kt, p_.k * nodes.t_first, p_.k * nodes.t_last);
-        const V bounded = min(kt, V(T(25)));  // exp(-625) is nothing, and its argument does not overflow
-        const V layer = V(2 * std::numbers::inv_sqrtpi_v<T>) * exp(V(T(0)) - bounded * bounded);  // d erf(y)/dy
-        const V by_erf = g * erf;
-        // t^(1/2) d/dt (t^(-1/2) erf(k t)) = k erf'(k t) - erf(k t)/(2 t)
-        const V by_r = g * (k * layer - V(T(0.5)) * erf * nodes.inverse_root * nodes.inverse_root);
-        const V by_theta = g * nodes.t * layer;
-        const V minus = block.template moment<-1>();
-        const V half = block.template moment<1>();
-        const V three = block.template moment<3>();
-        const std::array<V, sums> term{by_erf * minus, by_erf * half,   by_erf * three,  by_r * minus,
-                                       by_r * half,    by_theta * half, by_theta * three};
-        for (std::size_t i = 0; i < sums; ++i) sum_[i] = sum_[i] + term[i];
+    /// Takes the nodes, and clears them.
+    EIGEN_DONT_INLINE void add(PeakNodes<T>& nodes) {
+        T by_erf[PeakNodes<T>::capacity], moment[4];
+        times_erf(nodes, k_, ErfPolynomials<T>::for_tolerance(0), by_erf);
+        for (int i = 0; i < nodes.size(); ++i) {
+            const T t = nodes.t()[i], x = nodes.x()[i], root = nodes.inverse_root()[i];
+            scaled_moments<MomentTable<T>::terms>(x).store(moment);
+            const T minus = scaled_moment<-1>(x), half = moment[1], three = moment[3];
+            // erf'(y), and t^(1/2) d/dt (t^(-1/2) erf(k t)) = k erf'(k t) - erf(k t)/(2 t)
+            const T layer = nodes.mass()[i] * 2 * std::numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
+            const T with_erf = by_erf[i] * root;
+            const T with_r = (k_ * layer - by_erf[i] * root * root / 2) * root;
+            const T with_theta = layer * t * root;
+            const T term[sums]{with_erf * minus, with_erf * half,   with_erf * three,  with_r * minus,
+                               with_r * half,    with_theta * half, with_theta * three};
+            for (std::size_t j = 0; j < sums; ++j) sum_[j] += term[j];
+        }
+        nodes.clear();
     }
 
-    T total(Sum which) const {
-        std::array<T, V::size> lane;
-        sum_[which].store(lane.data());
-        return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
-    }
+    [[nodiscard]] T total(Sum which) const { return sum_[which]; }
 
 private:
-    const PeakProblem<T>& p_;
-    std::array<V, sums> sum_{V(T(0)), V(T(0)), V(T(0)), V(T(0)), V(T(0)), V(T(0)), V(T(0))};
+    T k_;
+    std::array<T, sums> sum_{};
 };
 
 /// \p eta as in contact_integral, to the last digits. Does not allocate.

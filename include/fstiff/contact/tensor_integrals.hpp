@@ -133,7 +133,6 @@ public:
     /// The rule with \p nodes intervals each way, a multiple of 8.
     /// \return what the layer of width 1/k at t = 0 may hide when no row falls into it, else 0
     T evaluate(int nodes, TensorSums<T>& rows, TensorSums<T>& columns) const {
-        using V = Lanes<T>;
         rows = columns = {};
         T hidden = 0;
         const T begin = window_begin<axis>(p_.r * p_.eta - p_.reach * p_.c, p_.depth);
@@ -141,7 +140,7 @@ public:
         TensorLanes<T> t, slope, erf, weight, of_row;
         for (int i = 0; i < nodes; i += 8) {
             map_nodes<axis, T>(begin + (T(i) + numbers()) * step, t, slope);
-            erf_ascending(V::load(t.data()) * V(p_.k), p_.k * t[0], p_.k * t[7]).store(erf.data());
+            erf_of_eight(t.data(), p_.k, erf.data());
             weight = step * slope * erf;
             for (int lane = 0; lane < 8; ++lane) of_row[lane] = inner(t[lane], weight[lane], nodes, columns);
             (axis == Axis::even && begin == 0 ? rows.even : rows.shifted) += of_row;

@@ -1,46 +1,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// erf on Lanes. std::erf costs ten times an exponential and Eigen has none in vectors of double.
+/// erf of eight numbers at once. std::erf costs ten times an exponential and Eigen has none in vectors of double.
 ///
-///     erf(y) = y P(y^2)                        0 <= y <= 2
-///     erf(y) = 1 - exp(-y^2) Q(y) / (y+2)      y >= 2
+///     erf(y) = y P(y^2)    0 <= y <= 5/2
+///     erf(y) = Q(y), R(y)  to 9/2, to 13/2; beyond it is 1 to the last bit of every type
 ///
-/// Reference   P and Q are interpolated by tools/make_gaussian_moment_table.py.
+/// Reference   P, Q and R are interpolated by tools/make_gaussian_moment_table.py.
 /// Units       dimensionless
 /// Valid       y >= 0, infinity included
-/// Accuracy    3 epsilon relative (tests/math/gaussian_moment_test.cpp)
+/// Accuracy    4 epsilon relative (tests/math/gaussian_moment_test.cpp), 3e-5 by the rough polynomials
 
-#include <fstiff/math/gaussian_moment_table.hpp>
+#include <fstiff/core/concepts.hpp>
+#include <fstiff/math/gaussian_moment_table_extended.hpp>
 #include <fstiff/math/lanes.hpp>
+
+#include <array>
+#include <span>
 
 namespace fstiff::detail {
 
-inline constexpr int erf_split = 2;  ///< the series serves up to here, the tail beyond
-
+/// c[0] + c[1] u + c[2] u^2 + ..., even and odd powers apart: one sum alone waits for each multiplication.
 template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> erf_series(const Lanes<T>& y) {
-    return y * polynomial(ErfTable<T>::series, multiply_add(y * Lanes<T>(T(0.5)), y, Lanes<T>(T(-1))));
+EIGEN_ALWAYS_INLINE Lanes<T, 8> polynomial(std::span<const T> c, const Lanes<T, 8>& u) {
+    using V = Lanes<T, 8>;
+    if (c.size() < 2) return V::all(c.front());
+    const V square = u * u;
+    std::size_t n = c.size() - 2;
+    V high = V::all(c[n + 1]), low = V::all(c[n]);
+    for (; n >= 2; n -= 2) {
+        high = multiply_add(high, square, V::all(c[n - 1]));
+        low = multiply_add(low, square, V::all(c[n - 2]));
+    }
+    V sum = multiply_add(high, u, low);
+    return n == 1 ? multiply_add(sum, u, V::all(c[0])) : sum;
 }
 
+/// Polynomials for the three ranges.
 template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> erf_tail(const Lanes<T>& y) {
-    using V = Lanes<T>;
-    const V bounded = min(y, V(T(16)));  // erf is 1 to the last bit of every type from 7 on
-    const V ratio = (bounded - V(T(4))) / (bounded + V(T(4)));
-    const V q = polynomial(ErfTable<T>::tail, multiply_add(V(T(1.5)), ratio, V(T(-0.5))));
-    return V(T(1)) - exp(V(T(0)) - bounded * bounded) * q / (bounded + V(T(2)));
-}
+struct ErfPolynomials {
+    std::span<const T> near, middle, far;
+    double error;  ///< relative, beyond the rounding
+
+    /// The shorter ones where \p tolerance allows.
+    static ErfPolynomials for_tolerance(double tolerance) {
+        using Table = ErfTable<T>;
+        if (tolerance > 10 * Table::rough_error)
+            return {Table::rough_near, Table::rough_middle, Table::rough_far, Table::rough_error};
+        return {Table::near, Table::middle, Table::far, 0};
+    }
+};
 
 /// erf of eight ascending numbers of which the first is \p first and the last \p last.
 template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> erf_ascending(const Lanes<T>& y, T first, T last) {
-    using V = Lanes<T>;
-    if (first >= T(8)) return V(T(1));
-    if (last <= T(erf_split)) return erf_series(y);
-    if (first >= T(erf_split)) return erf_tail(y);
-    const V split{T(erf_split)};
-    return select_less(y, split, erf_series(min(y, split)), erf_tail(max(y, split)));
+EIGEN_ALWAYS_INLINE Lanes<T, 8> erf_ascending(const Lanes<T, 8>& y, T first, T last, const ErfPolynomials<T>& by) {
+    using V = Lanes<T, 8>;
+    constexpr T middle = T(2.5), far = T(4.5), end = T(6.5);
+    V value = V::all(T(1));
+    if (first >= end) return value;
+    if (last > far) value = polynomial(by.far, min(y, V::all(end)) - V::all((far + end) / 2));
+    if (last > middle && first < far) {
+        const V q = polynomial(by.middle, min(y, V::all(far)) - V::all((middle + far) / 2));
+        value = select_less(y, V::all(far), q, value);
+    }
+    if (first < middle) {
+        const V bounded = min(y, V::all(middle));
+        const V p = bounded *
+                    polynomial(by.near, multiply_add(bounded * V::all(2 / (middle * middle)), bounded, V::all(T(-1))));
+        value = select_less(y, V::all(middle), p, value);
+    }
+    return value;
+}
+
+/// out[i] = erf(k t[i]) for eight ascending t; float by way of double.
+template <Real T>
+EIGEN_DONT_INLINE void erf_of_eight(const T* t, T k, T* out) {
+    using S = Tabulated<T>;
+    S argument[8], value[8];
+    for (int i = 0; i < 8; ++i) argument[i] = static_cast<S>(k) * static_cast<S>(t[i]);
+    erf_ascending(Lanes<S, 8>::load(argument), argument[0], argument[7], ErfPolynomials<S>::for_tolerance(0))
+        .store(value);
+    for (int i = 0; i < 8; ++i) out[i] = static_cast<T>(value[i]);
 }
 
 }  // namespace fstiff::detail

@@ -6,56 +6,116 @@
 ///     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x)
 ///     F_a'   = -a F_{a-1}
 ///
-/// D is Whittaker's parabolic cylinder function. F_a falls as exp(-x^2/2) for x > 0 and grows as sqrt(2 pi) |x|^a for x < 0;
-/// three polynomials cover the line (tools/make_gaussian_moment_table.py): in (x-4)/(x+4) for x >= 0, in x for -5 <= x <= 0
-/// and in 1/x^2 below. No recurrence is used: F_{a+1} = a F_{a-1} - x F_a cancels for x > 0.
+/// D is Whittaker's parabolic cylinder function. F_a falls as exp(-x^2/2) for x > 0 and grows as sqrt(2 pi) |x|^a for x < 0.
+/// Short polynomials cover the line piece by piece (tools/make_gaussian_moment_table.py): the pieces are eighths of the
+/// octaves of |x| + 2, so that the bits of that number name its piece; from |x| = 30 on, 1/x^2 is the variable. The
+/// coefficients of the four moments of a contact lie side by side, and one loop sums all four. No recurrence is used:
+/// F_{a+1} = a F_{a-1} - x F_a cancels for x > 0.
 ///
 /// Reference   NIST Digital Library of Mathematical Functions, 12.5.1.
 /// Units       dimensionless
-/// Valid       a in {-1/2, 0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double)
-/// Accuracy    16 epsilon relative, 80 for a = 5/2 (the worst where x is just below 0); 1 epsilon is typical
-///             (tests/math/gaussian_moment_test.cpp)
+/// Valid       a in {-1/2, 0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double). float is
+///             computed in double; a long double of more than 64 binary digits is refused
+/// Accuracy    6 epsilon relative; 1 epsilon is typical (tests/math/gaussian_moment_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/math/gaussian_moment_table.hpp>
+#include <fstiff/math/gaussian_moment_table_extended.hpp>
 #include <fstiff/math/lanes.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <concepts>
+#include <cstdint>
 #include <limits>
 
 namespace fstiff {
 
 namespace detail {
 
-inline constexpr int moment_middle = 5;  ///< the middle polynomial reaches to x = -5
+/// |x| in the middle of each piece.
+inline constexpr auto moment_middles = [] {
+    std::array<double, 32> middle{};
+    for (std::size_t i = 0; i < middle.size(); ++i)
+        middle[i] = (2 << (i / 8)) * (1 + (static_cast<double>(i % 8) + 0.5) / 8) - 2;
+    return middle;
+}();
+
+/// Where x lies: the number of its piece and the variable there.
+template <Real T>
+struct MomentPiece {
+    static_assert(std::numeric_limits<T>::digits <= 64, "the tables of fstiff hold 64 binary digits");
+
+    T size;  ///< |x|
+    T s;
+    int piece;
+    bool far;  ///< the polynomial is to be multiplied by |x|^a, for x > 0 by x^(-a-1)
+
+    EIGEN_ALWAYS_INLINE explicit MomentPiece(T x) : size(std::abs(x)) {
+        constexpr int eighths = 3;
+        const double shifted = static_cast<double>(size) + 2;
+        far = !(shifted < 32);
+        piece =
+            far ? 32 : static_cast<int>(std::bit_cast<std::uint64_t>(shifted) >> (52 - eighths)) - (1024 << eighths);
+        s = far ? (1 / size) / size : size - static_cast<T>(moment_middles[static_cast<std::size_t>(piece)]);
+        if (x < 0) piece += 33;
+    }
+};
 
 /// Half-integer powers v^(TwiceA/2), given v and its square root.
-template <int TwiceA, class V>
-EIGEN_ALWAYS_INLINE V half_power(const V& v, const V& root) {
-    if constexpr (TwiceA == -1) return V(1) / root;
-    if constexpr (TwiceA == 0) return V(1);
+template <int TwiceA, Real T>
+T half_power(T v, T root) {
+    if constexpr (TwiceA < 0) return 1 / half_power<-TwiceA>(v, root);
+    if constexpr (TwiceA == 0) return T(1);
     if constexpr (TwiceA == 1) return root;
-    if constexpr (TwiceA == 2) return v;
-    if constexpr (TwiceA > 2) return v * half_power<TwiceA - 2>(v, root);
+    if constexpr (TwiceA > 1) return v * half_power<TwiceA - 2>(v, root);
 }
 
-/// exp(x^2/2) F_a(x) for x >= 0, given 1/(x+4) and its square root.
-template <int TwiceA, Real T, class V>
-EIGEN_ALWAYS_INLINE V moment_right(const V& u, const V& inverse, const V& inverse_root) {
-    return polynomial(MomentTable<T, TwiceA>::right, u) * half_power<TwiceA + 2>(inverse, inverse_root);
+/// What the polynomial of a far piece is multiplied with, for a = 0, 1/2, 1, 3/2.
+template <Real T>
+EIGEN_DONT_INLINE Lanes<T, 4> far_powers(T size, bool right) {
+    const T root = std::sqrt(size);
+    T power[4] = {1, root, size, size * root};
+    if (right)
+        for (T& one : power) one = 1 / (one * size);
+    return Lanes<T, 4>::load(power);
 }
 
-/// F_a(x) for -5 <= x <= 0, u = (2x+5)/5.
-template <int TwiceA, Real T, class V>
-EIGEN_ALWAYS_INLINE V moment_middle_range(const V& u) {
-    return polynomial(MomentTable<T, TwiceA>::middle, u);
+/// F_a(x) for a = 0, 1/2, 1, 3/2, times exp(x^2/2) for x >= 0: neither under- nor overflows. By the first \p terms of each
+/// polynomial, an even number; MomentTable::cut[terms] bounds the relative error of leaving out the others.
+template <int terms, Real T>
+EIGEN_ALWAYS_INLINE Lanes<T, 4> scaled_moments(T x) {
+    using V = Lanes<T, 8>;  // even and odd powers side by side
+    const MomentPiece<T> at(x);
+    const T* c = MomentTable<T>::main + at.piece * MomentTable<T>::terms * 4;
+    const V square = V::all(at.s * at.s);
+    V both = V::load_aligned(c + terms * 4 - 8);
+#pragma GCC unroll 8
+    for (int n = terms - 4; n >= 0; n -= 2) both = multiply_add(both, square, V::load_aligned(c + n * 4));
+    Lanes<T, 4> sum = both.fold(at.s);
+    if (at.far) [[unlikely]]
+        sum = sum * far_powers(at.size, x >= 0);
+    return sum;
 }
 
-/// F_a(x) for x <= -5, u = 50/x^2 - 1.
-template <int TwiceA, Real T, class V>
-EIGEN_ALWAYS_INLINE V moment_far(const V& u, const V& magnitude, const V& root) {
-    return polynomial(MomentTable<T, TwiceA>::far, u) * half_power<TwiceA>(magnitude, root);
+/// F_a(x) for one a, times exp(x^2/2) for x >= 0.
+template <int TwiceA, Real T>
+T scaled_moment(T x) {
+    if constexpr (std::same_as<T, float>) {
+        return static_cast<float>(scaled_moment<TwiceA>(static_cast<double>(x)));
+    } else {
+        using Table = MomentTable<T>;
+        constexpr bool main = TwiceA >= 0 && TwiceA <= 3;
+        constexpr int stride = main ? 4 : 2, column = main ? TwiceA : TwiceA < 0 ? 0 : 1;
+        const MomentPiece<T> at(x);
+        const T* c = (main ? Table::main : Table::side) + (at.piece + 1) * Table::terms * stride + column;
+        T sum = 0;
+        for (int n = 0; n < Table::terms; ++n) sum = sum * at.s + *(c -= stride);
+        return at.far ? sum * (x >= 0 ? half_power<-TwiceA - 2>(at.size, std::sqrt(at.size))
+                                      : half_power<TwiceA>(at.size, std::sqrt(at.size)))
+                      : sum;
+    }
 }
 
 /// exp(-x^2/2), without the loss of x^2 epsilon that rounding x^2 costs: x = head + tail with so few digits in head that
@@ -65,22 +125,10 @@ T gaussian(T x) {
     using Limits = std::numeric_limits<T>;
     constexpr int whole = Limits::max_exponent > 10000 ? 8 : Limits::max_exponent > 1000 ? 6 : 4;  // binary digits of x
     if (!(std::abs(x) < T(1 << whole))) return T(0);                                               // underflows before
-    constexpr T grid = T(1 << (Limits::digits / 2 - whole));
+    constexpr T grid = T(std::int64_t{1} << (Limits::digits / 2 - whole));
     const T head = std::floor(x * grid) / grid;
     const T tail = x - head;
     return std::exp(-head * head / 2) * std::exp(-tail * (x + head) / 2);
-}
-
-/// exp(s) F_a(x) with s = x^2/2 for x >= 0 and s = 0 for x < 0: neither under- nor overflows.
-template <int TwiceA, Real T>
-T scaled_moment(T x) {
-    if (x >= 0) {
-        const T inverse = 1 / (x + 4);
-        return moment_right<TwiceA, T>((x - 4) * inverse, inverse, std::sqrt(inverse));
-    }
-    if (x >= -T(moment_middle)) return moment_middle_range<TwiceA, T>((2 * x + 5) / 5);
-    const T ratio = moment_middle / x;
-    return moment_far<TwiceA, T>(2 * ratio * ratio - 1, -x, std::sqrt(-x));
 }
 
 /// Calls f.operator()<2a>() for the power \p a. \throws domain_error for a power that has no table.

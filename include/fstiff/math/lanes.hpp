@@ -1,142 +1,127 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Eight numbers that are computed with at once, whatever the width of the machine's vectors.
+/// N numbers that are computed with at once, whatever the width of the machine's vectors: one of Eigen's packets where it has
+/// one of that size, else two halves, down to single numbers (long double). No loops, no branches, no arrays, so that a
+/// compiler keeps them in registers at every level of optimisation.
 ///
-/// A thin value type over Eigen's packets: one AVX-512 register, two of AVX, four of SSE2 or NEON, or eight scalars (long
-/// double). The kernels of fstiff are written once against Lanes and, through the scalar overloads at the end, for single
-/// numbers. Elementwise fused multiply-add where the machine has it; no heap, no branches.
-///
-/// Valid       float, double, long double
-/// Accuracy    that of Eigen's packet functions: exp 2 ulp, sqrt and division correctly rounded
+/// Valid       float, double, long double; N a power of two
+/// Accuracy    that of Eigen's packet functions: exp 2 ulp, all others correctly rounded; multiply_add rounds once where the
+///             machine has a fused one
 
 #include <fstiff/core/concepts.hpp>
 
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
-#include <utility>
 
 namespace fstiff::detail {
 
-template <Real T>
-struct Lanes {
-    static constexpr int size = 8;
-    using Packet = typename Eigen::internal::find_best_packet<T, size>::type;
-    static constexpr int width = Eigen::internal::unpacket_traits<Packet>::size;
-    static constexpr int packets = size / width;
+template <Real T, int N>
+using PacketOf = typename Eigen::internal::find_best_packet<T, N>::type;
 
-    std::array<Packet, packets> p;
+template <Real T, int N, bool whole = Eigen::internal::unpacket_traits<PacketOf<T, N>>::size == N>
+struct Lanes;
 
-    Lanes() = default;
-    EIGEN_ALWAYS_INLINE explicit Lanes(T value) { p.fill(Eigen::internal::pset1<Packet>(value)); }
-    EIGEN_ALWAYS_INLINE explicit Lanes(const std::array<Packet, packets>& all) : p(all) {}
+// clang-format off: an operation a line
+/// One packet.
+template <Real T, int N>
+struct Lanes<T, N, true> {
+    PacketOf<T, N> p;
 
-    /// Eight consecutive numbers from \p from, which need not be aligned.
-    EIGEN_ALWAYS_INLINE static Lanes load(const T* from) {
-        Lanes out;
-        for (std::size_t i = 0; i < packets; ++i) out.p[i] = Eigen::internal::ploadu<Packet>(from + i * width);
-        return out;
+    EIGEN_ALWAYS_INLINE static Lanes all(T value) { return {Eigen::internal::pset1<PacketOf<T, N>>(value)}; }
+    /// N consecutive numbers, which need not be aligned.
+    EIGEN_ALWAYS_INLINE static Lanes load(const T* from) { return {Eigen::internal::ploadu<PacketOf<T, N>>(from)}; }
+    /// The same, aligned to N of them.
+    EIGEN_ALWAYS_INLINE static Lanes load_aligned(const T* from) {
+        return {Eigen::internal::pload<PacketOf<T, N>>(from)};
     }
+    EIGEN_ALWAYS_INLINE void store(T* to) const { Eigen::internal::pstoreu(to, p); }
 
-    EIGEN_ALWAYS_INLINE void store(T* to) const {
-        for (std::size_t i = 0; i < packets; ++i) Eigen::internal::pstoreu(to + i * width, p[i]);
+    EIGEN_ALWAYS_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) {
+        return {Eigen::internal::padd(a.p, b.p)};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) {
+        return {Eigen::internal::psub(a.p, b.p)};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) {
+        return {Eigen::internal::pmul(a.p, b.p)};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
+        return {Eigen::internal::pdiv(a.p, b.p)};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes min(const Lanes& a, const Lanes& b) { return {Eigen::internal::pmin(a.p, b.p)}; }
+    EIGEN_ALWAYS_INLINE friend Lanes max(const Lanes& a, const Lanes& b) { return {Eigen::internal::pmax(a.p, b.p)}; }
+    EIGEN_ALWAYS_INLINE friend Lanes exp(const Lanes& a) { return {Eigen::internal::pexp(a.p)}; }
+    EIGEN_ALWAYS_INLINE friend Lanes sqrt(const Lanes& a) { return {Eigen::internal::psqrt(a.p)}; }
+    /// a b + c
+    EIGEN_ALWAYS_INLINE friend Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) {
+        return {Eigen::internal::pmadd(a.p, b.p, c.p)};
+    }
+    /// The lower half plus \p s times the upper one.
+    EIGEN_ALWAYS_INLINE Lanes<T, N / 2> fold(T s) const {
+        alignas(64) static constexpr auto lower = [] {
+            std::array<T, N> one{};
+            for (std::size_t i = 0; i < N / 2; ++i) one[i] = 1;
+            return one;
+        }();
+        const Lanes low = load_aligned(lower.data());
+        const Lanes high = all(T(1)) - low;
+        return {Eigen::internal::predux_half_dowto4((*this * multiply_add(all(s), high, low)).p)};
+    }
+    /// Where a < b: \p yes, elsewhere \p no.
+    EIGEN_ALWAYS_INLINE friend Lanes select_less(const Lanes& a, const Lanes& b, const Lanes& yes, const Lanes& no) {
+        if constexpr (N == 1)  // Eigen's mask of a single number is a NaN, which not every compiler setting keeps
+            return a.p < b.p ? yes : no;
+        else
+            return {Eigen::internal::pselect(Eigen::internal::pcmp_lt(a.p, b.p), yes.p, no.p)};
     }
 };
 
-/// The Lanes whose packet i is \p packet(i). Expanded and inlined without fail: at -O2 a compiler would otherwise call a
-/// function for each multiplication.
-template <Real T, class F, std::size_t... I>
-EIGEN_ALWAYS_INLINE Lanes<T> make_lanes(const F& packet, std::index_sequence<I...>) {
-    if constexpr (Lanes<T>::width == 1) {  // no vectors (long double): a loop, for eightfold code would gain nothing
-        Lanes<T> out;
-        for (std::size_t i = 0; i < sizeof...(I); ++i) out.p[i] = packet(i);
-        return out;
-    } else {
-        return Lanes<T>(std::array<typename Lanes<T>::Packet, sizeof...(I)>{packet(I)...});
+/// Two halves.
+template <Real T, int N>
+struct Lanes<T, N, false> {
+    using Half = Lanes<T, N / 2>;
+    Half low, high;
+
+    EIGEN_ALWAYS_INLINE static Lanes all(T value) { return {Half::all(value), Half::all(value)}; }
+    EIGEN_ALWAYS_INLINE static Lanes load(const T* from) { return {Half::load(from), Half::load(from + N / 2)}; }
+    EIGEN_ALWAYS_INLINE static Lanes load_aligned(const T* from) {
+        return {Half::load_aligned(from), Half::load_aligned(from + N / 2)};
     }
-}
+    EIGEN_ALWAYS_INLINE void store(T* to) const {
+        low.store(to);
+        high.store(to + N / 2);
+    }
 
-// clang-format off: one line of Eigen's packet mathematics each
-#define FSTIFF_LANES(expression)                            \
-    make_lanes<T>(                                          \
-        [&](std::size_t i) __attribute__((always_inline)) { \
-            using namespace Eigen::internal;                \
-            return expression;                              \
-        },                                                  \
-        std::make_index_sequence<Lanes<T>::packets>{})
-
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> operator+(const Lanes<T>& a, const Lanes<T>& b) {
-    return FSTIFF_LANES(padd(a.p[i], b.p[i]));
-}
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> operator-(const Lanes<T>& a, const Lanes<T>& b) {
-    return FSTIFF_LANES(psub(a.p[i], b.p[i]));
-}
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> operator*(const Lanes<T>& a, const Lanes<T>& b) {
-    return FSTIFF_LANES(pmul(a.p[i], b.p[i]));
-}
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> operator/(const Lanes<T>& a, const Lanes<T>& b) {
-    return FSTIFF_LANES(pdiv(a.p[i], b.p[i]));
-}
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> min(const Lanes<T>& a, const Lanes<T>& b) {
-    return FSTIFF_LANES(pmin(a.p[i], b.p[i]));
-}
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> max(const Lanes<T>& a, const Lanes<T>& b) {
-    return FSTIFF_LANES(pmax(a.p[i], b.p[i]));
-}
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> exp(const Lanes<T>& a) {
-    return FSTIFF_LANES(pexp(a.p[i]));
-}
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> sqrt(const Lanes<T>& a) {
-    return FSTIFF_LANES(psqrt(a.p[i]));
-}
-
-/// a b + c
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> multiply_add(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& c) {
-    return FSTIFF_LANES(pmadd(a.p[i], b.p[i], c.p[i]));
-}
-
-/// Where a < b: \p yes, elsewhere \p no.
-template <Real T>
-EIGEN_ALWAYS_INLINE Lanes<T> select_less(const Lanes<T>& a, const Lanes<T>& b, const Lanes<T>& yes,
-                                         const Lanes<T>& no) {
-    return FSTIFF_LANES(pselect(pcmp_lt(a.p[i], b.p[i]), yes.p[i], no.p[i]));
-}
-
-#undef FSTIFF_LANES
+    EIGEN_ALWAYS_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) {
+        return {a.low + b.low, a.high + b.high};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) {
+        return {a.low - b.low, a.high - b.high};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) {
+        return {a.low * b.low, a.high * b.high};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
+        return {a.low / b.low, a.high / b.high};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes min(const Lanes& a, const Lanes& b) {
+        return {min(a.low, b.low), min(a.high, b.high)};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes max(const Lanes& a, const Lanes& b) {
+        return {max(a.low, b.low), max(a.high, b.high)};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes exp(const Lanes& a) { return {exp(a.low), exp(a.high)}; }
+    EIGEN_ALWAYS_INLINE friend Lanes sqrt(const Lanes& a) { return {sqrt(a.low), sqrt(a.high)}; }
+    EIGEN_ALWAYS_INLINE friend Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) {
+        return {multiply_add(a.low, b.low, c.low), multiply_add(a.high, b.high, c.high)};
+    }
+    EIGEN_ALWAYS_INLINE Half fold(T s) const { return multiply_add(high, Half::all(s), low); }
+    EIGEN_ALWAYS_INLINE friend Lanes select_less(const Lanes& a, const Lanes& b, const Lanes& yes, const Lanes& no) {
+        return {select_less(a.low, b.low, yes.low, no.low), select_less(a.high, b.high, yes.high, no.high)};
+    }
+};
 // clang-format on
-
-// The same for one number.
-template <Real T>
-EIGEN_ALWAYS_INLINE T multiply_add(T a, T b, T c) {
-    return a * b + c;
-}
-
-/// c[0] + c[1] u + c[2] u^2 + ...; V is T or Lanes<T>. Two interleaved Horner rules in u^2, for even and odd powers: one alone
-/// waits for each multiplication, and several of them fill more of the processor's queue than it has.
-template <class V, Real T, std::size_t N>
-EIGEN_ALWAYS_INLINE V polynomial(const std::array<T, N>& c, const V& u) {
-    if constexpr (N < 3) {
-        return N == 1 ? V(c[0]) : multiply_add(u, V(c[N - 1]), V(c[0]));
-    } else {
-        const V square = u * u;
-        V high = V(c[N - 1]), low = V(c[N - 2]);  // of the powers of the parity of N-1, and of the others
-        [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-            (((I % 2 == 0 ? high : low) = multiply_add(I % 2 == 0 ? high : low, square, V(c[N - 3 - I]))), ...);
-        }
-        (std::make_index_sequence<N - 2>{});
-        return N % 2 == 0 ? multiply_add(high, u, low) : multiply_add(low, u, high);
-    }
-}
 
 }  // namespace fstiff::detail
