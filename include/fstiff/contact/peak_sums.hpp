@@ -13,7 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 
 namespace fstiff {
@@ -28,6 +31,14 @@ struct PeakSums {
     std::array<T, 4> relative_error{};
     int nodes{};
 };
+
+/// x^(1/8) for x >= 0 within 10 %, by an eighth of the bits of x: three roots would take as long as two dozen nodes.
+template <Real T>
+EIGEN_ALWAYS_INLINE T rough_eighth_root(T x) {
+    constexpr std::uint64_t one = std::bit_cast<std::uint64_t>(1.0);
+    return static_cast<T>(
+        std::bit_cast<double>(std::bit_cast<std::uint64_t>(static_cast<double>(x)) / 8 + one / 8 * 7));
+}
 
 /// Sums of the eight rules of step 8h times \p step, and the error of the trapezoidal rule relative to each.
 ///
@@ -61,8 +72,10 @@ PeakSums<T> finish(const std::array<Lanes<T, 4>, 8>& sums, const Lanes<T, 4>& fi
     // what is not asked for is 0 throughout: the least number keeps 0/0 out
     constexpr T least = std::numeric_limits<T>::min();
     const Four inverse = total.max(least).inverse();
-    const Four ratio = (at_3 / (at_2 + least)).min((at_3 / (at_1 + least)).sqrt()).min(T(1));
-    const Four error = 2 * inverse * ((at_3 * ratio.sqrt()).sqrt() * ratio.square() + four(first) + four(last));
+    const Four fall_4 = (at_3 / (at_2 + least)).square().min(at_3 / (at_1 + least)).min(T(1));  // over four eighths
+    Four fall_half;
+    for (Eigen::Index i = 0; i < 4; ++i) fall_half[i] = rough_eighth_root(fall_4[i]);
+    const Four error = 2 * inverse * (at_3.sqrt() * fall_4 * fall_half + four(first) + four(last));
     PeakSums<T> out;
     out.nodes = nodes;
     Eigen::Map<Four>(out.value.data()) = step * total;
@@ -132,10 +145,12 @@ private:
         const T *const x = nodes.x(), *const inverse_root = nodes.inverse_root();
         for (int i = 0; i < nodes.size(); i += 8) {
             std::array<V, 8> term;
+            scaled_moments<terms>(x + i, term);
             for (int m = 0; m < 8; ++m) {
                 const V root = V::all(inverse_root[i + m]);
                 const V power = multiply_add(root, multiply_add(root, share[2], share[1]), share[0]);  // t^b
-                term[static_cast<std::size_t>(m)] = scaled_moments<terms>(x[i + m]) * (power * V::all(mass[i + m]));
+                V& one = term[static_cast<std::size_t>(m)];
+                one = one * (power * V::all(mass[i + m]));
             }
             for (std::size_t m = 0; m < 8; ++m) sums_[m] = sums_[m] + term[m];
             if (count_ + i == 0) first_ = term.front();

@@ -67,10 +67,12 @@ public:
     EIGEN_DONT_INLINE void add(PeakNodes<T>& nodes) {
         T by_erf[PeakNodes<T>::capacity], moment[4];
         times_erf(nodes, k_, ErfPolynomials<T>::for_tolerance(0), by_erf);
+        std::array<Lanes<T, 4>, 8> moments;
         for (int i = 0; i < nodes.size(); ++i) {
-            const T t = nodes.t()[i], x = nodes.x()[i], root = nodes.inverse_root()[i];
-            scaled_moments<MomentTable<T>::terms>(x).store(moment);
-            const T minus = scaled_moment<-1>(x), half = moment[1], three = moment[3];
+            if (i % 8 == 0) scaled_moments<MomentTable<T>::terms>(nodes.x() + i, moments);
+            moments[static_cast<std::size_t>(i % 8)].store(moment);
+            const T t = nodes.t()[i], root = nodes.inverse_root()[i];
+            const T minus = scaled_moment<-1>(nodes.x()[i]), half = moment[1], three = moment[3];
             // erf'(y), and t^(1/2) d/dt (t^(-1/2) erf(k t)) = k erf'(k t) - erf(k t)/(2 t)
             const T layer = nodes.mass()[i] * 2 * std::numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
             const T with_erf = by_erf[i] * root;

@@ -34,32 +34,24 @@ namespace fstiff {
 
 namespace detail {
 
-/// |x| in the middle of each piece.
-inline constexpr auto moment_middles = [] {
-    std::array<double, 32> middle{};
-    for (std::size_t i = 0; i < middle.size(); ++i)
-        middle[i] = (2 << (i / 8)) * (1 + (static_cast<double>(i % 8) + 0.5) / 8) - 2;
-    return middle;
-}();
+/// The pieces of the tables: eighths of the octaves of |x| + 2 for |x| < moment_far, and one beyond; then the same for x < 0.
+inline constexpr int moment_far = 30, pieces_a_side = 33;
 
-/// Where x lies: the number of its piece and the variable there.
+/// Where a number of size below moment_far lies: found from the bits of |x| + 2, without a branch.
 template <Real T>
-struct MomentPiece {
+struct NearPiece {
     static_assert(std::numeric_limits<T>::digits <= 64, "the tables of fstiff hold 64 binary digits");
 
-    T size;  ///< |x|
-    T s;
-    int piece;
-    bool far;  ///< the polynomial is to be multiplied by |x|^a, for x > 0 by x^(-a-1)
+    T s;  ///< |x| less the middle of the piece
+    std::int64_t piece;
 
-    EIGEN_ALWAYS_INLINE explicit MomentPiece(T x) : size(std::abs(x)) {
-        constexpr int eighths = 3;
-        const double shifted = static_cast<double>(size) + 2;
-        far = !(shifted < 32);
-        piece =
-            far ? 32 : static_cast<int>(std::bit_cast<std::uint64_t>(shifted) >> (52 - eighths)) - (1024 << eighths);
-        s = far ? (1 / size) / size : size - static_cast<T>(moment_middles[static_cast<std::size_t>(piece)]);
-        if (x < 0) piece += 33;
+    EIGEN_ALWAYS_INLINE explicit NearPiece(T x) {
+        constexpr int eighths = 3, rest = 52 - eighths;  // of the 52 binary digits of a double
+        const T size = std::abs(x);
+        const auto upper = std::bit_cast<std::int64_t>(static_cast<double>(size) + 2) >> rest;
+        const double middle = std::bit_cast<double>((upper << rest) | (std::int64_t{1} << (rest - 1))) - 2;
+        s = size - static_cast<T>(middle);
+        piece = upper - (std::int64_t{1024} << eighths) + (x < 0 ? pieces_a_side : 0);
     }
 };
 
@@ -72,31 +64,50 @@ T half_power(T v, T root) {
     if constexpr (TwiceA > 1) return v * half_power<TwiceA - 2>(v, root);
 }
 
-/// What the polynomial of a far piece is multiplied with, for a = 0, 1/2, 1, 3/2.
-template <Real T>
-EIGEN_DONT_INLINE Lanes<T, 4> far_powers(T size, bool right) {
-    const T root = std::sqrt(size);
-    T power[4] = {1, root, size, size * root};
-    if (right)
-        for (T& one : power) one = 1 / (one * size);
-    return Lanes<T, 4>::load(power);
+/// The four polynomials of a piece at s, by their first \p terms.
+template <int terms, Real T>
+EIGEN_ALWAYS_INLINE Lanes<T, 4> moment_polynomials(std::int64_t piece, T s) {
+    static_assert(terms % 2 == 0 && terms <= MomentTable<T>::terms);
+    using V = Lanes<T, 8>;  // even and odd powers side by side
+    const T* c = MomentTable<T>::main + piece * MomentTable<T>::terms * 4;
+    const V square = V::all(s * s);
+    V both = V::load_aligned(c + terms * 4 - 8);
+    for (int n = terms - 4; n >= 0; n -= 2) both = multiply_add(both, square, V::load_aligned(c + n * 4));
+    return both.fold(s);
 }
 
-/// F_a(x) for a = 0, 1/2, 1, 3/2, times exp(x^2/2) for x >= 0: neither under- nor overflows. By the first \p terms of each
-/// polynomial, an even number; MomentTable::cut[terms] bounds the relative error of leaving out the others.
+/// The four moments for |x| >= moment_far.
+template <Real T>
+EIGEN_DONT_INLINE Lanes<T, 4> far_moments(T x) {
+    const T size = std::abs(x), root = std::sqrt(size);
+    T power[4] = {1, root, size, size * root};
+    if (x > 0)
+        for (T& one : power) one = 1 / (one * size);
+    return moment_polynomials<MomentTable<T>::terms>(x > 0 ? pieces_a_side - 1 : 2 * pieces_a_side - 1,
+                                                     1 / size / size) *
+           Lanes<T, 4>::load(power);
+}
+
+/// F_a(x) for a = 0, 1/2, 1, 3/2, times exp(x^2/2) for x >= 0, which neither under- nor overflows; at eight monotone x. By the
+/// first \p terms of each polynomial, an even number; MomentTable::cut[terms] bounds the relative error of leaving out others.
 template <int terms, Real T>
-EIGEN_ALWAYS_INLINE Lanes<T, 4> scaled_moments(T x) {
-    using V = Lanes<T, 8>;  // even and odd powers side by side
-    const MomentPiece<T> at(x);
-    const T* c = MomentTable<T>::main + at.piece * MomentTable<T>::terms * 4;
-    const V square = V::all(at.s * at.s);
-    V both = V::load_aligned(c + terms * 4 - 8);
-#pragma GCC unroll 8
-    for (int n = terms - 4; n >= 0; n -= 2) both = multiply_add(both, square, V::load_aligned(c + n * 4));
-    Lanes<T, 4> sum = both.fold(at.s);
-    if (at.far) [[unlikely]]
-        sum = sum * far_powers(at.size, x >= 0);
-    return sum;
+EIGEN_ALWAYS_INLINE void scaled_moments(const T* x, std::array<Lanes<T, 4>, 8>& out) {
+    if (std::max(std::abs(x[0]), std::abs(x[7])) < moment_far) {
+        T s[8];
+        std::int64_t piece[8];
+        for (int i = 0; i < 8; ++i) {
+            const NearPiece<T> at(x[i]);
+            s[i] = at.s;
+            piece[i] = at.piece;
+        }
+        for (int i = 0; i < 8; ++i) out[static_cast<std::size_t>(i)] = moment_polynomials<terms>(piece[i], s[i]);
+    } else {
+        for (int i = 0; i < 8; ++i) {
+            const NearPiece<T> at(std::abs(x[i]) < moment_far ? x[i] : T(0));
+            out[static_cast<std::size_t>(i)] =
+                std::abs(x[i]) < moment_far ? moment_polynomials<terms>(at.piece, at.s) : far_moments(x[i]);
+        }
+    }
 }
 
 /// F_a(x) for one a, times exp(x^2/2) for x >= 0.
@@ -108,13 +119,20 @@ T scaled_moment(T x) {
         using Table = MomentTable<T>;
         constexpr bool main = TwiceA >= 0 && TwiceA <= 3;
         constexpr int stride = main ? 4 : 2, column = main ? TwiceA : TwiceA < 0 ? 0 : 1;
-        const MomentPiece<T> at(x);
-        const T* c = (main ? Table::main : Table::side) + (at.piece + 1) * Table::terms * stride + column;
-        T sum = 0;
-        for (int n = 0; n < Table::terms; ++n) sum = sum * at.s + *(c -= stride);
-        return at.far ? sum * (x >= 0 ? half_power<-TwiceA - 2>(at.size, std::sqrt(at.size))
-                                      : half_power<TwiceA>(at.size, std::sqrt(at.size)))
-                      : sum;
+        const auto sum = [](std::int64_t piece, T s) {
+            const T* c = (main ? Table::main : Table::side) + (piece + 1) * Table::terms * stride + column;
+            T value = 0;
+            for (int n = 0; n < Table::terms; ++n) value = value * s + *(c -= stride);
+            return value;
+        };
+        const T size = std::abs(x);
+        if (size < moment_far) {
+            const NearPiece<T> at(x);
+            return sum(at.piece, at.s);
+        }
+        const T inverse_square = 1 / size / size, root = std::sqrt(size);
+        return x > 0 ? sum(pieces_a_side - 1, inverse_square) * half_power<-TwiceA - 2>(size, root)
+                     : sum(2 * pieces_a_side - 1, inverse_square) * half_power<TwiceA>(size, root);
     }
 }
 
