@@ -74,14 +74,14 @@ public:
     /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse.
     [[nodiscard]] T stiffness(T pressure) const {
         if (!stiffness_.contains(pressure)) [[unlikely]]
-            return outside(pressure, stiffness_, &Exact::stiffness);
+            return outside(pressure, &ContactLaw::stiffness, &Exact::stiffness);
         return stiffness_.value(pressure);
     }
 
     /// Separation of the mean planes [m] at the pressure \p pressure [Pa], within gaps(). \throws as stiffness.
     [[nodiscard]] T gap(T pressure) const {
         if (!gap_.contains(pressure)) [[unlikely]]
-            return outside(pressure, gap_, &Exact::gap);
+            return outside(pressure, &ContactLaw::gap, &Exact::gap);
         // at the ends of the range the last digits may differ from those of gaps()
         return within(gap_.value(pressure), by_gap_.begin, by_gap_.end);
     }
@@ -114,7 +114,7 @@ public:
         require_same_size(pressures.size(), out.size());
         batch(
             stiffness_, pressures, std::array{out.data()},
-            [this](const T* p, const std::array<T*, 1>& k) { stiffness_.four_values(p, k[0]); },
+            [](const auto& pieces, const T* p, const auto& to) { pieces.four_values(p, to[0]); },
             [this](T p) { return std::array{stiffness(p)}; });
     }
 
@@ -126,7 +126,9 @@ public:
         require_same_size(gaps.size(), stiffnesses.size());
         batch(
             by_gap_, gaps, std::array{pressures.data(), stiffnesses.data()},
-            [this](const T* gap, const std::array<T*, 2>& to) { by_gap_.four_values(gap, slope_scale_, to[0], to[1]); },
+            [this](const auto& pieces, const T* gap, const auto& to) {
+                pieces.four_values(gap, slope_scale_, to[0], to[1]);
+            },
             [this](T gap) {
                 const Point at = at_gap(gap);
                 return std::array{at.pressure, at.stiffness};
@@ -156,20 +158,18 @@ private:
 
     ContactLaw() = default;
 
-    /// Also where a compiler assumes that there is no NaN: it becomes \p low.
+    /// Always from \p low to \p high: a NaN becomes \p low, also where a compiler assumes that there is none.
     [[nodiscard]] static T within(T x, T low, T high) noexcept { return x > low ? (x < high ? x : high) : low; }
 
-    T outside(T pressure, const detail::BinaryPieces<T>& pieces, T Exact::*wanted) const {
+    T outside(T pressure, T (ContactLaw::*at)(T) const, T Exact::*wanted) const {
         if (outside_ == OutsideRange::clamp && !detail::is_nan(pressure))
-            return pieces.value(within(pressure, pressure_min_, pressure_max_));
+            return (this->*at)(within(pressure, pressure_min_, pressure_max_));
         if (outside_ == OutsideRange::exact) return exact_(pressure, true).*wanted;
         refuse(pressure);
     }
     Point outside_gap(T gap) const {
-        if (outside_ == OutsideRange::clamp && !detail::is_nan(gap)) {
-            const auto [pressure, derivative] = by_gap_(within(gap, by_gap_.begin, by_gap_.end));
-            return {pressure, derivative * slope_scale_};
-        }
+        if (outside_ == OutsideRange::clamp && !detail::is_nan(gap))
+            return at_gap(within(gap, by_gap_.begin, by_gap_.end));
         if (outside_ == OutsideRange::exact) {
             const Exact e = exact_(gap, false);
             return {e.pressure, e.stiffness};
@@ -201,17 +201,17 @@ private:
                 const T* from = x.data() + i;
                 std::array<T*, N> to = out;
                 for (T*& at : to) at += i;
-                const bool whole = count - i >= 4 && (pieces.contains(from[0]) & pieces.contains(from[1]) &
-                                                      pieces.contains(from[2]) & pieces.contains(from[3]));
+                const bool whole = count - i >= 4 && pieces.contains(from[0]) && pieces.contains(from[1]) &&
+                                   pieces.contains(from[2]) && pieces.contains(from[3]);
                 if (whole) [[likely]] {
-                    four(from, to);
+                    four(pieces, from, to);
                     continue;
                 }
                 const Eigen::Index left = std::min<Eigen::Index>(count - i, 4);
                 for (Eigen::Index k = 0; k < 4; ++k)
                     given[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
                 for (std::size_t n = 0; n < N; ++n) to[n] = found[n];
-                four(given, to);
+                four(pieces, given, to);
                 for (Eigen::Index k = 0; k < left; ++k) {
                     if (!pieces.contains(from[k])) {
                         put(i + k, one(from[k]));
@@ -344,29 +344,40 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
             lobatto.fit(value.col(k), rows.col(first + k).data());
     };
 
+    const auto worst = [&law](T error) { law.relative_error_ = std::max(law.relative_error_, std::abs(error)); };
+
     // by gap: log p changes by a quarter or so over a piece
     const T steepest = std::max(low.minus_dp_dgap / low.pressure, high.minus_dp_dgap / high.pressure);
     const auto gap_pieces = static_cast<Eigen::Index>(std::ceil(4 * steepest * (high.gap - low.gap))) + 1;
     law.by_gap_ = detail::UniformPieces<T>(low.gap, high.gap, gap_pieces);
     const T width = law.by_gap_.length / T(gap_pieces);
     law.slope_scale_ = -2 / width * contact.stiffness_over_slope();
+    // of Newton's method: the next step would be about step^2, below rounding
+    const T close_enough = std::sqrt(std::numeric_limits<T>::epsilon()) / 4;
     T last = closest;
     for (Eigen::Index i = 0; i < gap_pieces; i += group) {
         const Nodes gap = nodes(i, gap_pieces, [&](Eigen::Index k) { return low.gap + width * T(k); });
         Nodes eta = gap / rms;
         if (bulk != 0) {
-            for (T& one : eta.reshaped()) {  // eta rms - p bulk = gap, convex: from the last node on
-                const T target = one * rms;
-                for (int iteration = 0; iteration < 50; ++iteration) {
-                    const T p = std::exp(log_pressure(last));
-                    const T step = (target - (last * rms - p * bulk)) / (rms - p * slope(last) * bulk);
-                    last = within(last + step, closest - slack, furthest + slack);
-                    if (std::abs(step) <= 2 * std::numeric_limits<T>::epsilon() * (1 + std::abs(last))) break;
-                }
-                one = last;
+            eta = last;  // eta rms - p bulk = gap, concave: Newton's method rises to the roots from the last one
+            for (int iteration = 0; iteration < 50; ++iteration) {
+                const Nodes p = log_pressure(eta).exp();
+                const Nodes step = (gap - (eta * rms - p * bulk)) / (rms - p * slope(eta) * bulk);
+                eta = (eta + step).max(closest - slack).min(furthest + slack);
+                if ((step.abs() <= close_enough).all()) break;
             }
+            last = eta(eta.size() - 1);
         }
-        fit(log_pressure(eta).exp(), i, law.by_gap_.rows);
+        const Nodes p = log_pressure(eta).exp();
+        fit(p, i, law.by_gap_.rows);
+        // the slope is worst at the ends of a piece
+        const Nodes k = -p * slope(eta) / rms;
+        const Nodes tangent = k / (1 + k * bulk) * (-width / 2);
+        for (Eigen::Index piece = 0; piece < group && i + piece < gap_pieces; ++piece) {
+            const T* c = law.by_gap_.rows.col(i + piece).data();
+            worst(detail::Row::derivative(c, T(-1)) / tangent(0, piece) - 1);
+            worst(detail::Row::derivative(c, T(1)) / tangent(detail::Row::terms - 1, piece) - 1);
+        }
     }
 
     // eta against log p: the inverse of the series, by Newton's method from node to node, again by sections
@@ -378,8 +389,7 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
             for (int iteration = 0; iteration < 30; ++iteration) {
                 const T step = (log_p - log_pressure(eta)) / slope(eta);
                 eta = within(eta + step, closest - slack, furthest + slack);
-                // the next step would be about step^2: below rounding
-                if (std::abs(step) <= std::sqrt(std::numeric_limits<T>::epsilon()) / 4) break;
+                if (std::abs(step) <= close_enough) break;
             }
             return eta;
         });
@@ -410,12 +420,11 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         const T dp = -p * truth.slope / rms;
         const T k = dp / (1 + dp * bulk) * contact.stiffness_over_slope();
         const T gap = x * rms - p * bulk;
-        const auto worst = [&](T error) { law.relative_error_ = std::max(law.relative_error_, error); };
-        worst(std::abs(law.stiffness(p) / k - 1));
-        worst(std::abs(law.gap(p) - gap) / rms);
+        worst(law.stiffness(p) / k - 1);
+        worst((law.gap(p) - gap) / rms);
         const Point at = law.at_gap(std::clamp(gap, low.gap, high.gap));
-        worst(std::abs(at.pressure / p - 1));
-        worst(std::abs(at.stiffness / k - 1));
+        worst(at.pressure / p - 1);
+        worst(at.stiffness / k - 1);
     }
     // the points found most of it; between other nodes it may be somewhat more, and a slope over a short piece of a short
     // range carries the rounding of the few digits in which p changes there
@@ -502,6 +511,8 @@ requires(std::same_as<T, float> ||
     const Eigen::Index pressure_pieces = detail::BinaryPieces<T>::pieces(law.pressure_min_, law.pressure_max_);
     if (gap_pieces < 1 || gap_pieces > size || pressure_pieces > size) throw wrong("holds impossible sizes");
     law.by_gap_ = detail::UniformPieces<T>(gap_min, gap_max, gap_pieces);
+    if (!(law.by_gap_.pieces_per_length > 0 && std::isfinite(law.by_gap_.pieces_per_length)))
+        throw wrong("contradicts itself");
     law.stiffness_ = law.gap_ = detail::BinaryPieces<T>(law.pressure_min_, law.pressure_max_);
     for (auto* rows : {&law.by_gap_.rows, &law.stiffness_.rows, &law.gap_.rows})
         for (T& coefficient : rows->reshaped()) coefficient = number(T{}, std::chars_format::hex);

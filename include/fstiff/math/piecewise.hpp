@@ -36,12 +36,12 @@ namespace fstiff::detail {
 template <Real T>
 using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
 template <Real T>
-[[nodiscard]] Bits<T> bits_of(T x) noexcept {
+[[nodiscard]] constexpr Bits<T> bits_of(T x) noexcept {
     return std::bit_cast<Bits<T>>(x);
 }
 /// Also with -ffinite-math-only.
 template <Real T>
-[[nodiscard]] bool is_nan(T x) noexcept {
+[[nodiscard]] constexpr bool is_nan(T x) noexcept {
     return (bits_of(x) << 1) > (bits_of(std::numeric_limits<T>::infinity()) << 1);
 }
 
@@ -155,7 +155,7 @@ struct BinaryPieces {
         return Row::derivative(row(x), s(x)) / std::bit_cast<T>(bits_of(x) & exponent);
     }
 
-    EIGEN_ALWAYS_INLINE void four_values(const T* x, T* out) const noexcept {
+    EIGEN_ALWAYS_INLINE void four_values(const T* x, T* out) const noexcept requires four_at_once<T> {
         using namespace Eigen::internal;
         using P = Four<T>;
         const P fraction = pand(ploadu<P>(x), pset1<P>(std::bit_cast<T>(rest)));
@@ -196,7 +196,8 @@ struct UniformPieces {
     }
 
     /// The derivatives are multiplied by \p factor.
-    EIGEN_ALWAYS_INLINE void four_values(const T* x, T factor, T* values, T* derivatives) const noexcept {
+    EIGEN_ALWAYS_INLINE void four_values(const T* x, T factor, T* values,
+                                         T* derivatives) const noexcept requires four_at_once<T> {
         using namespace Eigen::internal;
         using P = Four<T>;
         const P position = pmul(psub(ploadu<P>(x), pset1<P>(begin)), pset1<P>(pieces_per_length));
