@@ -263,7 +263,7 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     law.outside_ = range.outside;
     law.tangent_is_exact_ = contact.stiffness_over_slope() == T(1);
 
-    // log p against the effective eta, from the separation of the highest pressure to that of the lowest, by sections that
+    // log p, over the middle of its range to keep its digits, against the effective eta, from the separation of the highest pressure to that of the lowest, by sections that
     // one series each serves; beyond the ends as far as the outer pieces by pressure reach (log p is concave in eta: 10 %
     // more than the slope says is enough), and never so short that the slope would be all rounding
     const T rms = contact.rms_height();
@@ -271,7 +271,9 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     const T closest = end(range.pressure_max), furthest = end(range.pressure_min);
     law.stiffness_ = law.gap_ = detail::BinaryPieces<T>(range.pressure_min, range.pressure_max);
     const Eigen::Index pressure_pieces = law.stiffness_.rows.cols();
-    const T log_low = std::log(law.stiffness_.edge(0)), log_high = std::log(law.stiffness_.edge(pressure_pieces));
+    const T middle = std::sqrt(range.pressure_min) * std::sqrt(range.pressure_max), log_middle = std::log(middle);
+    const T log_low = std::log(law.stiffness_.edge(0) / middle);
+    const T log_high = std::log(law.stiffness_.edge(pressure_pieces) / middle);
     const T beyond = T(0.13);  // log(9/8) and 10 %
     const T slack = std::max(-beyond / contact.log_pressure(closest).slope, T(0.1) * (1 - (furthest - closest)));
     law.evaluations_ = 1;
@@ -279,38 +281,22 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     const auto sections = static_cast<std::size_t>(std::ceil(length / 3));
     const T section = length / T(sections);
     const auto points = static_cast<std::size_t>(sizeof(T) == 8 ? 11 + 4 * section : 6 + 2 * section);
-    struct Section {
-        ChebyshevSeries<T> log_pressure, slope;
+    // a section is halved where the last coefficients say that it needs it, and the values are good enough to tell
+    const auto accept = [](const ChebyshevSeries<T>& series, T error) {
+        const T rounding = 4 * std::numeric_limits<T>::epsilon() * std::abs(series(series.middle()));
+        return series.tail() <= std::max({600 * std::numeric_limits<T>::epsilon(), rounding, error});
     };
-    std::vector<Section> of_eta;
-    for (std::size_t i = 0; i < sections; ++i) {
-        const ChebyshevSeries<T> series(begin + T(i) * section, begin + T(i + 1) * section, points, [&](T eta) {
+    T error = 0;
+    const ChebyshevSections<T> log_pressure(
+        begin, furthest + slack, sections, points,
+        [&](T eta) {
             ++law.evaluations_;
-            return contact.log_pressure(eta).log;
-        });
-        of_eta.push_back({series, series.derivative()});
-    }
-    // of one number, or of the nodes of some pieces at once where one section holds them all
-    const auto in_sections = [sections](const auto& series, T from, T width, const auto& x) {
-        const auto at = [&](T one) -> const ChebyshevSeries<T>& {
-            return series(static_cast<std::size_t>(within((one - from) / width, T(0), T(sections) - T(0.5))));
-        };
-        using X = std::decay_t<decltype(x)>;
-        if constexpr (std::is_same_v<X, T>) {
-            return at(x)(x);
-        } else {
-            const auto &first = at(x(0)), &last = at(x(x.size() - 1));
-            return &first == &last ? first(x) : X(x.unaryExpr([&](T one) { return at(one)(one); }));
-        }
-    };
-    const auto log_pressure = [&](const auto& eta) {
-        const auto series = [&](std::size_t i) -> const auto& { return of_eta[i].log_pressure; };
-        return in_sections(series, begin, section, eta);
-    };
-    const auto slope = [&](const auto& eta) {
-        const auto series = [&](std::size_t i) -> const auto& { return of_eta[i].slope; };
-        return in_sections(series, begin, section, eta);
-    };
+            const LogSlope<T> p = contact.log_pressure(eta);
+            error = std::max(error, p.error);
+            return p.log - log_middle;
+        },
+        [&](const auto& series) { return accept(series, error); });
+    const ChebyshevSections<T> slope = log_pressure.derivative();
     const T bulk = contact.bulk_compliance();
 
     // everything at one eta; with the bulk in series the gap is shorter and the slope smaller
@@ -318,7 +304,7 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         T gap, pressure, minus_dp_dgap;
     };
     const auto at_eta = [&](T eta) {
-        const T p = std::exp(log_pressure(eta));
+        const T p = middle * std::exp(log_pressure(eta));
         const T k = -p * slope(eta) / rms;
         return State{eta * rms - p * bulk, p, k / (1 + k * bulk)};
     };
@@ -344,8 +330,6 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
             lobatto.fit(value.col(k), rows.col(first + k).data());
     };
 
-    const auto worst = [&law](T error) { law.relative_error_ = std::max(law.relative_error_, std::abs(error)); };
-
     // by gap: log p changes by a quarter or so over a piece
     const T steepest = std::max(low.minus_dp_dgap / low.pressure, high.minus_dp_dgap / high.pressure);
     const auto gap_pieces = static_cast<Eigen::Index>(std::ceil(4 * steepest * (high.gap - low.gap))) + 1;
@@ -354,52 +338,53 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     law.slope_scale_ = -2 / width * contact.stiffness_over_slope();
     // of Newton's method: the next step would be about step^2, below rounding
     const T close_enough = std::sqrt(std::numeric_limits<T>::epsilon()) / 4;
-    T last = closest;
+    T last = closest, at_ends = 0;
     for (Eigen::Index i = 0; i < gap_pieces; i += group) {
         const Nodes gap = nodes(i, gap_pieces, [&](Eigen::Index k) { return low.gap + width * T(k); });
         Nodes eta = gap / rms;
         if (bulk != 0) {
             eta = last;  // eta rms - p bulk = gap, concave: Newton's method rises to the roots from the last one
             for (int iteration = 0; iteration < 50; ++iteration) {
-                const Nodes p = log_pressure(eta).exp();
+                const Nodes p = middle * log_pressure(eta).exp();
                 const Nodes step = (gap - (eta * rms - p * bulk)) / (rms - p * slope(eta) * bulk);
                 eta = (eta + step).max(closest - slack).min(furthest + slack);
                 if ((step.abs() <= close_enough).all()) break;
             }
             last = eta(eta.size() - 1);
         }
-        const Nodes p = log_pressure(eta).exp();
+        const Nodes p = middle * log_pressure(eta).exp();
         fit(p, i, law.by_gap_.rows);
-        // the slope is worst at the ends of a piece
+        // against the series the slope is worst at the ends of a piece
         const Nodes k = -p * slope(eta) / rms;
         const Nodes tangent = k / (1 + k * bulk) * (-width / 2);
         for (Eigen::Index piece = 0; piece < group && i + piece < gap_pieces; ++piece) {
             const T* c = law.by_gap_.rows.col(i + piece).data();
-            worst(detail::Row::derivative(c, T(-1)) / tangent(0, piece) - 1);
-            worst(detail::Row::derivative(c, T(1)) / tangent(detail::Row::terms - 1, piece) - 1);
+            at_ends =
+                std::max({at_ends, std::abs(detail::Row::derivative(c, T(-1)) / tangent(0, piece) - 1),
+                          std::abs(detail::Row::derivative(c, T(1)) / tangent(detail::Row::terms - 1, piece) - 1)});
         }
     }
 
-    // eta against log p: the inverse of the series, by Newton's method from node to node, again by sections
-    const T log_section = (log_high - log_low) / T(sections);
-    std::vector<ChebyshevSeries<T>> etas_of;
-    for (std::size_t i = 0; i < sections; ++i) {
-        T eta = furthest + (closest - furthest) * (T(i) + 1) / T(sections);
-        etas_of.emplace_back(log_low + T(i) * log_section, log_low + T(i + 1) * log_section, points, [&](T log_p) {
-            for (int iteration = 0; iteration < 30; ++iteration) {
-                const T step = (log_p - log_pressure(eta)) / slope(eta);
-                eta = within(eta + step, closest - slack, furthest + slack);
+    // eta against log p: the inverse of the series, by Newton's method from node to node, again by sections; its tail falls
+    // by a digit or more with every coefficient
+    const T enough = std::max(error, 20000 * std::numeric_limits<T>::epsilon());
+    T last_eta = closest;
+    const ChebyshevSections<T> eta_of(
+        log_low, log_high, sections, points,
+        [&](T log_p) {
+            for (int iteration = 0; iteration < 50; ++iteration) {
+                const T step = (log_p - log_pressure(last_eta)) / slope(last_eta);
+                last_eta = within(last_eta + step, closest - slack, furthest + slack);
                 if (std::abs(step) <= close_enough) break;
             }
-            return eta;
-        });
-    }
+            return last_eta;
+        },
+        [&](const auto& series) { return accept(series, enough); });
 
     // by pressure
     for (Eigen::Index i = 0; i < pressure_pieces; i += group) {
         const Nodes p = nodes(i, pressure_pieces, [&](Eigen::Index k) { return law.stiffness_.edge(k); });
-        const auto series = [&](std::size_t k) -> const auto& { return etas_of[k]; };
-        const Nodes x = in_sections(series, log_low, log_section, Nodes(p.log()));
+        const Nodes x = eta_of(Nodes((p / middle).log()));
         const Nodes dp = -p * slope(x) / rms;
         fit(dp / (1 + dp * bulk) * contact.stiffness_over_slope(), i, law.stiffness_.rows);
         fit(x * rms - p * bulk, i, law.gap_.rows);
@@ -411,8 +396,10 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         law.gap_.rows.row(k) *= scale;
     }
 
-    // the errors, between the nodes of both tables
-    const std::size_t checks = 8 + 4 * sections;
+    // the errors against the model, between the nodes of both tables
+    const std::size_t checks = 8 + 4 * log_pressure.size();
+    T found = 0;
+    const auto worst = [&found](T difference) { found = std::max(found, std::abs(difference)); };
     for (std::size_t i = 0; i < checks; ++i) {
         const T x = closest + (furthest - closest) * (T(i) + T(0.37)) / T(checks);
         const LogSlope<T> truth = contact.log_pressure(x);
@@ -426,12 +413,11 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
         worst(at.pressure / p - 1);
         worst(at.stiffness / k - 1);
     }
-    // the points found most of it; between other nodes it may be somewhat more, and a slope over a short piece of a short
-    // range carries the rounding of the few digits in which p changes there
+    // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a short range
+    // carries the rounding of the few digits in which p changes there
     const T shortest_change = steepest * width;
-    law.relative_error_ = 6 * law.relative_error_ + T(4 * detail::Row::terms * detail::Row::terms) *
-                                                        std::numeric_limits<T>::epsilon() *
-                                                        std::max(T(1), T(0.25) / shortest_change);
+    constexpr T rounding = T(4 * detail::Row::terms * detail::Row::terms) * std::numeric_limits<T>::epsilon();
+    law.relative_error_ = 6 * found + 2 * at_ends + rounding * std::max(T(1), T(0.25) / shortest_change);
 
     // monotone: p and K move one way from node to node; closer than that the polynomials are smooth
     const auto moves = [](const auto& rows, T half, T way) {
