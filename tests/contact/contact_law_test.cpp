@@ -65,6 +65,35 @@ TEST_CASE("a compiled law is right to 1e-10, and says how right") {
     check(RoughContact(fine, PeakDensity<double>(0.9999, 1.5), HertzLaw<double>{}, modulus), 1e4, 1e8, 1e-9);
 }
 
+TEST_CASE("no law of a random surface is further from the model than it says") {
+    std::mt19937 random(5);
+    const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    const auto decades = [&](double a, double b) { return std::pow(10, uniform(a, b)); };
+    std::vector<double> claims;
+    const auto check = [&](const auto& contact, double low, double high) {
+        const Law law = Law::compile(contact, {low, high});
+        CHECK(worst_error(law, contact, 40) <= law.relative_error());
+        claims.push_back(law.relative_error());
+    };
+    for (int i = 0; i < 200; ++i) {
+        const Roughness<double> surface{decades(-7.5, -5), decades(-6.5, -4), decades(7.5, 11)};
+        const PeakDensity<double> peaks(uniform(0, 0.98), uniform(0.05, 1.55));
+        const double stiff = decades(9.5, 11.5), low = decades(3, 7), high = low * decades(0.05, 5);
+        RoughContactOptions<double> options;
+        if (i % 4 == 0) options.interaction = {InteractionReading::effective_separation, decades(-4, -1)};
+        const double reach = 1e-3 * stiff * surface.rms_height / surface.peak_radius;  // beyond, some are out of reach
+        if (high > reach && high > 1e8) continue;
+        if (i % 3 == 0)
+            check(RoughContact(surface, peaks, HertzLaw<double>{}, stiff, options), low, high);
+        else
+            check(RoughContact(surface, peaks, FractalLaw<double>(uniform(1.02, 1.95)), stiff, options), low, high);
+    }
+    std::sort(claims.begin(), claims.end());
+    CHECK(claims.size() > 100);
+    CHECK(claims[claims.size() / 2] < 4e-12);
+    CHECK(claims[claims.size() * 9 / 10] < 2e-10);
+}
+
 TEST_CASE("the tangent is exactly the slope of the returned pressure, where the law says so") {
     const Law consistent =
         Law::compile(RoughContact(fine, third, FractalConsistentLaw<double>(1.62), modulus), {1e5, 1e8});

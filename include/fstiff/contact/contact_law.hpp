@@ -5,9 +5,10 @@
 ///
 ///     p(gap), K(gap), gap(p), K(p), dK/dp        gap: separation of the mean planes
 ///
-/// log p is interpolated once as a function of the separation, by a Chebyshev series through a few dozen exact integrals; from
-/// it two tables of short polynomials are cut, one uniform in the gap and one in the binary exponent of p, so that an
-/// evaluation needs neither a logarithm nor an exponential nor a search. K(gap) is the derivative of the very polynomial
+/// log p is interpolated once as a function of the separation, by Chebyshev series through a few dozen exact integrals, in more
+/// sections where they need it; from it tables of short polynomials are cut, one uniform in the gap and two in the binary
+/// exponent of p (math/piecewise), so that an evaluation needs neither a logarithm nor an exponential nor a search, and an
+/// array of them is evaluated four at a time where the processor can. K(gap) is the derivative of the very polynomial
 /// that returns p(gap): with HertzLaw, FractalConsistentLaw and GreenwoodWilliamson it is exactly -dp/dgap of the returned p,
 /// which is what Newton's method in an implicit solver needs; with FractalLaw it is that times (2/3)(3-D)/(2-D), and
 /// tangent_is_exact() says no. Neighbouring polynomials meet at their ends; p falls and K rises monotonically (checked when
@@ -17,12 +18,16 @@
 ///     const double K = law.stiffness(3e6);
 ///     const auto [p, slope] = law.at_gap(1.2e-6);
 ///
-/// Outside the range: OutsideRange::refuse throws, clamp holds the value at the end, exact evaluates the model.
+/// Outside the range: OutsideRange::refuse throws, clamp holds the value at the end, exact evaluates the model. A NaN is refused
+/// under each of them. gap(p) is always a gap that at_gap takes.
 ///
 /// Units       SI: Pa, m, Pa/m; dK/dp in 1/m
-/// Valid       0 < pressure_min < pressure_max within the reach of the model; no interaction or effective_separation
-/// Accuracy    measured when it is compiled, between the nodes, and carried: relative_error(); 1e-11 or better as a rule
-///             (tests/contact/contact_law_test.cpp)
+/// Valid       float and double; 0 < pressure_min < pressure_max within the reach of the model; no interaction or
+///             effective_separation
+/// Accuracy    measured when it is compiled, at the ends of every piece and between the nodes, and carried: relative_error().
+///             Of 200 laws of random surfaces none is further from the model than it says; one in two says less than 4e-12,
+///             nine in ten less than 2e-10: interaction and ranges of a few percent take more.
+///             A batch differs from the scalar calls by rounding: 200 epsilon at most (tests/contact/contact_law_test.cpp)
 /// Threads     evaluation is const and does not allocate: any number of threads may share a law
 
 #include <fstiff/contact/contact_state.hpp>
@@ -108,8 +113,8 @@ public:
     [[nodiscard]] T pressure_at_gap(T gap) const { return at_gap(gap).pressure; }
     [[nodiscard]] T stiffness_at_gap(T gap) const { return at_gap(gap).stiffness; }
 
-    /// stiffness() of a whole array of pressures, equal to it but for rounding; \p out has the size of \p pressures and may be
-    /// the same array. \throws as stiffness, at the first element that is to be refused.
+    /// stiffness() of a whole array of pressures, equal to it within rounding and relative_error(); \p out has the size of
+    /// \p pressures and may be the same array. \throws as stiffness, at the first element that is to be refused.
     void stiffness(const Eigen::Ref<const Eigen::ArrayX<T>>& pressures, Eigen::Ref<Eigen::ArrayX<T>> out) const {
         require_same_size(pressures.size(), out.size());
         batch(
@@ -118,8 +123,8 @@ public:
             [this](T p) { return std::array{stiffness(p)}; });
     }
 
-    /// at_gap() of a whole array of gaps, equal to it but for rounding; the results have the size of \p gaps. \throws as
-    /// stiffness, at the first element that is to be refused.
+    /// at_gap() of a whole array of gaps, equal to it within rounding and relative_error(); the results have the size of
+    /// \p gaps. \throws as stiffness, at the first element that is to be refused.
     void at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>> pressures,
                 Eigen::Ref<Eigen::ArrayX<T>> stiffnesses) const {
         require_same_size(gaps.size(), pressures.size());
@@ -135,7 +140,7 @@ public:
             });
     }
 
-    /// The largest relative error of p, K and (over the rms height) gap, measured between the nodes when the law was compiled.
+    /// The largest relative error of p, K and (over the rms height) gap, measured when the law was compiled.
     [[nodiscard]] T relative_error() const { return relative_error_; }
     /// Whether K is exactly -dp/dgap of the returned p.
     [[nodiscard]] bool tangent_is_exact() const { return tangent_is_exact_; }
@@ -158,7 +163,7 @@ private:
 
     ContactLaw() = default;
 
-    /// Always from \p low to \p high: a NaN becomes \p low, also where a compiler assumes that there is none.
+    /// Never a NaN: that becomes \p low.
     [[nodiscard]] static T within(T x, T low, T high) noexcept { return x > low ? (x < high ? x : high) : low; }
 
     T outside(T pressure, T (ContactLaw::*at)(T) const, T Exact::*wanted) const {
@@ -184,8 +189,8 @@ private:
             "between " + text_of(pressure_min_) + " and " + text_of(pressure_max_) + " Pa, the range of the law");
     }
 
-    /// Elements of \p x within \p pieces go through \p four, four at once and filled up at the end, so that a result does not
-    /// depend on where its element stands; the others go through \p one.
+    /// Elements of \p x within \p pieces go through \p four, and four are filled up where fewer are left, so that a result
+    /// does not depend on where its element stands; the others go through \p one.
     template <class Pieces, std::size_t N, class FourAt, class OneAt>
     static void batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
                       const FourAt& four, const OneAt& one) {
@@ -263,9 +268,9 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     law.outside_ = range.outside;
     law.tangent_is_exact_ = contact.stiffness_over_slope() == T(1);
 
-    // log p, over the middle of its range to keep its digits, against the effective eta, from the separation of the highest pressure to that of the lowest, by sections that
-    // one series each serves; beyond the ends as far as the outer pieces by pressure reach (log p is concave in eta: 10 %
-    // more than the slope says is enough), and never so short that the slope would be all rounding
+    // log p, over the middle of its range to keep its digits, against the effective eta; from the separation of the highest
+    // pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach (log p is concave in eta: 10 %
+    // more than the slope says is enough); never so short that the slope would be all rounding
     const T rms = contact.rms_height();
     const auto end = [&](T pressure) { return contact.at_pressure(pressure, Quantity::pressure).eta; };
     const T closest = end(range.pressure_max), furthest = end(range.pressure_min);
@@ -330,9 +335,10 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
             lobatto.fit(value.col(k), rows.col(first + k).data());
     };
 
-    // by gap: log p changes by a quarter or so over a piece
+    // by gap: log p changes by a quarter or so over a piece; a float's slope would be all rounding there
+    const T pieces_per_e = sizeof(T) == 8 ? T(4) : T(1.5);
     const T steepest = std::max(low.minus_dp_dgap / low.pressure, high.minus_dp_dgap / high.pressure);
-    const auto gap_pieces = static_cast<Eigen::Index>(std::ceil(4 * steepest * (high.gap - low.gap))) + 1;
+    const auto gap_pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * (high.gap - low.gap))) + 1;
     law.by_gap_ = detail::UniformPieces<T>(low.gap, high.gap, gap_pieces);
     const T width = law.by_gap_.length / T(gap_pieces);
     law.slope_scale_ = -2 / width * contact.stiffness_over_slope();
@@ -417,7 +423,8 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
     // carries the rounding of the few digits in which p changes there
     const T shortest_change = steepest * width;
     constexpr T rounding = T(4 * detail::Row::terms * detail::Row::terms) * std::numeric_limits<T>::epsilon();
-    law.relative_error_ = 6 * found + 2 * at_ends + rounding * std::max(T(1), T(0.25) / shortest_change);
+    law.relative_error_ =
+        6 * found + T(1.5) * at_ends + rounding * std::max(T(1), 1 / (pieces_per_e * shortest_change));
 
     // monotone: p and K move one way from node to node; closer than that the polynomials are smooth
     const auto moves = [](const auto& rows, T half, T way) {
