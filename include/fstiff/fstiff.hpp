@@ -17,6 +17,7 @@
 #include <fstiff/math/gaussian_moment_table_extended.hpp>
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/math/least_squares.hpp>
+#include <fstiff/math/piecewise.hpp>
 #include <fstiff/math/root.hpp>
 #include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/surface/fractal.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A smooth function on an interval as a Chebyshev series, and short pieces of it as plain polynomials.
+/// A smooth function on an interval as a Chebyshev series or several, and short pieces of it as plain polynomials.
 ///
 ///     f(x) = c_0/2 + c_1 T_1(u) + ... ,   u = (2x - a - b)/(b - a)
 ///
@@ -14,10 +14,13 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <type_traits>
+#include <vector>
 
 namespace fstiff {
 
@@ -69,6 +72,8 @@ public:
         return out;
     }
 
+    [[nodiscard]] T middle() const { return middle_; }
+    [[nodiscard]] T end() const { return middle_ + half_; }
     /// Size of the last two coefficients: of the order of the error of the series.
     [[nodiscard]] T tail() const { return std::abs(c_[size_ - 1]) + std::abs(c_[size_ - 2]); }
 
@@ -76,6 +81,58 @@ private:
     T middle_{}, half_{1};
     std::size_t size_ = 0;
     std::array<T, capacity> c_{};
+};
+
+/// A function that one series would not serve: a series for each section of the interval.
+template <Real T>
+class ChebyshevSections {
+public:
+    /// \p count equal sections of [a, b] of \p points coefficients each; a section whose series \p accept refuses is
+    /// halved, three times at most.
+    template <class F, class Accept>
+    ChebyshevSections(T a, T b, std::size_t count, std::size_t points, const F& f, const Accept& accept) {
+        sections_.reserve(count);
+        for (std::size_t i = 0; i < count; ++i)
+            add(a + (b - a) * (T(i) / T(count)), a + (b - a) * (T(i + 1) / T(count)), points, f, accept, 3);
+    }
+
+    [[nodiscard]] std::size_t size() const { return sections_.size(); }
+
+    /// At \p x, a T or an Eigen array of them whose first and last are the least and the greatest.
+    template <class V>
+    [[nodiscard]] V operator()(const V& x) const {
+        if constexpr (std::is_same_v<V, T>) {
+            return at(x)(x);
+        } else {
+            const auto &first = at(x(0)), &last = at(x(x.size() - 1));
+            return &first == &last ? first(x) : V(x.unaryExpr([this](T one) { return at(one)(one); }));
+        }
+    }
+
+    [[nodiscard]] ChebyshevSections derivative() const {
+        ChebyshevSections out = *this;
+        for (auto& section : out.sections_) section = section.derivative();
+        return out;
+    }
+
+private:
+    template <class F, class Accept>
+    void add(T a, T b, std::size_t points, const F& f, const Accept& accept, int halvings) {
+        const ChebyshevSeries<T> series(a, b, points, f);
+        if (halvings == 0 || accept(series)) {
+            sections_.push_back(series);
+            return;
+        }
+        add(a, (a + b) / 2, points, f, accept, halvings - 1);
+        add((a + b) / 2, b, points, f, accept, halvings - 1);
+    }
+    [[nodiscard]] const ChebyshevSeries<T>& at(T x) const {
+        const auto found = std::partition_point(sections_.begin(), sections_.end() - 1,
+                                                [x](const auto& one) { return one.end() < x; });
+        return *found;
+    }
+
+    std::vector<ChebyshevSeries<T>> sections_;
 };
 
 namespace detail {
