@@ -51,35 +51,31 @@ EIGEN_ALWAYS_INLINE T rough_eighth_root(T x) {
 template <Real T>
 PeakSums<T> finish(const std::array<Lanes<T, 4>, 8>& sums, const Lanes<T, 4>& first, const Lanes<T, 4>& last, T step,
                    int nodes) {
-    using Four = Eigen::Array<T, 4, 1>;
-    constexpr T half_root = std::numbers::sqrt2_v<T> / 2;
-    const auto four = [](const Lanes<T, 4>& lanes) {
-        Four out;
-        lanes.store(out.data());
-        return out;
-    };
-    std::array<Four, 4> odd, even;
+    using V = Lanes<T, 4>;
+    const V half_root = V::all(std::numbers::sqrt2_v<T> / 2);
+    std::array<V, 4> odd, even;
     for (std::size_t i = 0; i < 4; ++i) {
-        const Four near = four(sums[i]), opposite = four(sums[i + 4]);
-        odd[i] = near - opposite;
-        even[i] = near + opposite;
+        odd[i] = sums[i] - sums[i + 4];
+        even[i] = sums[i] + sums[i + 4];
     }
-    const Four difference = half_root * (odd[1] - odd[3]), sum = half_root * (odd[1] + odd[3]);
-    const Four at_1 = (odd[0] + difference).square() + (odd[2] + sum).square();
-    const Four at_2 = (even[0] - even[2]).square() + (even[1] - even[3]).square();
-    const Four at_3 = (odd[0] - difference).square() + (odd[2] - sum).square();
-    const Four total = (even[0] + even[2]) + (even[1] + even[3]);
+    const auto squares = [](const V& x, const V& y) { return multiply_add(x, x, y * y); };
+    const V difference = half_root * (odd[1] - odd[3]), sum = half_root * (odd[1] + odd[3]);
+    const V at_1 = squares(odd[0] + difference, odd[2] + sum);
+    const V at_2 = squares(even[0] - even[2], even[1] - even[3]);
+    const V at_3 = squares(odd[0] - difference, odd[2] - sum);
+    const V total = (even[0] + even[2]) + (even[1] + even[3]);
     // what is not asked for is 0 throughout: the least number keeps 0/0 out
-    constexpr T least = std::numeric_limits<T>::min();
-    const Four inverse = total.max(least).inverse();
-    const Four fall_4 = (at_3 / (at_2 + least)).square().min(at_3 / (at_1 + least)).min(T(1));  // over four eighths
-    Four fall_half;
-    for (Eigen::Index i = 0; i < 4; ++i) fall_half[i] = rough_eighth_root(fall_4[i]);
-    const Four error = 2 * inverse * (at_3.sqrt() * fall_4 * fall_half + four(first) + four(last));
+    const V one = V::all(T(1)), least = V::all(std::numeric_limits<T>::min());
+    const V quotient = at_3 / (at_2 + least);
+    const V fall_4 = min(min(quotient * quotient, at_3 / (at_1 + least)), one);  // over four eighths
+    T fall[4];
+    fall_4.store(fall);
+    for (T& each : fall) each = rough_eighth_root(each);  // over half an eighth
+    const V error = (multiply_add(sqrt(at_3), fall_4 * V::load(fall), first + last)) / max(total, least);
     PeakSums<T> out;
     out.nodes = nodes;
-    Eigen::Map<Four>(out.value.data()) = step * total;
-    Eigen::Map<Four>(out.relative_error.data()) = error;
+    (V::all(step) * total).store(out.value.data());
+    (error + error).store(out.relative_error.data());
     return out;
 }
 
