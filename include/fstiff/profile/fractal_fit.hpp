@@ -45,6 +45,7 @@
 ///             D is 0.8 to 1.25 times the scatter of D (tests/profile/fractal_fit_test.cpp)
 
 #include <fstiff/core/progress.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
@@ -53,7 +54,6 @@
 
 #include <Eigen/Dense>
 
-#include <charconv>
 #include <cstdint>
 #include <functional>
 #include <numbers>
@@ -192,10 +192,7 @@ inline constexpr std::size_t least_window_lags = 4;
 /// Number as text for an error message, four digits, whatever the locale.
 template <Real T>
 std::string shown(T value) {
-    char digits[32];
-    const auto end =
-        std::to_chars(digits, digits + sizeof digits, static_cast<double>(value), std::chars_format::general, 4).ptr;
-    return {digits, end};
+    return rounded_text(value, 4);
 }
 
 /// Ordinary slope of y over x for the points first ... last.
