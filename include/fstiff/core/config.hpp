@@ -24,15 +24,12 @@
 #error "fstiff needs C++20: compile with -std=c++20 or later (GCC 11, clang 12 or newer)"
 #endif
 
-#if (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(__FAST_MATH__) || defined(_M_FP_FAST)
-#error \
-    "fstiff needs NaN, the missing point and the guard of every argument: no -ffast-math, -Ofast, -ffinite-math-only, \
-/fp:fast (add -fno-finite-math-only, or /fp:precise)"
+#if defined(__FINITE_MATH_ONLY__) ? __FINITE_MATH_ONLY__ : (defined(__FAST_MATH__) || defined(_M_FP_FAST))
+#error "fstiff needs NaN (missing points, guards of arguments): no -ffast-math, -ffinite-math-only, /fp:fast"
 #endif
 
 #if (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
-#error \
-    "fstiff needs every operation rounded, which the x87 unit does not do: compile with -msse2 -mfpmath=sse, or /arch:SSE2"
+#error "fstiff needs every operation rounded, not the 64 bits of x87: use -msse2 -mfpmath=sse or /arch:SSE2"
 #endif
 
 #include <version>
