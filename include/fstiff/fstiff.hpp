@@ -7,6 +7,7 @@
 #include <fstiff/core/config.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>

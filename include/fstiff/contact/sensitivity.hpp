@@ -22,11 +22,11 @@
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace fstiff {
 
@@ -71,7 +71,7 @@ public:
         const V g = nodes.weight * nodes.inverse_root * block.gaussian(nodes, p_.floor);  // with t^b = t^(-1/2)
         const V erf = erf_ascending(kt, p_.k * nodes.t_first, p_.k * nodes.t_last);
         const V bounded = min(kt, V(T(25)));  // exp(-625) is nothing, and its argument does not overflow
-        const V layer = V(2 * std::numbers::inv_sqrtpi_v<T>) * exp(V(T(0)) - bounded * bounded);  // d erf(y)/dy
+        const V layer = V(2 * numbers::inv_sqrtpi_v<T>) * exp(V(T(0)) - bounded * bounded);  // d erf(y)/dy
         const V by_erf = g * erf;
         // t^(1/2) d/dt (t^(-1/2) erf(k t)) = k erf'(k t) - erf(k t)/(2 t)
         const V by_r = g * (k * layer - V(T(0.5)) * erf * nodes.inverse_root * nodes.inverse_root);
@@ -106,7 +106,7 @@ LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
     const T half = sums.total(Sums::j_half), three = sums.total(Sums::j_three);
     const T inverse_c = 1 / p.c;
     const T cosine = std::cos(p.theta);
-    const T dk = 1 / (std::numbers::sqrt2_v<T> * cosine * cosine);
+    const T dk = 1 / (numbers::sqrt2_v<T> * cosine * cosine);
     // J[a,b] = c^a/(2 theta) step sum: the common factors cancel in every logarithmic derivative
     const T log_factor = std::log(step / (2 * p.theta)) - p.floor * p.floor / 2;
     const T log_c = std::log(p.c);

@@ -44,6 +44,7 @@
 ///             D within 0.02 and its own 3 sigma, G within a factor 1.5; 200 random walks of 1000 points: the error of
 ///             D is 0.8 to 1.25 times the scatter of D (tests/profile/fractal_fit_test.cpp)
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/profile/detrend.hpp>
@@ -56,7 +57,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <optional>
 
 namespace fstiff {
@@ -368,7 +368,7 @@ LogFit<T> log_fit(const Vector<T>& x, const Vector<T>& y, const Vector<T>& root_
     }
     if (log_periodic)
         for (const int harmonic : {1, 2}) {
-            const auto angle = (2 * static_cast<T>(harmonic) * std::numbers::pi_v<T> / log_gamma * x.array()).eval();
+            const auto angle = (2 * static_cast<T>(harmonic) * numbers::pi_v<T> / log_gamma * x.array()).eval();
             columns.col(next++) = angle.cos();
             columns.col(next++) = angle.sin();
         }
