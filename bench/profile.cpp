@@ -9,6 +9,8 @@
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/islands.hpp>
 
+#include <numbers>
+
 namespace {
 
 using namespace bench;

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 
 #include <functional>
+#include <numbers>
 #include <vector>
 
 using fstiff::PeakDensity;

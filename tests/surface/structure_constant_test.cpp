@@ -4,6 +4,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <numbers>
+
 using namespace fstiff;
 
 TEMPLATE_TEST_CASE("At D = 1.5 the constant is pi as printed and pi^2 / ln gamma as exact", "", float, double,

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <numbers>
+
 using namespace fstiff;
 
 namespace {
