@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
-
-#include <numbers>
 
 using namespace fstiff;
 
 TEMPLATE_TEST_CASE("At D = 1.5 the constant is pi as printed and pi^2 / ln gamma as exact", "", float, double,
                    long double) {
     using T = TestType;
-    constexpr T pi = std::numbers::pi_v<T>;
+    constexpr T pi = fstiff::numbers::pi_v<T>;
     CHECK(test::ulps(structure_constant(T(1.5), StructureConvention::paper), pi) <= 20);
     CHECK(test::ulps(structure_constant(T(1.5)), pi * pi / std::log(T(1.5))) <= 20);
     CHECK(test::ulps(structure_constant(T(1.5), StructureConvention::majumdar_tien), pi / (2 * std::log(T(1.5)))) <=
