@@ -4,9 +4,12 @@
 /// Everything above the opt-in adapters, layer by layer. Written by tools/check_layers.cmake.
 
 #include <fstiff/core/concepts.hpp>
+#include <fstiff/core/config.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
 #include <fstiff/math/chebyshev.hpp>
 #include <fstiff/math/error_function.hpp>

@@ -2,13 +2,13 @@
 #include "output.hpp"
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstring>
@@ -24,9 +24,7 @@ namespace {
 
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
-    char text[64];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
-    return {text, end};
+    return rounded_text(value, digits);
 }
 
 /// Number of characters of UTF-8 text: all bytes but the continuation bytes.
@@ -108,10 +106,7 @@ void add_output_options(CLI::App& app, OutputOptions& options, Format initial) {
 std::string exact(double value) { return number(value, 17); }
 std::string rounded(double value, int digits) { return number(value, digits); }
 
-std::string shortest(double value) {
-    char text[64];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
+std::string shortest(double value) { return shortest_text(value); }
 
 Json json_number(double value) {
     exact(value);

@@ -4,10 +4,10 @@
 #include "output.hpp"
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/text.hpp>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -30,11 +30,9 @@ constexpr std::array<Colour, 8> palette{{{"#b3261e", "#ff8a80"},
 
 /// Pixels to a tenth, as short as can be.
 std::string px(double value) {
-    char text[32];
-    auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 1).ptr;
-    if (end - text > 2 && end[-1] == '0') end -= 2;
-    const std::string shown(text, end);
-    return shown == "-0" ? "0" : shown;
+    std::string text = fixed_text(value, 1);
+    if (text.ends_with(".0")) text.resize(text.size() - 2);
+    return text == "-0" ? "0" : text;
 }
 
 /// Characters of UTF-8 text.

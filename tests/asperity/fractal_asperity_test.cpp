@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One asperity of a fractal surface: each equation against its other form, wider arithmetic, a derivative.
 #include <fstiff/asperity/fractal_asperity.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -18,7 +18,7 @@ using fstiff::FractalAsperity;
 namespace {
 
 using Wide = long double;
-constexpr Wide pi = std::numbers::pi_v<Wide>;
+constexpr Wide pi = fstiff::numbers::pi_v<Wide>;
 
 // The equations as printed, powers of G and all: true only where Wide can hold G^((D-1)/(2-D)).
 struct Printed {

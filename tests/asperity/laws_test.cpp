@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The three asperity laws: derivatives, the factor f of the reference paper, arrays against scalars, refusals.
 #include <fstiff/asperity/laws.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -9,7 +10,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 
 using fstiff::AsperityLaw;
@@ -56,7 +56,7 @@ TEST_CASE("the concepts tell asperity laws from power laws", "[laws]") {
 
 TEMPLATE_TEST_CASE("load, stiffness and area keep their stated accuracy", "[laws]", float, double) {
     using T = TestType;
-    const Wide pi = std::numbers::pi_v<Wide>;
+    const Wide pi = fstiff::numbers::pi_v<Wide>;
     Wide worst = 0;
     for (const T d : {T(1.05), T(1.5), T(1.62), T(1.97)}) {
         const Wide f = 2 * (3 - Wide(d)) / (3 * (2 - Wide(d)));

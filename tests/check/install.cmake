@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs component dev of BUILD under PREFIX and checks that it holds the headers of SOURCE and the package files,
-# nothing else.
+# Installs component dev of BUILD under PREFIX and checks that it holds the headers of SOURCE, the licence and the package
+# files, nothing else.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${PREFIX})
@@ -20,7 +20,10 @@ foreach(name IN ITEMS config config-version targets)
         message(FATAL_ERROR "fstiff-${name}.cmake is not installed")
     endif()
 endforeach()
-list(FILTER package EXCLUDE REGEX "^share/cmake/fstiff/fstiff-[a-z0-9-]+\\.cmake$")
+if(NOT "share/doc/fstiff/LICENSE" IN_LIST package)
+    message(FATAL_ERROR "the licence is not installed")
+endif()
+list(FILTER package EXCLUDE REGEX "^share/cmake/fstiff/fstiff-[a-z0-9-]+\\.cmake$|^share/doc/fstiff/LICENSE$")
 if(package)
     message(FATAL_ERROR "installed beside the library: ${package}")
 endif()

@@ -7,6 +7,7 @@
 #include "support/table.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <random>
 #include <vector>
 

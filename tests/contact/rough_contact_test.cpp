@@ -10,6 +10,7 @@
 #include "support/table.hpp"
 
 #include <map>
+#include <numbers>
 #include <string>
 
 using namespace fstiff;

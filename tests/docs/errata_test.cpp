@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 using namespace fstiff;
 

@@ -6,6 +6,7 @@
 
 #include <clocale>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 #include <vector>
 

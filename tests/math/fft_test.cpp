@@ -5,7 +5,6 @@
 #include "support/catch.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 using namespace fstiff;
@@ -31,7 +30,7 @@ TEMPLATE_TEST_CASE("A transform is the sum that defines it, and its inverse give
         std::complex<long double> sum = 0;
         for (std::size_t j = 0; j < data.size(); ++j)
             sum += static_cast<long double>(data[j]) *
-                   std::polar(1.0L, -2 * std::numbers::pi_v<long double> * static_cast<long double>(j * k % size) /
+                   std::polar(1.0L, -2 * std::acos(-1.0L) * static_cast<long double>(j * k % size) /
                                         static_cast<long double>(size));
         const std::complex<T> truth(static_cast<T>(sum.real()), static_cast<T>(sum.imag()));
         CAPTURE(size, k);
@@ -54,7 +53,7 @@ TEST_CASE("A transform of 2^20 points has an rms error of 4e-16 of its rms") {
     for (std::size_t j = 0; j < size; ++j) {
         long double z = 0;
         for (int w = 0; w < 5; ++w)
-            z += std::cos(2 * std::numbers::pi_v<long double> * static_cast<long double>(waves[w] * j % size) /
+            z += std::cos(2 * std::acos(-1.0L) * static_cast<long double>(waves[w] * j % size) /
                               static_cast<long double>(size) +
                           static_cast<long double>(phases[w]));
         data[j] = static_cast<double>(z);

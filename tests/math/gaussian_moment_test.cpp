@@ -50,15 +50,13 @@ TEMPLATE_TEST_CASE("F_a agrees with its definition", "", float, double, long dou
 
 TEST_CASE("F_0 and F_1 agree with erfc") {
     for (const double x : {-6.0, -3.0, 0.0, 0.7, 3.0, 10.0, 30.0}) {
-        const long double closed =
-            std::sqrt(std::numbers::pi_v<long double> / 2) * std::erfc(x / std::numbers::sqrt2_v<long double>);
+        const long double closed = std::sqrt(std::acos(-1.0L) / 2) * std::erfc(x / std::sqrt(2.0L));
         INFO("x " << x);
         CHECK(test::ulps<double>(gaussian_moment(0.0, x), static_cast<double>(closed)) <= stated);
     }
     for (const double x : {-6.0, -3.0, 0.0, 0.7}) {
         const long double g = std::exp(-0.5L * x * x);
-        const long double closed =
-            g - x * std::sqrt(std::numbers::pi_v<long double> / 2) * std::erfc(x / std::numbers::sqrt2_v<long double>);
+        const long double closed = g - x * std::sqrt(std::acos(-1.0L) / 2) * std::erfc(x / std::sqrt(2.0L));
         CHECK(test::ulps<double>(gaussian_moment(1.0, x), static_cast<double>(closed)) <= stated);
     }
 }

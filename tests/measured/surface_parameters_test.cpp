@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 
 #include <filesystem>
+#include <numbers>
 
 using namespace fstiff;
 

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 
 #include <functional>
+#include <numbers>
 #include <vector>
 
 using fstiff::PeakDensity;
@@ -119,7 +120,7 @@ TEST_CASE("exponential autocorrelation: 1 - r^2 = cot^2 theta") {
     const auto from_rho = PeakDensity<double>::from_autocorrelation(rho, rho * rho);
     CHECK(test::ulps(PeakDensity<double>::exponential(from_rho.theta()).r(), from_rho.r()) <= 20);
     CHECK_NOTHROW(PeakDensity<float>::exponential(std::numbers::pi_v<float> / 3));
-    CHECK_NOTHROW(PeakDensity<long double>::exponential(std::numbers::pi_v<long double> / 4));
+    CHECK_NOTHROW(PeakDensity<long double>::exponential(fstiff::numbers::pi_v<long double> / 4));
 }
 
 TEST_CASE("parameters out of range are refused by name, value and range") {

@@ -5,6 +5,8 @@
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
 
+#include <numbers>
+
 using namespace fstiff;
 
 namespace {
@@ -25,7 +27,7 @@ double slow(const Profile<double>& profile, double cutoff, std::size_t i) {
     for (std::size_t k = 0; k < profile.size(); ++k) {
         if (std::isnan(profile.heights[k])) continue;
         const double x = (static_cast<double>(k) - static_cast<double>(i)) * profile.spacing / (a * cutoff);
-        const long double s = std::exp(-std::numbers::pi_v<long double> * x * x) / (a * cutoff);
+        const long double s = std::exp(-std::acos(-1.0L) * x * x) / (a * cutoff);
         sum += s * profile.heights[k];
         weights += s;
     }

@@ -5,6 +5,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <numbers>
 #include <random>
 
 using namespace fstiff;

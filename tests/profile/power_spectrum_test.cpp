@@ -5,6 +5,8 @@
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
 
+#include <numbers>
+
 using namespace fstiff;
 
 namespace {

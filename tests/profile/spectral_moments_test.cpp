@@ -8,6 +8,8 @@
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
 
+#include <numbers>
+
 using namespace fstiff;
 
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
-#include <numbers>
 #include <random>
 
 using namespace fstiff;
@@ -80,7 +80,7 @@ TEMPLATE_TEST_CASE("A sine has the structure function 2 a^2 sin^2(pi tau/lambda)
     using T = TestType;
     Profile<T> profile{std::vector<T>(10000), T(1e-6)};
     for (std::size_t i = 0; i < 10000; ++i)
-        profile.heights[i] = T(2e-6) * std::sin(2 * std::numbers::pi_v<T> * static_cast<T>(i % 50) / 50);
+        profile.heights[i] = T(2e-6) * std::sin(2 * fstiff::numbers::pi_v<T> * static_cast<T>(i % 50) / 50);
     // 9950 and 9900 pairs: whole periods
     const std::vector<std::size_t> lags{50, 100};
     for (const auto n : lags) {

@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 #include <array>
+#include <numbers>
 
 using namespace fstiff;
 

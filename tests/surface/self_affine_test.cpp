@@ -28,7 +28,7 @@ long double slow(const Options& o, int columns, int rows, double dx, double dy, 
             const std::complex<double> pair = detail::normal_pair<double>(o.seed, kx, ky);
             const long double turn =
                 static_cast<long double>(kx) * i / columns + static_cast<long double>(ky) * j / rows;
-            const long double angle = 2 * std::numbers::pi_v<long double> * (turn - std::floor(turn));
+            const long double angle = 2 * std::acos(-1.0L) * (turn - std::floor(turn));
             sum += std::sqrt(w) * (pair.real() * std::cos(angle) - pair.imag() * std::sin(angle));
             total += w;
         }

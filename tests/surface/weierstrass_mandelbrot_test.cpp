@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <numbers>
+
 using namespace fstiff;
 
 namespace {
@@ -16,7 +18,7 @@ long double slow(long double x, long double d, long double g, long double longes
         const long double wavelength = longest * std::pow(1.5L, -static_cast<long double>(j));
         const long double turns = x / wavelength;
         sum += std::pow(g, d - 1) * std::pow(wavelength, 2 - d) *
-               std::cos(2 * std::numbers::pi_v<long double> * (turns - std::floor(turns)));
+               std::cos(2 * std::acos(-1.0L) * (turns - std::floor(turns)));
     }
     return sum;
 }

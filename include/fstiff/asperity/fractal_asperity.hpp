@@ -33,6 +33,7 @@
 ///             (tests/asperity/fractal_asperity_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
 
@@ -129,14 +130,14 @@ T truncation_share(T truncation_diameter, T base_diameter) {
     require_positive("base_diameter", base_diameter);
     require(truncation_diameter >= 0 && truncation_diameter <= base_diameter, "truncation_diameter",
             truncation_diameter, "between 0 and the base diameter");
-    const T sine = std::sin(std::numbers::pi_v<T> / 2 * (truncation_diameter / base_diameter));
+    const T sine = std::sin(numbers::pi_v<T> / 2 * (truncation_diameter / base_diameter));
     return 2 * sine * sine;
 }
 
 template <Real T>
 T fractal_stiffness_from_area(T area, T fractal_dimension) {
     require(area >= 0 && area <= std::numeric_limits<T>::max(), "area", area, "finite and not negative");
-    return 2 * fractal_stiffness_factor(fractal_dimension) * std::numbers::inv_sqrtpi_v<T> * std::sqrt(area);
+    return 2 * fractal_stiffness_factor(fractal_dimension) * numbers::inv_sqrtpi_v<T> * std::sqrt(area);
 }
 
 template <Real T>
@@ -144,7 +145,7 @@ FractalAsperity<T>::FractalAsperity(const Fractal<T>& fractal, T base_diameter) 
     require_fractal_dimension(fractal.dimension);
     require_positive("fractal_roughness", fractal.roughness);
     require_positive("base_diameter", base_diameter);
-    constexpr T pi = std::numbers::pi_v<T>;
+    constexpr T pi = numbers::pi_v<T>;
     const T slenderness = std::pow(fractal.roughness / base_, fractal.dimension - 1);  // delta/l
     height_ = base_ * slenderness;
     radius_ = base_ / (4 * pi * pi * slenderness);
@@ -155,14 +156,14 @@ FractalAsperity<T>::FractalAsperity(const Fractal<T>& fractal, T base_diameter) 
 template <Real T>
 T FractalAsperity<T>::profile(T x) const {
     require(std::abs(x) <= base_ / 2, "x", x, "at most half the base diameter away from the peak");
-    return height_ * std::cos(2 * std::numbers::pi_v<T> * (x / base_));
+    return height_ * std::cos(2 * numbers::pi_v<T> * (x / base_));
 }
 
 template <Real T>
 T FractalAsperity<T>::truncation_diameter(T approach) const {
     // Rounding may put the sine just above 1 at omega = 2 delta.
     const T sine = std::min(T(1), std::sqrt(checked(approach) / height_ / 2));
-    return std::min(base_, base_ * (2 / std::numbers::pi_v<T> * std::asin(sine)));
+    return std::min(base_, base_ * (2 / numbers::pi_v<T> * std::asin(sine)));
 }
 
 template <Real T>
@@ -183,27 +184,27 @@ T AsperityFamily<T>::base_diameter(T approach) const {
 
 template <Real T>
 T AsperityFamily<T>::radius(T approach) const {
-    constexpr T pi = std::numbers::pi_v<T>;
+    constexpr T pi = numbers::pi_v<T>;
     const T base = base_diameter(approach);
     return held(base / (4 * pi * pi) * (base / (approach / share_)), approach);
 }
 
 template <Real T>
 T AsperityFamily<T>::load(T approach) const {
-    constexpr T pi = std::numbers::pi_v<T>;
+    constexpr T pi = numbers::pi_v<T>;
     return held(2 / (3 * pi) * std::sqrt(share_) * base_diameter(approach) * approach, approach);
 }
 
 template <Real T>
 T AsperityFamily<T>::stiffness(T approach) const {
-    constexpr T pi = std::numbers::pi_v<T>;
+    constexpr T pi = numbers::pi_v<T>;
     return held(fractal_stiffness_factor(fractal_.dimension) / pi * std::sqrt(share_) * base_diameter(approach),
                 approach);
 }
 
 template <Real T>
 T AsperityFamily<T>::area(T approach) const {
-    constexpr T pi = std::numbers::pi_v<T>;
+    constexpr T pi = numbers::pi_v<T>;
     const T base = base_diameter(approach);
     return held(share_ / (4 * pi) * base * base, approach);
 }

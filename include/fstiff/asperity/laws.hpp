@@ -19,10 +19,10 @@
 /// Valid       omega >= 0, R > 0, 1 < D < 2 (f diverges as D -> 2)
 /// Accuracy    4 ulp (tests/asperity/laws_test.cpp)
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace fstiff {
 
@@ -92,7 +92,7 @@ struct HertzLaw : detail::HertzianForm<HertzLaw<T>> {
     /// d ln load/dD and d ln stiffness/dD: there is no D here.
     [[nodiscard]] static constexpr T log_load_slope() { return T(0); }
     [[nodiscard]] static constexpr T log_stiffness_slope() { return T(0); }
-    [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
+    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
 };
 
 /// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
@@ -107,7 +107,7 @@ public:
     [[nodiscard]] constexpr T log_stiffness_slope() const { return slope_; }
     [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
     [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
-    [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
+    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
 
 private:
     T factor_, slope_;
@@ -125,7 +125,7 @@ public:
     [[nodiscard]] constexpr T log_stiffness_slope() const { return slope_; }
     [[nodiscard]] constexpr T load_factor() const { return 4 * factor_ / 3; }
     [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
-    [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
+    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
 
 private:
     T factor_, slope_;

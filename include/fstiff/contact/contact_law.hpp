@@ -33,6 +33,7 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/math/chebyshev.hpp>
 #include <fstiff/math/piecewise.hpp>
 
@@ -233,14 +234,7 @@ private:
             throw domain_error("batch: the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
                                " elements: must have the same number");
     }
-    static std::string text_of(T value) {
-        char text[40];
-        return {text, std::to_chars(text, text + sizeof text, value).ptr};
-    }
-    static std::string hex_of(T value) {
-        char text[60];
-        return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::hex).ptr};
-    }
+    static std::string text_of(T value) { return shortest_text(value); }
 
     T pressure_min_{}, pressure_max_{};
     T slope_scale_{};  ///< from d/ds to K
@@ -454,7 +448,7 @@ const {
     text += std::to_string(by_gap_.rows.cols()) + ' ' + std::to_string(static_cast<int>(tangent_is_exact_)) + ' ' +
             std::to_string(static_cast<int>(outside_)) + ' ' + std::to_string(evaluations_) + '\n';
     const auto add = [&text](const T* numbers, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) text += hex_of(numbers[i]) + (i + 1 < count ? ' ' : '\n');
+        for (std::size_t i = 0; i < count; ++i) text += hexadecimal_text(numbers[i]) + (i + 1 < count ? ' ' : '\n');
     };
     const T head[] = {pressure_min_, pressure_max_, by_gap_.begin, by_gap_.end, slope_scale_, relative_error_};
     add(head, std::size(head));
@@ -477,9 +471,14 @@ requires(std::same_as<T, float> ||
     const auto skip = [&] {
         while (at != end && (*at == ' ' || *at == '\n' || *at == '\r')) ++at;
     };
-    const auto number = [&](auto value, auto... format) {
+    const auto number = [&](auto value) {
         skip();
-        const auto [next, error] = std::from_chars(at, end, value, format...);
+        std::from_chars_result read{};
+        if constexpr (std::is_floating_point_v<decltype(value)>)
+            read = read_hexadecimal(at, end, value);
+        else
+            read = std::from_chars(at, end, value);
+        const auto [next, error] = read;
         if (error != std::errc{}) throw wrong("ends early or holds no number");
         if constexpr (std::is_floating_point_v<decltype(value)>)
             if (!std::isfinite(value)) throw wrong("holds a number that is not finite");
@@ -495,7 +494,7 @@ requires(std::same_as<T, float> ||
     law.evaluations_ = number(int{});
     T gap_min{}, gap_max{};
     for (T* x : {&law.pressure_min_, &law.pressure_max_, &gap_min, &gap_max, &law.slope_scale_, &law.relative_error_})
-        *x = number(T{}, std::chars_format::hex);
+        *x = number(T{});
     if (!(law.pressure_min_ >= std::numeric_limits<T>::min() && law.pressure_max_ > law.pressure_min_ &&
           gap_max > gap_min))
         throw wrong("contradicts itself");
@@ -508,7 +507,7 @@ requires(std::same_as<T, float> ||
         throw wrong("contradicts itself");
     law.stiffness_ = law.gap_ = detail::BinaryPieces<T>(law.pressure_min_, law.pressure_max_);
     for (auto* rows : {&law.by_gap_.rows, &law.stiffness_.rows, &law.gap_.rows})
-        for (T& coefficient : rows->reshaped()) coefficient = number(T{}, std::chars_format::hex);
+        for (T& coefficient : rows->reshaped()) coefficient = number(T{});
     skip();
     if (at != end) throw wrong("goes on after its end");
     return law;

@@ -8,12 +8,12 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 namespace fstiff {
@@ -80,7 +80,7 @@ EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
         const T low = reached(highest), high = reached(T(lowest_eta));
         require(std::isfinite(low) && std::isfinite(high), "pressure", pressure,
                 "possible for the scales of this surface");
-        const auto power = [](T log) { return "1e" + std::to_string(std::lround(log / std::numbers::ln10_v<T>)); };
+        const auto power = [](T log) { return "1e" + std::to_string(std::lround(log / numbers::ln10_v<T>)); };
         const std::string allowed =
             "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law";
         require(false, "pressure", pressure, allowed);

@@ -17,11 +17,11 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace fstiff {
 
@@ -34,7 +34,7 @@ template <int TwiceN, Real T>
 T scaled_upper_gamma(T x) {
     if constexpr (TwiceN == 0) return T(1);
     if constexpr (TwiceN == -1)
-        return std::numbers::sqrt2_v<T> * scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
+        return numbers::sqrt2_v<T> * scaled_moment<0>(std::sqrt(2 * x));  // sqrt(pi) erfcx(sqrt x)
     if constexpr (TwiceN > 0) return T(TwiceN) / 2 * scaled_upper_gamma<TwiceN - 2>(x) + std::pow(x, T(TwiceN) / 2);
 }
 
@@ -43,8 +43,7 @@ T scaled_upper_gamma(T x) {
 /// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2 or 5/2, h a number.
 template <Real T>
 [[nodiscard]] T height_moment(T n, T h, Heights heights = Heights::gaussian) {
-    if (heights == Heights::gaussian)
-        return gaussian_moment(n, h) / (std::numbers::sqrt2_v<T> / std::numbers::inv_sqrtpi_v<T>);
+    if (heights == Heights::gaussian) return gaussian_moment(n, h) / (numbers::sqrt2_v<T> / numbers::inv_sqrtpi_v<T>);
     require(!std::isnan(h), "h", h, "a number");
     return detail::with_power(n, [h]<int TwiceN>() {
         return detail::scaled_upper_gamma<TwiceN>(std::max(-h, T(0))) * std::exp(-std::max(h, T(0)));
@@ -63,7 +62,7 @@ public:
         const T dimensionless = surface.peak_density * surface.rms_height * surface.rms_height;  // D_p sigma^2
         pressure_scale_ = T(4) / 3 * effective_modulus * dimensionless * root;
         stiffness_scale_ = 2 * effective_modulus * surface.peak_density * surface.rms_height * root;
-        area_scale_ = std::numbers::pi_v<T> * surface.peak_radius * surface.rms_height * surface.peak_density;
+        area_scale_ = numbers::pi_v<T> * surface.peak_radius * surface.rms_height * surface.peak_density;
     }
 
     /// The contact at the separation \p separation of the mean planes [m]. \throws domain_error outside the range.
@@ -113,7 +112,7 @@ private:
     template <int TwiceN>
     std::pair<T, T> scaled(T h) const {
         if (heights_ == Heights::gaussian)
-            return {detail::scaled_moment<TwiceN>(h) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>,
+            return {detail::scaled_moment<TwiceN>(h) * numbers::inv_sqrtpi_v<T> / numbers::sqrt2_v<T>,
                     h > 0 ? -h * h / 2 : T(0)};
         return {detail::scaled_upper_gamma<TwiceN>(std::max(-h, T(0))), -std::max(h, T(0))};
     }

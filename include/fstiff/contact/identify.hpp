@@ -20,6 +20,7 @@
 /// Accuracy    the truth lies in the 95 % interval in 95 +- 4 of 100 runs (tests/contact/identify_test.cpp)
 
 #include <fstiff/contact/sensitivity.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/least_squares.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 
@@ -129,7 +130,7 @@ template <Real T>
     const T z = T(1.959963984540054);
     if (degrees_of_freedom <= 0) return z;
     const auto n = static_cast<T>(degrees_of_freedom);
-    if (degrees_of_freedom == 1) return std::tan(T(0.475) * std::numbers::pi_v<T>);
+    if (degrees_of_freedom == 1) return std::tan(T(0.475) * numbers::pi_v<T>);
     if (degrees_of_freedom == 2) return T(0.95) * std::sqrt(2 / (1 - T(0.95) * T(0.95)));
     const T s = z * z;
     return z * (1 + (s + 1) / (4 * n) + ((5 * s + 16) * s + 3) / (96 * n * n) +
@@ -154,7 +155,7 @@ struct Chart {
             case FitParameter::r:
                 return {Kind::between, T(0), T(1)};
             case FitParameter::theta:
-                return {Kind::between, T(0), std::numbers::pi_v<T> / 2};
+                return {Kind::between, T(0), numbers::pi_v<T> / 2};
             default:
                 return {Kind::log};
         }

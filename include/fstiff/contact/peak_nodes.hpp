@@ -24,6 +24,7 @@
 /// Accuracy    see contact_integrals.hpp
 
 #include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/peaks/peak_density.hpp>
 
@@ -31,7 +32,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace fstiff {
 
@@ -43,7 +43,7 @@ struct PeakProblem {
     T r, theta, eta;
     T depth;  ///< -log of what may be neglected
     T c = std::sqrt((1 - r) * (1 + r));
-    T k = std::tan(theta) / std::numbers::sqrt2_v<T>;
+    T k = std::tan(theta) / numbers::sqrt2_v<T>;
     T floor = std::max(eta, T(0));   ///< exp(-floor^2/2) is taken out of every node: the rest is of order 1
     T reach = std::sqrt(2 * depth);  ///< exp(-reach^2/2) may be neglected
 

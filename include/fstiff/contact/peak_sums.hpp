@@ -8,6 +8,7 @@
 
 #include <fstiff/contact/peak_nodes.hpp>
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 namespace fstiff {
 
@@ -52,7 +52,7 @@ template <Real T>
 PeakSums<T> finish(const std::array<Lanes<T, 4>, 8>& sums, const Lanes<T, 4>& first, const Lanes<T, 4>& last, T step,
                    int nodes) {
     using V = Lanes<T, 4>;
-    const V half_root = V::all(std::numbers::sqrt2_v<T> / 2);
+    const V half_root = V::all(numbers::sqrt2_v<T> / 2);
     std::array<V, 4> odd, even;
     for (std::size_t i = 0; i < 4; ++i) {
         odd[i] = sums[i] - sums[i + 4];

@@ -3,6 +3,8 @@
 /// \file
 /// The quantities of a contact, as a set: what is not asked for is not computed.
 
+#include <fstiff/core/config.hpp>
+
 namespace fstiff {
 
 enum class Quantity : unsigned { none = 0, contacts = 1, pressure = 2, stiffness = 4, real_area = 8, all = 15 };

@@ -27,10 +27,10 @@
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace fstiff {
 
@@ -51,7 +51,7 @@ struct RoughContactOptions {
 template <Real T>
 [[nodiscard]] T rms_curvature(const Roughness<T>& surface, const PeakDensity<T>& peaks, CurvatureScale scale = {}) {
     const T times_radius =
-        scale == CurvatureScale::consistent ? 1 / peaks.mean_curvature() : 3 * std::sqrt(std::numbers::pi_v<T>) / 8;
+        scale == CurvatureScale::consistent ? 1 / peaks.mean_curvature() : 3 * std::sqrt(numbers::pi_v<T>) / 8;
     return times_radius / surface.peak_radius;
 }
 

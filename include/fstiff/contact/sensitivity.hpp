@@ -22,11 +22,11 @@
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace fstiff {
 
@@ -74,7 +74,7 @@ public:
             const T t = nodes.t()[i], root = nodes.inverse_root()[i];
             const T minus = scaled_moment<-1>(nodes.x()[i]), half = moment[1], three = moment[3];
             // erf'(y), and t^(1/2) d/dt (t^(-1/2) erf(k t)) = k erf'(k t) - erf(k t)/(2 t)
-            const T layer = nodes.mass()[i] * 2 * std::numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
+            const T layer = nodes.mass()[i] * 2 * numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
             const T with_erf = by_erf[i] * root;
             const T with_r = (k_ * layer - by_erf[i] * root * root / 2) * root;
             const T with_theta = layer * t * root;
@@ -103,7 +103,7 @@ LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
     const T half = sums.total(Sums::j_half), three = sums.total(Sums::j_three);
     const T inverse_c = 1 / p.c;
     const T cosine = std::cos(p.theta);
-    const T dk = 1 / (std::numbers::sqrt2_v<T> * cosine * cosine);
+    const T dk = 1 / (numbers::sqrt2_v<T> * cosine * cosine);
     // J[a,b] = c^a/(2 theta) step sum: the common factors cancel in every logarithmic derivative
     const T log_factor = std::log(step / (2 * p.theta)) - p.floor * p.floor / 2;
     const T log_c = std::log(p.c);

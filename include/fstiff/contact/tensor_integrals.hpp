@@ -23,6 +23,7 @@
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/core/estimate.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <Eigen/Core>
 
@@ -30,7 +31,6 @@
 #include <array>
 #include <cmath>
 #include <concepts>
-#include <numbers>
 
 namespace fstiff {
 
@@ -103,7 +103,7 @@ struct TensorSums {
 
     /// \p falls: over how many eighths to extrapolate.
     [[nodiscard]] T error(int falls) const {
-        constexpr T half_root = std::numbers::sqrt2_v<T> / 2;
+        constexpr T half_root = numbers::sqrt2_v<T> / 2;
         const auto extrapolated = [falls](const TensorLanes<T>& s, bool with_sine) {
             // lane i holds node 1 + i: differences and sums of opposite lanes
             const T d0 = s[7] - s[3], d1 = s[0] - s[4], d2 = s[1] - s[5], d3 = s[2] - s[6];
@@ -169,15 +169,15 @@ private:
         if constexpr (KinkedLaw<F, T>) kink = f_.critical(t) / p_.c;
         TensorLanes<T> below = TensorLanes<T>::Zero();
         if (kink > nearest && kink < furthest) {  // tanh-sinh from nearest to the kink
-            const T end = std::asinh((p_.depth + 3) / std::numbers::pi_v<T>);
+            const T end = std::asinh((p_.depth + 3) / numbers::pi_v<T>);
             const T step = 2 * end / T(nodes);
             TensorLanes<T> y = numbers() * step - end;
             for (int j = 0; j < nodes; j += 8, y += 8 * step) {
                 const TensorLanes<T> rise = y.exp(), fall = 1 / rise;
                 const TensorLanes<T> small =
-                    (std::numbers::pi_v<T> / 2 * (fall - rise).abs().min(T(200))).exp().inverse();  // exp(-pi |sinh y|)
+                    (numbers::pi_v<T> / 2 * (fall - rise).abs().min(T(200))).exp().inverse();  // exp(-pi |sinh y|)
                 const TensorLanes<T> share = (y < T(0)).select(small, TensorLanes<T>::Ones()) / (1 + small);
-                const TensorLanes<T> slope = std::numbers::pi_v<T> / 2 * (rise + fall) * small / (1 + small).square();
+                const TensorLanes<T> slope = numbers::pi_v<T> / 2 * (rise + fall) * small / (1 + small).square();
                 below += slope * integrand(nearest + (kink - nearest) * share);
             }
             below *= weight * step * (kink - nearest);

@@ -3,6 +3,8 @@
 /// \file
 /// The scalar that every template of fstiff is written for.
 
+#include <fstiff/core/config.hpp>
+
 #include <concepts>
 
 namespace fstiff {

@@ -7,6 +7,7 @@
 /// that are allowed, in one sentence that a command can print as it is.
 
 #include <fstiff/core/concepts.hpp>
+#include <fstiff/core/config.hpp>
 
 #include <limits>
 #include <locale>

@@ -3,6 +3,8 @@
 /// \file
 /// How a long computation tells its caller how far it is; the library itself prints nothing.
 
+#include <fstiff/core/config.hpp>
+
 #include <cstddef>
 #include <functional>
 #include <string_view>

@@ -257,8 +257,7 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
         const std::string_view written = trimmed(entry.value.substr(number.length));
         const std::string word = lower_case(written);
         const bool counted = word == "px" || word == "pixel" || word == "pixels" || word == "points";
-        const bool whole =
-            number.value >= 1 && number.value <= 4294967296.0 && number.value == std::floor(number.value);
+        const bool whole = number.value >= 1 && number.value < 4294967296.0 && number.value == std::floor(number.value);
         const bool short_count = (entry.key == "w" || entry.key == "h") && written.empty();
         if (columns || rows || counted || (short_count && whole)) {
             if (!whole || dx || dy || !(written.empty() || counted)) continue;

@@ -17,13 +17,14 @@
 ///             (tests/io/quantity_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/core/text.hpp>
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -284,11 +285,11 @@ inline LeadingNumber leading_number(std::string_view text, int exponent = 0) {
     const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
     const std::size_t point = text.size() > sign && text[sign] == '.' ? 1 : 0;
     if (text.size() <= sign + point || !is_digit(text[sign + point])) return {};
-    const std::size_t skipped = text[0] == '+' ? 1 : 0;  // from_chars knows no "+"
+    const std::size_t skipped = text[0] == '+' ? 1 : 0;  // read_decimal knows no "+"
     const char* const first = text.data() + skipped;
     const char* const end = text.data() + text.size();
     LeadingNumber number;
-    const auto parsed = std::from_chars(first, end, number.value);
+    const auto parsed = read_decimal(first, end, number.value);
     number.length = static_cast<std::size_t>(parsed.ptr - text.data());
     bool fits = parsed.ec == std::errc();
     if (fits && exponent != 0) {
@@ -301,7 +302,7 @@ inline LeadingNumber leading_number(std::string_view text, int exponent = 0) {
             std::from_chars(digits.data() + e + 1 + plus, digits.data() + digits.size(), written);
         }
         const std::string joined = std::string(digits.substr(0, e)) + "e" + std::to_string(written + exponent);
-        fits = std::from_chars(joined.data(), joined.data() + joined.size(), number.value).ec == std::errc();
+        fits = read_decimal(joined.data(), joined.data() + joined.size(), number.value).ec == std::errc();
     }
     number.status = fits ? NumberStatus::ok : NumberStatus::out_of_range;
     return number;

@@ -23,6 +23,7 @@
 /// Accuracy    the product with Zscale is rounded once; what write_sdf writes comes back bit for bit
 ///             (tests/io/sdf_test.cpp)
 
+#include <fstiff/core/text.hpp>
 #include <fstiff/io/text_table.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -91,12 +92,6 @@ inline float float_at(std::string_view bytes) { return std::bit_cast<float>(litt
 template <class T>
 void put_little_endian(std::string& bytes, T value) {
     for (std::size_t i = 0; i < sizeof(T); ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xff);
-}
-
-/// The shortest text that reads back as \p value, whatever the locale.
-inline std::string exact_text(double value) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
 class SdfReader {
@@ -458,13 +453,13 @@ inline void write_sdf(std::ostream& output, const HeightMap<double>& map, const 
         const std::string end = "\r\n";
         text = "aISO-1.0" + end + "ManufacID = " + options.manufacturer + end + "CreateDate = " + options.date + end +
                "ModDate = " + options.date + end + "NumPoints = " + std::to_string(map.columns()) + end +
-               "NumProfiles = " + std::to_string(map.rows()) + end + "Xscale = " + detail::exact_text(map.dx) + end +
-               "Yscale = " + detail::exact_text(map.dy) + end + "Zscale = 1" + end + "Zresolution = -1" + end +
+               "NumProfiles = " + std::to_string(map.rows()) + end + "Xscale = " + shortest_text(map.dx) + end +
+               "Yscale = " + shortest_text(map.dy) + end + "Zscale = 1" + end + "Zresolution = -1" + end +
                "Compression = 0" + end + "DataType = 7" + end + "CheckType = 0" + end + "*" + end;
         for (Eigen::Index j = 0; j < map.rows(); ++j) {
             for (Eigen::Index i = 0; i < map.columns(); ++i) {
                 const double z = map.heights(j, i);
-                text += (i == 0 ? "" : " ") + (std::isnan(z) ? std::string("BAD") : detail::exact_text(z));
+                text += (i == 0 ? "" : " ") + (std::isnan(z) ? std::string("BAD") : shortest_text(z));
             }
             text += end;
         }

@@ -7,6 +7,7 @@
 /// Valid       lines up to 2^20 characters, files up to 2^30 bytes
 /// Accuracy    numbers are correctly rounded
 
+#include <fstiff/core/text.hpp>
 #include <fstiff/io/quantity.hpp>
 
 #include <algorithm>
@@ -50,10 +51,7 @@ inline std::string shown_cell(std::string_view cell) {
 }
 
 /// A number for a message, whatever the locale.
-inline std::string number_text(double value) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 10).ptr};
-}
+inline std::string number_text(double value) { return rounded_text(value, 10); }
 
 /// All bytes of \p input, of which there may be 2^30.
 inline std::string read_bytes(std::istream& input, const std::string& name) {

@@ -12,6 +12,7 @@
 /// Valid       what the readers accept: 16 points of a profile, 2 a side of a map, heights that vary
 /// Accuracy    heights and spacings come back bit for bit (tests/io/write_csv_test.cpp)
 
+#include <fstiff/core/text.hpp>
 #include <fstiff/io/map_text.hpp>
 #include <fstiff/io/sdf.hpp>
 
@@ -32,18 +33,18 @@ inline void put_text(std::ostream& output, const std::string& text) {
 }
 
 /// A height of a map.
-inline std::string map_cell(double z) { return std::isnan(z) ? "nan" : exact_text(z); }
+inline std::string map_cell(double z) { return std::isnan(z) ? "nan" : shortest_text(z); }
 
 }  // namespace detail
 
 inline void write_csv(std::ostream& output, const Profile<double>& profile) {
     profile.validate(16);
     require_positive("length", profile.length());
-    std::string text = "# Spacing: " + detail::exact_text(profile.spacing) + " m\nx [m],z [m]\n";
+    std::string text = "# Spacing: " + shortest_text(profile.spacing) + " m\nx [m],z [m]\n";
     for (std::size_t i = 0; i < profile.size(); ++i) {
         const double z = profile.heights[i];
-        text += detail::exact_text(static_cast<double>(i) * profile.spacing) + ',' +
-                (std::isnan(z) ? std::string() : detail::exact_text(z)) + '\n';
+        text += shortest_text(static_cast<double>(i) * profile.spacing) + ',' +
+                (std::isnan(z) ? std::string() : shortest_text(z)) + '\n';
     }
     detail::put_text(output, text);
 }
@@ -55,11 +56,11 @@ inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapFor
     require_positive("height", height);
     if (form == MapForm::automatic) throw domain_error("form = automatic: must be matrix or triples");
     const std::string spacings =
-        "# dx: " + detail::exact_text(map.dx) + " m\n# dy: " + detail::exact_text(map.dy) + " m\n";
+        "# dx: " + shortest_text(map.dx) + " m\n# dy: " + shortest_text(map.dy) + " m\n";
     std::string text;
     if (form == MapForm::matrix) {
-        text = "# Form: matrix\n# Channel: height\n# Width: " + detail::exact_text(width) +
-               " m\n# Height: " + detail::exact_text(height) + " m\n# Value units: m\n" + spacings;
+        text = "# Form: matrix\n# Channel: height\n# Width: " + shortest_text(width) +
+               " m\n# Height: " + shortest_text(height) + " m\n# Value units: m\n" + spacings;
         for (Eigen::Index j = 0; j < map.rows(); ++j)
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 text += detail::map_cell(map.heights(j, i)) + (i + 1 < map.columns() ? '\t' : '\n');
@@ -67,8 +68,8 @@ inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapFor
         text = "# Form: triples\n" + spacings + "x [m],y [m],z [m]\n";
         for (Eigen::Index j = 0; j < map.rows(); ++j)
             for (Eigen::Index i = 0; i < map.columns(); ++i)
-                text += detail::exact_text(static_cast<double>(i) * map.dx) + ',' +
-                        detail::exact_text(static_cast<double>(j) * map.dy) + ',' +
+                text += shortest_text(static_cast<double>(i) * map.dx) + ',' +
+                        shortest_text(static_cast<double>(j) * map.dy) + ',' +
                         detail::map_cell(map.heights(j, i)) + '\n';
     }
     detail::put_text(output, text);

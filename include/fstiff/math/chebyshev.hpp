@@ -11,6 +11,7 @@
 /// Accuracy    that of the samples times log(degree), and the first coefficients left out; each derivative costs degree^2
 
 #include <fstiff/core/concepts.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <Eigen/Core>
 
@@ -39,8 +40,7 @@ public:
         std::array<T, capacity> value;
         std::array<T, 4 * capacity> cosine;  // cos(pi m / (2 points))
         for (std::size_t m = 0; m < 4 * points; ++m)
-            cosine[m] =
-                m == points || m == 3 * points ? T(0) : std::cos(std::numbers::pi_v<T> * T(m) / (2 * T(points)));
+            cosine[m] = m == points || m == 3 * points ? T(0) : std::cos(numbers::pi_v<T> * T(m) / (2 * T(points)));
         for (std::size_t k = 0; k < points; ++k) value[k] = f(middle_ + half_ * cosine[2 * k + 1]);
         for (std::size_t j = 0; j < points; ++j) {
             T sum = 0;
@@ -158,7 +158,7 @@ private:
     LobattoPiece() {
         std::array<long double, N> x;
         for (std::size_t k = 0; k < N; ++k)
-            x[k] = -std::cos(std::numbers::pi_v<long double> * static_cast<long double>(k) / (N - 1));
+            x[k] = -std::cos(numbers::pi_v<long double> * static_cast<long double>(k) / (N - 1));
         if constexpr (N % 2 == 1) x[N / 2] = 0;
         for (std::size_t k = 0; k < N; ++k) {
             std::array<long double, N> product{1};

@@ -41,11 +41,16 @@ struct RootResult {
     [[nodiscard]] constexpr bool converged() const noexcept { return status == RootStatus::converged; }
 };
 
+/// As many evaluations as bisection needs, three times over, for a slope that misleads.
+template <Real T>
+inline constexpr int root_iterations = std::max(200, 3 * std::numeric_limits<T>::digits);
+
 /// The root of the monotone function \p f in [\p lower, \p upper], sought from \p guess (moved there when outside).
 /// \p f takes x and returns a pair {value, slope}. Does not allocate; throws only what f throws.
 template <Real T, class F>
-[[nodiscard]] RootResult<T> newton_bracketed(F f, T lower, T upper, T guess, T tolerance,
-                                             int max_iterations = 200) noexcept(std::is_nothrow_invocable_v<F&, T>) {
+[[nodiscard]] RootResult<T> newton_bracketed(
+    F f, T lower, T upper, T guess, T tolerance,
+    int max_iterations = root_iterations<T>) noexcept(std::is_nothrow_invocable_v<F&, T>) {
     if (!(std::isfinite(lower) && std::isfinite(upper) && lower <= upper)) return {guess, 0, 0, RootStatus::no_bracket};
 
     T low = lower, high = upper;               // the root is between them

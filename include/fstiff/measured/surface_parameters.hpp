@@ -34,11 +34,11 @@
 ///             surfaces as long as their longest wave 0.5 to 0.9, or shorter 0.4 to 0.7; R_p 0.5 to 0.7
 ///             (tests/measured/surface_parameters_test.cpp)
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/topography/islands.hpp>
 
 #include <array>
-#include <numbers>
 
 namespace fstiff {
 
@@ -158,8 +158,8 @@ Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
         std::asin(std::min(S(1), curvature / slope / 2));  // curvature = 2 slope is a zigzag, but for rounding
     if (count == PeakCount::profile) {
         const S share = sums.peaks / sums.triples;
-        e[1] = 3 * std::sqrt(std::numbers::pi_v<S>) / 8 / curvature;
-        e[2] = 2 * std::numbers::pi_v<S> / (3 * std::sqrt(S(3))) * share * share;
+        e[1] = 3 * std::sqrt(numbers::pi_v<S>) / 8 / curvature;
+        e[2] = 2 * numbers::pi_v<S> / (3 * std::sqrt(S(3))) * share * share;
     } else if (count == PeakCount::summits) {
         e[1] = sums.summits / sums.summit_curvature;
         e[2] = sums.summits / sums.inner;
@@ -248,7 +248,7 @@ void take_over(SurfaceParameters<T>& result, const Estimates<Sum<T>>& whole, con
     else if (!(r < T(1)))
         result.peaks_refusal =
             "r = " + shown(r) + ", must be less than 1: too near to a single sine, a straight line or a zigzag";
-    else if (!(theta < std::numbers::pi_v<T> / 2))
+    else if (!(theta < numbers::pi_v<T> / 2))
         result.peaks_refusal = "theta = pi/2, must be less: every point stands above or below both of its neighbours";
     else {
         result.r = {r, static_cast<T>(spread.error[4])};

@@ -16,6 +16,7 @@
 /// Valid       values in the range of each parameter, errors finite and not negative, a correlation that is positive
 ///             semidefinite (an eigenvalue below -1e-9 is refused)
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -37,7 +38,7 @@ template <Real T>
         case Parameter::r:
             return x >= T(0) && x < T(1);
         case Parameter::theta:
-            return x > T(0) && x < std::numbers::pi_v<T> / 2;
+            return x > T(0) && x < numbers::pi_v<T> / 2;
         default:
             return x > T(0) && x <= std::numeric_limits<T>::max();
     }
@@ -134,7 +135,7 @@ template <Real T>
 T SurfaceSampler<T>::normal() {
     const T uniform = static_cast<T>((detail::splitmix64(state_) >> 11) + 1) * T(0x1p-53L);  // in (0, 1]
     const T turn = static_cast<T>(detail::splitmix64(state_) >> 11) * T(0x1p-53L);
-    return std::sqrt(-2 * std::log(uniform)) * std::cos(2 * std::numbers::pi_v<T> * turn);
+    return std::sqrt(-2 * std::log(uniform)) * std::cos(2 * numbers::pi_v<T> * turn);
 }
 
 template <Real T>

@@ -44,7 +44,9 @@
 ///             D within 0.02 and its own 3 sigma, G within a factor 1.5; 200 random walks of 1000 points: the error of
 ///             D is 0.8 to 1.25 times the scatter of D (tests/profile/fractal_fit_test.cpp)
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
@@ -53,10 +55,8 @@
 
 #include <Eigen/Dense>
 
-#include <charconv>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <optional>
 
 namespace fstiff {
@@ -192,10 +192,7 @@ inline constexpr std::size_t least_window_lags = 4;
 /// Number as text for an error message, four digits, whatever the locale.
 template <Real T>
 std::string shown(T value) {
-    char digits[32];
-    const auto end =
-        std::to_chars(digits, digits + sizeof digits, static_cast<double>(value), std::chars_format::general, 4).ptr;
-    return {digits, end};
+    return rounded_text(value, 4);
 }
 
 /// Ordinary slope of y over x for the points first ... last.
@@ -371,7 +368,7 @@ LogFit<T> log_fit(const Vector<T>& x, const Vector<T>& y, const Vector<T>& root_
     }
     if (log_periodic)
         for (const int harmonic : {1, 2}) {
-            const auto angle = (2 * static_cast<T>(harmonic) * std::numbers::pi_v<T> / log_gamma * x.array()).eval();
+            const auto angle = (2 * static_cast<T>(harmonic) * numbers::pi_v<T> / log_gamma * x.array()).eval();
             columns.col(next++) = angle.cos();
             columns.col(next++) = angle.sin();
         }

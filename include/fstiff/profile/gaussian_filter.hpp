@@ -18,10 +18,9 @@
 /// Accuracy    transmission 1e-6 for a cut-off of 5 spacings, 1e-13 from 10 spacings on, at wavelengths of 10 spacings
 ///             and more (tests/profile/gaussian_filter_test.cpp); weights below 1e-17 of the middle one are left out
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/structure_function.hpp>
-
-#include <numbers>
 
 namespace fstiff {
 
@@ -43,7 +42,7 @@ T gaussian_transmission(T wavelength, T cutoff) {
     require_positive("wavelength", wavelength);
     require_positive("cut-off", cutoff);
     const T ratio = cutoff / wavelength;
-    return std::exp(-std::numbers::ln2_v<T> * ratio * ratio);  // pi a^2 = ln 2
+    return std::exp(-numbers::ln2_v<T> * ratio * ratio);  // pi a^2 = ln 2
 }
 
 template <Real T>
@@ -59,7 +58,7 @@ Profile<T> gaussian_waviness(const Profile<T>& profile, T cutoff) {
     const F width = static_cast<F>(cutoff) / static_cast<F>(profile.spacing);  // in samples
     const auto weight = [&](std::size_t k) {
         const F x = static_cast<F>(k) / width;
-        return std::exp(-std::numbers::pi_v<F> * std::numbers::pi_v<F> / std::numbers::ln2_v<F> * x * x);
+        return std::exp(-numbers::pi_v<F> * numbers::pi_v<F> / numbers::ln2_v<F> * x * x);
     };
     const std::size_t reach = std::min(size - 1, static_cast<std::size_t>(F(1.66) * width) + 1);  // weights to 1e-17
 

@@ -17,9 +17,8 @@
 /// Valid       16 points and a triple at least; a profile whose r reaches 1 (a single sine) or theta pi/2 is refused
 /// Accuracy    identities between the statistics 1e-14 in double (tests/profile/peak_statistics_test.cpp)
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/profile/profile.hpp>
-
-#include <numbers>
 
 namespace fstiff {
 
@@ -35,7 +34,7 @@ struct PeakStatistics {
     std::size_t triples{};   ///< of existing neighbours
 
     /// theta/pi: what (4.3) expects counted_peak_ratio to be on a Gaussian profile.
-    [[nodiscard]] T peak_ratio() const { return theta / std::numbers::pi_v<T>; }
+    [[nodiscard]] T peak_ratio() const { return theta / numbers::pi_v<T>; }
 };
 
 /// Statistics of \p profile about its mean: remove its form first, with detrend().
@@ -79,8 +78,7 @@ PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
     result.theta = static_cast<T>(std::asin(sine));
     require(result.r < T(1), "r of the profile", result.r,
             "less than 1: this profile is too near to a single sine, or too short");
-    require(result.theta < std::numbers::pi_v<T> / 2, "theta of the profile", result.theta,
-            "less than pi/2: no zigzag");
+    require(result.theta < numbers::pi_v<T> / 2, "theta of the profile", result.theta, "less than pi/2: no zigzag");
     result.counted_peak_ratio = static_cast<T>(peaks) / static_cast<T>(result.triples);
     result.peaks_per_length = result.counted_peak_ratio / profile.spacing;
     return result;

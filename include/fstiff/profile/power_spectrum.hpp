@@ -22,10 +22,10 @@
 /// Accuracy    Parseval 1e-13; D of 100 fractional Brownian profiles of 4096 points, H = 0.3, 0.5, 0.8: mean within 0.02,
 ///             scatter 0.8 to 1.25 of its error (tests/profile/power_spectrum_test.cpp)
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
-#include <numbers>
 #include <optional>
 
 namespace fstiff {
@@ -113,7 +113,7 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
     std::vector<F> window(points);
     detail::CompensatedSum<F> weight, squares, weighted;
     for (std::size_t i = 0; i < points; ++i) {
-        const F sine = std::sin(std::numbers::pi_v<F> * (static_cast<F>(i) + F(0.5)) / static_cast<F>(points));
+        const F sine = std::sin(numbers::pi_v<F> * (static_cast<F>(i) + F(0.5)) / static_cast<F>(points));
         window[i] = sine * sine;
         weight.add(window[i]);
         squares.add(window[i] * window[i]);
@@ -127,8 +127,8 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
 
     PowerSpectrum<T> spectrum;
     const F h = static_cast<F>(profile.spacing), size = static_cast<F>(fft.size());
-    const F factor = h / (std::numbers::pi_v<F> * squares.value());
-    spectrum.step = static_cast<T>(2 * std::numbers::pi_v<F> / (size * h));
+    const F factor = h / (numbers::pi_v<F> * squares.value());
+    spectrum.step = static_cast<T>(2 * numbers::pi_v<F> / (size * h));
     spectrum.independent = static_cast<T>(F(35) / 18 * size / static_cast<F>(points));
     for (std::size_t k = 0; k < transform.size(); ++k) {
         spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
@@ -146,7 +146,7 @@ SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
     using F = detail::Sum<T>;
     if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
     require_positive("step of the wavenumber", spectrum.step);
-    const F turn = 2 * std::numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);
+    const F turn = 2 * numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);
     const F longest = turn / static_cast<F>(spectrum.step), shortest = longest / last;  // two spacings
     SpectralFit<T> fit;
     fit.window = window ? *window : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};

@@ -23,6 +23,7 @@
 ///             random bits are the same on every platform; heights agree to the rounding of the local log, cos and pow.
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 
 #include <Eigen/Core>
@@ -33,7 +34,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -77,7 +77,7 @@ std::complex<T> normal_pair(std::uint64_t seed, std::int32_t kx, std::int32_t ky
             (static_cast<std::uint64_t>(static_cast<std::uint32_t>(ky)) << 32 | static_cast<std::uint32_t>(kx));
     const T uniform = static_cast<T>((splitmix64(state) >> 11) + 1) * T(0x1p-53L);  // in (0, 1]: its log exists
     const T turn = static_cast<T>(splitmix64(state) >> 11) * T(0x1p-53L);
-    return std::polar(std::sqrt(-2 * std::log(uniform)), 2 * std::numbers::pi_v<T> * turn);
+    return std::polar(std::sqrt(-2 * std::log(uniform)), 2 * numbers::pi_v<T> * turn);
 }
 
 /// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.

@@ -19,11 +19,11 @@
 /// Accuracy    20 ulp for 1.001 <= D <= 1.999 (tests/surface/structure_constant_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace fstiff {
 
@@ -37,7 +37,7 @@ template <Real T>
                                    T gamma = T(1.5)) {
     require_fractal_dimension(fractal_dimension);
     require(gamma > T(1) && gamma <= std::numeric_limits<T>::max(), "gamma", gamma, "finite and greater than 1");
-    constexpr T pi = std::numbers::pi_v<T>;
+    constexpr T pi = numbers::pi_v<T>;
     const T above = fractal_dimension - 1, below = 2 - fractal_dimension;  // both exact
     const T g = pi / (2 * std::tgamma(2 * below) * std::sin(pi * (above < below ? above : below)));
     if (convention == StructureConvention::paper) return g / below;

@@ -27,6 +27,7 @@
 ///             where the waves span a factor of 4 at most; 1.04 to 1.25 at 8, 1.1 to 1.7 at 16: that number is the one
 ///             of islands less lakes, and in wide bands islands have lakes.
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -38,7 +39,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -340,7 +340,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
             const auto islands = static_cast<S>(total.islands);
             area = static_cast<T>(static_cast<S>(total.points) / islands) * cell;
             height = static_cast<T>(std::max(S(0), total.height_above(forest.reference(level)) / islands));
-            radius = height > T(0) ? area / (2 * std::numbers::pi_v<T> * height) : T(0);
+            radius = height > T(0) ? area / (2 * numbers::pi_v<T> * height) : T(0);
             require(radius <= std::numeric_limits<T>::max(), "mean island height", height,
                     "larger: the radius leaves the range of numbers");
         }
@@ -440,7 +440,7 @@ RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const I
         }
         if (!(best.height > S(0))) continue;  // a draw without islands says nothing
         const S d = best.islands / points / whole_density - 1;
-        const S r = best.points * cell / (2 * std::numbers::pi_v<S> * best.height) / static_cast<S>(result.radius) - 1;
+        const S r = best.points * cell / (2 * numbers::pi_v<S> * best.height) / static_cast<S>(result.radius) - 1;
         d1 += d;
         r1 += r;
         dd += d * d;

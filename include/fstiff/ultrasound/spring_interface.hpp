@@ -24,12 +24,12 @@
 ///             as exact (tests/ultrasound/spring_interface_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 
 namespace fstiff {
 
@@ -137,7 +137,7 @@ T acoustic_impedance(T density, T velocity) {
 template <Real T>
 T angular_frequency(T frequency) {
     require_positive("frequency", frequency);
-    return 2 * std::numbers::pi_v<T> * frequency;
+    return 2 * numbers::pi_v<T> * frequency;
 }
 
 template <Real T>

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// What fstiff needs of a compiler, each with one clear error, and what the standard library lacks.
+///
+///     C++20                 concepts, std::bit_cast, std::span
+///     NaN and infinity      NaN is the missing point of a profile or a map, and every check of an argument is written so
+///                           that NaN fails it. Under -ffinite-math-only (a part of -ffast-math) the compiler takes such
+///                           comparisons for false or true as it likes: wrong numbers pass without a word. The other parts
+///                           of -ffast-math give no wrong result, but associative-math takes away the digits that
+///                           compensated sums gain.
+///     round every operation not the x87 unit, which keeps 64 bits and rounds when it stores: compensated sums, and the
+///                           argument reduction of the Gaussian, rest on the rounding of each operation
+///
+///     FSTIFF_HAS_FLOAT_FROM_CHARS, FSTIFF_HAS_FLOAT_TO_CHARS    1 where std::from_chars, std::to_chars take float and
+///                           double. Either may be defined as 0 before the first include, to have the substitutes of
+///                           core/text.hpp.
+
+#if defined(_MSVC_LANG)
+#if _MSVC_LANG < 202002L
+#error "fstiff needs C++20: compile with /std:c++20 or later"
+#endif
+#elif !defined(__cplusplus) || __cplusplus < 202002L
+#error "fstiff needs C++20: compile with -std=c++20 or later (GCC 11, clang 12 or newer)"
+#endif
+
+#if defined(__FINITE_MATH_ONLY__) ? __FINITE_MATH_ONLY__ : (defined(__FAST_MATH__) || defined(_M_FP_FAST))
+#error "fstiff needs NaN (missing points, guards of arguments): no -ffast-math, -ffinite-math-only, /fp:fast"
+#endif
+
+#if (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
+#error "fstiff needs every operation rounded, not the 64 bits of x87: use -msse2 -mfpmath=sse or /arch:SSE2"
+#endif
+
+#include <version>
+
+// libc++ has to_chars of floating point since LLVM 14, from_chars since LLVM 20, both in its shared library: on Apple's
+// systems the oldest system that the program is built for decides. It does not define __cpp_lib_to_chars.
+#ifndef FSTIFF_HAS_FLOAT_FROM_CHARS
+#if defined(_LIBCPP_VERSION)
+#if _LIBCPP_VERSION >= 200000 && (!defined(_LIBCPP_AVAILABILITY_HAS_FROM_CHARS_FLOATING_POINT) || \
+                                  _LIBCPP_AVAILABILITY_HAS_FROM_CHARS_FLOATING_POINT)
+#define FSTIFF_HAS_FLOAT_FROM_CHARS 1
+#endif
+#elif defined(__cpp_lib_to_chars)
+#define FSTIFF_HAS_FLOAT_FROM_CHARS 1
+#endif
+#ifndef FSTIFF_HAS_FLOAT_FROM_CHARS
+#define FSTIFF_HAS_FLOAT_FROM_CHARS 0
+#endif
+#endif
+
+#ifndef FSTIFF_HAS_FLOAT_TO_CHARS
+#if defined(_LIBCPP_AVAILABILITY_HAS_TO_CHARS_FLOATING_POINT)
+#define FSTIFF_HAS_FLOAT_TO_CHARS _LIBCPP_AVAILABILITY_HAS_TO_CHARS_FLOATING_POINT
+#elif defined(_LIBCPP_VERSION)
+#if _LIBCPP_VERSION >= 14000 && !defined(__APPLE__)
+#define FSTIFF_HAS_FLOAT_TO_CHARS 1
+#endif
+#elif defined(__cpp_lib_to_chars)
+#define FSTIFF_HAS_FLOAT_TO_CHARS 1
+#endif
+#ifndef FSTIFF_HAS_FLOAT_TO_CHARS
+#define FSTIFF_HAS_FLOAT_TO_CHARS 0
+#endif
+#endif

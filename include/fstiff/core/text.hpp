@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Floating-point numbers to and from text: the one place that knows what the standard library lacks (core/config.hpp).
+///
+///     shortest_text(0.1)              "0.1"            reads back as the same number
+///     rounded_text(2.0 / 3, 4)        "0.6667"         as printf %.4g; 17 digits read back as the same double
+///     fixed_text(2.0 / 3, 1)          "0.7"            as printf %.1f
+///     hexadecimal_text(0.375)         "1.8p-2"         exact, as printf %a without 0x
+///
+/// The decimal sign is the point in every locale.
+///
+/// Valid       numbers that are not finite are written as inf, nan, and never read
+/// Accuracy    reading is correctly rounded, shortest_text and hexadecimal_text read back bit for bit, rounded_text and
+///             fixed_text are correctly rounded (tests/core/text_test.cpp). Without std::to_chars of the scalar
+///             shortest_text has the same digits, but may write 1e+05 for 100000.
+
+#include <fstiff/core/concepts.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <system_error>
+#include <type_traits>
+
+namespace fstiff {
+
+/// float or double: what can be read back.
+template <class T>
+concept ReadableReal = Real<T> && !std::is_same_v<T, long double>;
+
+/// The fewest digits that read back as \p value.
+template <ReadableReal T>
+[[nodiscard]] std::string shortest_text(T value);
+
+/// \p digits significant digits, trailing zeros dropped.
+template <Real T>
+[[nodiscard]] std::string rounded_text(T value, int digits);
+
+/// \p decimals digits after the point.
+template <Real T>
+[[nodiscard]] std::string fixed_text(T value, int decimals);
+
+/// Hexadecimal digits and a power of two, without 0x.
+template <ReadableReal T>
+[[nodiscard]] std::string hexadecimal_text(T value);
+
+/// Reads the decimal number that [\p first, \p last) begins with, as std::from_chars does: no blanks, no "+", as many
+/// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number too
+/// large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
+template <ReadableReal T>
+std::from_chars_result read_decimal(const char* first, const char* last, T& value);
+
+/// The same for what hexadecimal_text writes.
+template <ReadableReal T>
+std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value);
+
+namespace detail {
+
+inline bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_hexadecimal_digit(char c) {
+    return is_decimal_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
+
+/// Whether a digit, or a point and a digit, follow the sign.
+inline bool begins_number(const char* first, const char* last, bool hexadecimal) {
+    if (first != last && *first == '-') ++first;
+    if (first != last && *first == '.') ++first;
+    return first != last && (hexadecimal ? is_hexadecimal_digit(*first) : is_decimal_digit(*first));
+}
+
+#if defined(_LIBCPP_VERSION)
+template <class T>  // libc++ writes a long double as the double nearest to it
+inline constexpr bool has_to_chars = FSTIFF_HAS_FLOAT_TO_CHARS && !std::is_same_v<T, long double>;
+#else
+template <class T>
+inline constexpr bool has_to_chars = FSTIFF_HAS_FLOAT_TO_CHARS;
+#endif
+
+template <Real T, class... Format>
+std::string text_by_to_chars(T value, Format... format) {
+    char few[64];
+    if (const auto [end, error] = std::to_chars(few, few + sizeof few, value, format...); error == std::errc())
+        return {few, end};
+    for (std::string text(256, '\0');; text.resize(2 * text.size()))
+        if (const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, format...);
+            error == std::errc())
+            return text.substr(0, static_cast<std::size_t>(end - text.data()));
+}
+
+/// As printf %.<precision><conversion>; what stands for the decimal point in the locale is replaced by a point.
+template <Real T>
+std::string text_by_printf(T value, char conversion, int precision) {
+    constexpr bool is_long = std::is_same_v<T, long double>;
+    const char format[] = {'%', '.', '*', is_long ? 'L' : conversion, is_long ? conversion : '\0', '\0'};
+    const auto print = [&](char* text, std::size_t size) {
+        if constexpr (is_long)
+            return std::snprintf(text, size, format, precision, value);
+        else
+            return std::snprintf(text, size, format, precision, static_cast<double>(value));
+    };
+    std::string text(static_cast<std::size_t>(print(nullptr, 0)) + 1, '\0');
+    print(text.data(), text.size());
+    text.pop_back();
+    const auto foreign = [](char c) {
+        return !(is_decimal_digit(c) || (c >= 'a' && c <= 'z') || c == '+' || c == '-' || c == '.');
+    };
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (foreign(text[i])) {
+            std::size_t end = i;
+            while (end < text.size() && foreign(text[end])) ++end;
+            text.replace(i, end - i, ".");
+            break;
+        }
+    return text;
+}
+
+#if !FSTIFF_HAS_FLOAT_FROM_CHARS
+/// What from_chars does, by strtod: the characters of the number are copied, with the decimal sign that strtod wants here.
+template <ReadableReal T>
+std::from_chars_result read_by_strtod(const char* first, const char* last, T& value, bool hexadecimal) {
+    const auto is_digit = [&](char c) { return hexadecimal ? is_hexadecimal_digit(c) : is_decimal_digit(c); };
+    std::string copy;
+    const char* at = first;
+    if (*at == '-') copy += *at++;
+    if (hexadecimal) copy += "0x";
+    bool is_zero = true;
+    const auto take_digits = [&] {
+        for (; at != last && is_digit(*at); ++at) {
+            is_zero = is_zero && *at == '0';
+            copy += *at;
+        }
+    };
+    take_digits();
+    if (at != last && *at == '.') {
+        char sample[16];  // "0,5"
+        const int length = std::snprintf(sample, sizeof sample, "%.1f", 0.5);
+        copy.append(sample + 1, static_cast<std::size_t>(length - 2));
+        ++at;
+        take_digits();
+    }
+    if (at != last && (*at | 0x20) == (hexadecimal ? 'p' : 'e')) {
+        const char* exponent = at + 1;
+        if (exponent != last && (*exponent == '+' || *exponent == '-')) ++exponent;
+        if (exponent != last && is_decimal_digit(*exponent)) {
+            while (exponent != last && is_decimal_digit(*exponent)) ++exponent;
+            copy.append(at, exponent);
+            at = exponent;
+        }
+    }
+    T read;
+    if constexpr (std::is_same_v<T, float>)
+        read = std::strtof(copy.c_str(), nullptr);
+    else
+        read = std::strtod(copy.c_str(), nullptr);
+    if ((read == 0 && !is_zero) || std::abs(read) > std::numeric_limits<T>::max())
+        return {at, std::errc::result_out_of_range};
+    value = read;
+    return {at, std::errc()};
+}
+#endif
+
+template <ReadableReal T>
+std::from_chars_result read_number(const char* first, const char* last, T& value, bool hexadecimal) {
+    if (!begins_number(first, last, hexadecimal)) return {first, std::errc::invalid_argument};
+#if FSTIFF_HAS_FLOAT_FROM_CHARS
+    return std::from_chars(first, last, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
+#else
+    return read_by_strtod(first, last, value, hexadecimal);
+#endif
+}
+
+}  // namespace detail
+
+template <ReadableReal T>
+std::string shortest_text(T value) {
+    if constexpr (detail::has_to_chars<T>) {
+        return detail::text_by_to_chars(value);
+    } else {
+        constexpr int most = std::numeric_limits<T>::max_digits10;
+        for (int digits = 1; digits < most; ++digits) {
+            std::string text = detail::text_by_printf(value, 'g', digits);
+            T back{};
+            const auto error = read_decimal(text.data(), text.data() + text.size(), back).ec;
+            if (back == value || error == std::errc::invalid_argument) return text;  // inf and nan are not read
+        }
+        return detail::text_by_printf(value, 'g', most);
+    }
+}
+
+template <Real T>
+std::string rounded_text(T value, int digits) {
+    if constexpr (detail::has_to_chars<T>)
+        return detail::text_by_to_chars(value, std::chars_format::general, digits);
+    else
+        return detail::text_by_printf(value, 'g', digits);
+}
+
+template <Real T>
+std::string fixed_text(T value, int decimals) {
+    if constexpr (detail::has_to_chars<T>)
+        return detail::text_by_to_chars(value, std::chars_format::fixed, decimals);
+    else
+        return detail::text_by_printf(value, 'f', decimals);
+}
+
+template <ReadableReal T>
+std::string hexadecimal_text(T value) {
+    if constexpr (detail::has_to_chars<T>) {
+        return detail::text_by_to_chars(value, std::chars_format::hex);
+    } else {
+        std::string text = detail::text_by_printf(value, 'a', -1);
+        if (const std::size_t prefix = text.find("0x"); prefix != std::string::npos) text.erase(prefix, 2);
+        return text;
+    }
+}
+
+template <ReadableReal T>
+std::from_chars_result read_decimal(const char* first, const char* last, T& value) {
+    return detail::read_number(first, last, value, false);
+}
+
+template <ReadableReal T>
+std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value) {
+    return detail::read_number(first, last, value, true);
+}
+
+}  // namespace fstiff

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# core/config.hpp refuses what fstiff cannot work with, in one clear sentence that comes first, and takes the rest.
+# COMPILER, INCLUDE: of fstiff, WORK.
+cmake_minimum_required(VERSION 3.25)
+file(WRITE ${WORK}/empty.cpp "#include <fstiff/core/error.hpp>\nint main() {}\n")
+
+# compile(expected flag...): expected is a part of the first error, "" when there must be none.
+function(compile expected)
+    execute_process(COMMAND ${COMPILER} -fsyntax-only -I${INCLUDE} ${ARGN} ${WORK}/empty.cpp
+                    RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    string(REGEX MATCH "error: [^\n]*" first "${said}")
+    if((expected STREQUAL "" AND NOT result EQUAL 0)
+       OR (NOT expected STREQUAL "" AND (result EQUAL 0 OR NOT first MATCHES "${expected}")))
+        message(SEND_ERROR "${ARGN}: '${expected}' expected, result ${result}: ${said}")
+    endif()
+endfunction()
+
+compile("" -std=c++20)
+compile("fstiff needs C\\+\\+20" -std=c++17)
+compile("fstiff needs C\\+\\+20" -std=c++11)
+foreach(flag IN ITEMS -ffast-math -Ofast -ffinite-math-only)
+    compile("fstiff needs NaN" -std=c++20 ${flag})
+endforeach()
+compile("" -std=c++20 -ffast-math -fno-finite-math-only)
+compile("" -std=c++20 -fassociative-math -fno-signed-zeros -fno-trapping-math)
+compile("" -std=c++20 -freciprocal-math)
+
+# The x87 unit, where the compiler can use it.
+execute_process(COMMAND ${COMPILER} -std=c++20 -mfpmath=387 -dM -E -x c++ /dev/null
+                RESULT_VARIABLE result OUTPUT_VARIABLE macros ERROR_QUIET)
+if(result EQUAL 0 AND macros MATCHES "__FLT_EVAL_METHOD__ 2")
+    compile("fstiff needs every operation rounded" -std=c++20 -mfpmath=387)
+endif()
