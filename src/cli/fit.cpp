@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff fit: fractal dimension D and roughness G of a measured profile or map, with errors, and its other statistics.
 #include "commands.hpp"
-#include "instances.hpp"
 #include "progress.hpp"
 #include "surface_input.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/measured/sections.hpp>

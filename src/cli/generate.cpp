@@ -3,6 +3,7 @@
 // `islands` read.
 #include "commands.hpp"
 #include "surface_input.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantity.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff islands: the islands of a map against the cutting level, and the pair R, D_p at their greatest density.
 #include "commands.hpp"
-#include "instances.hpp"
 #include "progress.hpp"
 #include "surface_input.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/topography/islands.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measured_surface.hpp"
 
-#include "instances.hpp"
 #include "progress.hpp"
+#include "surface_instances.hpp"
 
 #include <array>
 #include <cmath>

@@ -2,6 +2,7 @@
 // fstiff peaks: the density of peak heights and curvatures, its moments and its height marginal.
 #include "commands.hpp"
 #include "surface_input.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/peaks/peak_density.hpp>

@@ -2,10 +2,10 @@
 // fstiff report: a scene and all that follows from it, on one page that needs nothing else.
 #include "builtin_scene.hpp"
 #include "commands.hpp"
-#include "instances.hpp"
 #include "page.hpp"
 #include "pictures.hpp"
 #include "results.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/core/version.hpp>

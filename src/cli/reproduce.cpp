@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff reproduce: the tables, figures and conclusions of the paper, from its own parameters.
 #include "commands.hpp"
-#include "instances.hpp"
+#include "contact_instances.hpp"
 #include "page.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>

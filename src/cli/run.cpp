@@ -2,6 +2,7 @@
 // fstiff run: a scene to its curves, one per law and peak density.
 #include "builtin_scene.hpp"
 #include "commands.hpp"
+#include "contact_instances.hpp"
 #include "pictures.hpp"
 #include "progress.hpp"
 #include "results.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_input.hpp"
 
-#include "instances.hpp"
 #include "sha256.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
