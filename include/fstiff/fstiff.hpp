@@ -12,6 +12,7 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
 #include <fstiff/math/chebyshev.hpp>
+#include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/gauss_legendre.hpp>

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "progress.hpp"
 #include "surface_input.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/measured/sections.hpp>
@@ -271,7 +272,7 @@ std::string json(const Options& options, const SurfaceInput& input, const Profil
         document["peak_statistics"] = {{"refused", result.no_peaks}};
     put_structure(document, result.structure);
     document["warnings"] = warnings(input, result);
-    return json_text(document);
+    return document.str();
 }
 
 std::string json(const Options& options, const SurfaceInput& input, const MapResult& result) {
@@ -313,7 +314,7 @@ std::string json(const Options& options, const SurfaceInput& input, const MapRes
     document["log_structure_difference"] = json_number(result.fit.log_level_difference);
     document["log_structure_difference_error"] = json_number(result.fit.log_level_difference_error);
     document["warnings"] = warnings(input, result);
-    return json_text(document);
+    return document.str();
 }
 
 std::string window_line(const FractalFit<double>& fit) {
@@ -450,33 +451,29 @@ Report execute(const Options& options) {
 
 Command add_fit(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("fit", "Fractal dimension D and roughness G of a measured profile or map, with errors");
+    Arguments command(app, "fit", "Fractal dimension D and roughness G of a measured profile or map, with errors");
+    command.option("profile", options->surface.file, "profile or map: delimited text, SDF or X3P; - is standard input")
+        .required();
+    add_surface_options(command, options->surface);
+    command.option("--window", options->window, "lags that are fitted, such as \"1 um,100 um\"; default automatic");
+    command.option("--tip-radius", options->tip_radius,
+                   "of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
+    command.option("--resolution", options->resolution, "of the instrument: shorter lags are left out");
     command
-        ->add_option("profile", options->surface.file,
-                     "profile or map: delimited text, SDF or X3P; - is standard input")
-        ->required();
-    add_surface_options(*command, options->surface);
-    command->add_option("--window", options->window,
-                        "lags that are fitted, such as \"1 um,100 um\"; default automatic");
-    command->add_option("--tip-radius", options->tip_radius,
-                        "of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
-    command->add_option("--resolution", options->resolution, "of the instrument: shorter lags are left out");
-    command
-        ->add_option("--convention", options->convention,
-                     "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien")
-        ->check(CLI::IsMember({"exact", "paper", "majumdar_tien"}));
-    command->add_option("--seed", options->seed, "of the bootstrap; default 2014");
-    command->add_option("--resamples", options->resamples, "of the bootstrap; default 200, 0 leaves it out")
-        ->check(CLI::Range(0, 100000));
-    command->add_flag("--all-lags", options->all_lags, "the structure function at every lag (profiles)");
-    add_output_options(*command, options->output);
-    command->footer(
+        .option("--convention", options->convention,
+                "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien")
+        .one_of({"exact", "paper", "majumdar_tien"});
+    command.option("--seed", options->seed, "of the bootstrap; default 2014");
+    command.option("--resamples", options->resamples, "of the bootstrap; default 200, 0 leaves it out")
+        .between(0, 100000);
+    command.flag("--all-lags", options->all_lags, "the structure function at every lag (profiles)");
+    add_output_options(command, options->output);
+    command.footer(
         "The CSV is the structure function; the JSON holds everything. The example makes a random walk, D = 1.5.\n"
         "Example:\n"
         "  awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) print z += rand() - 0.5 }' |\n"
         "      fstiff fit - --spacing \"0.5 um\" --units um");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -3,6 +3,7 @@
 // `islands` read.
 #include "commands.hpp"
 #include "surface_input.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantity.hpp>
@@ -154,39 +155,38 @@ Report execute(const Options& options) {
 
 Command add_generate(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("generate", "Profiles and maps of known D or H, as files to read back");
+    Arguments command(app, "generate", "Profiles and maps of known D or H, as files to read back");
     command
-        ->add_option("kind", options->kind,
-                     "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic")
-        ->required()
-        ->check(CLI::IsMember({"wm", "profile", "map"}));
-    command->add_option("--points", options->points, "of the profile, default 4096; of a row of the map, default 256")
-        ->check(CLI::Range(std::size_t(16), most_points));
-    command->add_option("--rows", options->rows, "of the map; default as many as points")
-        ->check(CLI::Range(std::size_t(16), most_points));
-    command->add_option("--spacing", options->spacing, "between points, such as \"0.5 um\"");
-    command->add_option("--dimension", options->dimension, "D of a wm profile, between 1 and 2");
-    command->add_option("--roughness", options->roughness, "G of a wm profile, such as \"12 nm\"");
-    command->add_option("--gamma", options->gamma, "ratio of neighbouring wavelengths of a wm profile; default 1.5");
-    command->add_option("--hurst", options->hurst, "H of a profile or map, between 0 and 1; D = 2 - H of a section");
-    command->add_option("--rms", options->rms, "Rq or Sq of the profile or map, such as \"1 um\"");
-    command->add_option("--longest", options->longest, "wavelength; default the longest side");
-    command->add_option("--shortest", options->shortest, "wavelength; default two spacings");
+        .option("kind", options->kind,
+                "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic")
+        .required()
+        .one_of({"wm", "profile", "map"});
+    command.option("--points", options->points, "of the profile, default 4096; of a row of the map, default 256")
+        .between(std::size_t(16), most_points);
+    command.option("--rows", options->rows, "of the map; default as many as points")
+        .between(std::size_t(16), most_points);
+    command.option("--spacing", options->spacing, "between points, such as \"0.5 um\"");
+    command.option("--dimension", options->dimension, "D of a wm profile, between 1 and 2");
+    command.option("--roughness", options->roughness, "G of a wm profile, such as \"12 nm\"");
+    command.option("--gamma", options->gamma, "ratio of neighbouring wavelengths of a wm profile; default 1.5");
+    command.option("--hurst", options->hurst, "H of a profile or map, between 0 and 1; D = 2 - H of a section");
+    command.option("--rms", options->rms, "Rq or Sq of the profile or map, such as \"1 um\"");
+    command.option("--longest", options->longest, "wavelength; default the longest side");
+    command.option("--shortest", options->shortest, "wavelength; default two spacings");
     command
-        ->add_option("--long-waves", options->long_waves,
-                     "beyond the longest wavelength: plateau (default), waves as strong as it, or none")
-        ->check(CLI::IsMember({"plateau", "none"}));
-    command->add_option("--seed", options->seed, "of the random phases or amplitudes; default 1");
-    command->add_option("--format", options->form, "csv (default), sdf (binary) or sdf-text")
-        ->type_name("FORMAT")
-        ->check(CLI::IsMember({"csv", "sdf", "sdf-text"}));
-    command->add_option("-o,--output", options->output.file, "write to FILE instead of standard output")
-        ->type_name("FILE");
-    command->footer(
+        .option("--long-waves", options->long_waves,
+                "beyond the longest wavelength: plateau (default), waves as strong as it, or none")
+        .one_of({"plateau", "none"});
+    command.option("--seed", options->seed, "of the random phases or amplitudes; default 1");
+    command.option("--format", options->form, "csv (default), sdf (binary) or sdf-text")
+        .type_name("FORMAT")
+        .one_of({"csv", "sdf", "sdf-text"});
+    command.option("-o,--output", options->output.file, "write to FILE instead of standard output").type_name("FILE");
+    command.footer(
         "The parameters and the seed stand in the first line of the CSV, on standard error for SDF.\n"
         "Example:\n"
         "  fstiff generate profile --points 8192 --spacing \"0.5 um\" --hurst 0.5 --rms \"1 um\" | fstiff fit -");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -449,7 +449,7 @@ std::string json(const Work& work) {
         fits.push_back(std::move(entry));
     }
     document["warnings"] = work.warnings;
-    return json_text(document);
+    return document.str();
 }
 
 /// The measured curve with those that were fitted, and the residuals below.
@@ -544,34 +544,34 @@ Report execute(const Options& options) {
 
 Command add_identify(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "identify", "Parameters of a scene from a measured stiffness or reflection against pressure");
-    command->add_option("scene", options->scene,
-                        "scene file (TOML) with the starting values; - is standard input; without it the fine "
-                        "sand-blasted surface of the paper");
+    Arguments command(app, "identify",
+                      "Parameters of a scene from a measured stiffness or reflection against pressure");
+    command.option("scene", options->scene,
+                   "scene file (TOML) with the starting values; - is standard input; without it the fine "
+                   "sand-blasted surface of the paper");
     command
-        ->add_option("--measured", options->measured,
-                     "file (CSV) of pressure and stiffness or reflection, with their errors if they are known")
-        ->required()
-        ->type_name("FILE");
+        .option("--measured", options->measured,
+                "file (CSV) of pressure and stiffness or reflection, with their errors if they are known")
+        .required()
+        .type_name("FILE");
     command
-        ->add_option("--fit", options->fit,
-                     "what is fitted, of sigma, R, Dp, D, E, r, theta, offset (of the pressure); the rest stays")
-        ->required()
-        ->delimiter(',')
-        ->type_name("NAME,...");
-    command->add_option("--law", options->law, "fit this law of the scene alone")
-        ->check(CLI::IsMember({"fractal", "fractal_consistent", "hertz"}));
-    command->add_option("--wave", options->wave, "what the reflections are of")
-        ->check(CLI::IsMember({"longitudinal", "shear"}))
-        ->capture_default_str();
-    add_output_options(*command, options->output);
+        .option("--fit", options->fit,
+                "what is fitted, of sigma, R, Dp, D, E, r, theta, offset (of the pressure); the rest stays")
+        .required()
+        .delimiter(',')
+        .type_name("NAME,...");
+    command.option("--law", options->law, "fit this law of the scene alone")
+        .one_of({"fractal", "fractal_consistent", "hertz"});
+    command.option("--wave", options->wave, "what the reflections are of")
+        .one_of({"longitudinal", "shear"})
+        .show_default();
+    add_output_options(command, options->output);
     command
-        ->add_option("--plot", options->picture,
-                     "draw the fit and its residuals into FILE (.svg or .html); its numbers (.csv) and a gnuplot "
-                     "script (.gp) go beside it")
-        ->type_name("FILE");
-    command->footer(
+        .option("--plot", options->picture,
+                "draw the fit and its residuals into FILE (.svg or .html); its numbers (.csv) and a gnuplot "
+                "script (.gp) go beside it")
+        .type_name("FILE");
+    command.footer(
         "The measured file begins with its columns and their units: pressure [MPa], stiffness [GPa/um], "
         "stiffness_error [GPa/um].\n"
         "Every law and peak density of the scene is fitted by itself, but for greenwood_williamson. Exit code 4: the "
@@ -579,7 +579,7 @@ Command add_identify(CLI::App& app) {
         "Example:\n"
         "  printf 'pressure [MPa],stiffness [GPa/um],error [GPa/um]\\n1,0.0039,0.0002\\n3,0.0105,0.0005\\n"
         "10,0.029,0.0015\\n30,0.085,0.004\\n' |\n  fstiff identify --measured - --law hertz --fit sigma,Dp");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff integral: the contact integrals J[a,b](eta; r, theta) of rows of numbers, a gauge that anybody can check.
 #include "commands.hpp"
+#include "contact_instances.hpp"
 
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/paper_integrals.hpp>
@@ -196,7 +197,7 @@ Report execute(const Options& options) {
             row["evaluations"] = computed[i].evaluations;
             rows.push_back(std::move(row));
         }
-        report.document = json_text(document);
+        report.document = document.str();
     } else if (options.output.format == Format::csv) {
         report.document = csv_line(header);
         for (std::size_t i = 0; i < computed.size(); ++i) report.document += csv_line(with_results(i, exact, exact));
@@ -214,19 +215,16 @@ Report execute(const Options& options) {
 
 Command add_integral(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("integral", "Contact integrals J[a,b](eta; r, theta) of rows of a CSV table");
-    command->add_option("file", options->file,
-                        "CSV table with the columns a,b,r,theta,eta; - is standard input (default)");
-    command->add_option(
+    Arguments command(app, "integral", "Contact integrals J[a,b](eta; r, theta) of rows of a CSV table");
+    command.option("file", options->file, "CSV table with the columns a,b,r,theta,eta; - is standard input (default)");
+    command.option(
         "--tolerance", options->tolerance,
         "relative error to aim at, 1.2e-14 to 0.1; without it what double precision allows (paper: no effect)");
     command
-        ->add_option("--method", options->method,
-                     "reduced (1-D, default), tensor (2-D) or paper (50 x 50 Gauss-Legendre)")
-        ->check(CLI::IsMember({"reduced", "tensor", "paper"}));
-    add_output_options(*command, options->output, Format::csv);
-    command->footer(
+        .option("--method", options->method, "reduced (1-D, default), tensor (2-D) or paper (50 x 50 Gauss-Legendre)")
+        .one_of({"reduced", "tensor", "paper"});
+    add_output_options(command, options->output, Format::csv);
+    command.footer(
         "J[a,b] = int_0^inf dt int_eta^inf dzeta t^b (zeta-eta)^a p(zeta,t): a in {0, 0.5, 1, 1.5}, b in {0, -0.5, "
         "-1},\n"
         "0 <= r < 1, 0 < theta < pi/2 (radians). The rows come back with value,error,evaluations added; other columns\n"
@@ -237,7 +235,7 @@ Command add_integral(CLI::App& app) {
         "same.\n"
         "Example:\n"
         "  printf 'a,b,r,theta,eta\\n0.5,-0.5,0.5,1.0471975511965976,2\\n' | fstiff integral --tolerance 1e-10");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "progress.hpp"
 #include "surface_input.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/topography/islands.hpp>
@@ -117,7 +118,7 @@ std::string json(const Options& options, const SurfaceInput& input, const Result
                          {"mean_height_m", json_numbers(c.mean_height)},
                          {"radius_m", json_numbers(c.radius)}};
     document["warnings"] = warnings(input, result);
-    return json_text(document);
+    return document.str();
 }
 
 std::string table(const Options& options, const SurfaceInput& input, const Result& result) {
@@ -184,34 +185,30 @@ Report execute(const Options& options) {
 
 Command add_islands(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("islands", "Islands of a map at every cutting level, and peak radius R and density D_p");
-    command->add_option("map", options->surface.file, "delimited text, SDF or X3P; - is standard input")->required();
-    add_surface_options(*command, options->surface, SurfaceKind::map);
-    command->add_option("--neighbours", options->neighbours, "of a point: 8 (default) or 4")
-        ->check(CLI::IsMember({4, 8}));
-    command->add_option("--border", options->border, "islands that reach the edge of the map: keep (default) or drop")
-        ->check(CLI::IsMember({"keep", "drop"}));
-    command->add_option("--least-points", options->least_points, "of an island that counts; default 1");
-    command
-        ->add_option("--island-height", options->height,
-                     "of an island: peak (default), its highest point, or twice-mean")
-        ->check(CLI::IsMember({"peak", "twice-mean"}));
-    command->add_option("--levels", options->levels,
-                        "number of levels, at equal steps of bearing area; default 200, 0 for every height");
-    command->add_option("--tiles", options->spread.tiles,
-                        "a side, that are drawn from for the errors; default 4, 1 leaves the errors out");
-    command->add_option("--resamples", options->spread.resamples, "draws of the tiles; default 400");
-    command->add_option("--seed", options->spread.seed, "of the draws; default 2014");
-    add_output_options(*command, options->output);
-    command->footer(
+    Arguments command(app, "islands", "Islands of a map at every cutting level, and peak radius R and density D_p");
+    command.option("map", options->surface.file, "delimited text, SDF or X3P; - is standard input").required();
+    add_surface_options(command, options->surface, SurfaceKind::map);
+    command.option("--neighbours", options->neighbours, "of a point: 8 (default) or 4").one_of({4, 8});
+    command.option("--border", options->border, "islands that reach the edge of the map: keep (default) or drop")
+        .one_of({"keep", "drop"});
+    command.option("--least-points", options->least_points, "of an island that counts; default 1");
+    command.option("--island-height", options->height, "of an island: peak (default), its highest point, or twice-mean")
+        .one_of({"peak", "twice-mean"});
+    command.option("--levels", options->levels,
+                   "number of levels, at equal steps of bearing area; default 200, 0 for every height");
+    command.option("--tiles", options->spread.tiles,
+                   "a side, that are drawn from for the errors; default 4, 1 leaves the errors out");
+    command.option("--resamples", options->spread.resamples, "draws of the tiles; default 400");
+    command.option("--seed", options->spread.seed, "of the draws; default 2014");
+    add_output_options(command, options->output);
+    command.footer(
         "The CSV is the curve; the JSON holds everything. R = A_m/(2 pi h_m), of the mean island of the level at "
         "which\n"
         "islands are densest.\n"
         "Example:\n"
         "  fstiff generate map --points 256 --spacing \"1 um\" --hurst 0.8 --rms \"1 um\" --shortest \"8 um\" |\n"
         "      fstiff islands -");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

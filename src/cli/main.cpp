@@ -29,39 +29,19 @@ int execute(const Command& command) {
 }
 
 int run_main(int argc, char** argv) {
-    CLI::App app{"Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
-                 "fstiff"};
-    app.set_version_flag("--version", "fstiff " FSTIFF_VERSION);
-    app.require_subcommand(1);
-    app.footer(
-        "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, 4 result outside validity or not "
-        "converged.\n"
-        "Example:\n  fstiff run");
+    Program program("fstiff", "fstiff " FSTIFF_VERSION,
+                    "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
+                    "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, 4 result outside validity or "
+                    "not converged.\nExample:\n  fstiff run");
+    CLI::App& app = program.app();
     const std::vector<Command> commands{add_run(app),      add_measure(app),   add_fit(app),      add_islands(app),
                                         add_peaks(app),    add_integral(app),  add_generate(app), add_ultrasound(app),
                                         add_identify(app), add_reproduce(app), add_report(app)};
-    std::string names;
-    for (const Command& command : commands) names += (names.empty() ? "" : ", ") + command.app->get_name();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {  // --help, --version
-            app.exit(error);
-            deliver("", "");  // refuses when that could not be written
-            return success;
-        }
-        const auto chosen = app.get_subcommands();
-        if (chosen.empty() && !app.remaining().empty())
-            say(app.remaining().front() + ": is no subcommand or option; must be one of " + names +
-                "; see fstiff --help");
-        else
-            say(std::string(error.what()) + "; see fstiff " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
-                "--help");
-        return usage_error;
-    }
+    const CLI::App* chosen = program.parse(argc, argv);
     for (const Command& command : commands)
-        if (command.app->parsed()) return execute(command);
-    return usage_error;
+        if (command.app == chosen) return execute(command);
+    deliver("", "");  // refuses when the help could not be written
+    return success;
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ Report execute(const Options& options) {
                                    {"window", m.window},
                                    {"resamples", m.resamples},
                                    {"seed", m.seed}});
-        report.document = json_text(document);
+        report.document = document.str();
     }
     for (const std::string& warning : surface.warnings) report.diagnostics.push_back("warning: " + warning);
     return report;
@@ -64,25 +64,25 @@ Report execute(const Options& options) {
 Command add_measure(CLI::App& app) {
     auto options = std::make_shared<Options>();
     MeasureOptions& measure = options->measure;
-    CLI::App* command = app.add_subcommand(
-        "measure", "Every parameter of a scene's surface from a measured profile or map, with errors");
-    command->add_option("file", measure.input.file, "profile or map of any form; - is standard input")->required();
-    add_surface_options(*command, measure.input);
-    command->add_option("--peaks", measure.peaks, "of a map, R and D_p of its islands (default) or its summits")
-        ->check(CLI::IsMember({"islands", "summits"}));
-    command->add_option("--tip-radius", measure.tip_radius,
-                        "of the stylus, of a profile: shorter lags that may show it do not enter D");
-    command->add_option("--resolution", measure.resolution, "of the instrument: shorter lags do not enter D");
-    command->add_option("--window", measure.window, "lags that give D, such as \"1 um,100 um\"; default automatic");
-    command->add_option("--resamples", measure.resamples, "for the errors; default 400")->check(CLI::Range(2, 100000));
-    command->add_option("--seed", measure.seed, "of the resamples; default 2014");
-    add_output_options(*command, options->output, Format::json);
-    command->footer(
+    Arguments command(app, "measure",
+                      "Every parameter of a scene's surface from a measured profile or map, with errors");
+    command.option("file", measure.input.file, "profile or map of any form; - is standard input").required();
+    add_surface_options(command, measure.input);
+    command.option("--peaks", measure.peaks, "of a map, R and D_p of its islands (default) or its summits")
+        .one_of({"islands", "summits"});
+    command.option("--tip-radius", measure.tip_radius,
+                   "of the stylus, of a profile: shorter lags that may show it do not enter D");
+    command.option("--resolution", measure.resolution, "of the instrument: shorter lags do not enter D");
+    command.option("--window", measure.window, "lags that give D, such as \"1 um,100 um\"; default automatic");
+    command.option("--resamples", measure.resamples, "for the errors; default 400").between(2, 100000);
+    command.option("--seed", measure.seed, "of the resamples; default 2014");
+    add_output_options(command, options->output, Format::json);
+    command.footer(
         "The JSON is what run --surface and a scene's [surface] from = \"...\" read. The example makes a random walk.\n"
         "Example:\n"
         "  awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) print z += rand() - 0.5 }' |\n"
         "      fstiff measure - --spacing \"0.5 um\" --units um | fstiff run --surface -");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

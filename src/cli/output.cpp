@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <random>
 #include <system_error>
 
@@ -85,22 +84,23 @@ bool read_stream(std::istream& stream, std::string& bytes) {
 
 }  // namespace
 
-void add_format_option(CLI::App& app, OutputOptions& options, Format initial) {
+void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
     options.format = initial;
-    static const std::map<std::string, Format> formats{
-        {"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}};
-    const auto shown =
-        std::find_if(formats.begin(), formats.end(), [&](const auto& f) { return f.second == initial; })->first;
-    app.add_option_function<std::string>(
-           "--format", [&options](const std::string& name) { options.format = formats.at(name); },
-           "table, csv or json; default " + shown)
-        ->type_name("FORMAT")
-        ->check(CLI::IsMember({"table", "csv", "json"}));
+    static const std::vector<std::string> names{"table", "csv", "json"};  // in the order of Format
+    arguments
+        .option(
+            "--format",
+            [&options](const std::string& name) {
+                options.format = static_cast<Format>(std::find(names.begin(), names.end(), name) - names.begin());
+            },
+            "table, csv or json; default " + names[static_cast<std::size_t>(initial)])
+        .type_name("FORMAT")
+        .one_of(names);
 }
 
-void add_output_options(CLI::App& app, OutputOptions& options, Format initial) {
-    add_format_option(app, options, initial);
-    app.add_option("-o,--output", options.file, "write to FILE instead of standard output")->type_name("FILE");
+void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {
+    add_format_option(arguments, options, initial);
+    arguments.option("-o,--output", options.file, "write to FILE instead of standard output").type_name("FILE");
 }
 
 std::string exact(double value) { return number(value, 17); }
@@ -151,11 +151,6 @@ Json json_document(std::string_view command) {
     document["fstiff_version"] = FSTIFF_VERSION;
     document["command"] = command;
     return document;
-}
-
-// Bytes that are no UTF-8 (of a file name, a header line) become U+FFFD: a document is always valid JSON.
-std::string json_text(const Json& document) {
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 void deliver(const std::string& document, const std::string& file) {

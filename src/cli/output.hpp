@@ -2,8 +2,8 @@
 #pragma once
 // What a subcommand hands back, and how it is written: one document, numbers that no locale touches and never NaN.
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
+#include "arguments.hpp"
+#include "json.hpp"
 
 #include <functional>
 #include <span>
@@ -13,8 +13,6 @@
 #include <vector>
 
 namespace fstiff::cli {
-
-using Json = nlohmann::ordered_json;
 
 /// Exit codes of the command.
 enum Status : int { success = 0, internal_error = 1, usage_error = 2, input_error = 3, doubtful_result = 4 };
@@ -33,9 +31,9 @@ struct OutputOptions {
 };
 
 /// Adds --format and --output; \p initial is the format without --format.
-void add_output_options(CLI::App& app, OutputOptions& options, Format initial = Format::table);
+void add_output_options(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
 /// --format alone, for a subcommand that writes a folder: its document goes to standard output.
-void add_format_option(CLI::App& app, OutputOptions& options, Format initial = Format::table);
+void add_format_option(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
 
 /// The one document of a subcommand, what else there is to say (on standard error), and how it ended.
 struct Report {
@@ -79,7 +77,6 @@ std::string csv_line(const std::vector<std::string>& cells);
 
 /// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
 Json json_document(std::string_view command);
-std::string json_text(const Json& document);
 
 /// Writes \p document to \p file (beside it first, then renamed), or to standard output when \p file is empty.
 /// \throws domain_error naming the file that cannot be written.

@@ -2,6 +2,7 @@
 // fstiff peaks: the density of peak heights and curvatures, its moments and its height marginal.
 #include "commands.hpp"
 #include "surface_input.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/peaks/peak_density.hpp>
@@ -144,7 +145,7 @@ std::string json(const Options& options, const Source& source, const std::vector
         }
         document["heights"] = {{"height", zeta}, {"density", density}};
     }
-    return json_text(document);
+    return document.str();
 }
 
 std::string table(const Options& options, const Source& source, const std::vector<double>& heights) {
@@ -191,23 +192,21 @@ Report execute(const Options& options) {
 
 Command add_peaks(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("peaks", "Density of peak heights and curvatures: parameters, moments, height marginal");
-    command->add_option("--r", options->r, "r of the density (4.4), with --theta: at least 0 and less than 1");
-    command->add_option("--theta", options->theta, "angle: a number of radians, \"pi/4\" or \"45 deg\"");
-    command->add_flag("--exponential", options->exponential, "r from --theta as for an exponential autocorrelation");
-    command->add_option("--rho1", options->rho1, "autocorrelation at one sampling step, with --rho2");
-    command->add_option("--rho2", options->rho2, "autocorrelation at two sampling steps");
-    command->add_option("--profile", options->surface.file,
-                        "measured profile, delimited text, SDF or X3P; - is standard input");
-    add_surface_options(*command, options->surface, SurfaceKind::profile);
-    command->add_option("--heights", options->heights,
-                        "FROM,TO,COUNT: table of the density of the height alone (Fig. 2)");
-    add_output_options(*command, options->output);
-    command->footer(
+    Arguments command(app, "peaks", "Density of peak heights and curvatures: parameters, moments, height marginal");
+    command.option("--r", options->r, "r of the density (4.4), with --theta: at least 0 and less than 1");
+    command.option("--theta", options->theta, "angle: a number of radians, \"pi/4\" or \"45 deg\"");
+    command.flag("--exponential", options->exponential, "r from --theta as for an exponential autocorrelation");
+    command.option("--rho1", options->rho1, "autocorrelation at one sampling step, with --rho2");
+    command.option("--rho2", options->rho2, "autocorrelation at two sampling steps");
+    command.option("--profile", options->surface.file,
+                   "measured profile, delimited text, SDF or X3P; - is standard input");
+    add_surface_options(command, options->surface, SurfaceKind::profile);
+    command.option("--heights", options->heights, "FROM,TO,COUNT: table of the density of the height alone (Fig. 2)");
+    add_output_options(command, options->output);
+    command.footer(
         "Heights are in rms heights, curvatures in rms curvatures of the ordinates.\n"
         "Example:\n  fstiff peaks --r 0.5 --theta pi/3 --heights=-4,4,9");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

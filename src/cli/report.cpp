@@ -5,6 +5,7 @@
 #include "page.hpp"
 #include "pictures.hpp"
 #include "results.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/core/version.hpp>
@@ -407,9 +408,9 @@ std::string page_of(const Scene& scene, const Results& results) {
     page.heading("Equations");
     Rows rows{{"law", "load", "stiffness", "peaks"}};
     for (const Law law : scene.laws) {
-        const Json used = equations(law);
-        rows.push_back({std::string(name_of(law)), used["load"].get<std::string>(),
-                        used["stiffness"].get<std::string>(), used["peaks"].get<std::string>()});
+        Json used = equations(law);
+        rows.push_back(
+            {std::string(name_of(law)), used["load"].text(), used["stiffness"].text(), used["peaks"].text()});
     }
     page.table(rows);
     std::string rest = "Effective modulus " + rounded(results.modulus / 1e9) +
@@ -453,7 +454,7 @@ Report execute(const Options& options) {
         answer["scene"] = {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}};
         answer["files"] = {file};
         answer["warnings"] = results.warnings;
-        report.document = json_text(answer);
+        report.document = answer.str();
     } else {
         report.document = format == Format::csv ? csv_line({"file"}) + csv_line({"\"" + file + "\""})
                                                 : "fstiff " FSTIFF_VERSION ": report of " + scene.name + " (" +
@@ -467,21 +468,19 @@ Report execute(const Options& options) {
 
 Command add_report(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("report", "A scene and all that follows from it as one HTML file");
-    command->add_option(
-        "scene", options->scene,
-        "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper");
-    command->add_option(
-        "--surface", options->surface,
-        "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
-    command->add_option("-o,--output", options->folder, "folder for report.html; made when missing")
-        ->type_name("FOLDER")
-        ->required();
-    add_format_option(*command, options->output);
-    command->footer(
+    Arguments command(app, "report", "A scene and all that follows from it as one HTML file");
+    command.option("scene", options->scene,
+                   "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper");
+    command.option("--surface", options->surface,
+                   "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
+    command.option("-o,--output", options->folder, "folder for report.html; made when missing")
+        .type_name("FOLDER")
+        .required();
+    add_format_option(command, options->output);
+    command.footer(
         "The page holds its pictures and opens without a network.\n"
         "Example:\n  fstiff report -o report");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff reproduce: the tables, figures and conclusions of the paper, from its own parameters.
 #include "commands.hpp"
+#include "contact_instances.hpp"
 #include "page.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
@@ -522,7 +524,7 @@ std::string json(const Reproduction& all, const std::vector<std::string>& files)
     }
     document["errata"] = all.errata;
     document["files"] = files;
-    return json_text(document);
+    return document.str();
 }
 
 Report execute(const Options& options) {
@@ -551,17 +553,16 @@ Report execute(const Options& options) {
 
 Command add_reproduce(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("reproduce", "The figures, tables and conclusions of the reference paper, into a folder");
-    command->add_option("-o,--output", options->folder, "folder for the figures and index.html; made when missing")
-        ->type_name("FOLDER")
-        ->required();
-    add_format_option(*command, options->output);
-    command->footer(
+    Arguments command(app, "reproduce", "The figures, tables and conclusions of the reference paper, into a folder");
+    command.option("-o,--output", options->folder, "folder for the figures and index.html; made when missing")
+        .type_name("FOLDER")
+        .required();
+    add_format_option(command, options->output);
+    command.footer(
         "Figs. 2, 4, 6, 7, 8, 9 as SVG with their numbers (.csv) and gnuplot scripts (.gp), errata.md, and index.html "
         "with "
         "all of it.\nExample:\n  fstiff reproduce -o reproduced");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -2,6 +2,7 @@
 // fstiff run: a scene to its curves, one per law and peak density.
 #include "builtin_scene.hpp"
 #include "commands.hpp"
+#include "contact_instances.hpp"
 #include "pictures.hpp"
 #include "progress.hpp"
 #include "results.hpp"
@@ -372,7 +373,7 @@ std::string json(const Scene& scene, const Results& results) {
             rows.push_back(std::move(row));
         }
     document["warnings"] = results.warnings;
-    return json_text(document);
+    return document.str();
 }
 
 /// Of the parameters, in the order of Parameter.
@@ -513,22 +514,21 @@ Results results_of(const Scene& scene) { return compute(scene); }
 
 Command add_run(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("run", "Stiffness, separation and real area of a scene against pressure");
-    command->add_option(
-        "scene", options->scene,
-        "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper");
-    command->add_option("--surface", options->surface,
-                        "profile, map, or JSON of fstiff measure, in place of the scene's [surface] and contact.peaks; "
-                        "- is standard input");
-    add_output_options(*command, options->output);
+    Arguments command(app, "run", "Stiffness, separation and real area of a scene against pressure");
+    command.option("scene", options->scene,
+                   "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper");
+    command.option("--surface", options->surface,
+                   "profile, map, or JSON of fstiff measure, in place of the scene's [surface] and contact.peaks; "
+                   "- is standard input");
+    add_output_options(command, options->output);
     command
-        ->add_option("--plot", options->picture,
-                     "draw K(p) into FILE (.svg or .html); its numbers (.csv) and a gnuplot script (.gp) go beside it")
-        ->type_name("FILE");
-    command->footer(
+        .option("--plot", options->picture,
+                "draw K(p) into FILE (.svg or .html); its numbers (.csv) and a gnuplot script (.gp) go beside it")
+        .type_name("FILE");
+    command.footer(
         "The keys of a scene are in docs/scene.md. Exit code 4: a real area above the nominal one, or no convergence.\n"
         "Example:\n  fstiff run --format csv");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

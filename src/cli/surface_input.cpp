@@ -2,6 +2,7 @@
 #include "surface_input.hpp"
 
 #include "sha256.hpp"
+#include "surface_instances.hpp"
 
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
@@ -79,37 +80,40 @@ LagWindow<double> parse_window(const std::string& text, std::string_view name) {
     return {parse_length(text.substr(0, comma), name), parse_length(text.substr(comma + 1), name)};
 }
 
-void add_surface_options(CLI::App& app, SurfaceOptions& options, SurfaceKind kind) {
+void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind) {
     options.prefix = "--";
     options.format_name = "--input-format";
     const bool profiles = kind != SurfaceKind::map, maps = kind != SurfaceKind::profile;
-    app.add_option("--input-format", options.format,
-                   "form of the file: auto (default), profile, triples, matrix, sdf or x3p")
-        ->check(CLI::IsMember({"auto", "profile", "triples", "matrix", "sdf", "x3p"}));
-    app.add_option("--units", options.units,
-                   "units of lengths and heights of a text, such as um,nm, or one for both; replace those of the file");
+    arguments
+        .option("--input-format", options.format,
+                "form of the file: auto (default), profile, triples, matrix, sdf or x3p")
+        .one_of({"auto", "profile", "triples", "matrix", "sdf", "x3p"});
+    arguments.option(
+        "--units", options.units,
+        "units of lengths and heights of a text, such as um,nm, or one for both; replace those of the file");
     std::vector<std::string> names{"none", "mean"};
     std::string forms;
     if (profiles) {
         names.insert(names.end(), {"line", "parabola", "gaussian"});
         forms = "; of a profile none, mean, line (default), parabola or gaussian";
-        app.add_option("--spacing", options.spacing,
-                       "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file");
-        app.add_option("--column", options.column,
-                       "column of the heights of a profile, counted from 1; default the last of one or two")
-            ->check(CLI::Range(1, 1000000));
-        app.add_option("--cutoff", options.cutoff,
-                       "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\"");
+        arguments.option("--spacing", options.spacing,
+                         "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file");
+        arguments
+            .option("--column", options.column,
+                    "column of the heights of a profile, counted from 1; default the last of one or two")
+            .between(1, 1000000);
+        arguments.option("--cutoff", options.cutoff,
+                         "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\"");
     }
     if (maps) {
         names.insert(names.end(), {"plane", "quadratic", "cubic"});
         forms += "; of a map none, mean, plane (default), quadratic or cubic";
-        app.add_option("--dx", options.dx, "distance of neighbouring columns of a matrix; replaces that of the file");
-        app.add_option("--dy", options.dy, "distance of neighbouring rows of a matrix");
-        app.add_option("--width", options.width, "columns times dx of a matrix, instead of --dx");
-        app.add_option("--height", options.height, "rows times dy of a matrix, instead of --dy");
+        arguments.option("--dx", options.dx, "distance of neighbouring columns of a matrix; replaces that of the file");
+        arguments.option("--dy", options.dy, "distance of neighbouring rows of a matrix");
+        arguments.option("--width", options.width, "columns times dx of a matrix, instead of --dx");
+        arguments.option("--height", options.height, "rows times dy of a matrix, instead of --dy");
     }
-    app.add_option("--detrend", options.detrend, "form that is removed" + forms)->check(CLI::IsMember(names));
+    arguments.option("--detrend", options.detrend, "form that is removed" + forms).one_of(names);
 }
 
 std::size_t SurfaceInput::points() const {

@@ -37,7 +37,7 @@ enum class SurfaceKind { profile, map, any };
 
 /// Adds --input-format, --units, --detrend, --spacing, --column and --cutoff of profiles, --dx, --dy, --width and --height
 /// of maps. Not the file itself.
-void add_surface_options(CLI::App& app, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
+void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
 
 struct SurfaceInput {
     io::Surface surface;

@@ -127,7 +127,7 @@ Report from_file(const Options& options, double frequency, const Impedances<doub
             list.push_back(std::move(entry));
         }
         document["warnings"] = warnings;
-        report.document = json_text(document);
+        report.document = document.str();
     } else if (options.output.format == Format::csv) {
         // no column of R and no row without K: the document reads back as a measured K(p)
         std::vector<std::string> header{"pressure_Pa", "stiffness_Pa_per_m"};
@@ -235,7 +235,7 @@ Report execute(const Options& options) {
         document["given"] = given ? "reflection" : "stiffness";
         document["equations"] = {"(5.1)"};
         for (const auto& [name, value] : numbers) document[name] = json_number(value);
-        report.document = json_text(document);
+        report.document = document.str();
     } else {
         report.document =
             "interface as a spring, eq. (5.1)\n"
@@ -262,35 +262,34 @@ Report execute(const Options& options) {
     return report;
 }
 
-void add_body(CLI::App& command, Body& body, const std::string& suffix, const std::string& which) {
-    command.add_option("--impedance" + suffix, body.impedance, "impedance of " + which + ", such as \"46 MRayl\"");
-    command.add_option("--density" + suffix, body.density, "with --velocity" + suffix + " instead: \"7850 kg/m^3\"");
-    command.add_option("--velocity" + suffix, body.velocity, "with --density" + suffix + " instead: \"5900 m/s\"");
+void add_body(Arguments& command, Body& body, const std::string& suffix, const std::string& which) {
+    command.option("--impedance" + suffix, body.impedance, "impedance of " + which + ", such as \"46 MRayl\"");
+    command.option("--density" + suffix, body.density, "with --velocity" + suffix + " instead: \"7850 kg/m^3\"");
+    command.option("--velocity" + suffix, body.velocity, "with --density" + suffix + " instead: \"5900 m/s\"");
 }
 
 }  // namespace
 
 Command add_ultrasound(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("ultrasound", "Ultrasonic reflection from the stiffness of an interface, or back");
-    command->add_option("--stiffness", options->stiffness, "K per nominal area, such as \"1.764 GPa/um\"");
-    command->add_option("--reflection", options->reflection,
-                        "measured |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, reflection "
-                        "and, if known, reflection_error, to K(p); - is standard input");
-    command->add_option("--reflection-error", options->reflection_error,
-                        "standard error of the reflections that have no column of their own");
-    command->add_option("--frequency", options->frequency, "frequency of the wave, such as \"7 MHz\"")->required();
-    add_body(*command, options->incident, "", "the body that the wave comes from");
-    add_body(*command, options->beyond, "2", "the body beyond (default: the same)");
-    add_output_options(*command, options->output);
-    command->footer(
+    Arguments command(app, "ultrasound", "Ultrasonic reflection from the stiffness of an interface, or back");
+    command.option("--stiffness", options->stiffness, "K per nominal area, such as \"1.764 GPa/um\"");
+    command.option("--reflection", options->reflection,
+                   "measured |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, reflection "
+                   "and, if known, reflection_error, to K(p); - is standard input");
+    command.option("--reflection-error", options->reflection_error,
+                   "standard error of the reflections that have no column of their own");
+    command.option("--frequency", options->frequency, "frequency of the wave, such as \"7 MHz\"").required();
+    add_body(command, options->incident, "", "the body that the wave comes from");
+    add_body(command, options->beyond, "2", "the body beyond (default: the same)");
+    add_output_options(command, options->output);
+    command.footer(
         "A file begins with its columns and their units: pressure [MPa], reflection, reflection_error. Shear waves: "
         "give "
         "the\nimpedances of shear waves; the stiffness is then the tangential one. Exit code 4: rows whose R no "
         "stiffness gives.\n"
         "Example:\n  fstiff ultrasound --stiffness \"1.764 GPa/um\" --frequency \"7 MHz\" --impedance \"46 MRayl\"");
-    return {command, &options->output, [options] { return execute(*options); }};
+    return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

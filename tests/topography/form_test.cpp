@@ -4,6 +4,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <Eigen/QR>
+
 #include <vector>
 
 using namespace fstiff;

@@ -8,13 +8,13 @@
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/config.hpp>
+#include <fstiff/core/text.hpp>
 
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace fstiff {
 
@@ -26,14 +26,24 @@ public:
 
 namespace detail {
 
+/// Out of line and rarely called: one copy of each in a program, however many checks it has.
 /// \throws domain_error "<parameter> = <value>: must be <allowed>".
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::string_view parameter, const std::string& value,
+                                                          std::string_view allowed) {
+    throw domain_error(std::string(parameter) + " = " + value + ": must be " + std::string(allowed));
+}
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::string_view parameter, double value, int digits,
+                                                          std::string_view allowed) {
+    refuse(parameter, rounded_text(value, digits), allowed);
+}
+/// A template, so that only programs that compute in long double hold its digits.
 template <Real T>
-[[noreturn]] void refuse(std::string_view parameter, T value, std::string_view allowed) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(std::numeric_limits<T>::digits10);
-    text << parameter << " = " << value << ": must be " << allowed;
-    throw domain_error(text.str());
+[[noreturn, gnu::cold, gnu::noinline]] void refuse(std::string_view parameter, T value, std::string_view allowed) {
+    constexpr int digits = std::numeric_limits<T>::digits10;
+    if constexpr (std::is_same_v<T, long double>)
+        refuse(parameter, rounded_text(value, digits), allowed);
+    else
+        refuse(parameter, static_cast<double>(value), digits, allowed);
 }
 
 }  // namespace detail

@@ -16,13 +16,15 @@
 /// Accuracy    the step left at the end is below the tolerance times the standard errors (tests/math/least_squares_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/math/decompositions.hpp>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace fstiff {
 
@@ -92,7 +94,7 @@ template <Real T, class Evaluate>
         stacked.bottomRows(count).diagonal().setConstant(std::sqrt(damping));
         Vector right = Vector::Zero(residuals + count);
         right.head(residuals) = -fit.residuals;
-        const Vector scaled = stacked.colPivHouseholderQr().solve(right);
+        const Vector scaled = PivotedQr<T>(std::move(stacked)).solve(std::move(right));
         const Vector trial = fit.parameters + scaled.cwiseQuotient(scale);
         const bool inside = trial.allFinite() && usable(trial, trial_residuals, trial_jacobian);
         const T found = inside ? trial_residuals.squaredNorm() : std::numeric_limits<T>::infinity();
@@ -116,16 +118,15 @@ template <Real T, class Evaluate>
     }
 
     const Vector scale = scales();
-    const Eigen::JacobiSVD<Matrix> svd(Matrix(jacobian * scale.cwiseInverse().asDiagonal()), Eigen::ComputeThinV);
-    const auto& values = svd.singularValues();
+    const auto [values, vectors] = singular_vectors<T>(jacobian * scale.cwiseInverse().asDiagonal());
     const bool blind = (jacobian.colwise().norm().array() == 0).any();
     if (blind || values(count - 1) <= options.singular_value * values(0)) {
         fit.status = FitStatus::singular;
-        fit.loose = svd.matrixV().col(count - 1);
+        fit.loose = vectors.col(count - 1);
         return fit;
     }
-    const Matrix half = scale.cwiseInverse().asDiagonal() * svd.matrixV() * values.cwiseInverse().asDiagonal();
-    fit.covariance = half * half.transpose();
+    const Matrix half = scale.cwiseInverse().asDiagonal() * vectors * values.cwiseInverse().asDiagonal();
+    fit.covariance = half.lazyProduct(half.transpose());
     fit.status = ended ? FitStatus::converged : FitStatus::not_converged;
     return fit;
 }

@@ -196,7 +196,7 @@ LogLevel<Sum<T>> log_level(const MeasuredStructureFunction<T>& measured, const L
     const Vector<F> y = Eigen::Map<const Vector<F>>(log_s.data(), size);
     const F power = std::clamp(slope(x, y, 0, size - 1), F(0.1), F(1.9));
     const Matrix<F> covariance = log_covariance(step, pairs, measured.points, power);
-    level.error = std::sqrt(std::max(F(0), row.dot(covariance * row)) / static_cast<F>(measured.profiles));
+    level.error = std::sqrt(std::max(F(0), row.dot(covariance.lazyProduct(row))) / static_cast<F>(measured.profiles));
     if (measured.resample) level.error = std::max(level.error, spread(row, Matrix<F>(measured.resample(step))));
     return level;
 }

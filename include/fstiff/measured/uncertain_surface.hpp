@@ -17,10 +17,15 @@
 ///             semidefinite (an eigenvalue below -1e-9 is refused)
 
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/math/decompositions.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 #include <span>
 
 namespace fstiff {
@@ -76,7 +81,7 @@ public:
 private:
     T normal();
     UncertainSurface<T> surface_;
-    Eigen::Matrix<T, 6, 6> root_;  ///< of the correlation
+    std::array<std::array<T, parameter_count>, parameter_count> root_{};  ///< of the correlation
     std::uint64_t state_;
 };
 
@@ -117,18 +122,23 @@ template <Real T>
 SurfaceSampler<T>::SurfaceSampler(const UncertainSurface<T>& surface, std::uint64_t seed)
     : surface_(surface), state_(seed) {
     surface_.validate();
-    Eigen::Matrix<T, 6, 6> correlation = Eigen::Matrix<T, 6, 6>::Identity();
+    constexpr auto size = static_cast<Eigen::Index>(parameter_count);
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation(size, size);
+    correlation.setIdentity();
     for (std::size_t i = 0; i < parameter_count; ++i)
         for (std::size_t j = 0; j < parameter_count; ++j)
             if (surface.known[i] && surface.known[j])
                 correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = surface.correlation[i][j];
     // the symmetric root: a correlation of exactly 1, or rounded to a few digits, does it no harm
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, 6, 6>> solver(correlation);
-    const T least = solver.eigenvalues().minCoeff();
+    const auto [values, vectors] = symmetric_eigen<T>(correlation);
+    const T least = *std::min_element(values.data(), values.data() + size);
     const T rounding = std::max(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
     require(least >= -rounding, "least eigenvalue of the correlation", least, "at least 0");
-    root_ = solver.eigenvectors() * solver.eigenvalues().cwiseMax(T(0)).cwiseSqrt().asDiagonal() *
-            solver.eigenvectors().transpose();
+    for (Eigen::Index i = 0; i < size; ++i)
+        for (Eigen::Index j = 0; j < size; ++j)
+            for (Eigen::Index k = 0; k < size; ++k)
+                root_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] +=
+                    vectors(i, k) * std::sqrt(std::max(T(0), values[k])) * vectors(j, k);
 }
 
 template <Real T>
@@ -142,15 +152,14 @@ template <Real T>
 std::array<T, parameter_count> SurfaceSampler<T>::operator()() {
     constexpr auto first_normal = static_cast<std::size_t>(Parameter::fractal_dimension);
     for (int attempt = 0; attempt < 1000; ++attempt) {
-        Eigen::Matrix<T, 6, 1> z;
-        for (Eigen::Index i = 0; i < 6; ++i) z[i] = normal();
-        z = (root_ * z).eval();
+        std::array<T, parameter_count> z{};
+        for (T& one : z) one = normal();
         std::array<T, parameter_count> draw{};
         bool inside = true;
         for (std::size_t i = 0; i < parameter_count; ++i) {
             if (!surface_.known[i]) continue;
-            const T value = surface_.value[i], error = surface_.error[i], one = z[static_cast<Eigen::Index>(i)];
-            const T relative = error / value;
+            const T one = std::inner_product(z.begin(), z.end(), root_[i].begin(), T(0));
+            const T value = surface_.value[i], error = surface_.error[i], relative = error / value;
             draw[i] = i >= first_normal ? value + error * one
                                         : value * std::exp(std::sqrt(std::log1p(relative * relative)) * one);
             inside = inside && parameter_in_range(static_cast<Parameter>(i), draw[i]);

@@ -47,17 +47,23 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
+#include <fstiff/math/decompositions.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace fstiff {
 
@@ -313,17 +319,22 @@ Vector<T> log_kept(const std::vector<std::size_t>& step, std::size_t points, T p
     Vector<T> kept = Vector<T>::Zero(static_cast<Index>(step.size()));
     if (form == Form::none || form == Form::mean) return kept;  // differences do not see the mean
     constexpr Index size = 96;
-    Matrix<T> covariance(size, size), powers(size, static_cast<Index>(coefficients(form)));
+    Matrix<T> covariance(size, size), basis(size, static_cast<Index>(coefficients(form)));
     for (Index i = 0; i < size; ++i) {
         for (Index j = 0; j < size; ++j)
             covariance(i, j) = i == j ? T(0) : -std::pow(std::abs(static_cast<T>(i - j)), power) / 2;
         const T u = 2 * static_cast<T>(i) / static_cast<T>(size - 1) - 1;
-        for (Index k = 0; k < powers.cols(); ++k) powers(i, k) = std::pow(u, static_cast<T>(k));
+        for (Index k = 0; k < basis.cols(); ++k) basis(i, k) = std::pow(u, static_cast<T>(k));
     }
-    const Matrix<T> basis =
-        Eigen::HouseholderQR<Matrix<T>>(powers).householderQ() * Matrix<T>::Identity(size, powers.cols());
-    covariance -= basis * (basis.transpose() * covariance).eval();
-    covariance -= (covariance * basis).eval() * basis.transpose();
+    for (Index k = 0; k < basis.cols(); ++k) {  // made orthonormal, then covariance (1 - q q^T) from both sides
+        for (Index other = 0; other < k; ++other) basis.col(k) -= basis.col(other).dot(basis.col(k)) * basis.col(other);
+        const Vector<T> q = basis.col(k) / basis.col(k).norm();
+        basis.col(k) = q;
+        Vector<T> share(size);
+        for (Index j = 0; j < size; ++j) share[j] = covariance.col(j).dot(q);
+        share -= share.dot(q) / 2 * q;
+        for (Index j = 0; j < size; ++j) covariance.col(j) -= share[j] * q + q[j] * share;
+    }
     const auto loss = [&](Index m) {  // over m^(2-p)
         T sum = 0;
         for (Index i = 0; i + m < size; ++i)
@@ -374,9 +385,9 @@ LogFit<T> log_fit(const Vector<T>& x, const Vector<T>& y, const Vector<T>& root_
         }
     LogFit<T> fit;
     const Matrix<T> weighted = root_weight.asDiagonal() * columns;
-    fit.solver = weighted.completeOrthogonalDecomposition().pseudoInverse() * root_weight.asDiagonal();
-    fit.coefficients = fit.solver * y;
-    fit.residual = (root_weight.array() * (y - columns * fit.coefficients).array()).square().sum();
+    fit.solver = PivotedQr<T>(weighted).solver() * root_weight.asDiagonal();
+    fit.coefficients = fit.solver.lazyProduct(y);
+    fit.residual = (root_weight.array() * (y - columns.lazyProduct(fit.coefficients)).array()).square().sum();
     fit.finite_band = finite_band;
     fit.log_periodic = log_periodic;
     return fit;
@@ -435,7 +446,7 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
 /// Standard deviation of row * column over the columns of \p samples.
 template <Real T>
 T spread(const Vector<T>& row, const Matrix<T>& samples) {
-    const auto values = (samples.transpose() * row).eval();
+    const Vector<T> values = samples.transpose().lazyProduct(row);
     const T variance =
         (values.array() - values.mean()).square().sum() / static_cast<T>(std::max<Eigen::Index>(1, values.size() - 1));
     return std::sqrt(variance);
@@ -744,7 +755,7 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     const detail::Matrix<F> covariance =
         detail::log_covariance(used_step, used_pairs, points, power) / static_cast<F>(measured.profiles);
     const auto from_model = [&](const detail::Vector<F>& row) {
-        return std::sqrt(std::max(F(0), row.dot(covariance * row)));
+        return std::sqrt(std::max(F(0), row.dot(covariance.lazyProduct(row))));
     };
     F dimension_error = from_model(dimension_row), roughness_error = from_model(roughness_row);
     result.model_dimension_error = static_cast<T>(dimension_error);
@@ -764,7 +775,7 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     const auto highest_row = [&](Index degree) -> detail::Vector<F> {
         detail::Matrix<F> powers(count, degree + 1);
         for (Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
-        return powers.completeOrthogonalDecomposition().pseudoInverse().row(degree).transpose();
+        return PivotedQr<F>(powers).solver().row(degree).transpose();
     };
     const auto bends = [&](const detail::Vector<F>& row, F change_of_slope) {  // that one of the term gives
         const F bend = std::abs(row.dot(y));

@@ -14,9 +14,10 @@
 /// Accuracy    offset and tilt of 1e6 times the roughness: heights within 1e-15 of the largest height before removal
 ///             (tests/topography/form_test.cpp)
 
+#include <fstiff/math/decompositions.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <limits>
@@ -91,12 +92,7 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
         });
     }
     normal /= static_cast<S>(map.present());
-    const Eigen::ColPivHouseholderQR<Matrix> solver = [&] {
-        Eigen::ColPivHouseholderQR<Matrix> qr;
-        qr.setThreshold(S(1e-12));  // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
-        qr.compute(normal);
-        return qr;
-    }();
+    const PivotedQr<S> solver(normal, S(1e-12));  // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
     if (solver.rank() < terms)
         throw domain_error("map whose points determine " + std::to_string(solver.rank()) + " of the " + terms_shown +
                            " terms of this form: must be spread over more rows and columns");

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The command line. CLI11 parses it, which arguments.cpp alone includes.
+
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace fstiff::cli {
+
+/// What else is said of one option.
+class Option {
+public:
+    explicit Option(CLI::Option* option) : option_(option) {}
+    Option& required();
+    Option& type_name(const std::string& name);
+    Option& one_of(const std::vector<std::string>& values);
+    Option& one_of(std::initializer_list<const char*> values);
+    Option& one_of(std::initializer_list<int> values);
+    Option& between(int least, int greatest);
+    Option& between(unsigned long least, unsigned long greatest);
+    /// Several values in one argument, with \p separator between them.
+    Option& delimiter(char separator);
+    /// The help tells what the target holds now.
+    Option& show_default();
+
+private:
+    CLI::Option* option_;
+};
+
+/// A subcommand; options write into the targets, which must live as long as the program parses.
+class Arguments {
+public:
+    Arguments(CLI::App& program, const std::string& name, const std::string& description);
+
+    Option option(const std::string& name, std::string& target, const std::string& help);
+    Option option(const std::string& name, std::vector<std::string>& target, const std::string& help);
+    Option option(const std::string& name, int& target, const std::string& help);
+    Option option(const std::string& name, unsigned long& target, const std::string& help);
+    Option option(const std::string& name, unsigned long long& target, const std::string& help);
+    Option option(const std::string& name, double& target, const std::string& help);
+    Option option(const std::string& name, std::optional<double>& target, const std::string& help);
+    /// \p take is called with what was given.
+    Option option(const std::string& name, const std::function<void(const std::string&)>& take,
+                  const std::string& help);
+    void flag(const std::string& name, bool& target, const std::string& help);
+    /// Below the list of options.
+    void footer(const std::string& text);
+
+    [[nodiscard]] CLI::App* app() const { return app_; }
+
+private:
+    CLI::App* app_;
+};
+
+/// The command line of the program, all of its subcommands.
+class Program {
+public:
+    Program(const std::string& name, const std::string& version, const std::string& description,
+            const std::string& footer);
+    ~Program();
+    [[nodiscard]] CLI::App& app() { return *app_; }
+    /// The subcommand that was asked for; null after --help and --version, which print.
+    /// \throws Usage in one sentence that names the help to look at.
+    [[nodiscard]] const CLI::App* parse(int argc, char** argv);
+
+private:
+    std::unique_ptr<CLI::App> app_;
+};
+
+}  // namespace fstiff::cli

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#define FSTIFF_CLI_INSTANCE template
+#include "contact_instances.hpp"
