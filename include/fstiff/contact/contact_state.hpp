@@ -56,26 +56,48 @@ T highest_exponential_eta() {
     return -std::log(std::numeric_limits<T>::min()) - 10;
 }
 
-/// The eta up to \p highest where log f(eta) = \p target; log f is concave, so that Newton's method converges from a start left of the root or
-/// right of it. \p log_slope takes eta and returns a LogSlope.
+/// Tolerance of the evaluations that only show where the root is.
+template <Real T>
+inline constexpr T rough_tolerance = T(1e-3);
+
+/// The eta up to \p highest where log f(eta) = \p target. \p log_slope takes eta and whether a rough value will do, and returns
+/// a LogSlope. log f is concave and close to its value and slope at 0 plus -eta^2/2: from that guess Halley's method, whose
+/// second derivative is the difference of two slopes, arrives in three or four evaluations, the first of them rough; a
+/// bracketed search takes over where it does not.
 /// \throws domain_error naming \p pressure when eta would leave [lowest_eta, highest] or f its range.
 template <Real T, class F>
 EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
     using Limits = std::numeric_limits<T>;
+    const T rounding = Limits::epsilon() * (1 + std::abs(target));  // of the logarithms that are compared
+    LogSlope<T> at = log_slope(T(0), true);
+    const T at_zero = at.log - target;
+    const T guess = at_zero > 0 ? std::sqrt(at.slope * at.slope + 2 * at_zero) + at.slope
+                                : -std::cbrt(std::exp(std::min(-2 * at_zero, T(60)))) + 1;
+    const T near = T(0.05), close = std::sqrt(Limits::epsilon());  // the next step is its square or less
+    bool rough = true;
+    T x = guess, last_x = 0;
+    for (int i = 0; i < 12 && x >= lowest_eta && x <= highest; ++i) {
+        const T last_slope = at.slope;
+        at = log_slope(x, rough);
+        const T newton = (target - at.log) / at.slope;
+        const T bend = x != last_x ? (at.slope - last_slope) / (x - last_x) * newton / (2 * at.slope) : T(0);
+        const T step = std::abs(bend) < T(0.5) ? newton / (1 + bend) : newton;
+        last_x = x;
+        x += step;
+        if (!rough && std::abs(step) <= close)
+            return {x, step * step + (at.error + rounding) / -at.slope + Limits::epsilon() * std::abs(x)};
+        if (std::abs(step) <= near) rough = false;
+    }
+
     const auto residual = [&](T eta) {
-        const auto f = log_slope(eta);
+        const auto f = log_slope(eta, false);
         return std::pair(f.log - target, f.slope);
     };
-    // log f is close to its value and slope at 0 plus -eta^2/2
-    const auto [at_zero, slope] = residual(T(0));
-    const T guess = at_zero > 0 ? std::sqrt(slope * slope + 2 * at_zero) + slope
-                                : -std::cbrt(std::exp(std::min(-2 * at_zero, T(60)))) + 1;
     // closer than the rounding of the logarithms tells apart is not asked for
-    const auto found =
-        newton_bracketed(residual, T(lowest_eta), highest, guess, 16 * Limits::epsilon() * (1 + std::abs(target)));
+    const auto found = newton_bracketed(residual, T(lowest_eta), highest, guess, 16 * rounding);
     if (!found.converged()) {
         const auto reached = [&](T eta) {  // log p there
-            return (std::log(pressure) - target) + log_slope(eta).log;
+            return (std::log(pressure) - target) + log_slope(eta, false).log;
         };
         const T low = reached(highest), high = reached(T(lowest_eta));
         require(std::isfinite(low) && std::isfinite(high), "pressure", pressure,
@@ -85,8 +107,7 @@ EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
             "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law";
         require(false, "pressure", pressure, allowed);
     }
-    const auto at = log_slope(found.root);
-    const T rounding = Limits::epsilon() * (1 + std::abs(target));  // of the logarithms that are compared
+    at = log_slope(found.root, false);
     return {found.root, found.error + (at.error + rounding) / -at.slope};
 }
 

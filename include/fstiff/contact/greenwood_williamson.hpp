@@ -82,7 +82,7 @@ public:
         const T highest =
             heights_ == Heights::gaussian ? detail::highest_gaussian_eta<T>() : detail::highest_exponential_eta<T>();
         const auto eta = detail::eta_of(std::log(pressure / pressure_scale_), pressure, highest,
-                                        [this](T h) { return log_load(h); });
+                                        [this](T h, bool) { return log_load(h); });
         ContactState<T> state = at_eta(eta, wanted);
         state.pressure = {pressure, 0, 0};
         return state;
