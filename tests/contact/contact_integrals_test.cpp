@@ -218,6 +218,23 @@ TEST_CASE("quantities together equal each alone, and what is not asked for is 0"
     CHECK(contact_integrals(peaks, 1.3, Quantity::none).area.value == 0);
 }
 
+TEST_CASE("an integrator gives at every separation what a single call gives") {
+    for (const Point& p : random_points(60)) {
+        const PeakDensity<double> peaks(p.r, p.theta);
+        for (const double tolerance : {1e-3, 1e-12}) {
+            fstiff::ContactIntegrator<double> integrate(peaks, Quantity::all, {tolerance});
+            for (const double eta : {p.eta, p.eta + 0.01, -1.0, 0.5, 2.0, 0.7, 30.0, p.eta}) {
+                const auto one = fstiff::scaled_contact_integrals(peaks, eta, Quantity::all, {tolerance});
+                const auto many = integrate(eta);
+                CHECK(many.load.value == one.load.value);  // bit for bit: the same operations
+                CHECK(many.area.value == one.area.value);
+                CHECK(many.contacts.error == one.contacts.error);
+                CHECK(many.log_scale == one.log_scale);
+            }
+        }
+    }
+}
+
 TEST_CASE("a loose tolerance is several times cheaper") {
     const PeakDensity<double> peaks(0.5, 1);
     const int fine = contact_integrals(peaks, 1.0, Quantity::all, {1e-12}).load.evaluations;

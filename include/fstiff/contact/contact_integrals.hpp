@@ -57,51 +57,96 @@ struct ScaledIntegrals {
     T log_scale;
 };
 
+/// The integrals of a PowerSet for one density of peaks. What depends on it and on the tolerance alone is computed once, and
+/// erf at the nodes of the smooth map as long as a new eta takes the same ones.
 template <Real T>
-ScaledIntegrals<T> scaled_integrals(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T eta, T tolerance) {
-    require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
-    require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance", tolerance,
-            "at least 50 epsilon of the scalar type and at most 0.1");
+class PeakIntegrator {
+public:
     using S = Tabulated<T>;
-    // few nodes: the fitted steps scatter more
-    const S digits = static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0));
-    const PeakProblem<S> problem(PeakDensity<S>(static_cast<S>(peaks.r()), static_cast<S>(peaks.theta())),
-                                 static_cast<S>(eta), digits + 5);
-    PeakAccumulator<S> accumulator(problem, minus_two_b, static_cast<S>(tolerance));
-    const S step = visit_nodes(problem, digits, accumulator);
-    const PeakSums<S> sums = accumulator.result(step);
-    const T floor = std::max(eta, T(0));
-    ScaledIntegrals<T> out{{}, -floor * floor / 2};
-    // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error may miss:
-    // more with few nodes
-    const T least = std::numeric_limits<T>::epsilon() * (T(8) + floor) + static_cast<T>(accumulator.cut()) +
-                    tolerance * (tolerance > T(1e-8) ? T(0.8) : T(0.2));
-    const T root_c = static_cast<T>(std::sqrt(problem.c));
-    T factor = static_cast<T>(1 / (2 * problem.theta));  // c^a / (2 theta)
-    for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
-        if (minus_two_b[i] == absent) continue;
-        const T value = factor * static_cast<T>(sums.value[i]);
-        out.of_power[i] = {value, value * (static_cast<T>(sums.relative_error[i]) + least), sums.nodes};
+
+    /// \throws domain_error for a tolerance out of its range.
+    PeakIntegrator(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T tolerance)
+        : minus_two_b_(minus_two_b),
+          tolerance_(checked(tolerance)),
+          // few nodes: the fitted steps scatter more
+          digits_(static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0))),
+          problem_(PeakDensity<S>(static_cast<S>(peaks.r()), static_cast<S>(peaks.theta())), S(0), digits_ + 5),
+          sums_(problem_, minus_two_b, static_cast<S>(tolerance)) {}
+
+    /// \throws domain_error unless |eta| <= 1e6.
+    ScaledIntegrals<T> operator()(T eta) {
+        require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
+        problem_.move_to(static_cast<S>(eta));
+        sums_.clear();
+        const PeakSums<S> sums = sums_.result(visit_nodes(problem_, digits_, sums_));
+        const T floor = std::max(eta, T(0));
+        ScaledIntegrals<T> out{{}, -floor * floor / 2};
+        // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error may
+        // miss: more with few nodes
+        const T least = std::numeric_limits<T>::epsilon() * (T(8) + floor) + static_cast<T>(sums_.cut()) +
+                        tolerance_ * (tolerance_ > T(1e-8) ? T(0.8) : T(0.2));
+        const T root_c = static_cast<T>(std::sqrt(problem_.c));
+        T factor = static_cast<T>(1 / (2 * problem_.theta));  // c^a / (2 theta)
+        for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
+            if (minus_two_b_[i] == absent) continue;
+            const T value = factor * static_cast<T>(sums.value[i]);
+            out.of_power[i] = {value, value * (static_cast<T>(sums.relative_error[i]) + least), sums.nodes};
+        }
+        return out;
     }
-    return out;
-}
+
+private:
+    static T checked(T tolerance) {
+        require(tolerance >= 50 * std::numeric_limits<T>::epsilon() && tolerance <= T(0.1), "relative_tolerance",
+                tolerance, "at least 50 epsilon of the scalar type and at most 0.1");
+        return tolerance;
+    }
+
+    PowerSet minus_two_b_;
+    T tolerance_;
+    S digits_;
+    PeakProblem<S> problem_;
+    PeakAccumulator<S> sums_;
+};
 
 }  // namespace detail
 
-/// The integrals of \p wanted at the separation \p eta (in rms heights), over shared nodes.
-/// The values leave out exp(log_scale), so that they neither under- nor overflow; contact_integrals multiplies it in.
+/// The contact integrals of one density of peaks, at separation after separation: less work for each than by the functions
+/// below. Does not allocate; not to be shared by threads.
+template <Real T>
+class ContactIntegrator {
+public:
+    /// \throws domain_error for a tolerance out of its range.
+    explicit ContactIntegrator(const PeakDensity<T>& peaks, Quantity wanted = Quantity::all,
+                               const IntegralOptions<T>& options = {})
+        : integrate_(powers(wanted), peaks, options.relative_tolerance) {}
+
+    /// At the separation \p eta (in rms heights), over shared nodes. The values leave out exp(log_scale), so that they
+    /// neither under- nor overflow. \throws domain_error unless |eta| <= 1e6.
+    [[nodiscard]] ContactIntegrals<T> operator()(T eta) {
+        const auto j = integrate_(eta);
+        return {j.of_power[0], j.of_power[3], j.of_power[1], j.of_power[2], j.log_scale};
+    }
+
+private:
+    static detail::PowerSet powers(Quantity wanted) {
+        const auto when = [wanted](Quantity quantity, int minus_two_b) {
+            return has(wanted, quantity) ? minus_two_b : detail::absent;
+        };
+        return {when(Quantity::contacts, 0), when(Quantity::stiffness, 1), when(Quantity::real_area, 2),
+                when(Quantity::pressure, 1)};
+    }
+
+    detail::PeakIntegrator<T> integrate_;
+};
+
+/// The integrals of \p wanted at the separation \p eta, each to be multiplied by exp(log_scale).
 /// \throws domain_error unless |eta| <= 1e6 and the tolerance is within its range.
 template <Real T>
 [[nodiscard]] ContactIntegrals<T> scaled_contact_integrals(const PeakDensity<T>& peaks, T eta,
                                                            Quantity wanted = Quantity::all,
                                                            const IntegralOptions<T>& options = {}) {
-    const auto when = [wanted](Quantity quantity, int minus_two_b) {
-        return has(wanted, quantity) ? minus_two_b : detail::absent;
-    };
-    const detail::PowerSet set{when(Quantity::contacts, 0), when(Quantity::stiffness, 1), when(Quantity::real_area, 2),
-                               when(Quantity::pressure, 1)};
-    const auto j = detail::scaled_integrals(set, peaks, eta, options.relative_tolerance);
-    return {j.of_power[0], j.of_power[3], j.of_power[1], j.of_power[2], j.log_scale};
+    return ContactIntegrator<T>(peaks, wanted, options)(eta);
 }
 
 /// The integrals of \p wanted at the separation \p eta; log_scale is 0. \throws as scaled_contact_integrals.
@@ -117,7 +162,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] Estimate<T> contact_integral(T a, T b, const PeakDensity<T>& peaks, T eta,
                                            const IntegralOptions<T>& options = {}) {
-    const auto j = detail::scaled_integrals(detail::one_power(a, b), peaks, eta, options.relative_tolerance);
+    const auto j = detail::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
     return j.of_power[static_cast<std::size_t>(2 * a)] * detail::gaussian(std::max(eta, T(0)));
 }
 
@@ -125,7 +170,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] Estimate<T> log_contact_integral(T a, T b, const PeakDensity<T>& peaks, T eta,
                                                const IntegralOptions<T>& options = {}) {
-    const auto j = detail::scaled_integrals(detail::one_power(a, b), peaks, eta, options.relative_tolerance);
+    const auto j = detail::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
     const Estimate<T>& scaled = j.of_power[static_cast<std::size_t>(2 * a)];
     const T value = std::log(scaled.value) + j.log_scale;
     return {value, scaled.error / scaled.value + 2 * std::numeric_limits<T>::epsilon() * std::abs(value),

@@ -40,15 +40,21 @@ namespace detail {
 /// One evaluation: the parameters that all nodes share.
 template <Real T>
 struct PeakProblem {
-    T r, theta, eta;
+    T r, theta, eta{};
     T depth;  ///< -log of what may be neglected
     T c = std::sqrt((1 - r) * (1 + r));
     T k = std::tan(theta) / numbers::sqrt2_v<T>;
-    T floor = std::max(eta, T(0));   ///< exp(-floor^2/2) is taken out of every node: the rest is of order 1
+    T floor{};  ///< max(eta, 0): exp(-floor^2/2) is taken out of every node, the rest is of order 1
     T reach = std::sqrt(2 * depth);  ///< exp(-reach^2/2) may be neglected
 
     PeakProblem(const PeakDensity<T>& peaks, T at_eta, T neglect_depth)
-        : r(peaks.r()), theta(std::max(peaks.theta(), least_theta)), eta(at_eta), depth(neglect_depth) {}
+        : r(peaks.r()), theta(std::max(peaks.theta(), least_theta)), depth(neglect_depth) {
+        move_to(at_eta);
+    }
+    void move_to(T at_eta) {
+        eta = at_eta;
+        floor = std::max(eta, T(0));
+    }
 
 private:
     /// Below it erf(k t)/(2 theta) is t/sqrt(2 pi) to the last digit of every type, while erf(k t) might underflow.
@@ -64,9 +70,14 @@ public:
 
     explicit PeakNodes(const PeakProblem<T>& problem) : floor_(problem.floor) {}
 
+    /// \p table: what tells apart sets of t that are the same in every problem, or null.
+    void begin(const T* table = nullptr) {
+        size_ = 0;
+        table_ = table;
+    }
+    [[nodiscard]] const T* table() const { return table_; }
     [[nodiscard]] int size() const { return size_; }
     [[nodiscard]] bool full() const { return size_ == capacity; }
-    void clear() { size_ = 0; }
 
     /// Eight nodes more: at t, x = (eta - r t)/c, z = (t - r eta)/c and t - floor, of weight dt/dy.
     EIGEN_ALWAYS_INLINE void add(const V& t, const V& x, const V& z, const V& excess, const V& weight,
@@ -92,6 +103,7 @@ public:
 private:
     T floor_;
     int size_ = 0;
+    const T* table_ = nullptr;
     alignas(64) T t_[capacity], x_[capacity], mass_[capacity], inverse_root_[capacity];
 };
 
@@ -183,8 +195,12 @@ T visit_smooth(const PeakProblem<T>& p, T wanted_step, Sink& sink) {
     const T last = largest_curvature(p);
     const T inverse_c = 1 / p.c;
     PeakNodes<T> nodes(p);
+    nodes.begin(rung.node.data());
     for (std::size_t j = 0; j < rung.count && rung.node[j] <= last; j += nodes.block) {
-        if (nodes.full()) sink.add(nodes);
+        if (nodes.full()) {
+            sink.add(nodes);
+            nodes.begin(&rung.node[j]);
+        }
         add_at(nodes, p, inverse_c, V::load(&rung.node[j]), V::load(&rung.weight[j]), V::load(&rung.inverse_root[j]));
     }
     sink.add(nodes);
@@ -210,7 +226,10 @@ T visit_graded(const PeakProblem<T>& p, T step, Sink& sink) {
         const V y = ascending_from<T>(j) * V::all(step);
         const V fall = exp(V::all(T(0)) - y);
         const V t = V::all(scale) * exp(y - fall);
-        if (nodes.full()) sink.add(nodes);
+        if (nodes.full()) {
+            sink.add(nodes);
+            nodes.begin();
+        }
         add_at(nodes, p, inverse_c, t, t * (fall + one), one / sqrt(t));
     }
     sink.add(nodes);
@@ -240,7 +259,10 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
         const V x = V::all(T(0)) - multiply_add(y, V::all(slope), rise);
         const V excess = multiply_add(x, V::all(-c_over_r), V::all(distance));
         const V t = max(excess + V::all(p.eta), V::all(least));
-        if (nodes.full()) sink.add(nodes);
+        if (nodes.full()) {
+            sink.add(nodes);
+            nodes.begin();
+        }
         nodes.add(t, x, (V::all(p.c * p.eta) - x) * V::all(inverse_r), excess,
                   (rise + V::all(slope)) * V::all(c_over_r), V::all(T(1)) / sqrt(t));
     }
@@ -257,7 +279,7 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
 ///
 /// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are too
 /// hopeful the error estimate says so.
-/// Calls sink.add with PeakNodes, which it has to clear, and returns the step: an integral is the step times the sum.
+/// Calls sink.add with PeakNodes and returns the step: an integral is the step times the sum.
 template <Real T, class Sink>
 T visit_nodes(const PeakProblem<T>& p, T digits, Sink& sink) {
     const T root = std::sqrt(digits);

@@ -93,13 +93,13 @@ PowerSet one_power(T a, T b) {
     return set;
 }
 
-/// Multiplies the mass of each node by erf(k t).
+/// erf(k t) at the nodes.
 template <Real T>
-EIGEN_DONT_INLINE void times_erf(const PeakNodes<T>& nodes, T k, const ErfPolynomials<T>& by, T* out) {
+EIGEN_DONT_INLINE void erf_at(const PeakNodes<T>& nodes, T k, const ErfPolynomials<T>& by, T* out) {
     using V = Lanes<T, 8>;
     for (int i = 0; i < nodes.size(); i += 8) {
         const T* t = nodes.t() + i;
-        (V::load(nodes.mass() + i) * erf_ascending(V::load(t) * V::all(k), k * t[0], k * t[7], by)).store(out + i);
+        erf_ascending(V::load(t) * V::all(k), k * t[0], k * t[7], by).store(out + i);
     }
 }
 
@@ -112,33 +112,42 @@ public:
     PeakAccumulator(const PeakProblem<T>& problem, const PowerSet& minus_two_b, T tolerance)
         : k_(problem.k),
           rough_(tolerance > T(10 * MomentTable<T>::cut[rough_terms])),
-          erf_(ErfPolynomials<T>::for_tolerance(static_cast<double>(tolerance))) {
+          by_(ErfPolynomials<T>::for_tolerance(static_cast<double>(tolerance))) {
         T share[3][4]{};
         for (std::size_t i = 0; i < 4; ++i)
             if (minus_two_b[i] != absent) share[minus_two_b[i]][i] = 1;
         for (std::size_t b = 0; b < 3; ++b) share_[b] = V::load(share[b]);
-        sums_.fill(V::all(T(0)));
+        clear();
     }
 
-    /// Takes the nodes, and clears them.
-    EIGEN_DONT_INLINE void add(PeakNodes<T>& nodes) {
-        alignas(64) T mass[PeakNodes<T>::capacity];
-        times_erf(nodes, k_, erf_, mass);
-        rough_ ? add_by<rough_terms>(nodes, mass) : add_by<MomentTable<T>::terms>(nodes, mass);
-        nodes.clear();
+    /// Begins again, at another eta.
+    void clear() {
+        sums_.fill(V::all(T(0)));
+        first_ = last_ = V::all(T(0));
+        count_ = 0;
+    }
+
+    EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {
+        const bool kept = nodes.table() != nullptr && nodes.table() == erf_table_ && nodes.size() <= erf_size_;
+        if (!kept) {
+            erf_at(nodes, k_, by_, erf_);
+            erf_table_ = nodes.table();
+            erf_size_ = nodes.size();
+        }
+        rough_ ? add_by<rough_terms>(nodes) : add_by<MomentTable<T>::terms>(nodes);
     }
 
     /// Of the shorter polynomials, relative.
-    [[nodiscard]] T cut() const { return rough_ ? T(MomentTable<T>::cut[rough_terms] + erf_.error) : T(0); }
+    [[nodiscard]] T cut() const { return rough_ ? T(MomentTable<T>::cut[rough_terms] + by_.error) : T(0); }
     PeakSums<T> result(T step) const { return finish(sums_, first_, last_, step, count_); }
 
 private:
     static constexpr int rough_terms = 6;
 
     template <int terms>
-    void add_by(const PeakNodes<T>& nodes, const T* mass) {
+    void add_by(const PeakNodes<T>& nodes) {
         const std::array<V, 3> share = share_;
-        const T *const x = nodes.x(), *const inverse_root = nodes.inverse_root();
+        const T *const x = nodes.x(), *const inverse_root = nodes.inverse_root(), *const mass = nodes.mass();
         for (int i = 0; i < nodes.size(); i += 8) {
             std::array<V, 8> term;
             scaled_moments<terms>(x + i, term);
@@ -146,7 +155,7 @@ private:
                 const V root = V::all(inverse_root[i + m]);
                 const V power = multiply_add(root, multiply_add(root, share[2], share[1]), share[0]);  // t^b
                 V& one = term[static_cast<std::size_t>(m)];
-                one = one * (power * V::all(mass[i + m]));
+                one = one * (power * V::all(mass[i + m] * erf_[i + m]));
             }
             for (std::size_t m = 0; m < 8; ++m) sums_[m] = sums_[m] + term[m];
             if (count_ + i == 0) first_ = term.front();
@@ -157,11 +166,13 @@ private:
 
     T k_;
     bool rough_;  ///< by the shorter polynomials
-    ErfPolynomials<T> erf_;
-    int count_ = 0;
-    std::array<V, 3> share_;  ///< 1 where b = 0, -1/2, -1
-    std::array<V, 8> sums_;   ///< by the number of the node modulo 8
-    V first_ = V::all(T(0)), last_ = V::all(T(0));
+    ErfPolynomials<T> by_;
+    int count_ = 0, erf_size_ = 0;
+    const T* erf_table_ = nullptr;  ///< of the nodes at which erf_ was computed
+    std::array<V, 3> share_;        ///< 1 where b = 0, -1/2, -1
+    std::array<V, 8> sums_;         ///< by the number of the node modulo 8
+    V first_, last_;
+    alignas(64) T erf_[PeakNodes<T>::capacity];
 };
 
 }  // namespace detail

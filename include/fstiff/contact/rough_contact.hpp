@@ -105,13 +105,13 @@ public:
     /// \throws domain_error unless it is positive and within the reach of the model, which the message tells.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         require_positive("pressure", pressure);
-        const auto eta = detail::eta_of(
-            std::log(pressure / pressure_scale_), pressure, detail::highest_gaussian_eta<T>(), [this](T x, bool rough) {
-                auto options = options_.integrals;
-                if (rough)
-                    options.relative_tolerance = std::max(options.relative_tolerance, detail::rough_tolerance<T>);
-                return log_load(x, options);
-            });
+        constexpr Quantity both = Quantity::pressure | Quantity::stiffness;
+        ContactIntegrator<T> roughly(peaks_, both,
+                                     {std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>)});
+        ContactIntegrator<T> finely(peaks_, both, options_.integrals);
+        const auto eta =
+            detail::eta_of(std::log(pressure / pressure_scale_), pressure, detail::highest_gaussian_eta<T>(),
+                           [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
         if (options_.interaction.reading == InteractionReading::as_printed)
             return printed(eta.value, {pressure, 0, 0}, wanted);
         const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
@@ -122,7 +122,8 @@ public:
 
     /// log(p/Pa) without interaction and its slope against eta, the separation over the rms height.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
-        LogSlope<T> p = log_load(eta, options_.integrals);
+        LogSlope<T> p = log_slope(
+            scaled_contact_integrals(peaks_, eta, Quantity::pressure | Quantity::stiffness, options_.integrals));
         p.log += std::log(pressure_scale_);
         return p;
     }
@@ -136,8 +137,8 @@ public:
     [[nodiscard]] T stiffness_over_slope() const { return 1 / slope_ratio_; }
 
 private:
-    LogSlope<T> log_load(T eta, const IntegralOptions<T>& options) const {
-        const auto j = scaled_contact_integrals(peaks_, eta, Quantity::pressure | Quantity::stiffness, options);
+    /// Of the load.
+    static LogSlope<T> log_slope(const ContactIntegrals<T>& j) {
         return {std::log(j.load.value) + j.log_scale, T(-1.5) * j.stiffness.value / j.load.value,
                 j.load.error / j.load.value};
     }

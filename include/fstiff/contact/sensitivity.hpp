@@ -63,26 +63,24 @@ public:
 
     explicit DerivativeAccumulator(const PeakProblem<T>& problem) : k_(problem.k) {}
 
-    /// Takes the nodes, and clears them.
-    EIGEN_DONT_INLINE void add(PeakNodes<T>& nodes) {
-        T by_erf[PeakNodes<T>::capacity], moment[4];
-        times_erf(nodes, k_, ErfPolynomials<T>::for_tolerance(0), by_erf);
+    EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {
+        T erf[PeakNodes<T>::capacity], moment[4];
+        erf_at(nodes, k_, ErfPolynomials<T>::for_tolerance(0), erf);
         std::array<Lanes<T, 4>, 8> moments;
         for (int i = 0; i < nodes.size(); ++i) {
             if (i % 8 == 0) scaled_moments<MomentTable<T>::terms>(nodes.x() + i, moments);
             moments[static_cast<std::size_t>(i % 8)].store(moment);
-            const T t = nodes.t()[i], root = nodes.inverse_root()[i];
+            const T t = nodes.t()[i], root = nodes.inverse_root()[i], mass = nodes.mass()[i];
             const T minus = scaled_moment<-1>(nodes.x()[i]), half = moment[1], three = moment[3];
             // erf'(y), and t^(1/2) d/dt (t^(-1/2) erf(k t)) = k erf'(k t) - erf(k t)/(2 t)
-            const T layer = nodes.mass()[i] * 2 * numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
-            const T with_erf = by_erf[i] * root;
-            const T with_r = (k_ * layer - by_erf[i] * root * root / 2) * root;
+            const T layer = mass * 2 * numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
+            const T with_erf = mass * erf[i] * root;
+            const T with_r = k_ * layer * root - with_erf * root * root / 2;
             const T with_theta = layer * t * root;
             const T term[sums]{with_erf * minus, with_erf * half,   with_erf * three,  with_r * minus,
                                with_r * half,    with_theta * half, with_theta * three};
             for (std::size_t j = 0; j < sums; ++j) sum_[j] += term[j];
         }
-        nodes.clear();
     }
 
     [[nodiscard]] T total(Sum which) const { return sum_[which]; }
