@@ -70,7 +70,7 @@ public:
           tolerance_(checked(tolerance)),
           // few nodes: the fitted steps scatter more
           digits_(static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0))),
-          problem_(PeakDensity<S>(static_cast<S>(peaks.r()), static_cast<S>(peaks.theta())), S(0), digits_ + 5),
+          problem_(peaks, S(0), digits_ + 5),
           sums_(problem_, minus_two_b, static_cast<S>(tolerance)) {}
 
     /// \throws domain_error unless |eta| <= 1e6.

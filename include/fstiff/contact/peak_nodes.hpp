@@ -47,8 +47,11 @@ struct PeakProblem {
     T floor{};  ///< max(eta, 0): exp(-floor^2/2) is taken out of every node, the rest is of order 1
     T reach = std::sqrt(2 * depth);  ///< exp(-reach^2/2) may be neglected
 
-    PeakProblem(const PeakDensity<T>& peaks, T at_eta, T neglect_depth)
-        : r(peaks.r()), theta(std::max(peaks.theta(), least_theta)), depth(neglect_depth) {
+    template <Real U>
+    PeakProblem(const PeakDensity<U>& peaks, T at_eta, T neglect_depth)
+        : r(static_cast<T>(peaks.r())),
+          theta(std::max(static_cast<T>(peaks.theta()), least_theta)),
+          depth(neglect_depth) {
         move_to(at_eta);
     }
     void move_to(T at_eta) {

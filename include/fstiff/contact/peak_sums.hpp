@@ -113,10 +113,12 @@ public:
         : k_(problem.k),
           rough_(tolerance > T(10 * MomentTable<T>::cut[rough_terms])),
           by_(ErfPolynomials<T>::for_tolerance(static_cast<double>(tolerance))) {
-        T share[3][4]{};
-        for (std::size_t i = 0; i < 4; ++i)
-            if (minus_two_b[i] != absent) share[minus_two_b[i]][i] = 1;
-        for (std::size_t b = 0; b < 3; ++b) share_[b] = V::load(share[b]);
+        alignas(32) static constexpr T unit[4][4]{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+        for (std::size_t b = 0; b < 3; ++b) {  // in registers: a vector of what has just been stored one by one is slow
+            share_[b] = V::all(T(0));
+            for (std::size_t i = 0; i < 4; ++i)
+                share_[b] = multiply_add(V::load(unit[i]), V::all(T(minus_two_b[i] == static_cast<int>(b))), share_[b]);
+        }
         clear();
     }
 
