@@ -23,10 +23,10 @@
 ///             random bits are the same on every platform; heights agree to the rounding of the local log, cos and pow.
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/math/fft.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/FFT>
 
 #include <cmath>
 #include <complex>
