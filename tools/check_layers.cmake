@@ -2,11 +2,11 @@
 # Reads the includes of include/fstiff and checks that
 #   - a folder includes only itself and what stands above it in `levels` (folders on one level never include each other),
 #   - a header includes nothing but <fstiff/...>, <Eigen/...> and the standard library (`optional_includes` aside),
-#   - fstiff.hpp includes every public header, and the layer table of docs/architecture.md is what the includes say,
+#   - fstiff.hpp includes every public header but those of io, which io.hpp includes, and the layer table of docs/architecture.md is what the includes say,
 #   - every file that README.md and docs/*.md name exists: by its path, or a header or a test as <layer>/<name>.
 #
 #   cmake -P tools/check_layers.cmake                  check
-#   cmake -D UPDATE=ON -P tools/check_layers.cmake     rewrite fstiff.hpp and the table
+#   cmake -D UPDATE=ON -P tools/check_layers.cmake     rewrite fstiff.hpp, io.hpp and the table
 #
 # ROOT: the folder of the project, by default the one above this script.
 cmake_minimum_required(VERSION 3.25)
@@ -39,7 +39,7 @@ endforeach()
 file(GLOB_RECURSE found LIST_DIRECTORIES false RELATIVE ${include} ${include}/*)
 set(public "")
 foreach(header IN LISTS found)
-    if(header STREQUAL "fstiff.hpp")
+    if(header MATCHES "^(fstiff|io)\\.hpp$")
         continue()
     endif()
     string(REGEX MATCH "^([a-z0-9_]+)/[a-z0-9_]+\\.hpp$" unused "${header}")
@@ -86,11 +86,13 @@ foreach(header IN LISTS found)
     endforeach()
 endforeach()
 
-# The umbrella header and the table, as they should be.
-set(umbrella "// SPDX-License-Identifier: BSD-3-Clause
-#pragma once
-/// \\file
-/// Everything above the opt-in adapters, layer by layer. Written by tools/check_layers.cmake.
+# The umbrella headers and the table, as they should be.
+set(head "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n/// \\file\n")
+set(umbrella_fstiff "${head}/// Everything above the readers and writers of files (io.hpp) and the opt-in adapters, layer by layer.
+/// Written by tools/check_layers.cmake.
+
+")
+set(umbrella_io "${head}/// The readers and writers of files: all of io but the opt-in X3P. Written by tools/check_layers.cmake.
 
 ")
 set(table "| layer | headers | includes from |\n|---|---|---|\n")
@@ -102,7 +104,11 @@ foreach(folder IN LISTS folders)
     set(cells "")
     foreach(header IN LISTS headers_${folder})
         if(header IN_LIST public)
-            string(APPEND umbrella "#include <fstiff/${header}>\n")
+            if(folder STREQUAL "io")
+                string(APPEND umbrella_io "#include <fstiff/${header}>\n")
+            else()
+                string(APPEND umbrella_fstiff "#include <fstiff/${header}>\n")
+            endif()
         endif()
         cmake_path(GET header STEM name)
         list(APPEND cells "[${name}](../include/fstiff/${header})")
@@ -118,17 +124,19 @@ foreach(folder IN LISTS folders)
     string(APPEND table "| ${folder} | ${cells} | ${used} |\n")
 endforeach()
 
-set(current "")
-if(EXISTS ${include}/fstiff.hpp)
-    file(READ ${include}/fstiff.hpp current)
-endif()
-if(NOT "${current}" STREQUAL "${umbrella}")
-    if(UPDATE)
-        file(WRITE ${include}/fstiff.hpp "${umbrella}")
-    else()
-        problem("fstiff.hpp does not list the public headers: run cmake -D UPDATE=ON -P tools/check_layers.cmake")
+foreach(name fstiff io)
+    set(current "")
+    if(EXISTS ${include}/${name}.hpp)
+        file(READ ${include}/${name}.hpp current)
     endif()
-endif()
+    if(NOT "${current}" STREQUAL "${umbrella_${name}}")
+        if(UPDATE)
+            file(WRITE ${include}/${name}.hpp "${umbrella_${name}}")
+        else()
+            problem("${name}.hpp does not list the public headers: run cmake -D UPDATE=ON -P tools/check_layers.cmake")
+        endif()
+    endif()
+endforeach()
 
 set(document ${ROOT}/docs/architecture.md)
 set(open "<!-- layers -->\n")

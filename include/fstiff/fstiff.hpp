@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Everything above the opt-in adapters, layer by layer. Written by tools/check_layers.cmake.
+/// Everything above the readers and writers of files (io.hpp) and the opt-in adapters, layer by layer.
+/// Written by tools/check_layers.cmake.
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/config.hpp>
@@ -68,10 +69,3 @@
 #include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/contact/validity.hpp>
-#include <fstiff/io/delimited.hpp>
-#include <fstiff/io/map_text.hpp>
-#include <fstiff/io/quantity.hpp>
-#include <fstiff/io/sdf.hpp>
-#include <fstiff/io/surface_file.hpp>
-#include <fstiff/io/text_table.hpp>
-#include <fstiff/io/write_csv.hpp>

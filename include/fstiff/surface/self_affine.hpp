@@ -24,10 +24,10 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/math/fft.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/FFT>
 
 #include <cmath>
 #include <complex>
