@@ -10,6 +10,7 @@
 
 namespace fstiff {
 
+FSTIFF_CLI_INSTANCE class ContactIntegrator<double>;
 FSTIFF_CLI_INSTANCE ContactIntegrals<double> scaled_contact_integrals(const PeakDensity<double>&, double, Quantity,
                                                                       const IntegralOptions<double>&);
 FSTIFF_CLI_INSTANCE Estimate<double> contact_integral(double, double, const PeakDensity<double>&, double,

@@ -25,7 +25,7 @@ std::string refusal(const std::string& text, const SurfaceOptions& options = {})
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Rows of \p columns numbers that form no grid.
-std::string numbers(int columns, int rows = 20) {
+std::string columns_of_numbers(int columns, int rows = 20) {
     std::string text;
     for (int k = 0; k < columns * rows; ++k)
         text += std::to_string(std::sin(k * k)) + (k % columns + 1 < columns ? " " : "\n");
@@ -135,26 +135,29 @@ TEST_CASE("Text without units is refused, and says how to give them") {
 
 TEST_CASE("The form of a text follows from its columns") {
     CHECK(read(profile_rows(), {.units = "um"}).record.format == SurfaceFormat::profile);
-    CHECK(read(numbers(1), {.units = "um", .spacing = 1e-6}).is_profile());
+    CHECK(read(columns_of_numbers(1), {.units = "um", .spacing = 1e-6}).is_profile());
     CHECK(read(grid(), {.units = "um"}).record.format == SurfaceFormat::triples);
-    CHECK(read(numbers(7), {.units = "um", .dx = 1e-6, .dy = 1e-6}).record.format == SurfaceFormat::matrix);
-    CHECK(read("Width: 3 um\nHeight: 3 um\nunit: nm\n" + numbers(3)).record.format == SurfaceFormat::matrix);
-    CHECK(read(numbers(3), {.units = "um", .width = 1e-6, .height = 1e-6}).record.format == SurfaceFormat::matrix);
-    CHECK(read(numbers(4), {.units = "um", .spacing = 1e-6, .column = 3}).record.format == SurfaceFormat::profile);
+    CHECK(read(columns_of_numbers(7), {.units = "um", .dx = 1e-6, .dy = 1e-6}).record.format == SurfaceFormat::matrix);
+    CHECK(read("Width: 3 um\nHeight: 3 um\nunit: nm\n" + columns_of_numbers(3)).record.format == SurfaceFormat::matrix);
+    CHECK(read(columns_of_numbers(3), {.units = "um", .width = 1e-6, .height = 1e-6}).record.format ==
+          SurfaceFormat::matrix);
+    CHECK(read(columns_of_numbers(4), {.units = "um", .spacing = 1e-6, .column = 3}).record.format ==
+          SurfaceFormat::profile);
     CHECK(read(grid(), {.units = "um"}).record.sentences().front() ==
           "format: triples, from three columns, the first two of which form a grid");
 }
 
 TEST_CASE("What could be two things is refused, and the option format decides") {
-    CHECK(has(refusal(numbers(3), {.units = "um"}), "format = triples, format = matrix, or format = profile"));
+    CHECK(
+        has(refusal(columns_of_numbers(3), {.units = "um"}), "format = triples, format = matrix, or format = profile"));
     const std::string sized = "Width: 3 um\nHeight: 3 um\nunit: nm\n";
     CHECK(has(refusal(sized + grid()), "format = triples or format = matrix"));
     CHECK(has(refusal(sized + profile_rows()), "format = profile or format = matrix"));
-    CHECK(has(refusal("x [um] a [nm] b [nm] c [nm]\n" + numbers(4)), "format = profile with column"));
+    CHECK(has(refusal("x [um] a [nm] b [nm] c [nm]\n" + columns_of_numbers(4)), "format = profile with column"));
     CHECK(read(sized + grid(), {.format = SurfaceFormat::matrix}).map().columns() == 3);
     CHECK(read(sized + grid(), {.format = SurfaceFormat::triples, .units = "um"}).map().columns() == 8);
     CHECK(read(sized + profile_rows(), {.format = SurfaceFormat::matrix}).map().columns() == 2);
-    CHECK(has(refusal(numbers(5), {.format = SurfaceFormat::triples, .units = "um"}), "must have 3"));
+    CHECK(has(refusal(columns_of_numbers(5), {.format = SurfaceFormat::triples, .units = "um"}), "must have 3"));
 }
 
 TEST_CASE("Options that the form has no use for are refused") {
@@ -163,7 +166,7 @@ TEST_CASE("Options that the form has no use for are refused") {
     CHECK(has(refusal(profile_rows(), {.format = SurfaceFormat::profile, .units = "um", .width = 1}),
               "no use for width"));
     CHECK(has(refusal("aISO-1.0\n", {.units = "um"}), "no use for units"));
-    CHECK(has(refusal(numbers(5), {.format = SurfaceFormat::matrix, .spacing = 1.0}), "no use for spacing"));
+    CHECK(has(refusal(columns_of_numbers(5), {.format = SurfaceFormat::matrix, .spacing = 1.0}), "no use for spacing"));
 }
 
 TEST_CASE("Binary files are known by their first bytes") {
