@@ -37,8 +37,11 @@ public:
         : middle_((a + b) / 2), half_((b - a) / 2), size_(points) {
         std::array<T, capacity> value;
         std::array<T, 4 * capacity> cosine;  // cos(pi m / (2 points))
-        for (std::size_t m = 0; m < 4 * points; ++m)
-            cosine[m] = m == points || m == 3 * points ? T(0) : std::cos(numbers::pi_v<T> * T(m) / (2 * T(points)));
+        for (std::size_t m = 0; m <= points; ++m) {
+            const T one = m == points ? T(0) : std::cos(numbers::pi_v<T> * T(m) / (2 * T(points)));
+            cosine[m] = cosine[(4 * points - m) % (4 * points)] = one;
+            cosine[2 * points - m] = cosine[2 * points + m] = -one;
+        }
         for (std::size_t k = 0; k < points; ++k) value[k] = f(middle_ + half_ * cosine[2 * k + 1]);
         for (std::size_t j = 0; j < points; ++j) {
             T sum = 0;
@@ -105,12 +108,13 @@ public:
     [[nodiscard]] std::size_t size() const { return sections_.size(); }
 
     [[nodiscard]] T operator()(T x) const { return at(x)(x); }
-    /// At \p x, whose first and last are the least and the greatest.
+    /// At \p x, which rise or fall.
     template <int N>
     [[nodiscard]] detail::Lanes<T, N> operator()(const detail::Lanes<T, N>& x) const {
         std::array<T, N> one;
         x.store(one.data());
-        const ChebyshevSeries<T>*series = &at(one.front()), *const last = &at(one.back());
+        const auto [least, greatest] = std::minmax(one.front(), one.back());
+        const ChebyshevSeries<T>*series = &at(least), *const last = &at(greatest);
         auto value = (*series)(x);
         while (series != last) {
             const auto end = detail::Lanes<T, N>::all(series->end());
