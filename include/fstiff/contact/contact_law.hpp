@@ -292,25 +292,23 @@ private:
     static constexpr T epsilon = std::numeric_limits<T>::epsilon();
     static constexpr T pieces_per_e = sizeof(T) == 8 ? T(4) : T(1.5);  ///< a float's slope would be all rounding on 4
 
-    template <int N>
-    using Numbers = Lanes<T, N>;
-    using Nodes = Numbers<Row::terms>;  ///< those of one piece
+    using One = Lanes<T, 1>;
+    using Nodes = Lanes<T, Row::terms>;  ///< those of a piece
 
-    template <int N>
+    template <class V>
     struct State {
-        Numbers<N> gap, pressure, minus_dp_dgap;
-        Numbers<N> stretch;  ///< d gap/d eta over the rms height
+        V gap, pressure, minus_dp_dgap;
+        V stretch;  ///< d gap/d eta over the rms height
     };
     /// With the bulk in series the gap is shorter and the slope smaller. \p slope is d log p/d eta.
-    template <int N>
-    [[nodiscard]] State<N> in_series(const Numbers<N>& eta, const Numbers<N>& p, const Numbers<N>& slope) const {
-        using V = Numbers<N>;
+    template <class V>
+    [[nodiscard]] State<V> in_series(const V& eta, const V& p, const V& slope) const {
         const V k = p * slope * V::all(-1 / rms_), stretch = multiply_add(k, V::all(bulk_), V::all(1));
         return {eta * V::all(rms_) - p * V::all(bulk_), p, k / stretch, stretch};
     }
-    template <int N>
-    [[nodiscard]] State<N> at(const Numbers<N>& eta) const {
-        return in_series(eta, Numbers<N>::all(middle_) * exp(log_pressure_(eta)), slope_(eta));
+    template <class V>
+    [[nodiscard]] State<V> at(const V& eta) const {
+        return in_series(eta, V::all(middle_) * exp(log_pressure_(eta)), slope_(eta));
     }
 
     [[nodiscard]] Nodes nodes(T from, T to) const {
@@ -318,10 +316,7 @@ private:
         return Nodes::all(from) + multiply_add(half, Nodes::load(lobatto_.node.data()), half);
     }
 
-    /// A section is halved where the last coefficients say that it needs it, and the values are good enough to tell.
-    [[nodiscard]] static bool accept(const ChebyshevSeries<T>& series, T error) {
-        return series.tail() <= std::max({600 * epsilon, 4 * epsilon * std::abs(series(series.middle())), error});
-    }
+    [[nodiscard]] static auto* row(auto& pieces, Eigen::Index i) { return pieces.rows.data() + i * Row::terms; }
 
     /// log p, over the middle of its range to keep its digits, against the effective eta; from the separation of the highest
     /// pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach.
@@ -338,23 +333,19 @@ private:
         sections_ = static_cast<std::size_t>(std::ceil((end_ - begin_) / 3));
         const T section = (end_ - begin_) / T(sections_);
         points_ = static_cast<std::size_t>(sizeof(T) == 8 ? 11 + 4 * section : 6 + 2 * section);
-        log_pressure_ = {begin_,
-                         end_,
-                         sections_,
-                         points_,
-                         [&, log_middle = std::log(middle_)](T eta) {
-                             ++law_.evaluations_;
-                             const LogSlope<T> p = contact_.log_pressure(eta);
-                             error_ = std::max(error_, p.error);
-                             return p.log - log_middle;
-                         },
-                         [&](const auto& series) { return accept(series, error_); }};
+        const auto sample = [this, log_middle = std::log(middle_)](T eta) {
+            ++law_.evaluations_;
+            const LogSlope<T> p = contact_.log_pressure(eta);
+            error_ = std::max(error_, p.error);
+            return p.log - log_middle;
+        };
+        log_pressure_ = {begin_, end_, sections_, points_, sample, error_};
         slope_ = log_pressure_.derivative();
     }
 
     /// Pieces over which log p changes by a quarter or so.
     void cut_by_gap() {
-        const auto low = at(Numbers<1>::all(closest_)), high = at(Numbers<1>::all(furthest_));
+        const auto low = at(One::all(closest_)), high = at(One::all(furthest_));
         const T from = low.gap.p, length = high.gap.p - from;
         const T steepest = std::max(low.minus_dp_dgap.p / low.pressure.p, high.minus_dp_dgap.p / high.pressure.p);
         const auto pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * length)) + 1;
@@ -364,8 +355,8 @@ private:
         shortest_change_ = steepest * width;
         T last = closest_;
         for (Eigen::Index i = 0; i < pieces; ++i) {
-            const State<Row::terms> found = at(eta_of_gap(nodes(from + width * T(i), from + width * T(i + 1)), last));
-            T* const c = law_.by_gap_.rows.col(i).data();
+            const State<Nodes> found = at(eta_of_gap(nodes(from + width * T(i), from + width * T(i + 1)), last));
+            T* const c = row(law_.by_gap_, i);
             lobatto_.fit(found.pressure).store(c);
             // against the series the slope is worst at the ends of a piece
             std::array<T, Row::terms> tangent;
@@ -381,7 +372,7 @@ private:
         Nodes eta = Nodes::all(last);
         std::array<T, Row::terms> one;
         for (int iteration = 0; iteration < 50; ++iteration) {
-            const State<Row::terms> found = at(eta);
+            const State<Nodes> found = at(eta);
             const Nodes step = (gap - found.gap) / (found.stretch * Nodes::all(rms_));
             eta = min(max(eta + step, Nodes::all(begin_)), Nodes::all(end_));
             max(step, Nodes::all(0) - step).store(one.data());
@@ -395,22 +386,18 @@ private:
     /// eta against log p: the inverse of the series, by Newton's method from node to node, again by sections; its tail falls
     /// by a digit or more with every coefficient.
     void interpolate_eta() {
-        const auto& pieces = law_.stiffness_;
-        const T enough = std::max(error_, 20000 * epsilon);
         T eta = closest_;
-        eta_of_ = {std::log(pieces.edge(0) / middle_),
-                   std::log(pieces.edge(pieces.rows.cols()) / middle_),
-                   sections_,
-                   points_,
-                   [&](T log_p) {
-                       for (int iteration = 0; iteration < 50; ++iteration) {
-                           const T step = (log_p - log_pressure_(eta)) / slope_(eta);
-                           eta = ContactLaw<T>::within(eta + step, begin_, end_);
-                           if (std::abs(step) <= close_enough_) break;
-                       }
-                       return eta;
-                   },
-                   [&](const auto& series) { return accept(series, enough); }};
+        const auto solve = [&](T log_p) {
+            for (int iteration = 0; iteration < 50; ++iteration) {
+                const T step = (log_p - log_pressure_(eta)) / slope_(eta);
+                eta = ContactLaw<T>::within(eta + step, begin_, end_);
+                if (std::abs(step) <= close_enough_) break;
+            }
+            return eta;
+        };
+        const auto log_of_edge = [&](Eigen::Index i) { return std::log(law_.stiffness_.edge(i) / middle_); };
+        eta_of_ = {log_of_edge(0), log_of_edge(law_.stiffness_.rows.cols()), sections_, points_,
+                   solve,          std::max(error_, 20000 * epsilon)};
     }
 
     void cut_by_pressure() {
@@ -420,9 +407,9 @@ private:
         for (Eigen::Index i = 0; i < law_.stiffness_.rows.cols(); ++i) {
             const Nodes p = nodes(law_.stiffness_.edge(i), law_.stiffness_.edge(i + 1));
             const Nodes eta = eta_of_(log(p / Nodes::all(middle_)));
-            const State<Row::terms> found = in_series(eta, p, slope_(eta));
-            (lobatto_.fit(found.minus_dp_dgap * ratio) * scale).store(law_.stiffness_.rows.col(i).data());
-            (lobatto_.fit(found.gap) * scale).store(law_.gap_.rows.col(i).data());
+            const State<Nodes> found = in_series(eta, p, slope_(eta));
+            (lobatto_.fit(found.minus_dp_dgap * ratio) * scale).store(row(law_.stiffness_, i));
+            (lobatto_.fit(found.gap) * scale).store(row(law_.gap_, i));
         }
     }
 
@@ -435,7 +422,7 @@ private:
             const T eta = closest_ + (furthest_ - closest_) * (T(i) + T(0.37)) / T(checks);
             const LogSlope<T> model = contact_.log_pressure(eta);
             const T p = std::clamp(std::exp(model.log), range_.pressure_min, range_.pressure_max);
-            const auto truth = in_series(Numbers<1>::all(eta), Numbers<1>::all(p), Numbers<1>::all(model.slope));
+            const auto truth = in_series(One::all(eta), One::all(p), One::all(model.slope));
             const T gap = truth.gap.p, k = truth.minus_dp_dgap.p * contact_.stiffness_over_slope();
             worst(law_.stiffness(p) / k - 1);
             worst((law_.gap(p) - gap) / rms_);
@@ -452,13 +439,13 @@ private:
 
     /// p and K move one way from node to node; closer than that the polynomials are smooth.
     void require_monotone() const {
-        const auto moves = [](const auto& rows, T half, T way) {
-            for (Eigen::Index i = 0; i < rows.cols(); ++i)
+        const auto moves = [](const auto& pieces, T half, T way) {
+            for (Eigen::Index i = 0; i < pieces.rows.cols(); ++i)
                 for (int k = -8; k <= 8; ++k)
-                    if (!(way * Row::derivative(rows.col(i).data(), half * T(k) / 8) > 0)) return false;
+                    if (!(way * Row::derivative(row(pieces, i), half * T(k) / 8) > 0)) return false;
             return true;
         };
-        if (!(moves(law_.stiffness_.rows, BinaryPieces<T>::half, T(1)) && moves(law_.by_gap_.rows, T(1), T(-1))))
+        if (!(moves(law_.stiffness_, BinaryPieces<T>::half, T(1)) && moves(law_.by_gap_, T(1), T(-1))))
             throw domain_error("pressure range: the compiled law would not be monotone; must be one where K and p are");
     }
 

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -96,13 +97,13 @@ class ChebyshevSections {
 public:
     ChebyshevSections() = default;
 
-    /// \p count equal sections of [a, b] of \p points coefficients each; a section whose series \p accept refuses is
-    /// halved, three times at most.
-    template <class F, class Accept>
-    ChebyshevSections(T a, T b, std::size_t count, std::size_t points, const F& f, const Accept& accept) {
+    /// \p count equal sections of [a, b] of \p points coefficients each. A section is halved, three times at most, where its
+    /// last coefficients say that it needs it, and the values are good enough to tell: to \p error, which \p f may raise.
+    template <class F>
+    ChebyshevSections(T a, T b, std::size_t count, std::size_t points, const F& f, const T& error) {
         sections_.reserve(count);
         for (std::size_t i = 0; i < count; ++i)
-            add(a + (b - a) * (T(i) / T(count)), a + (b - a) * (T(i + 1) / T(count)), points, f, accept, 3);
+            add(a + (b - a) * (T(i) / T(count)), a + (b - a) * (T(i + 1) / T(count)), points, f, error, 3);
     }
 
     [[nodiscard]] std::size_t size() const { return sections_.size(); }
@@ -130,15 +131,17 @@ public:
     }
 
 private:
-    template <class F, class Accept>
-    void add(T a, T b, std::size_t points, const F& f, const Accept& accept, int halvings) {
+    template <class F>
+    void add(T a, T b, std::size_t points, const F& f, const T& error, int halvings) {
+        constexpr T epsilon = std::numeric_limits<T>::epsilon();
         const ChebyshevSeries<T> series(a, b, points, f);
-        if (halvings == 0 || accept(series)) {
+        const T rounding = epsilon * std::max(T(600), 4 * std::abs(series(series.middle())));
+        if (halvings == 0 || series.tail() <= std::max(rounding, error)) {
             sections_.push_back(series);
             return;
         }
-        add(a, (a + b) / 2, points, f, accept, halvings - 1);
-        add((a + b) / 2, b, points, f, accept, halvings - 1);
+        add(a, (a + b) / 2, points, f, error, halvings - 1);
+        add((a + b) / 2, b, points, f, error, halvings - 1);
     }
     [[nodiscard]] const ChebyshevSeries<T>& at(T x) const {
         const auto found = std::partition_point(sections_.begin(), sections_.end() - 1,
