@@ -16,7 +16,7 @@ namespace {
 
 class Bar {
 public:
-    Bar() = default;
+    explicit Bar(std::chrono::milliseconds delay) : delay_(delay) {}
     Bar(const Bar&) = delete;
     Bar& operator=(const Bar&) = delete;
     ~Bar() {
@@ -28,7 +28,7 @@ public:
         if (what != what_ || done < done_) {  // another part
             what_ = what;
             begun_ = now;
-            next_ = now + std::chrono::milliseconds(500);
+            next_ = now + delay_;
             first_ = done;
         }
         done_ = done;
@@ -54,6 +54,7 @@ private:
         return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
     }
 
+    std::chrono::milliseconds delay_;
     std::string what_;
     std::size_t done_ = 0, first_ = 0;
     Clock::time_point begun_, next_;
@@ -65,9 +66,9 @@ private:
 ProgressHook progress_bar() {
     const char* terminal = std::getenv("TERM");
     if (isatty(STDERR_FILENO) == 0 || (terminal && std::string_view(terminal) == "dumb")) return {};
-    return [bar = std::make_shared<Bar>()](std::string_view what, std::size_t done, std::size_t all) {
-        (*bar)(what, done, all);
-    };
+    const char* delay = std::getenv("FSTIFF_PROGRESS_DELAY");
+    return [bar = std::make_shared<Bar>(std::chrono::milliseconds(delay ? std::atoi(delay) : 500))](
+               std::string_view what, std::size_t done, std::size_t all) { (*bar)(what, done, all); };
 }
 
 }  // namespace fstiff::cli

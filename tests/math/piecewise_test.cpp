@@ -5,6 +5,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,10 +19,10 @@ template <class T, class Rows, class Edge, class F>
 void fit(Rows& rows, T half, const Edge& edge, const F& f) {
     const auto& lobatto = LobattoPiece<T, Row::terms>::get();
     for (Eigen::Index i = 0; i < rows.cols(); ++i) {
-        Eigen::Array<T, Row::terms, 1> value;
-        for (Eigen::Index k = 0; k < Row::terms; ++k)
-            value[k] = f(edge(i) + (edge(i + 1) - edge(i)) * (1 + lobatto.node[static_cast<std::size_t>(k)]) / 2);
-        lobatto.fit(value, rows.col(i).data());
+        std::array<T, Row::terms> value;
+        for (std::size_t k = 0; k < value.size(); ++k)
+            value[k] = f(edge(i) + (edge(i + 1) - edge(i)) * (1 + lobatto.node[k]) / 2);
+        lobatto.fit(Lanes<T, Row::terms>::load(value.data())).store(rows.col(i).data());
         for (Eigen::Index k = 0; k < Row::terms; ++k) rows(k, i) /= std::pow(half, T(k));
     }
 }

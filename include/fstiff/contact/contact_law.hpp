@@ -35,6 +35,7 @@
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/chebyshev.hpp>
+#include <fstiff/math/lanes.hpp>
 #include <fstiff/math/piecewise.hpp>
 
 #include <Eigen/Core>
@@ -63,6 +64,11 @@ struct LawRange {
     T pressure_max{};  ///< [Pa]
     OutsideRange outside = OutsideRange::refuse;
 };
+
+namespace detail {
+template <Real T, class Contact>
+class LawCompiler;
+}
 
 template <Real T>
 requires(std::same_as<T, float> || std::same_as<T, double>) class ContactLaw {
@@ -158,6 +164,9 @@ public:
     [[nodiscard]] bool operator==(const ContactLaw& other) const { return to_text() == other.to_text(); }
 
 private:
+    template <Real, class>
+    friend class detail::LawCompiler;
+
     struct Exact {
         T gap, pressure, stiffness;
     };
@@ -247,6 +256,219 @@ private:
     std::function<Exact(T, bool)> exact_;      ///< at a pressure, or at a gap
 };
 
+namespace detail {
+
+/// The work of ContactLaw::compile, in the order of its functions.
+template <Real T, class Contact>
+class LawCompiler {
+public:
+    LawCompiler(const Contact& contact, const LawRange<T>& range) : contact_(contact), range_(range) {
+        law_.pressure_min_ = range.pressure_min;
+        law_.pressure_max_ = range.pressure_max;
+        law_.outside_ = range.outside;
+        law_.tangent_is_exact_ = contact.stiffness_over_slope() == T(1);
+        law_.stiffness_ = law_.gap_ = BinaryPieces<T>(range.pressure_min, range.pressure_max);
+        law_.evaluations_ = 1;
+    }
+
+    [[nodiscard]] ContactLaw<T> compile() {
+        interpolate_pressure();
+        cut_by_gap();
+        interpolate_eta();
+        cut_by_pressure();
+        measure_error();
+        require_monotone();
+        if (range_.outside == OutsideRange::exact)
+            law_.exact_ = [contact = contact_](T x, bool is_pressure) {
+                const auto state = is_pressure ? contact.at_pressure(x, Quantity::stiffness | Quantity::pressure)
+                                               : contact.at_separation(x, Quantity::stiffness | Quantity::pressure);
+                return
+                    typename ContactLaw<T>::Exact{state.separation.value, state.pressure.value, state.stiffness.value};
+            };
+        return std::move(law_);
+    }
+
+private:
+    static constexpr T epsilon = std::numeric_limits<T>::epsilon();
+    static constexpr T pieces_per_e = sizeof(T) == 8 ? T(4) : T(1.5);  ///< a float's slope would be all rounding on 4
+
+    using One = Lanes<T, 1>;
+    using Nodes = Lanes<T, Row::terms>;  ///< those of a piece
+
+    template <class V>
+    struct State {
+        V gap, pressure, minus_dp_dgap;
+        V stretch;  ///< d gap/d eta over the rms height
+    };
+    /// With the bulk in series the gap is shorter and the slope smaller. \p slope is d log p/d eta.
+    template <class V>
+    [[nodiscard]] State<V> in_series(const V& eta, const V& p, const V& slope) const {
+        const V k = p * slope * V::all(-1 / rms_), stretch = multiply_add(k, V::all(bulk_), V::all(1));
+        return {eta * V::all(rms_) - p * V::all(bulk_), p, k / stretch, stretch};
+    }
+    template <class V>
+    [[nodiscard]] State<V> at(const V& eta) const {
+        return in_series(eta, V::all(middle_) * exp(log_pressure_(eta)), slope_(eta));
+    }
+
+    [[nodiscard]] Nodes nodes(T from, T to) const {
+        const Nodes half = Nodes::all((to - from) / 2);
+        return Nodes::all(from) + multiply_add(half, Nodes::load(lobatto_.node.data()), half);
+    }
+
+    [[nodiscard]] static auto* row(auto& pieces, Eigen::Index i) { return pieces.rows.data() + i * Row::terms; }
+
+    /// log p, over the middle of its range to keep its digits, against the effective eta; from the separation of the highest
+    /// pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach.
+    void interpolate_pressure() {
+        const auto end = [this](T pressure) { return contact_.at_pressure(pressure, Quantity::pressure).eta; };
+        closest_ = end(range_.pressure_max);
+        furthest_ = end(range_.pressure_min);
+        // log p is concave in eta: 10 % more than the slope says is enough; never so short that the slope would be all rounding
+        const T beyond = T(0.13);  // log(9/8) and 10 %
+        const T slack =
+            std::max(-beyond / contact_.log_pressure(closest_).slope, T(0.1) * (1 - (furthest_ - closest_)));
+        begin_ = closest_ - slack;
+        end_ = furthest_ + slack;
+        sections_ = static_cast<std::size_t>(std::ceil((end_ - begin_) / 3));
+        const T section = (end_ - begin_) / T(sections_);
+        points_ = static_cast<std::size_t>(sizeof(T) == 8 ? 11 + 4 * section : 6 + 2 * section);
+        const auto sample = [this, log_middle = std::log(middle_)](T eta) {
+            ++law_.evaluations_;
+            const LogSlope<T> p = contact_.log_pressure(eta);
+            error_ = std::max(error_, p.error);
+            return p.log - log_middle;
+        };
+        log_pressure_ = {begin_, end_, sections_, points_, sample, error_};
+        slope_ = log_pressure_.derivative();
+    }
+
+    /// Pieces over which log p changes by a quarter or so.
+    void cut_by_gap() {
+        const auto low = at(One::all(closest_)), high = at(One::all(furthest_));
+        const T from = low.gap.p, length = high.gap.p - from;
+        const T steepest = std::max(low.minus_dp_dgap.p / low.pressure.p, high.minus_dp_dgap.p / high.pressure.p);
+        const auto pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * length)) + 1;
+        const T width = length / T(pieces);
+        law_.by_gap_ = UniformPieces<T>(from, high.gap.p, pieces);
+        law_.slope_scale_ = -2 / width * contact_.stiffness_over_slope();
+        shortest_change_ = steepest * width;
+        T last = closest_;
+        for (Eigen::Index i = 0; i < pieces; ++i) {
+            const State<Nodes> found = at(eta_of_gap(nodes(from + width * T(i), from + width * T(i + 1)), last));
+            T* const c = row(law_.by_gap_, i);
+            lobatto_.fit(found.pressure).store(c);
+            // against the series the slope is worst at the ends of a piece
+            std::array<T, Row::terms> tangent;
+            (found.minus_dp_dgap * Nodes::all(-width / 2)).store(tangent.data());
+            at_ends_ = std::max({at_ends_, std::abs(Row::derivative(c, T(-1)) / tangent.front() - 1),
+                                 std::abs(Row::derivative(c, T(1)) / tangent.back() - 1)});
+        }
+    }
+
+    /// eta rms - p bulk = gap, concave: Newton's method rises to the roots from \p last, which becomes the last of them.
+    [[nodiscard]] Nodes eta_of_gap(const Nodes& gap, T& last) const {
+        if (bulk_ == 0) return gap / Nodes::all(rms_);
+        Nodes eta = Nodes::all(last);
+        std::array<T, Row::terms> one;
+        for (int iteration = 0; iteration < 50; ++iteration) {
+            const State<Nodes> found = at(eta);
+            const Nodes step = (gap - found.gap) / (found.stretch * Nodes::all(rms_));
+            eta = min(max(eta + step, Nodes::all(begin_)), Nodes::all(end_));
+            max(step, Nodes::all(0) - step).store(one.data());
+            if (*std::max_element(one.begin(), one.end()) <= close_enough_) break;
+        }
+        eta.store(one.data());
+        last = one.back();
+        return eta;
+    }
+
+    /// eta against log p: the inverse of the series, by Newton's method from node to node, again by sections; its tail falls
+    /// by a digit or more with every coefficient.
+    void interpolate_eta() {
+        T eta = closest_;
+        const auto solve = [&](T log_p) {
+            for (int iteration = 0; iteration < 50; ++iteration) {
+                const T step = (log_p - log_pressure_(eta)) / slope_(eta);
+                eta = ContactLaw<T>::within(eta + step, begin_, end_);
+                if (std::abs(step) <= close_enough_) break;
+            }
+            return eta;
+        };
+        const auto log_of_edge = [&](Eigen::Index i) { return std::log(law_.stiffness_.edge(i) / middle_); };
+        eta_of_ = {log_of_edge(0), log_of_edge(law_.stiffness_.rows.cols()), sections_, points_,
+                   solve,          std::max(error_, 20000 * epsilon)};
+    }
+
+    void cut_by_pressure() {
+        std::array<T, Row::terms> power{1};  // from s in [-1, 1] to that of the pieces
+        for (std::size_t k = 1; k < power.size(); ++k) power[k] = power[k - 1] / BinaryPieces<T>::half;
+        const Nodes scale = Nodes::load(power.data()), ratio = Nodes::all(contact_.stiffness_over_slope());
+        for (Eigen::Index i = 0; i < law_.stiffness_.rows.cols(); ++i) {
+            const Nodes p = nodes(law_.stiffness_.edge(i), law_.stiffness_.edge(i + 1));
+            const Nodes eta = eta_of_(log(p / Nodes::all(middle_)));
+            const State<Nodes> found = in_series(eta, p, slope_(eta));
+            (lobatto_.fit(found.minus_dp_dgap * ratio) * scale).store(row(law_.stiffness_, i));
+            (lobatto_.fit(found.gap) * scale).store(row(law_.gap_, i));
+        }
+    }
+
+    /// The errors against the model, between the nodes of both tables.
+    void measure_error() {
+        const std::size_t checks = 8 + 4 * log_pressure_.size();
+        T found = 0;
+        const auto worst = [&found](T difference) { found = std::max(found, std::abs(difference)); };
+        for (std::size_t i = 0; i < checks; ++i) {
+            const T eta = closest_ + (furthest_ - closest_) * (T(i) + T(0.37)) / T(checks);
+            const LogSlope<T> model = contact_.log_pressure(eta);
+            const T p = std::clamp(std::exp(model.log), range_.pressure_min, range_.pressure_max);
+            const auto truth = in_series(One::all(eta), One::all(p), One::all(model.slope));
+            const T gap = truth.gap.p, k = truth.minus_dp_dgap.p * contact_.stiffness_over_slope();
+            worst(law_.stiffness(p) / k - 1);
+            worst((law_.gap(p) - gap) / rms_);
+            const auto at = law_.at_gap(std::clamp(gap, law_.by_gap_.begin, law_.by_gap_.end));
+            worst(at.pressure / p - 1);
+            worst(at.stiffness / k - 1);
+        }
+        // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a short range
+        // carries the rounding of the few digits in which p changes there
+        constexpr T rounding = T(4 * Row::terms * Row::terms) * epsilon;
+        law_.relative_error_ =
+            6 * found + T(1.5) * at_ends_ + rounding * std::max(T(1), 1 / (pieces_per_e * shortest_change_));
+    }
+
+    /// p and K move one way from node to node; closer than that the polynomials are smooth.
+    void require_monotone() const {
+        const auto moves = [](const auto& pieces, T half, T way) {
+            for (Eigen::Index i = 0; i < pieces.rows.cols(); ++i)
+                for (int k = -8; k <= 8; ++k)
+                    if (!(way * Row::derivative(row(pieces, i), half * T(k) / 8) > 0)) return false;
+            return true;
+        };
+        if (!(moves(law_.stiffness_, BinaryPieces<T>::half, T(1)) && moves(law_.by_gap_, T(1), T(-1))))
+            throw domain_error("pressure range: the compiled law would not be monotone; must be one where K and p are");
+    }
+
+    const Contact& contact_;
+    const LawRange<T>& range_;
+    const LobattoPiece<T, Row::terms>& lobatto_ = LobattoPiece<T, Row::terms>::get();
+    const T rms_ = contact_.rms_height(), bulk_ = contact_.bulk_compliance();
+    const T middle_ = std::sqrt(range_.pressure_min) * std::sqrt(range_.pressure_max);  ///< of the pressures
+    const T close_enough_ = std::sqrt(epsilon) / 4;  ///< of Newton's method: the next step would be about step^2
+    ContactLaw<T> law_;
+    ChebyshevSections<T> log_pressure_;  ///< log(p/middle) against eta
+    ChebyshevSections<T> slope_;         ///< its derivative
+    ChebyshevSections<T> eta_of_;        ///< its inverse
+    std::size_t sections_{}, points_{};  ///< of each
+    T closest_{}, furthest_{};           ///< eta at the ends of the range
+    T begin_{}, end_{};                  ///< and of the series
+    T error_{};                          ///< of the integrals
+    T at_ends_{};                        ///< of the slope, at the ends of the pieces by gap
+    T shortest_change_{};                ///< of log p over a piece by gap
+};
+
+}  // namespace detail
+
 template <Real T>
 requires(std::same_as<T, float> || std::same_as<T, double>) template <class Contact>
 ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& range) {
@@ -256,189 +478,7 @@ ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& 
             range.pressure_max, "finite and greater than pressure_min");
     require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
             "none or effective_separation for a compiled law (as_printed is no function of one gap)");
-    ContactLaw law;
-    law.pressure_min_ = range.pressure_min;
-    law.pressure_max_ = range.pressure_max;
-    law.outside_ = range.outside;
-    law.tangent_is_exact_ = contact.stiffness_over_slope() == T(1);
-
-    // log p, over the middle of its range to keep its digits, against the effective eta; from the separation of the highest
-    // pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach (log p is concave in eta: 10 %
-    // more than the slope says is enough); never so short that the slope would be all rounding
-    const T rms = contact.rms_height();
-    const auto end = [&](T pressure) { return contact.at_pressure(pressure, Quantity::pressure).eta; };
-    const T closest = end(range.pressure_max), furthest = end(range.pressure_min);
-    law.stiffness_ = law.gap_ = detail::BinaryPieces<T>(range.pressure_min, range.pressure_max);
-    const Eigen::Index pressure_pieces = law.stiffness_.rows.cols();
-    const T middle = std::sqrt(range.pressure_min) * std::sqrt(range.pressure_max), log_middle = std::log(middle);
-    const T log_low = std::log(law.stiffness_.edge(0) / middle);
-    const T log_high = std::log(law.stiffness_.edge(pressure_pieces) / middle);
-    const T beyond = T(0.13);  // log(9/8) and 10 %
-    const T slack = std::max(-beyond / contact.log_pressure(closest).slope, T(0.1) * (1 - (furthest - closest)));
-    law.evaluations_ = 1;
-    const T begin = closest - slack, length = furthest + slack - begin;
-    const auto sections = static_cast<std::size_t>(std::ceil(length / 3));
-    const T section = length / T(sections);
-    const auto points = static_cast<std::size_t>(sizeof(T) == 8 ? 11 + 4 * section : 6 + 2 * section);
-    // a section is halved where the last coefficients say that it needs it, and the values are good enough to tell
-    const auto accept = [](const ChebyshevSeries<T>& series, T error) {
-        const T rounding = 4 * std::numeric_limits<T>::epsilon() * std::abs(series(series.middle()));
-        return series.tail() <= std::max({600 * std::numeric_limits<T>::epsilon(), rounding, error});
-    };
-    T error = 0;
-    const ChebyshevSections<T> log_pressure(
-        begin, furthest + slack, sections, points,
-        [&](T eta) {
-            ++law.evaluations_;
-            const LogSlope<T> p = contact.log_pressure(eta);
-            error = std::max(error, p.error);
-            return p.log - log_middle;
-        },
-        [&](const auto& series) { return accept(series, error); });
-    const ChebyshevSections<T> slope = log_pressure.derivative();
-    const T bulk = contact.bulk_compliance();
-
-    // everything at one eta; with the bulk in series the gap is shorter and the slope smaller
-    struct State {
-        T gap, pressure, minus_dp_dgap;
-    };
-    const auto at_eta = [&](T eta) {
-        const T p = middle * std::exp(log_pressure(eta));
-        const T k = -p * slope(eta) / rms;
-        return State{eta * rms - p * bulk, p, k / (1 + k * bulk)};
-    };
-    const State low = at_eta(closest), high = at_eta(furthest);
-
-    // the nodes of four pieces, a column each, from the piece \p first on; beyond \p count the last one again
-    constexpr int group = 4;
-    using Nodes = Eigen::Array<T, detail::Row::terms, group>;
-    const auto& lobatto = detail::LobattoPiece<T, detail::Row::terms>::get();
-    const Eigen::Array<T, detail::Row::terms, 1> node =
-        (1 + Eigen::Map<const Eigen::Array<T, detail::Row::terms, 1>>(lobatto.node.data())) / 2;  // 0 to 1
-    const auto nodes = [&node](Eigen::Index first, Eigen::Index count, const auto& edge) {
-        Nodes x;
-        for (Eigen::Index k = 0; k < group; ++k) {
-            const Eigen::Index piece = std::min(first + k, count - 1);
-            const T from = edge(piece);
-            x.col(k) = from + (edge(piece + 1) - from) * node;
-        }
-        return x;
-    };
-    const auto fit = [&lobatto](const Nodes& value, Eigen::Index first, auto& rows) {
-        for (Eigen::Index k = 0; k < group && first + k < rows.cols(); ++k)
-            lobatto.fit(value.col(k), rows.col(first + k).data());
-    };
-
-    // by gap: log p changes by a quarter or so over a piece; a float's slope would be all rounding there
-    const T pieces_per_e = sizeof(T) == 8 ? T(4) : T(1.5);
-    const T steepest = std::max(low.minus_dp_dgap / low.pressure, high.minus_dp_dgap / high.pressure);
-    const auto gap_pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * (high.gap - low.gap))) + 1;
-    law.by_gap_ = detail::UniformPieces<T>(low.gap, high.gap, gap_pieces);
-    const T width = law.by_gap_.length / T(gap_pieces);
-    law.slope_scale_ = -2 / width * contact.stiffness_over_slope();
-    // of Newton's method: the next step would be about step^2, below rounding
-    const T close_enough = std::sqrt(std::numeric_limits<T>::epsilon()) / 4;
-    T last = closest, at_ends = 0;
-    for (Eigen::Index i = 0; i < gap_pieces; i += group) {
-        const Nodes gap = nodes(i, gap_pieces, [&](Eigen::Index k) { return low.gap + width * T(k); });
-        Nodes eta = gap / rms;
-        if (bulk != 0) {
-            eta = last;  // eta rms - p bulk = gap, concave: Newton's method rises to the roots from the last one
-            for (int iteration = 0; iteration < 50; ++iteration) {
-                const Nodes p = middle * log_pressure(eta).exp();
-                const Nodes step = (gap - (eta * rms - p * bulk)) / (rms - p * slope(eta) * bulk);
-                eta = (eta + step).max(closest - slack).min(furthest + slack);
-                if ((step.abs() <= close_enough).all()) break;
-            }
-            last = eta(eta.size() - 1);
-        }
-        const Nodes p = middle * log_pressure(eta).exp();
-        fit(p, i, law.by_gap_.rows);
-        // against the series the slope is worst at the ends of a piece
-        const Nodes k = -p * slope(eta) / rms;
-        const Nodes tangent = k / (1 + k * bulk) * (-width / 2);
-        for (Eigen::Index piece = 0; piece < group && i + piece < gap_pieces; ++piece) {
-            const T* c = law.by_gap_.rows.col(i + piece).data();
-            at_ends =
-                std::max({at_ends, std::abs(detail::Row::derivative(c, T(-1)) / tangent(0, piece) - 1),
-                          std::abs(detail::Row::derivative(c, T(1)) / tangent(detail::Row::terms - 1, piece) - 1)});
-        }
-    }
-
-    // eta against log p: the inverse of the series, by Newton's method from node to node, again by sections; its tail falls
-    // by a digit or more with every coefficient
-    const T enough = std::max(error, 20000 * std::numeric_limits<T>::epsilon());
-    T last_eta = closest;
-    const ChebyshevSections<T> eta_of(
-        log_low, log_high, sections, points,
-        [&](T log_p) {
-            for (int iteration = 0; iteration < 50; ++iteration) {
-                const T step = (log_p - log_pressure(last_eta)) / slope(last_eta);
-                last_eta = within(last_eta + step, closest - slack, furthest + slack);
-                if (std::abs(step) <= close_enough) break;
-            }
-            return last_eta;
-        },
-        [&](const auto& series) { return accept(series, enough); });
-
-    // by pressure
-    for (Eigen::Index i = 0; i < pressure_pieces; i += group) {
-        const Nodes p = nodes(i, pressure_pieces, [&](Eigen::Index k) { return law.stiffness_.edge(k); });
-        const Nodes x = eta_of(Nodes((p / middle).log()));
-        const Nodes dp = -p * slope(x) / rms;
-        fit(dp / (1 + dp * bulk) * contact.stiffness_over_slope(), i, law.stiffness_.rows);
-        fit(x * rms - p * bulk, i, law.gap_.rows);
-    }
-    T scale = 1;  // from s in [-1, 1] to that of the pieces
-    for (Eigen::Index k = 1; k < detail::Row::terms; ++k) {
-        scale /= detail::BinaryPieces<T>::half;
-        law.stiffness_.rows.row(k) *= scale;
-        law.gap_.rows.row(k) *= scale;
-    }
-
-    // the errors against the model, between the nodes of both tables
-    const std::size_t checks = 8 + 4 * log_pressure.size();
-    T found = 0;
-    const auto worst = [&found](T difference) { found = std::max(found, std::abs(difference)); };
-    for (std::size_t i = 0; i < checks; ++i) {
-        const T x = closest + (furthest - closest) * (T(i) + T(0.37)) / T(checks);
-        const LogSlope<T> truth = contact.log_pressure(x);
-        const T p = std::clamp(std::exp(truth.log), range.pressure_min, range.pressure_max);
-        const T dp = -p * truth.slope / rms;
-        const T k = dp / (1 + dp * bulk) * contact.stiffness_over_slope();
-        const T gap = x * rms - p * bulk;
-        worst(law.stiffness(p) / k - 1);
-        worst((law.gap(p) - gap) / rms);
-        const Point at = law.at_gap(std::clamp(gap, low.gap, high.gap));
-        worst(at.pressure / p - 1);
-        worst(at.stiffness / k - 1);
-    }
-    // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a short range
-    // carries the rounding of the few digits in which p changes there
-    const T shortest_change = steepest * width;
-    constexpr T rounding = T(4 * detail::Row::terms * detail::Row::terms) * std::numeric_limits<T>::epsilon();
-    law.relative_error_ =
-        6 * found + T(1.5) * at_ends + rounding * std::max(T(1), 1 / (pieces_per_e * shortest_change));
-
-    // monotone: p and K move one way from node to node; closer than that the polynomials are smooth
-    const auto moves = [](const auto& rows, T half, T way) {
-        for (Eigen::Index i = 0; i < rows.cols(); ++i)
-            for (int k = -8; k <= 8; ++k)
-                if (!(way * detail::Row::derivative(rows.col(i).data(), half * T(k) / 8) > 0)) return false;
-        return true;
-    };
-    const bool monotone =
-        moves(law.stiffness_.rows, detail::BinaryPieces<T>::half, T(1)) && moves(law.by_gap_.rows, T(1), T(-1));
-    if (!monotone)
-        throw domain_error("pressure range: the compiled law would not be monotone; must be one where K and p are");
-
-    if (range.outside == OutsideRange::exact)
-        law.exact_ = [contact](T x, bool is_pressure) {
-            const auto state = is_pressure ? contact.at_pressure(x, Quantity::stiffness | Quantity::pressure)
-                                           : contact.at_separation(x, Quantity::stiffness | Quantity::pressure);
-            return Exact{state.separation.value, state.pressure.value, state.stiffness.value};
-        };
-    return law;
+    return detail::LawCompiler<T, Contact>(contact, range).compile();
 }
 
 template <Real T>

@@ -12,15 +12,14 @@
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/numbers.hpp>
-
-#include <Eigen/Core>
+#include <fstiff/math/lanes.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
-#include <type_traits>
 #include <vector>
 
 namespace fstiff {
@@ -39,28 +38,37 @@ public:
         : middle_((a + b) / 2), half_((b - a) / 2), size_(points) {
         std::array<T, capacity> value;
         std::array<T, 4 * capacity> cosine;  // cos(pi m / (2 points))
-        for (std::size_t m = 0; m < 4 * points; ++m)
-            cosine[m] = m == points || m == 3 * points ? T(0) : std::cos(numbers::pi_v<T> * T(m) / (2 * T(points)));
+        for (std::size_t m = 0; m <= points; ++m) {
+            const T one = m == points ? T(0) : std::cos(numbers::pi_v<T> * T(m) / (2 * T(points)));
+            cosine[m] = cosine[(4 * points - m) % (4 * points)] = one;
+            cosine[2 * points - m] = cosine[2 * points + m] = -one;
+        }
         for (std::size_t k = 0; k < points; ++k) value[k] = f(middle_ + half_ * cosine[2 * k + 1]);
         for (std::size_t j = 0; j < points; ++j) {
             T sum = 0;
-            for (std::size_t k = 0; k < points; ++k) sum += value[k] * cosine[(j * (2 * k + 1)) % (4 * points)];
+            std::size_t m = j;  // j (2k + 1), less whole turns
+            for (std::size_t k = 0; k < points; ++k) {
+                sum += value[k] * cosine[m];
+                m += 2 * j;
+                if (m >= 4 * points) m -= 4 * points;
+            }
             c_[j] = 2 * sum / T(points);
         }
     }
 
-    /// At \p x, a T or an Eigen array of them.
-    template <class V>
-    [[nodiscard]] V operator()(const V& x) const noexcept {
-        const V u = (x - middle_) / half_;
-        V next = u * 0, after = next;
+    template <int N>
+    [[nodiscard]] detail::Lanes<T, N> operator()(const detail::Lanes<T, N>& x) const noexcept {
+        using V = detail::Lanes<T, N>;
+        const V u = (x - V::all(middle_)) / V::all(half_), twice = u + u;
+        V next = V::all(0), after = next;
         for (std::size_t j = size_; j-- > 1;) {
-            const V now = 2 * u * next - after + c_[j];
+            const V now = multiply_add(twice, next, V::all(c_[j]) - after);
             after = next;
             next = now;
         }
-        return u * next - after + c_[0] / 2;
+        return multiply_add(u, next, V::all(c_[0] / 2) - after);
     }
+    [[nodiscard]] T operator()(T x) const noexcept { return (*this)(detail::Lanes<T, 1>::all(x)).p; }
 
     /// The series of the derivative.
     [[nodiscard]] ChebyshevSeries derivative() const {
@@ -87,26 +95,33 @@ private:
 template <Real T>
 class ChebyshevSections {
 public:
-    /// \p count equal sections of [a, b] of \p points coefficients each; a section whose series \p accept refuses is
-    /// halved, three times at most.
-    template <class F, class Accept>
-    ChebyshevSections(T a, T b, std::size_t count, std::size_t points, const F& f, const Accept& accept) {
+    ChebyshevSections() = default;
+
+    /// \p count equal sections of [a, b] of \p points coefficients each. A section is halved, three times at most, where its
+    /// last coefficients say that it needs it, and the values are good enough to tell: to \p error, which \p f may raise.
+    template <class F>
+    ChebyshevSections(T a, T b, std::size_t count, std::size_t points, const F& f, const T& error) {
         sections_.reserve(count);
         for (std::size_t i = 0; i < count; ++i)
-            add(a + (b - a) * (T(i) / T(count)), a + (b - a) * (T(i + 1) / T(count)), points, f, accept, 3);
+            add(a + (b - a) * (T(i) / T(count)), a + (b - a) * (T(i + 1) / T(count)), points, f, error, 3);
     }
 
     [[nodiscard]] std::size_t size() const { return sections_.size(); }
 
-    /// At \p x, a T or an Eigen array of them whose first and last are the least and the greatest.
-    template <class V>
-    [[nodiscard]] V operator()(const V& x) const {
-        if constexpr (std::is_same_v<V, T>) {
-            return at(x)(x);
-        } else {
-            const auto &first = at(x(0)), &last = at(x(x.size() - 1));
-            return &first == &last ? first(x) : V(x.unaryExpr([this](T one) { return at(one)(one); }));
+    [[nodiscard]] T operator()(T x) const { return at(x)(x); }
+    /// At \p x, which rise or fall.
+    template <int N>
+    [[nodiscard]] detail::Lanes<T, N> operator()(const detail::Lanes<T, N>& x) const {
+        std::array<T, N> one;
+        x.store(one.data());
+        const auto [least, greatest] = std::minmax(one.front(), one.back());
+        const ChebyshevSeries<T>*series = &at(least), *const last = &at(greatest);
+        auto value = (*series)(x);
+        while (series != last) {
+            const auto end = detail::Lanes<T, N>::all(series->end());
+            value = select_less(end, x, (*++series)(x), value);
         }
+        return value;
     }
 
     [[nodiscard]] ChebyshevSections derivative() const {
@@ -116,15 +131,17 @@ public:
     }
 
 private:
-    template <class F, class Accept>
-    void add(T a, T b, std::size_t points, const F& f, const Accept& accept, int halvings) {
+    template <class F>
+    void add(T a, T b, std::size_t points, const F& f, const T& error, int halvings) {
+        constexpr T epsilon = std::numeric_limits<T>::epsilon();
         const ChebyshevSeries<T> series(a, b, points, f);
-        if (halvings == 0 || accept(series)) {
+        const T rounding = epsilon * std::max(T(600), 4 * std::abs(series(series.middle())));
+        if (halvings == 0 || series.tail() <= std::max(rounding, error)) {
             sections_.push_back(series);
             return;
         }
-        add(a, (a + b) / 2, points, f, accept, halvings - 1);
-        add((a + b) / 2, b, points, f, accept, halvings - 1);
+        add(a, (a + b) / 2, points, f, error, halvings - 1);
+        add((a + b) / 2, b, points, f, error, halvings - 1);
     }
     [[nodiscard]] const ChebyshevSeries<T>& at(T x) const {
         const auto found = std::partition_point(sections_.begin(), sections_.end() - 1,
@@ -139,7 +156,7 @@ namespace detail {
 
 /// The polynomial of degree N-1 in s in [-1, 1] through given values at the N Chebyshev-Lobatto points cos(pi k/(N-1)), whose
 /// ends are the ends of the interval: neighbouring pieces agree there.
-template <Real T, std::size_t N>
+template <Real T, int N>
 class LobattoPiece {
 public:
     static const LobattoPiece& get() {
@@ -149,8 +166,13 @@ public:
     std::array<T, N> node;  ///< ascending, -1 to 1
 
     /// Coefficients of s^0 ... s^(N-1).
-    void fit(const Eigen::Array<T, N, 1>& value, T* coefficient) const {
-        Eigen::Map<Eigen::Matrix<T, N, 1>>(coefficient).noalias() = inverse_ * value.matrix();
+    [[nodiscard]] Lanes<T, N> fit(const Lanes<T, N>& value) const {
+        std::array<T, N> one;
+        value.store(one.data());
+        auto sum = Lanes<T, N>::all(0);
+        for (std::size_t k = 0; k < N; ++k)
+            sum = multiply_add(Lanes<T, N>::load(inverse_[k].data()), Lanes<T, N>::all(one[k]), sum);
+        return sum;
     }
 
 private:
@@ -170,13 +192,12 @@ private:
                 product[0] *= -x[m];
                 for (std::size_t i = 0; i <= degree; ++i) product[i] /= x[k] - x[m];
             }
-            for (std::size_t i = 0; i < N; ++i)
-                inverse_(static_cast<int>(i), static_cast<int>(k)) = static_cast<T>(product[i]);
+            for (std::size_t i = 0; i < N; ++i) inverse_[k][i] = static_cast<T>(product[i]);
             node[k] = static_cast<T>(x[k]);
         }
     }
 
-    Eigen::Matrix<T, N, N> inverse_;
+    std::array<std::array<T, N>, N> inverse_;  ///< by columns
 };
 
 }  // namespace detail
