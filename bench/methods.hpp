@@ -137,11 +137,11 @@ double reference(double r, double theta, double eta, const Law& law) {
         const double end = std::max(r * t - eta, 0.0) + 8.8 * c;
         double kink = end;
         if constexpr (fstiff::KinkedLaw<Law, double>) kink = std::min(law.critical(t), end);
-        const auto integrand = [&](double excess) {
+        const auto at = [&](double excess) {
             const double z = (eta + excess - r * t) / c;
             return law(excess, t) * std::exp((floor * floor - t * t - z * z) / 2);
         };
-        return std::erf(k * t) * (panels(0, kink, 4, integrand) + (kink < end ? panels(kink, end, 6, integrand) : 0.0));
+        return std::erf(k * t) * (panels(0, kink, 4, at) + (kink < end ? panels(kink, end, 6, at) : 0.0));
     };
     return panels(0, t_end, 16, row) / (2 * theta * c);
 }

@@ -12,7 +12,7 @@ namespace test {
 class Table {
 public:
     explicit Table(const std::string& name) {
-        std::ifstream file(std::string(FSTIFF_TEST_DATA) + "/" + name);
+        std::ifstream file(FSTIFF_TEST_DATA "/" + name);
         if (!file) throw std::runtime_error("no reference table " + name);
         std::string line;
         std::getline(file, line);
