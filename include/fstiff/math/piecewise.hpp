@@ -89,20 +89,10 @@ public:
         ptranspose(low_);
         ptranspose(high_);
     }
-    [[nodiscard]] EIGEN_ALWAYS_INLINE Four<T> value(const Four<T>& s) const {
-        using Eigen::internal::pmadd;
-        Four<T> sum = pmadd(high_.packet[3], s, high_.packet[2]);
-        sum = pmadd(sum, s, high_.packet[1]);
-        sum = pmadd(sum, s, high_.packet[0]);
-        sum = pmadd(sum, s, low_.packet[3]);
-        sum = pmadd(sum, s, low_.packet[2]);
-        sum = pmadd(sum, s, low_.packet[1]);
-        return pmadd(sum, s, low_.packet[0]);
-    }
     struct ValueAndDerivative {
         Four<T> value, derivative;
     };
-    /// The derivative is that of the Horner rule of the value.
+    /// The derivative is that of the Horner rule of the value; it costs nothing where it is not used.
     [[nodiscard]] EIGEN_ALWAYS_INLINE ValueAndDerivative value_and_derivative(const Four<T>& s) const {
         using Eigen::internal::pmadd;
         Four<T> slope = high_.packet[3];
@@ -160,7 +150,7 @@ struct BinaryPieces {
         using P = Four<T>;
         const P fraction = pand(ploadu<P>(x), pset1<P>(std::bit_cast<T>(rest)));
         const P at = psub(por(fraction, pset1<P>(T(1))), pset1<P>(1 + half));
-        pstoreu(out, FourRows<T>(row(x[0]), row(x[1]), row(x[2]), row(x[3])).value(at));
+        pstoreu(out, FourRows<T>(row(x[0]), row(x[1]), row(x[2]), row(x[3])).value_and_derivative(at).value);
     }
 
 private:
