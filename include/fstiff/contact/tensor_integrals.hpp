@@ -112,7 +112,7 @@ struct GradedMap {
 /// For pieces, and for the rows of a smooth law.
 template <Real T>
 inline constexpr GradedMap<T> plain_map{T(2.1), T(0.4), T(1.354), T(7)};
-/// For rows across kinks: the passage of a kink at ~ 1/t, a Gaussian in 1/t, allows no quicker fall towards t = 0. Found by
+/// For rows across kinks and the layer of a large tan(theta): the passage of a kink at ~ 1/t, a Gaussian in 1/t, allows no quicker fall towards t = 0. Found by
 /// search over kinks at 0.005/t to 2/t.
 template <Real T>
 inline constexpr GradedMap<T> gentle_map{T(2.5), T(0.005), T(1), T(3.3)};
@@ -228,7 +228,7 @@ struct TensorTable {
     }
     void graded(const GradedMap<T>& map, T begin, T step, int count) {
         trapezoidal(begin, step, count, [&](const auto& y, auto& at, auto& slope) { map.map(y, at, slope); });
-        least_error = 2 * std::exp(-map.strip / step);
+        least_error = 6 * std::exp(-map.strip / step);
     }
 
     /// Legendre's rule on (0, 1) in u, x = u^power, or for \p ratio > 1 x = (ratio^u - 1)/(ratio - 1).
@@ -321,20 +321,26 @@ public:
     static constexpr int row_falls = kinked ? falls / 4 : falls, open_falls = kinked ? falls / 2 : falls;
 
     /// The first guesses were fitted so that one pass mostly does.
-    TensorRule(const F& f, const PeakProblem<T>& problem, T digits) : f_(f), p_(problem), digits_(digits) {
+    TensorRule(const F& f, const PeakProblem<T>& problem, T digits)
+        : f_(f),
+          p_(problem),
+          digits_(digits),
+          turn_on_(p_.eta < T(1.5) ? p_.r / p_.c : T(0)),
+          map_(kinked || std::max(p_.k, turn_on_) > 2 ? gentle_map<T> : plain_map<T>) {
+        layer_ = std::sqrt(p_.k * p_.k + (1 + turn_on_ * turn_on_) / 2);
         const T first = p_.r * p_.eta - p_.reach * p_.c, last = largest_curvature(p_);
         if constexpr (square) {
             begin_ = std::sqrt(std::max(first, T(0)));
             end_ = std::sqrt(last);
-            const T narrow =
-                T(0.9) * (end_ - begin_) * std::sqrt(digits * p_.r * p_.floor) / p_.c;  // the Gaussian in t
-            const T layer = (end_ - begin_) * std::sqrt(p_.k) * std::pow(digits / T(3.45), T(0.75));  // see layer_error
+            // the Gaussian in t, and see layer_error
+            const T narrow = T(0.9) * (end_ - begin_) * std::sqrt(digits * p_.r * p_.floor) / p_.c;
+            const T layer = (end_ - begin_) * std::sqrt(layer_) * std::pow(digits / T(3), T(0.75));
             rows_ = std::max({T(0.75) * digits + 4, narrow, layer});
         } else {
-            begin_ = row_map().begin(-(digits + 5));
-            if (first > 0) begin_ = std::max(begin_, row_map().at(first));
-            end_ = row_map().end(last);
-            rows_ = (end_ - begin_) * (digits + 2) / row_map().strip * (kinked ? T(1.15) : T(1));
+            begin_ = map_.begin(-(digits + 12));
+            if (first > 0) begin_ = std::max(begin_, map_.at(first));
+            end_ = map_.end(last);
+            rows_ = (end_ - begin_) * (digits + 3) / map_.strip * (kinked ? T(1.15) : T(1));
         }
         asked_.fill(T(axis == Axis::even ? 0.8 : 1.2) * digits + 8);
         asked_[0] += digits / 4 * std::min(std::max(T(0), -p_.eta / p_.c), T(5));
@@ -350,12 +356,12 @@ public:
         if constexpr (square)
             t_.squares(begin_, row_step, rows);
         else
-            t_.graded(row_map(), begin_, row_step, rows);
+            t_.graded(map_, begin_, row_step, rows);
         place(most);
         TensorLanes<T> sums = TensorLanes<T>::Zero();
         TensorRows<T> eight;
         Estimate<T> out;
-        T hidden = 0;  // by the layer of width 1/k at t = 0 if no row falls into it, or where the graded map begins
+        std::array<T, 2> outermost{};
         for (int i = 0; i < rows; i += 8) {
             const auto block = static_cast<std::size_t>(i / 8);
             eight.t = t_.x[block];
@@ -367,13 +373,14 @@ public:
                 if (!(eight.last[lane] > 0)) continue;
                 const T sum = row(eight, lane, out.evaluations);
                 sums[lane] += sum;
-                if (i + lane > 0) continue;
-                if constexpr (!square)
-                    hidden = std::abs(sum) / row_step;
-                else if (p_.k * eight.t[0] > 1)
-                    hidden = std::abs(sum);
+                if (i + lane < 2) outermost[static_cast<std::size_t>(lane)] = std::abs(sum);
             }
         }
+        T hidden = 0;
+        if constexpr (!square)  // where the map begins; its double exponential falls faster than geometrically
+            hidden = 4 * outermost[0] * std::min(T(1), outermost[0] / (outermost[1] + std::numeric_limits<T>::min()));
+        else if (p_.k * t_.x[0][0] > 1)  // by the layer of width 1/k at t = 0: no row falls into it
+            hidden = outermost[0];
         out.value = sums.sum();
         rows_error_ = trapezoidal_error<T>(sums, square && begin_ == 0, row_falls) + hidden +
                       (square ? layer_error(row_step) : t_.least_error) * sums.abs().sum();
@@ -385,11 +392,12 @@ public:
 
     /// Asks for more rows or nodes where their error is more than a share of \p allowed. \return whether there are any more
     bool refine(T allowed, T sum, int most) {
+        const T worst = std::max(rows_error_, *std::max_element(errors_.begin(), errors_.end()));
         bool more = false;
         const auto grow = [&](T& asked, T error, T limit) {
-            if (error <= T(0.35) * allowed || asked >= limit) return;
+            if ((error <= T(0.25) * allowed && error < worst) || asked >= limit) return;
             const T reached = std::log(std::abs(sum) / error);  // digits grow with the nodes
-            const T growth = reached > digits_ / 2 ? std::clamp((digits_ + 1) / reached, T(1.08), T(2)) : T(2);
+            const T growth = reached > digits_ / 2 ? std::clamp((digits_ + T(1.5)) / reached, T(1.08), T(2)) : T(2);
             asked = std::min(limit, asked * growth);
             more = true;
         };
@@ -400,13 +408,12 @@ public:
     }
 
 private:
-    static constexpr const GradedMap<T>& row_map() { return kinked ? gentle_map<T> : plain_map<T>; }
-
-    /// What squares as rows leave of erf(k t) with t = y^2, relative: it grows by exp(4 k^2 b^4) from the real axis to y + i b.
+    /// What squares as rows leave of erf(k t) exp(-t^2/2) and, for eta near 0, of the row's turning on within c/r, with t = y^2,
+    /// relative: together they grow by exp(4 layer^2 b^4) from the real axis to y + i b.
     [[nodiscard]] T layer_error(T step) const {
         if (begin_ > 0) return 0;
-        const T narrow = p_.k * step * step;
-        return 6 / std::max(T(1), p_.k * std::sqrt(p_.k)) * std::exp(T(-3.45) / std::cbrt(narrow * narrow));
+        const T narrow = layer_ * step * step;
+        return 6 / std::max(T(1), layer_ * std::sqrt(layer_)) * std::exp(T(-3) / std::cbrt(narrow * narrow));
     }
 
     void place(int most) {
@@ -418,7 +425,7 @@ private:
         } else {
             const T begin = plain_map<T>.begin(-(digits_ + 8));
             const T range = plain_map<T>.end(std::max(2 * p_.reach, p_.depth / 2) + 1) - begin;
-            const int count = eights(range * (asked_[open] + 2) / plain_map<T>.strip);
+            const int count = eights(range * (asked_[open] + 3) / plain_map<T>.strip);
             tables_[open].graded(plain_map<T>, begin, range / T(count), count);
         }
         const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / std::numbers::pi_v<T>);
@@ -478,7 +485,9 @@ private:
 
     const F& f_;
     const PeakProblem<T>& p_;
-    T digits_;
+    T digits_, turn_on_;
+    const GradedMap<T>& map_;  ///< of the rows
+    T layer_;
     T begin_, end_;  ///< of the rows, in y
     T rows_, rows_error_ = 0;
     std::array<T, kinds> asked_, errors_;  ///< digits or, for Legendre's rules, nodes
