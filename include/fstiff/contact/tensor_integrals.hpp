@@ -403,7 +403,7 @@ public:
         };
         grow(rows_, rows_error_, T(most));
         for (std::size_t i = 0; i < kinds; ++i)
-            grow(asked_[i], errors_[i], tables_[i].legendre ? T(std::min(64, most)) : (square ? 4 : 20) * digits_);
+            grow(asked_[i], errors_[i], tables_[i].legendre ? T(std::min(64, most)) : square ? T(120) : 20 * digits_);
         return more;
     }
 
@@ -514,10 +514,10 @@ template <Axis axis, Real T, class F>
     for (;;) {
         const Estimate<T> found = rule.evaluate(most);
         out.value = factor * found.value;
-        out.error = factor * found.error + (rounding + T(0.03) * options.relative_tolerance) * std::abs(out.value);
+        out.error = 2 * factor * found.error + (rounding + T(0.03) * options.relative_tolerance) * std::abs(out.value);
         out.evaluations += found.evaluations;
-        const T allowed = options.relative_tolerance * std::abs(found.value);
-        if (factor * allowed >= out.error || !rule.refine(allowed, found.value, most)) return out;
+        if (out.error <= options.relative_tolerance * std::abs(out.value)) return out;
+        if (!rule.refine(options.relative_tolerance * std::abs(found.value) / 2, found.value, most)) return out;
     }
 }
 
