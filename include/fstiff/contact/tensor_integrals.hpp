@@ -417,25 +417,26 @@ private:
     }
 
     void place(int most) {
-        const auto eights = [most](T nodes) {
-            return 8 * std::clamp(static_cast<int>(std::ceil(nodes / 8)), 1, most / 8);
+        const auto eights = [](T nodes, int limit) {
+            return 8 * std::clamp(static_cast<int>(std::ceil(nodes / 8)), 1, limit / 8);
         };
         if constexpr (square) {
             tables_[open].squares(T(0), T(1), 96);  // as far as the smallest step that refine() allows needs
         } else {
-            const T begin = plain_map<T>.begin(-(digits_ + 8));
+            const T begin = plain_map<T>.begin(-(digits_ + 12));
             const T range = plain_map<T>.end(std::max(2 * p_.reach, p_.depth / 2) + 1) - begin;
-            const int count = eights(range * (asked_[open] + 3) / plain_map<T>.strip);
+            const int count = eights(range * (asked_[open] + 3) / plain_map<T>.strip,
+                                     std::min(most * 4 / 3, TensorTable<T>::most_nodes));  // no row takes all of them
             tables_[open].graded(plain_map<T>, begin, range / T(count), count);
         }
-        const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / std::numbers::pi_v<T>);
+        const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / std::numbers::pi_v<T>, most);
         tables_[linear].line(2 * p_.reach / T(count), count);
         if constexpr (kinked) {
             const auto kink = kinks_of<T>(f_);
-            tables_[0].legendre_rule(eights(asked_[0]), axis == Axis::even ? 2 : 3, T(1));
+            tables_[0].legendre_rule(eights(asked_[0], most), axis == Axis::even ? 2 : 3, T(1));
             for (std::size_t i = 1; i < kinks; ++i)
-                tables_[i].legendre_rule(eights(asked_[i]), 1, kink[i] / kink[i - 1]);
-            tables_[begun].legendre_rule(eights(asked_[begun]), 1, T(1));
+                tables_[i].legendre_rule(eights(asked_[i], most), 1, kink[i] / kink[i - 1]);
+            tables_[begun].legendre_rule(eights(asked_[begun], most), 1, T(1));
         }
     }
 
