@@ -125,7 +125,7 @@ inline constexpr GradedMap<T> gentle_map{T(2.5), T(0.005), T(1), T(3.3)};
 /// fall slows down. Where a kink makes it fall like a power (rough, none), the ratio of neighbours says little, and twice the size at 4/8 stands: eight times what a kink in the
 /// first derivative leaves. \p even: the nodes are those of y > 0 of an even function.
 template <Real T>
-T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
+EIGEN_DONT_INLINE T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
     constexpr T half_root = std::numbers::sqrt2_v<T> / 2;
     constexpr T least = std::numeric_limits<T>::min();
     if (even)
@@ -165,7 +165,7 @@ struct LegendreNodes {
 /// The error of a Legendre rule of n nodes from the \p terms that it sums: their Legendre coefficients fall from n/2 to n, and
 /// at least as far again to 2n, of which the rule knows nothing; just so for a power, much further for all that is smooth.
 template <Real T>
-T legendre_error(const std::array<TensorLanes<T>, 8>& terms, int n) {
+EIGEN_DONT_INLINE T legendre_error(const std::array<TensorLanes<T>, 8>& terms, int n) {
     const T* node = LegendreNodes<T>::at_least(n).node;
     const auto blocks = static_cast<std::size_t>(n / 8);
     std::array<TensorLanes<T>, 8> before, now;
@@ -214,25 +214,25 @@ struct TensorTable {
         }
         sums[0].setZero();
     }
-    void squares(T begin, T step, int count) {
+    EIGEN_DONT_INLINE void squares(T begin, T step, int count) {
         trapezoidal(begin, step, count, [](const auto& y, auto& at, auto& slope) {
             at = y.square();
             slope = 2 * y;
         });
     }
-    void line(T step, int count) {
+    EIGEN_DONT_INLINE void line(T step, int count) {
         trapezoidal(T(0), step, count, [](const auto& y, auto& at, auto& slope) {
             at = y;
             slope.setOnes();
         });
     }
-    void graded(const GradedMap<T>& map, T begin, T step, int count) {
+    EIGEN_DONT_INLINE void graded(const GradedMap<T>& map, T begin, T step, int count) {
         trapezoidal(begin, step, count, [&](const auto& y, auto& at, auto& slope) { map.map(y, at, slope); });
         least_error = 6 * std::exp(-map.strip / step);
     }
 
     /// Legendre's rule on (0, 1) in u, x = u^power, or for \p ratio > 1 x = (ratio^u - 1)/(ratio - 1).
-    void legendre_rule(int count, int power, T ratio) {
+    EIGEN_DONT_INLINE void legendre_rule(int count, int power, T ratio) {
         const auto rule = LegendreNodes<T>::at_least(count);
         nodes = rule.count;
         legendre = true;
@@ -275,6 +275,14 @@ auto kinks_of(const F& f) {
     }
 }
 
+/// erf of ascending numbers; once for eight rows, so that it is not worth inlining.
+template <Real T>
+EIGEN_DONT_INLINE TensorLanes<T> erf_of_rows(const TensorLanes<T>& y) {
+    TensorLanes<T> out;
+    erf_ascending(Lanes<T>::load(y.data()), y[0], y[7]).store(out.data());
+    return out;
+}
+
 /// Eight rows: what they need of the density, whatever the law.
 template <Real T>
 struct TensorRows {
@@ -287,7 +295,7 @@ struct TensorRows {
     /// All but t and weight. The step is chosen for an error exp(-digits): exp(-(w^2 + x)^2/2) grows by exp(4 b^4 - 2 x b^2)
     /// (and exp(x^2/2) for x > 0) from the real axis to w + i b, so that its rule errs by that times exp(-2 pi b/step), for
     /// the best b. Beyond x^2 = 6 digits it is the Gaussian exp(-x w^2).
-    void prepare(const PeakProblem<T>& p, T digits) {
+    EIGEN_DONT_INLINE void prepare(const PeakProblem<T>& p, T digits) {
         const TensorLanes<T> square = 2 * p.depth - (t - p.floor) * (t + p.floor);
         const TensorLanes<T> wide = p.c * square.max(T(0)).sqrt(), distance = p.eta - p.r * t;
         const TensorLanes<T> z = (t - p.r * p.eta) / p.c;
@@ -350,7 +358,6 @@ public:
 
     /// The sum over the present rows and nodes, its error, and how many there were.
     Estimate<T> evaluate(int most) {
-        using V = Lanes<T>;
         const int rows = std::clamp(static_cast<int>(std::ceil(rows_)), 4, most);
         const T row_step = (end_ - begin_) / T(rows);
         if constexpr (square)
@@ -365,9 +372,7 @@ public:
         for (int i = 0; i < rows; i += 8) {
             const auto block = static_cast<std::size_t>(i / 8);
             eight.t = t_.x[block];
-            erf_ascending(V::load(eight.t.data()) * V(p_.k), p_.k * eight.t[0], p_.k * eight.t[7])
-                .store(eight.weight.data());
-            eight.weight *= t_.weight[block];
+            eight.weight = erf_of_rows<T>(p_.k * eight.t) * t_.weight[block];
             eight.prepare(p_, asked_[open]);
             for (int lane = 0; lane < std::min(8, rows - i); ++lane) {
                 if (!(eight.last[lane] > 0)) continue;
@@ -511,14 +516,16 @@ template <Axis axis, Real T, class F>
     const int most = std::clamp(options.most_nodes / 8 * 8, 8, detail::TensorTable<T>::most_nodes);
     const T rounding = std::numeric_limits<T>::epsilon() * (T(16) + problem.floor + std::abs(eta) / problem.c);
     const T factor = 1 / (2 * problem.theta);
+    constexpr T safety = axis == Axis::rough ? 1 : 2;  // rough has its own
     Estimate<T> out;
     for (;;) {
         const Estimate<T> found = rule.evaluate(most);
         out.value = factor * found.value;
-        out.error = 2 * factor * found.error + (rounding + T(0.03) * options.relative_tolerance) * std::abs(out.value);
+        out.error =
+            safety * factor * found.error + (rounding + T(0.03) * options.relative_tolerance) * std::abs(out.value);
         out.evaluations += found.evaluations;
         if (out.error <= options.relative_tolerance * std::abs(out.value)) return out;
-        if (!rule.refine(options.relative_tolerance * std::abs(found.value) / 2, found.value, most)) return out;
+        if (!rule.refine(options.relative_tolerance * std::abs(found.value) / safety, found.value, most)) return out;
     }
 }
 
