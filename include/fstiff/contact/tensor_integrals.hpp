@@ -340,7 +340,10 @@ public:
             begin_ = map_.begin(-(digits + 12));
             if (first > 0) begin_ = std::max(begin_, map_.at(first));
             end_ = map_.end(last);
-            rows_ = (end_ - begin_) * (digits + 3) / map_.strip * (kinked ? T(1.15) : T(1));
+            rows_ = (end_ - begin_) * (digits + 3) / map_.strip *
+                    (kinked                ? T(1.12)
+                     : axis == Axis::rough ? T(1)
+                                           : T(1.25));
         }
         asked_.fill(T(axis == Axis::even ? 0.8 : 1.2) * digits + 8);
         asked_[0] += digits / 4 * std::min(std::max(T(0), -p_.eta / p_.c), T(5));
@@ -509,13 +512,13 @@ template <Axis axis, Real T, class F>
     const int most = std::clamp(options.most_nodes / 8 * 8, 8, detail::TensorTable<T>::most_nodes);
     const T rounding = std::numeric_limits<T>::epsilon() * (T(16) + problem.floor + std::abs(eta) / problem.c);
     const T factor = 1 / (2 * problem.theta);
-    constexpr T safety = axis == Axis::rough ? 1 : 2;  // rough has its own
+    constexpr T safety = 2;  // on what the sums tell of their errors
     Estimate<T> out;
     for (;;) {
         const Estimate<T> found = rule.evaluate(most);
         out.value = factor * found.value;
         out.error =
-            safety * factor * found.error + (rounding + T(0.03) * options.relative_tolerance) * std::abs(out.value);
+            safety * factor * found.error + (rounding + T(0.05) * options.relative_tolerance) * std::abs(out.value);
         out.evaluations += found.evaluations;
         if (out.error <= options.relative_tolerance * std::abs(out.value)) return out;
         if (!rule.refine(options.relative_tolerance * std::abs(found.value) / safety, found.value, most)) return out;
