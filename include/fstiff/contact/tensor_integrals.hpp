@@ -30,8 +30,8 @@
 /// Accuracy    1e-12 on tests/data/integrals_plain.csv; the error estimate covers the true error there and, for laws with up to
 ///             three kinks and jumps, for r <= 0.98, 0.05 <= theta <= 1.5, -3 <= eta <= 8
 ///             (tests/contact/tensor_integrals_test.cpp)
-/// Hard cases  kinks at e << c (small multiples of 1/t): 1e-8 is met, 1e-10 may need more than the 192 rows of the default, and
-///             the estimate says so; c < 0.3 with kinks: up to three passes
+/// Hard cases  kinks at e << c (small multiples of 1/t): 1e-6 is met for r <= 0.82, tighter ones may need more than the 192 rows
+///             of the default; c < 0.3 with kinks: the same. The estimate says so.
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/core/estimate.hpp>
