@@ -157,6 +157,28 @@ const Rows rows([] {
     contact_row("contact/at_pressure/all", Quantity::all, at_pressure);
     contact_row("contact/at_separation/stiffness", Quantity::stiffness, at_separation);
     contact_row("contact/at_separation/all", Quantity::all, at_separation);
+    // the integrals alone, at separation after separation: at_separation less what r and theta fix
+    const auto integrator = [] { return fstiff::ContactIntegrator<double>(sand_blasted_contact().peaks()); };
+    const auto stiffness_at = [](auto& integrate, const LawPoint& point) {
+        const auto j = integrate(point.separation / sand_blasted_contact().rms_height());
+        return j.stiffness.value * std::exp(j.log_scale);
+    };
+    verified_row(
+        "contact/integrals_at_separations/all", 1e-13,
+        [=] {
+            auto integrate = integrator();
+            const LawPoint& first = law_points().front();
+            const double scale = first.stiffness / stiffness_at(integrate, first);
+            return law_accuracy(
+                40, [&](const LawPoint& at) { return scale * stiffness_at(integrate, at); }, true_stiffness);
+        },
+        [=](benchmark::State& state) {
+            auto integrate = integrator();
+            const double over_rms = 1 / sand_blasted_contact().rms_height();
+            time_elements(state, size(), [&, &points = law_points()](std::size_t i) {
+                return integrate(points[i].separation * over_rms);
+            });
+        });
 });
 
 }  // namespace

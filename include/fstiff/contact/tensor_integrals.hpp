@@ -340,7 +340,7 @@ public:
             begin_ = map_.begin(-(digits + 12));
             if (first > 0) begin_ = std::max(begin_, map_.at(first));
             end_ = map_.end(last);
-            rows_ = (end_ - begin_) * (digits + 3) / map_.strip *
+            rows_ = (end_ - begin_) * (digits + (axis == Axis::graded && !kinked ? 4 : 3)) / map_.strip *
                     (kinked                ? T(1.12)
                      : axis == Axis::rough ? T(1)
                                            : T(1.25));
