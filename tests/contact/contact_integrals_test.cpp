@@ -4,6 +4,7 @@
 #include "support/accuracy.hpp"
 #include "support/allocations.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 #include "support/table.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ std::vector<Estimate<T>> all(const PeakDensity<T>& peaks, T eta, T tolerance) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the tables of reference integrals, error estimate included", "", float, double, long double) {
+TEMPLATE_TEST_CASE("the tables of reference integrals, error estimate included", "", FSTIFF_TEST_SCALARS) {
     using T = TestType;
     const bool is_float = sizeof(T) == sizeof(float), is_double = sizeof(T) == sizeof(double);
     for (const char* name : {"integrals_plain.csv", "integrals_hard.csv"}) {
@@ -91,6 +92,7 @@ TEMPLATE_TEST_CASE("the tables of reference integrals, error estimate included",
     }
 }
 
+#ifdef FSTIFF_TEST_LONG_DOUBLE
 namespace {
 
 /// Compares all four integrals at \p points with long double: the estimate covers every one, three times the tolerance all but
@@ -133,7 +135,9 @@ TEST_CASE("the estimate covers the error at 96,000 values of every regime", "[lo
             check_cover(random_points(9000, seed), tolerance, 1.5e-4);  // 7 of 107,000
 }
 
+#endif
 TEST_CASE("identities: derivative, normalisation, independence at r = 0") {
+#ifdef FSTIFF_TEST_LONG_DOUBLE
     SECTION("dJ[3/2,-1/2]/deta = -1.5 J[1/2,-1/2]") {
         for (const Point& p : {Point{0.3, 1, -2}, Point{0.8, 0.9, 1.5}, Point{0.999, 1.3, 0.7}, Point{0.5, 1.57, 3}}) {
             const PeakDensity<long double> peaks(p.r, p.theta);
@@ -146,6 +150,7 @@ TEST_CASE("identities: derivative, normalisation, independence at r = 0") {
             CHECK(test::relative_error(derivative, -1.5L * contact_integral(0.5L, -0.5L, peaks, eta).value) < 1e-11L);
         }
     }
+#endif
     SECTION("all peaks stand above a separation of -30") {
         for (const double theta : {1e-3, 0.8, 1.5})
             CHECK(test::ulps(contact_integral(0.0, 0.0, PeakDensity<double>(0.6, theta), -30.0).value, 1.0) <= 8);
@@ -243,7 +248,7 @@ TEST_CASE("a loose tolerance is several times cheaper") {
     CHECK(fine <= 48);
 }
 
-TEMPLATE_TEST_CASE("the far tail underflows to 0 and its logarithm goes on", "", float, double, long double) {
+TEMPLATE_TEST_CASE("the far tail underflows to 0 and its logarithm goes on", "", FSTIFF_TEST_SCALARS) {
     using T = TestType;
     const PeakDensity<T> peaks(T(0.5), T(1));
     for (const T eta : {T(10), T(60), T(1e3), T(1e6)}) {
@@ -262,7 +267,7 @@ TEMPLATE_TEST_CASE("the far tail underflows to 0 and its logarithm goes on", "",
     CHECK(std::isfinite(contact_integral(T(1.5), T(-0.5), peaks, T(-1e6)).value));
 }
 
-TEMPLATE_TEST_CASE("nothing is NaN, infinite or negative anywhere", "", float, double, long double) {
+TEMPLATE_TEST_CASE("nothing is NaN, infinite or negative anywhere", "", FSTIFF_TEST_SCALARS) {
     using T = TestType;
     const T tiny = std::numeric_limits<T>::min(), one_less = 1 - std::numeric_limits<T>::epsilon();
     const T half_pi = std::nextafter(std::numbers::pi_v<T> / 2, T(0));
@@ -281,13 +286,17 @@ TEMPLATE_TEST_CASE("nothing is NaN, infinite or negative anywhere", "", float, d
 
 TEST_CASE("an evaluation does not allocate") {
     const PeakDensity<double> peaks(0.5, 1);
+#ifdef FSTIFF_TEST_LONG_DOUBLE
     const PeakDensity<long double> precise(0.5L, 1);
+#endif
     static_cast<void>(contact_integrals(peaks, 0.3));  // tables are made on first use, without the heap too
     const long before = test::allocations();
     double sum = 0;
     for (const double eta : {-50.0, 0.0, 3.0, 20.0}) sum += contact_integrals(peaks, eta).load.value;
     sum += contact_integral(0.5, -0.5, PeakDensity<double>(0.99999, 1.5), 0.001).value;
+#ifdef FSTIFF_TEST_LONG_DOUBLE
     sum += static_cast<double>(contact_integrals(precise, 1.0L).load.value);
+#endif
     CHECK(test::allocations() == before);
     CHECK(sum > 0);
 }

@@ -3,6 +3,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 #include "support/table.hpp"
 
 #include <gsl/gsl_sf_gamma.h>
@@ -51,7 +52,8 @@ TEST_CASE("exponential heights: K, area and contacts are proportional to pressur
     CHECK(test::relative_error(high.contact_density.value / low.contact_density.value, 1e4) < 1e-12);
 }
 
-TEMPLATE_TEST_CASE("pressure and separation are each other's inverse and K is -dp/dd", "", double, long double) {
+TEMPLATE_TEST_CASE("pressure and separation are each other's inverse and K is -dp/dd", "",
+                   FSTIFF_TEST_SCALARS_FROM_DOUBLE) {
     using T = TestType;
     for (const Heights heights : {Heights::gaussian, Heights::exponential}) {
         const GreenwoodWilliamson<T> contact({T(0.832e-6), T(40e-6), T(500e6), 0}, T(112.6e9), heights);

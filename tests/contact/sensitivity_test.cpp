@@ -3,9 +3,11 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 using namespace fstiff;
 
+#ifdef FSTIFF_TEST_LONG_DOUBLE
 namespace {
 
 struct Parameters {
@@ -112,6 +114,7 @@ TEST_CASE("double agrees with long double, also in hard regimes") {
             }
 }
 
+#endif
 TEST_CASE("scaling laws: K is of degree 0 in (p, E) less one, and does not depend on the unit of length") {
     // K(lambda p, lambda E) = lambda K: p dK/dp + E dK/dE = K; lengths: sigma K_sigma + R K_R - 2 D_p K_Dp = -K
     const auto s = sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(0.6, 1.1),
