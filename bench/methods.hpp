@@ -11,7 +11,9 @@
 
 #include "problems.hpp"
 
+#include <cstdio>
 #include <numbers>
+#include <string>
 
 namespace bench {
 
@@ -19,7 +21,9 @@ using fstiff::Quantity;
 
 inline constexpr std::array<double, 4> tolerances{1e-3, 1e-6, 1e-9, 1e-12};
 inline std::string text_of(double tolerance) {
-    return tolerance == 1e-3 ? "1e-03" : tolerance == 1e-6 ? "1e-06" : tolerance == 1e-9 ? "1e-09" : "1e-12";
+    char text[16];
+    std::snprintf(text, sizeof text, "%.0e", tolerance);
+    return text;
 }
 
 inline const Which four{0, 1, 2, 3};
