@@ -14,6 +14,7 @@
 #include <fstiff/core/version.hpp>
 #include <fstiff/math/chebyshev.hpp>
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/math/double_exponential.hpp>
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
@@ -53,14 +54,17 @@
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/peaks/from_profile.hpp>
 #include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/identify.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/law_sums.hpp>
 #include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/peak_nodes.hpp>
 #include <fstiff/contact/peak_sums.hpp>

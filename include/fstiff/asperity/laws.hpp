@@ -23,43 +23,67 @@
 #include <fstiff/surface/fractal.hpp>
 
 #include <cmath>
+#include <concepts>
 
 namespace fstiff {
 
-/// What the contact integrals need of an asperity law: load/E, stiffness/E and area for scalars or Eigen arrays of
-/// approaches \p omega and radii \p radius (element by element; both arrays of one shape).
-template <class Law, class Value>
-concept AsperityLaw = requires(const Law& law, const Value& omega, const Value& radius) {
+/// What a contact needs of an asperity law: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for approaches
+/// \p omega [m] (a number, or an Eigen array that is answered by an array) and the radius \p radius [m] (a number).
+template <class Law, class Omega, class Radius = Omega>
+concept AsperityLaw = requires(const Law& law, const Omega& omega, const Radius& radius) {
     law.load(omega, radius);
     law.stiffness(omega, radius);
     law.area(omega, radius);
 };
 
-/// A law whose load is load_factor sqrt(R) omega^(3/2), whose stiffness is stiffness_factor sqrt(R omega) and whose area is
-/// pi R omega: its integrals over the peaks reduce to one dimension.
-template <class Law>
-concept PowerLaw = requires(const Law& law) {
-    law.load_factor();
-    law.stiffness_factor();
+/// omega^(omega/2) R^(radius/2): the powers of a law, doubled.
+struct HalfPowers {
+    int omega, radius;
+    [[nodiscard]] constexpr bool operator==(const HalfPowers&) const = default;
 };
+
+namespace detail {
+
+/// Of which the integral over heights and curvatures has one dimension; a load has a slope of that kind too.
+[[nodiscard]] constexpr bool reduces_to_one_dimension(HalfPowers load, HalfPowers stiffness, HalfPowers area) {
+    const auto offered = [](HalfPowers p) { return p.omega >= 0 && p.omega <= 3 && p.radius >= 0 && p.radius <= 2; };
+    return offered(load) && offered({load.omega - 2, load.radius}) && offered(stiffness) && offered(area);
+}
+
+}  // namespace detail
+
+/// A law whose load, stiffness and area are each a constant factor times half-integer powers of omega and R, such that the
+/// integrals over the peaks reduce to one dimension: omega up to 3/2 (of the load from 1 on), R up to 1.
+template <class Law, class T = double>
+concept PowerLaw = requires(const Law& law) {
+    { law.load_factor() } -> std::convertible_to<T>;
+    { law.stiffness_factor() } -> std::convertible_to<T>;
+    { law.area_factor() } -> std::convertible_to<T>;
+    { Law::load_powers } -> std::convertible_to<HalfPowers>;
+    { Law::stiffness_powers } -> std::convertible_to<HalfPowers>;
+    { Law::area_powers } -> std::convertible_to<HalfPowers>;
+}
+&&detail::reduces_to_one_dimension(Law::load_powers, Law::stiffness_powers, Law::area_powers);
 
 namespace detail {
 
 /// The common form of the three laws; \p Derived supplies the two factors.
 template <class Derived>
 struct HertzianForm {
-    template <class Value>
-    [[nodiscard]] auto load(const Value& omega, const Value& radius) const {
+    static constexpr HalfPowers load_powers{3, 1}, stiffness_powers{1, 1}, area_powers{2, 2};
+
+    template <class Omega, class Radius>
+    [[nodiscard]] auto load(const Omega& omega, const Radius& radius) const {
         using std::sqrt;
         return self().load_factor() * omega * sqrt(radius * omega);
     }
-    template <class Value>
-    [[nodiscard]] auto stiffness(const Value& omega, const Value& radius) const {
+    template <class Omega, class Radius>
+    [[nodiscard]] auto stiffness(const Omega& omega, const Radius& radius) const {
         using std::sqrt;
         return self().stiffness_factor() * sqrt(radius * omega);
     }
-    template <class Value>
-    [[nodiscard]] auto area(const Value& omega, const Value& radius) const {
+    template <class Omega, class Radius>
+    [[nodiscard]] auto area(const Omega& omega, const Radius& radius) const {
         return self().area_factor() * radius * omega;
     }
 

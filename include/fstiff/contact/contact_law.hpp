@@ -30,7 +30,7 @@
 ///             A batch differs from the scalar calls by rounding: 200 epsilon at most (tests/contact/contact_law_test.cpp)
 /// Threads     evaluation is const and does not allocate: any number of threads may share a law
 
-#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/text.hpp>
@@ -80,7 +80,7 @@ public:
 
     /// Compiles \p contact, a RoughContact or GreenwoodWilliamson in the same scalar.
     /// \throws domain_error for a range that the model cannot reach or that is empty, and for interaction as_printed.
-    template <class Contact>
+    template <ProportionalContact<T> Contact>
     [[nodiscard]] static ContactLaw compile(const Contact& contact, const LawRange<T>& range);
 
     /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse.
@@ -470,7 +470,7 @@ private:
 }  // namespace detail
 
 template <Real T>
-requires(std::same_as<T, float> || std::same_as<T, double>) template <class Contact>
+requires(std::same_as<T, float> || std::same_as<T, double>) template <ProportionalContact<T> Contact>
 ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& range) {
     require(range.pressure_min >= std::numeric_limits<T>::min(), "pressure_min", range.pressure_min,
             "finite and greater than 0, and no denormal number");

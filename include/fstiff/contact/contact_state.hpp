@@ -27,6 +27,7 @@ struct ContactState {
     Estimate<T> stiffness;           ///< K/A0 [Pa/m]
     Estimate<T> real_area_fraction;  ///< A/A0
     Estimate<T> contact_density;     ///< n/A0 [1/m^2]
+    Estimate<T> loading_stiffness;   ///< -dp/dd [Pa/m]: K where the stiffness of the law is the slope of its load
 };
 
 /// A decreasing function of eta as its logarithm, so that its tail does not underflow.

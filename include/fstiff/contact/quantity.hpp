@@ -7,7 +7,15 @@
 
 namespace fstiff {
 
-enum class Quantity : unsigned { none = 0, contacts = 1, pressure = 2, stiffness = 4, real_area = 8, all = 15 };
+enum class Quantity : unsigned {
+    none = 0,
+    contacts = 1,
+    pressure = 2,
+    stiffness = 4,
+    real_area = 8,
+    loading_stiffness = 16,  ///< -dp/dd, the slope of the load
+    all = 31
+};
 
 [[nodiscard]] constexpr Quantity operator|(Quantity a, Quantity b) {
     return static_cast<Quantity>(static_cast<unsigned>(a) | static_cast<unsigned>(b));

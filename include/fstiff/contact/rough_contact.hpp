@@ -27,10 +27,13 @@
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/law_sums.hpp>
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <cmath>
+#include <concepts>
 
 namespace fstiff {
 
@@ -55,23 +58,31 @@ template <Real T>
     return times_radius / surface.peak_radius;
 }
 
-template <Real T, PowerLaw Law>
+/// sigma_kappa for the joint distribution, 1/R for peaks of one radius [1/m].
+template <Real T>
+[[nodiscard]] T rms_curvature(const Roughness<T>& surface, const SingleRadius<T>&, CurvatureScale = {}) {
+    return 1 / surface.peak_radius;
+}
+
+template <Real T, class Law, class Peaks = PeakDensity<T>>
+requires ContactableLaw<Law, T>
 class RoughContact {
 public:
     /// \throws domain_error naming the parameter that is out of range.
-    RoughContact(const Roughness<T>& surface, const PeakDensity<T>& peaks, const Law& law, T effective_modulus,
+    RoughContact(const Roughness<T>& surface, const Peaks& peaks, const Law& law, T effective_modulus,
                  const RoughContactOptions<T>& options = {})
-        : peaks_(peaks), options_(options), rms_height_(surface.rms_height), peak_density_(surface.peak_density) {
+        : peaks_(peaks),
+          law_(law),
+          options_(options),
+          scales_{surface.rms_height, surface.peak_density, effective_modulus,
+                  rms_curvature(surface, peaks, options.curvature)} {
         surface.validate();
         options.interaction.validate();
         require_positive("effective_modulus", effective_modulus);
-        const T product = surface.rms_height * rms_curvature(surface, peaks, options.curvature);  // sigma sigma_kappa
-        const T dimensionless = surface.peak_density * surface.rms_height * surface.rms_height;   // D_p sigma^2
-        pressure_scale_ = effective_modulus * law.load_factor() * dimensionless / std::sqrt(product);
-        stiffness_scale_ =
-            effective_modulus * law.stiffness_factor() * surface.peak_density * surface.rms_height / std::sqrt(product);
-        area_scale_ = law.area_factor() * dimensionless / product;
-        slope_ratio_ = T(1.5) * law.load_factor() / law.stiffness_factor();
+        if constexpr (PowerLaw<Law, T>)
+            pressure_unit_ = scales_.of(effective_modulus * static_cast<T>(law.load_factor()), Law::load_powers);
+        else
+            pressure_unit_ = effective_modulus * (surface.peak_density * surface.rms_height * surface.rms_height);
         if (options.interaction.reading != InteractionReading::none)
             bulk_compliance_ = options.interaction.length / effective_modulus;
     }
@@ -79,20 +90,18 @@ public:
     /// The contact at the separation \p separation of the mean planes [m]; with interaction as_printed, of the planes that
     /// give the pressure (eta_old). \throws domain_error for a separation outside its range.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        const T eta = separation / rms_height_;
+        const T eta = separation / scales_.rms_height;
         require(eta >= detail::lowest_eta && eta <= T(1e6), "separation", separation,
                 "between -1000 and 1e6 rms heights (m)");
         switch (options_.interaction.reading) {
             case InteractionReading::effective_separation: {
-                const auto effective = effective_eta(eta);
-                ContactState<T> state =
-                    compliant(at_eta(effective, wanted | Quantity::pressure | Quantity::stiffness), wanted);
+                ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
                 state.separation = {separation, 0, 0};
                 if (!has(wanted, Quantity::pressure)) state.pressure = {};
                 return state;
             }
             case InteractionReading::as_printed:
-                return printed(eta, integrals(eta, Quantity::pressure).load * pressure_scale_, wanted);
+                return printed(eta, unscaled(sums(eta, Quantity::pressure), eta).load, wanted);
             case InteractionReading::none:
                 break;
         }
@@ -105,83 +114,111 @@ public:
     /// \throws domain_error unless it is positive and within the reach of the model, which the message tells.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         require_positive("pressure", pressure);
-        constexpr Quantity both = Quantity::pressure | Quantity::stiffness;
-        ContactIntegrator<T> roughly(peaks_, both,
-                                     {std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>)});
-        ContactIntegrator<T> finely(peaks_, both, options_.integrals);
-        const auto eta =
-            detail::eta_of(std::log(pressure / pressure_scale_), pressure, detail::highest_gaussian_eta<T>(),
-                           [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
+        Integrator roughly(law_, peaks_, scales_, slope_quantities,
+                           std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
+        Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
+        const auto eta = detail::eta_of(std::log(pressure / pressure_unit_), pressure, highest_eta(),
+                                        [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
         if (options_.interaction.reading == InteractionReading::as_printed)
             return printed(eta.value, {pressure, 0, 0}, wanted);
         const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
-        ContactState<T> state = at_eta(eta, interacting ? wanted | Quantity::stiffness : wanted);
+        ContactState<T> state = at_eta(eta, interacting ? wanted | for_compliance : wanted);
         state.pressure = {pressure, 0, state.pressure.evaluations};
         return interacting ? compliant(state, wanted) : state;
     }
 
     /// log(p/Pa) without interaction and its slope against eta, the separation over the rms height.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
-        LogSlope<T> p = log_slope(
-            scaled_contact_integrals(peaks_, eta, Quantity::pressure | Quantity::stiffness, options_.integrals));
-        p.log += std::log(pressure_scale_);
+        LogSlope<T> p = log_slope(sums(eta, slope_quantities));
+        p.log += std::log(pressure_unit_);
         return p;
     }
 
-    [[nodiscard]] T rms_height() const { return rms_height_; }
-    [[nodiscard]] const PeakDensity<T>& peaks() const { return peaks_; }
+    [[nodiscard]] T rms_height() const { return scales_.rms_height; }
+    [[nodiscard]] const Peaks& peaks() const { return peaks_; }
+    [[nodiscard]] const Law& law() const { return law_; }
     [[nodiscard]] const Interaction<T>& interaction() const { return options_.interaction; }
     /// Of the bulk in series with the interface, L/E [m/Pa]: 0 without interaction.
     [[nodiscard]] T bulk_compliance() const { return bulk_compliance_; }
-    /// K over -dp/dd without interaction: 1 but for FractalLaw.
-    [[nodiscard]] T stiffness_over_slope() const { return 1 / slope_ratio_; }
-
-private:
-    /// Of the load.
-    static LogSlope<T> log_slope(const ContactIntegrals<T>& j) {
-        return {std::log(j.load.value) + j.log_scale, T(-1.5) * j.stiffness.value / j.load.value,
-                j.load.error / j.load.value};
+    /// Whether K is a constant times -dp/dd without interaction, at every separation.
+    static constexpr bool stiffness_follows_slope = [] {
+        if constexpr (PowerLaw<Law, T>)
+            return Law::stiffness_powers == HalfPowers{Law::load_powers.omega - 2, Law::load_powers.radius};
+        else if constexpr (requires { Law::stiffness_is_slope; })
+            return static_cast<bool>(Law::stiffness_is_slope);
+        else
+            return false;
+    }();
+    /// K over -dp/dd without interaction, where it is a constant: 1 where the stiffness of the law is the slope of its load.
+    [[nodiscard]] T stiffness_over_slope() const requires stiffness_follows_slope {
+        if constexpr (PowerLaw<Law, T>)
+            return static_cast<T>(law_.stiffness_factor()) /
+                   (T(Law::load_powers.omega) / 2 * static_cast<T>(law_.load_factor()));
+        else
+            return T(1);
     }
 
-    ContactIntegrals<T> integrals(T eta, Quantity wanted) const {
-        return contact_integrals(peaks_, eta, wanted, options_.integrals);
+private:
+    using Integrator = detail::LawIntegrator<T, Law, Peaks>;
+    static constexpr Quantity slope_quantities = Quantity::pressure | Quantity::loading_stiffness;
+    static constexpr Quantity for_compliance = Quantity::pressure | Quantity::stiffness | Quantity::loading_stiffness;
+
+    detail::LawSums<T> sums(T eta, Quantity wanted) const {
+        return Integrator(law_, peaks_, scales_, wanted, options_.integrals.relative_tolerance)(eta);
+    }
+
+    /// Of the load over pressure_unit_.
+    LogSlope<T> log_slope(const detail::LawSums<T>& j) const {
+        return {std::log(j.load.value / pressure_unit_) + j.log_scale,
+                -j.loading.value * scales_.rms_height / j.load.value, j.load.error / j.load.value};
+    }
+
+    [[nodiscard]] T highest_eta() const {
+        if constexpr (std::same_as<Peaks, SingleRadius<T>>)
+            if (peaks_.heights == Heights::exponential) return detail::highest_exponential_eta<T>();
+        return detail::highest_gaussian_eta<T>();
+    }
+
+    /// exp(log_scale) multiplied in.
+    detail::LawSums<T> unscaled(detail::LawSums<T> j, T eta) const {
+        T scale = detail::gaussian(std::max(eta, T(0)));
+        if constexpr (std::same_as<Peaks, SingleRadius<T>>)
+            if (peaks_.heights == Heights::exponential) scale = std::exp(j.log_scale);
+        return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
     }
 
     /// Without interaction; the error of eta enters every value by its slope, |d log J/d eta| <= |d log J[0,0]/d eta|, which
     /// is about eta + 1.
     ContactState<T> at_eta(const detail::EtaEstimate<T>& eta, Quantity wanted) const {
-        const ContactIntegrals<T> j = integrals(eta.value, wanted);
+        const detail::LawSums<T> j = unscaled(sums(eta.value, wanted), eta.value);
         const T relative = eta.error * (2 + std::max(eta.value, T(0)));
-        const auto scaled = [relative](const Estimate<T>& integral, T scale) {
-            Estimate<T> out = integral * scale;
-            out.error += (relative + 4 * std::numeric_limits<T>::epsilon()) * out.value;
-            return out;
+        const auto with_eta = [relative](Estimate<T> sum) {
+            sum.error += (relative + 4 * std::numeric_limits<T>::epsilon()) * std::abs(sum.value);
+            return sum;
         };
-        return {eta.value,
-                {eta.value * rms_height_, eta.error * rms_height_, 0},
-                scaled(j.load, pressure_scale_),
-                scaled(j.stiffness, stiffness_scale_),
-                scaled(j.area, area_scale_),
-                scaled(j.contacts, peak_density_)};
+        return {eta.value,          {eta.value * scales_.rms_height, eta.error * scales_.rms_height, 0},
+                with_eta(j.load),   with_eta(j.stiffness),
+                with_eta(j.area),   with_eta(j.contacts),
+                with_eta(j.loading)};
     }
 
-    /// Adds the bulk's compliance L/E in series: the planes approach by p L/E more, and dp/dd is smaller by 1 + K_slope L/E,
-    /// where K_slope = -dp/dd of the effective separation (for FractalLaw not its K).
+    /// Adds the bulk's compliance L/E in series with both: the planes approach by p L/E more, and 1/K is larger by L/E.
     ContactState<T> compliant(ContactState<T> state, Quantity wanted) const {
         const T sink = state.pressure.value * bulk_compliance_;
         state.separation.value -= sink;
         state.separation.error +=
             state.pressure.error * bulk_compliance_ + 2 * std::numeric_limits<T>::epsilon() * sink;
-        const T share = 1 / (1 + slope_ratio_ * state.stiffness.value * bulk_compliance_);
-        state.stiffness =
-            has(wanted, Quantity::stiffness)
-                ? Estimate<T>{state.stiffness.value * share, state.stiffness.error * share, state.stiffness.evaluations}
-                : Estimate<T>{};
+        const auto in_series = [&](Quantity quantity, Estimate<T>& k) {
+            const T share = 1 / (1 + k.value * bulk_compliance_);
+            k = has(wanted, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations} : Estimate<T>{};
+        };
+        in_series(Quantity::stiffness, state.stiffness);
+        in_series(Quantity::loading_stiffness, state.loading_stiffness);
         return state;
     }
 
     ContactState<T> printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
-        const T eta_new = eta_old - pressure.value * bulk_compliance_ / rms_height_;
+        const T eta_new = eta_old - pressure.value * bulk_compliance_ / scales_.rms_height;
         require(eta_new >= detail::lowest_eta, "eta_new", eta_new,
                 "at least -1000 (separation over rms height after (4.11))");
         ContactState<T> state =
@@ -192,25 +229,23 @@ private:
 
     /// The root of eta_effective - Delta(eta_effective) = eta: increasing, between eta and eta + Delta(eta).
     detail::EtaEstimate<T> effective_eta(T eta) const {
-        const T shift = bulk_compliance_ * pressure_scale_ / rms_height_;  // Delta = shift J[3/2,-1/2]
-        const T highest = eta + shift * integrals(eta, Quantity::pressure).load.value;
+        const T shift = bulk_compliance_ / scales_.rms_height;  // Delta = shift p
+        const T highest =
+            std::min(eta + shift * unscaled(sums(eta, Quantity::pressure), eta).load.value, std::max(eta, T(1e6)));
         const auto found = newton_bracketed(
             [&](T x) {
-                const auto j = integrals(x, Quantity::pressure | Quantity::stiffness);
-                return std::pair(x - shift * j.load.value - eta, 1 + T(1.5) * shift * j.stiffness.value);
+                const auto j = unscaled(sums(x, slope_quantities), x);
+                return std::pair(x - shift * j.load.value - eta, 1 + shift * j.loading.value * scales_.rms_height);
             },
             eta, highest, eta + (highest - eta) / 4, 4 * std::numeric_limits<T>::epsilon() * (1 + std::abs(eta)));
         return {found.root, found.error};
     }
 
-    PeakDensity<T> peaks_;
+    Peaks peaks_;
+    Law law_;
     RoughContactOptions<T> options_;
-    T rms_height_;
-    T peak_density_;
-    T pressure_scale_{};   ///< p/J[3/2,-1/2] [Pa]
-    T stiffness_scale_{};  ///< K/J[1/2,-1/2] [Pa/m]
-    T area_scale_{};       ///< A/J[1,-1]
-    T slope_ratio_{};      ///< -dp/dd over K
+    detail::PeakScales<T> scales_;
+    T pressure_unit_{};    ///< of which log p is taken [Pa]
     T bulk_compliance_{};  ///< L/E [m/Pa], 0 without interaction
 };
 

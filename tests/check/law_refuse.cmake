@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# A law that misses a member is refused with a message that names it.
+#   cmake -D COMPILER=... -D EIGEN=... -D INCLUDE=... -D WORK=... -P law_refuse.cmake
+file(MAKE_DIRECTORY ${WORK})
+foreach(missing load stiffness area)
+    set(members "")
+    foreach(member load stiffness area)
+        if(NOT member STREQUAL missing)
+            string(APPEND members "    auto ${member}(const auto& omega, double) const { return omega; }\n")
+        endif()
+    endforeach()
+    file(WRITE ${WORK}/${missing}.cpp "#include <fstiff/contact/rough_contact.hpp>
+struct Law {
+${members}};
+auto contact() {
+    return fstiff::RoughContact(fstiff::Roughness<double>{1e-6, 1e-5, 1e9}, fstiff::PeakDensity<double>(0.5, 1), Law{}, 1e11);
+}
+")
+    execute_process(
+        COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I${INCLUDE} -isystem ${EIGEN} ${WORK}/${missing}.cpp
+        RESULT_VARIABLE code ERROR_VARIABLE said)
+    if(code EQUAL 0)
+        message(FATAL_ERROR "a law without ${missing} was taken")
+    endif()
+    if(NOT said MATCHES "law\\.${missing}\\(omega, radius\\)")
+        message(FATAL_ERROR "the message does not name ${missing}:\n${said}")
+    endif()
+endforeach()
