@@ -22,7 +22,7 @@ auto contact() {
     if(code EQUAL 0)
         message(FATAL_ERROR "a law without ${missing} was taken")
     endif()
-    if(NOT said MATCHES "law\\.${missing}\\(omega, radius\\)")
+    if(NOT said MATCHES "no member ${missing}\\(omega, radius\\)")
         message(FATAL_ERROR "the message does not name ${missing}:\n${said}")
     endif()
 endforeach()

@@ -65,8 +65,18 @@ template <Real T>
 }
 
 template <Real T, class Law, class Peaks = PeakDensity<T>>
-requires ContactableLaw<Law, T>
 class RoughContact {
+    using Approaches = Eigen::Array<T, 8, 1>;
+    static_assert(
+        PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.load(x, r); },
+        "this law has no member load(omega, radius) for an Eigen array and a number, nor factors and powers");
+    static_assert(
+        PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.stiffness(x, r); },
+        "this law has no member stiffness(omega, radius) for an Eigen array and a number");
+    static_assert(
+        PowerLaw<Law, T> || requires(const Law& law, Approaches x, T r) { law.area(x, r); },
+        "this law has no member area(omega, radius) for an Eigen array and a number");
+
 public:
     /// \throws domain_error naming the parameter that is out of range.
     RoughContact(const Roughness<T>& surface, const Peaks& peaks, const Law& law, T effective_modulus,
