@@ -123,3 +123,34 @@ TEST_CASE("scaling laws: K is of degree 0 in (p, E) less one, and does not depen
     CHECK(test::relative_error(-(0.832e-6 * s.rms_height + 40e-6 * s.peak_radius - 2 * 500e6 * s.peak_density),
                                s.stiffness) < 1e-13);
 }
+
+TEST_CASE("with interaction the derivatives are those of the bulk in series") {
+    const Roughness<double> surface{0.832e-6, 40e-6, 500e6, 0};
+    const Interaction<double> bulk{InteractionReading::effective_separation, 1e-4};
+    const double pressure = 3e6, modulus = 112.6e9;
+    const auto stiffness = [&](const Roughness<double>& s, double r, double p, double e) {
+        return RoughContact(s, PeakDensity<double>(r, 1.1), FractalLaw<double>(1.62), e, {.interaction = bulk})
+            .at_pressure(p)
+            .stiffness.value;
+    };
+    const auto found = sensitivity(surface, PeakDensity<double>(0.6, 1.1), FractalLaw<double>(1.62), modulus, pressure,
+                                   CurvatureScale::bush_gibson_thomas, bulk);
+    CHECK(test::relative_error(found.stiffness, stiffness(surface, 0.6, pressure, modulus)) < 1e-13);
+    // five points in relative steps of 1e-3: the formula errs by 1e-12, rounding by 1e-14/1e-3
+    const auto slope = [](double at, auto value) {
+        const double h = 1e-3 * at;
+        return (8 * (value(at + h) - value(at - h)) - (value(at + 2 * h) - value(at - 2 * h))) / (12 * h);
+    };
+    const auto with_height = [&](double x) {
+        auto changed = surface;
+        changed.rms_height = x;
+        return stiffness(changed, 0.6, pressure, modulus);
+    };
+    CHECK(test::relative_error(found.rms_height, slope(surface.rms_height, with_height)) < 1e-9);
+    CHECK(test::relative_error(found.pressure,
+                               slope(pressure, [&](double p) { return stiffness(surface, 0.6, p, modulus); })) < 1e-9);
+    CHECK(test::relative_error(found.effective_modulus,
+                               slope(modulus, [&](double e) { return stiffness(surface, 0.6, pressure, e); })) < 1e-9);
+    CHECK(test::relative_error(found.r,
+                               slope(0.6, [&](double r) { return stiffness(surface, r, pressure, modulus); })) < 1e-8);
+}

@@ -115,11 +115,15 @@ LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
 
 }  // namespace detail
 
-/// K and its derivatives at the nominal pressure \p pressure [Pa], without interaction. Does not allocate.
-/// \throws domain_error as RoughContact and its at_pressure.
+/// K and its derivatives at the nominal pressure \p pressure [Pa]; with \p interaction the bulk is in series, 1/K' = 1/K + L/E.
+/// Does not allocate. \throws domain_error as RoughContact and its at_pressure, and for the reading as_printed.
 template <Real T, PowerLaw Law>
 [[nodiscard]] Sensitivity<T> sensitivity(const Roughness<T>& surface, const PeakDensity<T>& peaks, const Law& law,
-                                         T effective_modulus, T pressure, CurvatureScale scale = {}) {
+                                         T effective_modulus, T pressure, CurvatureScale scale = {},
+                                         const Interaction<T>& interaction = {}) {
+    interaction.validate();
+    require(interaction.reading != InteractionReading::as_printed, "interaction", T(2),
+            "none or effective_separation for a derivative");
     const RoughContact<T, Law> contact(surface, peaks, law, effective_modulus, {.curvature = scale});
     const T eta = contact.at_pressure(pressure, Quantity::pressure).eta;
     const auto j = detail::log_derivatives(peaks, eta);
@@ -143,6 +147,14 @@ template <Real T, PowerLaw Law>
     out.fractal_dimension = at_constant_pressure(law.log_load_slope(), law.log_stiffness_slope());
     out.r = at_constant_pressure(j.load.r, j.stiffness.r);
     out.theta = at_constant_pressure(j.load.theta - curvature / 2, j.stiffness.theta - curvature / 2);
+    if (interaction.reading == InteractionReading::effective_separation) {
+        const T compliance = interaction.length / effective_modulus, share = 1 / (1 + k * compliance);  // K'/K
+        for (T* slope : {&out.pressure, &out.rms_height, &out.peak_radius, &out.peak_density, &out.fractal_dimension,
+                         &out.effective_modulus, &out.r, &out.theta})
+            *slope *= share * share;
+        out.stiffness = k * share;
+        out.effective_modulus += out.stiffness * out.stiffness * compliance / effective_modulus;
+    }
     return out;
 }
 
