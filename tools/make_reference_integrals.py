@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the values of tests/data/integrals_plain.csv and integrals_hard.csv from the definition, by other means than fstiff:
+"""Makes the values of tests/data/integrals_plain.csv, integrals_hard.csv and gw_gaussian.csv from the definition, by other means than
+fstiff:
 
     J[a,b](eta; r, theta) = c^a/(2 theta) int_0^inf t^b erf(k t) exp(-t^2/2) F_a((eta - r t)/c) dt,  c^2 = 1 - r^2
     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x),                  k = tan(theta)/sqrt 2
+    G_n(h) = F_n(h)/sqrt(2 pi)
 
 t = s^2 makes the integrand an entire function of s, which Gauss-Legendre panels integrate, halved until a panel and its two
 halves agree. D is mpmath's parabolic cylinder function, or its asymptotic series where that is good to exp(-x^2/2) < 1e-45.
 Each is accepted where the two differ by less than 1e-31 of the integral (1e-21 with --check).
 
-    tools/make_reference_integrals.py                       writes both tables anew (an hour)
-    tools/make_reference_integrals.py --check [ROWS]        compares that many rows, by default 40, to 20 digits; writes nothing
+    tools/make_reference_integrals.py                       writes the tables anew (half an hour)
+    tools/make_reference_integrals.py --check [ROWS]        compares that many integrals, by default 40, and all of G_n, to 20
+                                                            digits; writes nothing
 
 Needs mpmath; without it --check says SKIPPED. Inputs are read as the exact doubles that the tables print.
 """
@@ -28,6 +31,7 @@ except ImportError:
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data"
 TABLES = ("integrals_plain.csv", "integrals_hard.csv")
+MOMENTS = "gw_gaussian.csv"
 POWERS = ((0, 0), (mpf(1) / 2, -mpf(1) / 2), (mpf(3) / 2, -mpf(1) / 2), (1, -1))  # (a, b), of all rows
 POINTS = 24
 
@@ -51,8 +55,8 @@ def legendre(points):
 
 
 def moment(a, x):
-    """F_a(x) of a = 0, 1/2, 1, 3/2."""
-    if x < -14.5:  # sum of (-a)_2n sqrt(2 pi) |x|^a / ((2 x^2)^n n!)
+    """F_a(x)."""
+    if x < -14.5:  # the asymptotic series: sum of (-a)_2n sqrt(2 pi) |x|^a / ((2 x^2)^n n!)
         total, term = mpf(0), sqrt(2 * pi) * (-x) ** a
         for n in range(200):
             total += term
@@ -111,6 +115,10 @@ def integrals(r, theta, eta, agree):
     return [c**a / (2 * theta) * value for (a, _), value in zip(POWERS, total)]
 
 
+def gaussian_mean(row):
+    return moment(mpf(row["n"]), mpf(float(row["h"]))) / sqrt(2 * pi)
+
+
 def power_of(row):
     return next(i for i, (a, b) in enumerate(POWERS) if mpf(row["a"]) == a and mpf(row["b"]) == b)
 
@@ -119,10 +127,10 @@ def place(row):
     return tuple(float(row[key]) for key in ("r", "theta", "eta"))
 
 
-def text(value):
-    """As the tables have it: 30 digits, with the exponent where it is not 0."""
-    exponent = int(floor(log10(value) + mpf(10) ** -31))
-    digits = nstr(value / mpf(10) ** exponent, 30)
+def text(value, count=30):
+    """As the tables have it: \\p count digits, with the exponent where it is not 0."""
+    exponent = int(floor(log10(value) + mpf(10) ** -count / 2))
+    digits = nstr(value / mpf(10) ** exponent, count)
     return digits if exponent == 0 else f"{digits}e{exponent:+d}"
 
 
@@ -139,11 +147,28 @@ def check(rows):
             worst, done = max(worst, error), done + 1
             if error > mpf("1e-20"):
                 print(f"{name}: {row} is off by {nstr(error, 3)}: {text(found[power_of(row)])}")
-    print(f"{done} rows, the worst off by {nstr(worst, 3)}")
+    for row in csv.DictReader((DATA / MOMENTS).open()):
+        error = abs(gaussian_mean(row) / mpf(row["value"]) - 1)
+        worst = max(worst, error)
+        if error > mpf("1e-20"):
+            print(f"{MOMENTS}: {row} is off by {nstr(error, 3)}")
+    print(f"{done} integrals and all of {MOMENTS}, the worst off by {nstr(worst, 3)}")
     return 1 if worst > mpf("1e-20") or done < rows else 0
 
 
+def write_table(name, rows):
+    with (DATA / name).open("w", newline="") as file:
+        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+
+
 def write():
+    with (DATA / MOMENTS).open() as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        row["value"] = nstr(gaussian_mean(row), 25)
+    write_table(MOMENTS, rows)
     kept = {}
     for name in TABLES:
         with (DATA / name).open() as file:
@@ -157,10 +182,7 @@ def write():
                 row["value"] = text(value)
                 if "log10" in row:
                     row["log10"] = nstr(log10(value), 20)
-        with (DATA / name).open("w", newline="") as file:
-            table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-            table.writeheader()
-            table.writerows(rows)
+        write_table(name, rows)
 
 
 def main():
