@@ -3,6 +3,7 @@
 #   - a folder includes only itself and what stands above it in `levels` (folders on one level never include each other),
 #   - a header includes nothing but <fstiff/...>, <Eigen/...> and the standard library (`optional_includes` aside),
 #   - fstiff.hpp includes every public header but those of io, which io.hpp includes, and the layer table of docs/architecture.md is what the includes say,
+#   - every header has a row "| <layer>/<name> | its one idea |" in docs/architecture.md,
 #   - every file that README.md and docs/*.md name exists: by its path, or a header or a test as <layer>/<name>.
 #
 #   cmake -P tools/check_layers.cmake                  check
@@ -139,6 +140,7 @@ foreach(name fstiff io)
 endforeach()
 
 set(document ${ROOT}/docs/architecture.md)
+set(text "")
 set(open "<!-- layers -->\n")
 set(close "<!-- /layers -->")
 set(start -1)
@@ -162,6 +164,17 @@ else()
         endif()
     endif()
 endif()
+
+# Every header with its one idea: a row that begins with its name.
+foreach(folder IN LISTS folders)
+    foreach(header IN LISTS headers_${folder})
+        string(REGEX REPLACE "\\.hpp$" "" name "${header}")
+        string(REGEX MATCH "\n\\| ${name} \\| [^|\n]*[a-zA-Z][^|\n]* \\|" row "${text}")
+        if(NOT row)
+            problem("docs/architecture.md: has no row '| ${name} | what it is for |'")
+        endif()
+    endforeach()
+endforeach()
 
 file(GLOB documents RELATIVE ${ROOT} ${ROOT}/README.md ${ROOT}/docs/*.md)
 list(JOIN folders "|" layer)

@@ -16,12 +16,17 @@ Each function is interpolated in Chebyshev points with 50 digits and cut to the 
 the type, and once more to 3e-5). A coefficient is printed with as many digits as count at the end of its piece. `cut[n]` is
 the largest relative error, over all pieces and powers, of the first n terms alone.
 
-Needs mpmath. Usage: tools/make_gaussian_moment_table.py [--check]; --check compares with the files instead of writing them.
+Needs mpmath. Usage: tools/make_gaussian_moment_table.py [--check]; --check compares with the files instead of writing them
+(without mpmath it says SKIPPED).
 """
 import pathlib
 import sys
 
-from mpmath import cos, erf, exp, floor, gamma, log10, mp, mpf, nstr, pcfd, pi, sqrt
+try:
+    from mpmath import cos, erf, exp, floor, gamma, log10, mp, mpf, nstr, pcfd, pi, sqrt
+except ImportError:
+    print("SKIPPED: there is no mpmath (Debian package python3-mpmath)")
+    sys.exit(0 if "--check" in sys.argv else 1)
 
 mp.dps = 50
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "include/fstiff/math"
@@ -150,7 +155,7 @@ def cut_line(columns, terms):
 
 
 def erf_range(f, low, high, error, digits, suffix):
-    """Powers of u in [-1, 1] of a Chebyshev series that leaves out less than \p error of the largest value."""
+    """Powers of u in [-1, 1] of a Chebyshev series that leaves out less than \\p error of the largest value."""
     c = chebyshev(f, low, high, 44)
     n = len(c)
     while n > 1 and sum(abs(x) for x in c[n - 1 :]) < error:

@@ -3,13 +3,15 @@
 cmake_minimum_required(VERSION 3.25)
 set(script ${CMAKE_CURRENT_LIST_DIR}/../../tools/check_layers.cmake)
 
+set(ideas "| core/error | errors |\n| math/root | roots; and brackets |\n| io/text | text |\n")
+
 # check(expected path text): the good tree with one more header; `expected` is "" or a part of the complaint.
 function(check expected path text)
     file(REMOVE_RECURSE ${WORK})
     file(WRITE ${WORK}/include/fstiff/core/error.hpp "#include <string>\n")
     file(WRITE ${WORK}/include/fstiff/math/root.hpp "#include <Eigen/Core>\n#include <fstiff/core/error.hpp>\n")
     file(WRITE ${WORK}/include/fstiff/io/text.hpp "#include <fstiff/math/root.hpp>\n")
-    file(WRITE ${WORK}/docs/architecture.md "before\n<!-- layers -->\n<!-- /layers -->\nafter; with a semicolon\n")
+    file(WRITE ${WORK}/docs/architecture.md "before\n<!-- layers -->\n<!-- /layers -->\nafter; with a semicolon\n${ideas}")
     execute_process(COMMAND ${CMAKE_COMMAND} -D ROOT=${WORK} -D UPDATE=ON -P ${script}
                     OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
     file(WRITE ${WORK}/${path} "${text}")
@@ -33,6 +35,9 @@ check("only the standard library and Eigen" include/fstiff/math/root.hpp "#inclu
 check("must be <layer>/<name>.hpp" include/fstiff/misc/thing.hpp "\n")
 check("fstiff.hpp does not list" include/fstiff/core/more.hpp "\n")
 check("the layer table is old" include/fstiff/math/root.hpp "#include <vector>\n")
+check("has no row '| core/more | what it is for |'" include/fstiff/core/more.hpp "\n")
+check("has no row '| math/root | what it is for |'" docs/architecture.md
+      "<!-- layers -->\n<!-- /layers -->\n| core/error | errors |\n| math/root |  |\n| core/error | math/root | x |\n")
 check("must hold the lines" docs/architecture.md "no table\n")
 check("" docs/more.md "[root](../include/fstiff/math/root.hpp), math/root `f`, io/text.hpp; docs/*.md, and/or, 1/2\n")
 check("'math/none' does not exist" docs/more.md "| math/none | nothing |\n")

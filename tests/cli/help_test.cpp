@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "command.hpp"
+#include "cli/command.hpp"
+#include "support/skip.hpp"
 
 #include <fstiff/core/version.hpp>
 
@@ -37,10 +38,7 @@ TEST_CASE("Wrong use ends with exit code 2 and one sentence") {
 }
 
 TEST_CASE("A full disk is reported, not taken for success") {
-    if (!std::filesystem::exists("/dev/full")) {
-        WARN("there is no /dev/full: skipped");
-        return;
-    }
+    if (!std::filesystem::exists("/dev/full")) SKIP_CASE("there is no /dev/full");
     const auto outcome = test::shell("fstiff run > /dev/full");
     CHECK(outcome.status == 3);
     CHECK(test::contains(outcome.err, "standard output"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bar of long work, and what an interruption leaves behind.
-#include "command.hpp"
+#include "cli/command.hpp"
+#include "support/skip.hpp"
 
 namespace {
 
@@ -17,10 +18,8 @@ TEST_CASE("Long work shows a bar with the time left on a terminal, and nothing i
     const auto piped = test::fstiff("run '" + scene + "' --format csv");
     CHECK(piped.status == 0);
     CHECK(piped.err.empty());
-    if (test::shell("script -qec true /dev/null").status != 0) {
-        WARN("`script` makes no terminal here: the bar is not tested");
-        return;
-    }
+    if (test::shell("script -qec true /dev/null").status != 0)
+        SKIP_CASE("`script` makes no terminal here: the bar is not tested");
     // at once, so that the test does not depend on how long the work takes
     const auto shown =
         test::shell("export TERM=vt100 FSTIFF_PROGRESS_DELAY=0; script -qec \"'" FSTIFF_COMMAND "' run '" + scene +

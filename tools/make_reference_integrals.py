@@ -1,0 +1,201 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the values of tests/data/integrals_plain.csv, integrals_hard.csv and gw_gaussian.csv from the definition, by other means than
+fstiff:
+
+    J[a,b](eta; r, theta) = c^a/(2 theta) int_0^inf t^b erf(k t) exp(-t^2/2) F_a((eta - r t)/c) dt,  c^2 = 1 - r^2
+    F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x),                  k = tan(theta)/sqrt 2
+    G_n(h) = F_n(h)/sqrt(2 pi)
+
+t = s^2 makes the integrand an entire function of s, which Gauss-Legendre panels integrate, halved until a panel and its two
+halves agree. D is mpmath's parabolic cylinder function, or its asymptotic series where that is good to exp(-x^2/2) < 1e-45.
+Each is accepted where the two differ by less than 1e-31 of the integral (1e-21 with --check).
+
+    tools/make_reference_integrals.py                       writes the tables anew (half an hour)
+    tools/make_reference_integrals.py --check [ROWS]        compares that many integrals, by default 40, and all of G_n, to 20
+                                                            digits; writes nothing
+
+Needs mpmath; without it --check says SKIPPED. Inputs are read as the exact doubles that the tables print.
+"""
+import argparse
+import csv
+import pathlib
+import random
+import sys
+
+try:
+    from mpmath import erf, erfc, exp, floor, gamma, log10, mp, mpf, nstr, pcfd, pi, sqrt, tan
+except ImportError:
+    print("SKIPPED: there is no mpmath (Debian package python3-mpmath)")
+    sys.exit(0 if "--check" in sys.argv else 1)
+
+DATA = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data"
+TABLES = ("integrals_plain.csv", "integrals_hard.csv")
+MOMENTS = "gw_gaussian.csv"
+POWERS = ((0, 0), (mpf(1) / 2, -mpf(1) / 2), (mpf(3) / 2, -mpf(1) / 2), (1, -1))  # (a, b), of all rows
+POINTS = 24
+
+
+def legendre(points):
+    """Nodes and weights on (-1, 1), by Newton's method."""
+    out = []
+    for i in range(points):
+        x = mp.cos(pi * (i + mpf(3) / 4) / (points + mpf(1) / 2))
+        for _ in range(12):
+            below, here = mpf(1), x
+            for n in range(2, points + 1):
+                below, here = here, ((2 * n - 1) * x * here - (n - 1) * below) / n
+            slope = points * (x * here - below) / (x * x - 1)
+            step = here / slope
+            x -= step
+            if abs(step) < mpf(10) ** (4 - mp.dps):
+                break
+        out.append((x, 2 / ((1 - x * x) * slope**2)))
+    return out
+
+
+def moment(a, x):
+    """F_a(x)."""
+    if x < -14.5:  # the asymptotic series: sum of (-a)_2n sqrt(2 pi) |x|^a / ((2 x^2)^n n!)
+        total, term = mpf(0), sqrt(2 * pi) * (-x) ** a
+        for n in range(200):
+            total += term
+            term *= (a - 2 * n) * (a - 2 * n - 1) / (2 * (n + 1) * x * x)
+            if abs(term) < abs(total) * mpf(10) ** -mp.dps:
+                return total
+        raise ArithmeticError(f"the series of F_{a}({x}) does not end")
+    if a == 0:
+        return sqrt(pi / 2) * erfc(x / sqrt(2))
+    if a == 1 and x < 3:
+        return exp(-x * x / 2) - x * sqrt(pi / 2) * erfc(x / sqrt(2))
+    return gamma(a + 1) * exp(-x * x / 4) * pcfd(-a - 1, x)
+
+
+def integrals(r, theta, eta, agree):
+    """The four of POWERS."""
+    r, theta, eta = mpf(r), mpf(theta), mpf(eta)
+    c, k = sqrt((1 - r) * (1 + r)), tan(theta) / sqrt(2)
+    rule = legendre(POINTS)
+
+    def integrand(s):
+        t = s * s
+        x = (eta - r * t) / c
+        common = 2 * erf(k * t) * exp(-t * t / 2)
+        return [common * (s if b == 0 else 1 if b > -1 else 1 / s) * moment(a, x) for a, b in POWERS]
+
+    def panel(low, high):
+        middle, half = (low + high) / 2, (high - low) / 2
+        total = [mpf(0)] * 4
+        for x, w in rule:
+            values = integrand(middle + half * x)
+            total = [sum_ + half * w * value for sum_, value in zip(total, values)]
+        return total
+
+    # from 0 to where exp(-t^2/2), or for eta > 0 what is left of exp((eta^2 - t^2)/2), is below 1e-40; marks where something
+    # narrow may stand: the layer of width 1/k at 0, the Gaussian of mean r eta and width c, where F_a turns on
+    end = sqrt(max(eta, mpf(0)) ** 2 + 190)
+    marks = {mpf(0), end, mpf(1), mpf(4), 1 / k, 5 / k, c, 5 * c}
+    for n in (-13, -4, 0, 4, 13):
+        marks.add(r * eta + n * c)
+        if r > 0:
+            marks.add((eta + n * c) / r)
+    marks = sorted(sqrt(m) for m in marks if 0 <= m <= end)
+    waiting = [(low, high, panel(low, high)) for low, high in zip(marks, marks[1:]) if high - low > mpf(10) ** -30]
+    size = [sum(part[i] for _, _, part in waiting) for i in range(4)]
+    total = [mpf(0)] * 4
+    while waiting:
+        low, high, whole = waiting.pop()
+        middle = (low + high) / 2
+        left, right = panel(low, middle), panel(middle, high)
+        both = [x + y for x, y in zip(left, right)]
+        if all(abs(w - h) <= agree * s for w, h, s in zip(whole, both, size)):
+            total = [x + y for x, y in zip(total, both)]
+        else:
+            waiting += [(low, middle, left), (middle, high, right)]
+    return [c**a / (2 * theta) * value for (a, _), value in zip(POWERS, total)]
+
+
+def gaussian_mean(row):
+    return moment(mpf(row["n"]), mpf(float(row["h"]))) / sqrt(2 * pi)
+
+
+def power_of(row):
+    return next(i for i, (a, b) in enumerate(POWERS) if mpf(row["a"]) == a and mpf(row["b"]) == b)
+
+
+def place(row):
+    return tuple(float(row[key]) for key in ("r", "theta", "eta"))
+
+
+def text(value, count=30):
+    """As the tables have it: \\p count digits, with the exponent where it is not 0."""
+    exponent = int(floor(log10(value) + mpf(10) ** -count / 2))
+    digits = nstr(value / mpf(10) ** exponent, count)
+    return digits if exponent == 0 else f"{digits}e{exponent:+d}"
+
+
+def check(rows):
+    tables = [(name, row) for name in TABLES for row in csv.DictReader((DATA / name).open())]
+    places = sorted({place(row) for _, row in tables})
+    worst, done = mpf(0), 0
+    for chosen in random.Random(2014).sample(places, min(len(places), -(-rows // 4))):
+        found = integrals(*chosen, mpf("1e-21"))
+        for name, row in tables:
+            if place(row) != chosen:
+                continue
+            error = abs(found[power_of(row)] / mpf(row["value"]) - 1)
+            worst, done = max(worst, error), done + 1
+            if error > mpf("1e-20"):
+                print(f"{name}: {row} is off by {nstr(error, 3)}: {text(found[power_of(row)])}")
+    for row in csv.DictReader((DATA / MOMENTS).open()):
+        error = abs(gaussian_mean(row) / mpf(row["value"]) - 1)
+        worst = max(worst, error)
+        if error > mpf("1e-20"):
+            print(f"{MOMENTS}: {row} is off by {nstr(error, 3)}")
+    print(f"{done} integrals and all of {MOMENTS}, the worst off by {nstr(worst, 3)}")
+    return 1 if worst > mpf("1e-20") or done < rows else 0
+
+
+def write_table(name, rows):
+    with (DATA / name).open("w", newline="") as file:
+        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+
+
+def write():
+    with (DATA / MOMENTS).open() as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        row["value"] = nstr(gaussian_mean(row), 25)
+    write_table(MOMENTS, rows)
+    kept = {}
+    for name in TABLES:
+        with (DATA / name).open() as file:
+            rows = list(csv.DictReader(file))
+        for row in rows:
+            at = place(row)
+            if at not in kept:
+                kept[at] = integrals(*at, mpf("1e-31"))
+            value = kept[at][power_of(row)]
+            if row["value"] != text(value):
+                row["value"] = text(value)
+                if "log10" in row:
+                    row["log10"] = nstr(log10(value), 20)
+        write_table(name, rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", nargs="?", type=int, const=40, metavar="ROWS", help="compare, and write nothing")
+    options = parser.parse_args()
+    if options.check is not None:
+        mp.dps = 32
+        return check(options.check)
+    mp.dps = 45
+    write()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
