@@ -270,3 +270,18 @@ TEST_CASE("parameters and points out of reach are refused in one sentence") {
     // far apart there is no contact, which is no error
     CHECK(c.at_separation(1e-3).pressure.value == 0);
 }
+
+TEST_CASE("a separation that a pressure gave is taken, with interaction however long") {
+    // the upper end of the bracket was beyond what the integrals take
+    const RoughContact contact(Roughness<double>{0.1e-6, 1e-6, 1e11}, PeakDensity<double>(0.3, 0.9), HertzLaw<double>{},
+                               112.6e9, {.interaction = {InteractionReading::effective_separation, 0.1}});
+    const auto at = contact.at_pressure(1e7);
+    CHECK(test::relative_error(contact.at_separation(at.separation.value).pressure.value, 1e7) < 1e-6);
+}
+
+TEST_CASE("a separation out of range is refused with the bounds in its own unit") {
+    const RoughContact contact(Roughness<double>{1e-6, 40e-6, 500e6}, PeakDensity<double>(0.3, 0.9), HertzLaw<double>{},
+                               112.6e9);
+    CHECK(test::refusal([&] { static_cast<void>(contact.at_separation(-0.00149)); }) ==
+          "separation = -0.00149: must be between -0.001 and 1 m, -1000 and 1e6 rms heights");
+}

@@ -101,8 +101,10 @@ public:
     /// give the pressure (eta_old). \throws domain_error for a separation outside its range.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         const T eta = separation / scales_.rms_height;
-        require(eta >= detail::lowest_eta && eta <= T(1e6), "separation", separation,
-                "between -1000 and 1e6 rms heights (m)");
+        if (!(eta >= detail::lowest_eta && eta <= T(1e6)))
+            detail::refuse("separation", separation,
+                           "between " + shortest_text(detail::lowest_eta * scales_.rms_height) + " and " +
+                               shortest_text(T(1e6) * scales_.rms_height) + " m, -1000 and 1e6 rms heights");
         switch (options_.interaction.reading) {
             case InteractionReading::effective_separation: {
                 ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
