@@ -17,6 +17,7 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 #include <fstiff/surface/roughness.hpp>
@@ -26,6 +27,9 @@
 namespace fstiff {
 
 enum class Heights { gaussian, exponential };
+template <>
+inline constexpr auto names<Heights> = name_list<Heights>({{Heights::gaussian, "gaussian"},
+                                                           {Heights::exponential, "exponential"}});
 
 namespace detail {
 
