@@ -8,6 +8,7 @@
 #include <fstiff/core/config.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
@@ -25,6 +26,7 @@
 #include <fstiff/math/least_squares.hpp>
 #include <fstiff/math/piecewise.hpp>
 #include <fstiff/math/root.hpp>
+#include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/roughness.hpp>

@@ -23,12 +23,12 @@ Option& Option::type_name(const std::string& name) {
     option_->type_name(name);
     return *this;
 }
-Option& Option::one_of(const std::vector<std::string>& values) {
-    option_->check(CLI::IsMember(values));
+Option& Option::one_of(std::span<const std::string_view> values) {
+    option_->check(CLI::IsMember(std::vector<std::string>(values.begin(), values.end())));
     return *this;
 }
 Option& Option::one_of(std::initializer_list<const char*> values) {
-    return one_of(std::vector<std::string>(values.begin(), values.end()));
+    return one_of(std::vector<std::string_view>(values.begin(), values.end()));
 }
 Option& Option::one_of(std::initializer_list<int> values) {
     option_->check(CLI::IsMember(values));

@@ -2,11 +2,15 @@
 #pragma once
 // The command line. CLI11 parses it, which arguments.cpp alone includes.
 
+#include <fstiff/core/names.hpp>
+
 #include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -22,7 +26,7 @@ public:
     explicit Option(CLI::Option* option) : option_(option) {}
     Option& required();
     Option& type_name(const std::string& name);
-    Option& one_of(const std::vector<std::string>& values);
+    Option& one_of(std::span<const std::string_view> values);
     Option& one_of(std::initializer_list<const char*> values);
     Option& one_of(std::initializer_list<int> values);
     Option& between(int least, int greatest);
@@ -51,6 +55,14 @@ public:
     /// \p take is called with what was given.
     Option option(const std::string& name, const std::function<void(const std::string&)>& take,
                   const std::string& help);
+    /// One of the words of \p Enum.
+    template <NamedEnum Enum>
+    Option option(const std::string& name, Enum& target, const std::string& help) {
+        const std::function<void(const std::string&)> take = [&target](const std::string& word) {
+            target = *find_named<Enum>(word);
+        };
+        return option(name, take, help).one_of(choices<Enum>());
+    }
     void flag(const std::string& name, bool& target, const std::string& help);
     /// Below the list of options.
     void footer(const std::string& text);

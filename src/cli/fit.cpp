@@ -25,7 +25,7 @@ struct Options {
     OutputOptions output;
     SurfaceOptions surface;
     std::string window, tip_radius, resolution;
-    std::string convention = "exact";
+    StructureConvention convention = StructureConvention::exact;
     std::uint64_t seed = FractalFitOptions<double>{}.seed;
     int resamples = FractalFitOptions<double>{}.resamples;
     bool all_lags = false;
@@ -53,9 +53,7 @@ struct MapResult {
 FractalFitOptions<double> fit_options(const Options& options) {
     FractalFitOptions<double> how;
     if (!options.window.empty()) how.window = parse_window(options.window, "--window");
-    how.convention = options.convention == "paper"           ? StructureConvention::paper
-                     : options.convention == "majumdar_tien" ? StructureConvention::majumdar_tien
-                                                             : StructureConvention::exact;
+    how.convention = options.convention;
     how.seed = options.seed;
     how.resamples = options.resamples;
     if (!options.tip_radius.empty()) how.tip_radius = parse_length(options.tip_radius, "--tip-radius");
@@ -230,11 +228,11 @@ Json json_start(const Options& options, const SurfaceInput& input, const std::st
                    {"resolution", options.resolution},
                    {"seed", options.seed},
                    {"resamples", options.resamples},
-                   {"convention", options.convention}});
+                   {"convention", name_of(options.convention)}});
     document["inputs"] = inputs;
     document["equations"] = {{"structure_function", "(2.8)"},
                              {"fit", "(2.5)"},
-                             {"constant", "(2.4), convention " + options.convention},
+                             {"constant", "(2.4), convention " + std::string(name_of(options.convention))},
                              {"peak_ratio", "(4.3)"}};
     return document;
 }
@@ -349,7 +347,8 @@ std::string table(const Options& options, const SurfaceInput& input, const Profi
     text += "  D = " + rounded(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
             "   (regression alone, too small: " + rounded(fit.regression_dimension_error, 2) + ")\n";
     text += "  G = " + rounded(fit.fractal.roughness) + " m +- " + rounded(fit.roughness_error, 2) +
-            " m   (convention " + options.convention + "; ln G +- " + rounded(fit.log_roughness_error, 2) + ")\n";
+            " m   (convention " + std::string(name_of(options.convention)) + "; ln G +- " +
+            rounded(fit.log_roughness_error, 2) + ")\n";
     text += "  " + errors_line(options, fit) + "\n";
     text +=
         "  D by ordinary least squares " + rounded(fit.line_dimension) + "; by the power spectrum " +
@@ -406,8 +405,8 @@ std::string table(const Options& options, const SurfaceInput& input, const MapRe
                rounded(fit->dimension_error, 2) + " (ordinary least squares " + rounded(fit->line_dimension) + " +- " +
                rounded(fit->regression_dimension_error, 2) + ", too small)\n" + indent +
                "G = " + rounded(fit->fractal.roughness) + " m +- " + rounded(fit->roughness_error, 2) +
-               " m   (convention " + options.convention + ")\n" + indent + "window " + window_line(*fit) + "\n" +
-               indent + window_reason(*fit) + "\n";
+               " m   (convention " + std::string(name_of(options.convention)) + ")\n" + indent + "window " +
+               window_line(*fit) + "\n" + indent + window_reason(*fit) + "\n";
     };
     text += direction("x", result.fit.x) + direction("y", result.fit.y);
     for (const std::string& warning : warnings(input, result)) text += "warning: " + warning + "\n";
@@ -459,10 +458,8 @@ Command add_fit(CLI::App& app) {
     command.option("--tip-radius", options->tip_radius,
                    "of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
     command.option("--resolution", options->resolution, "of the instrument: shorter lags are left out");
-    command
-        .option("--convention", options->convention,
-                "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien")
-        .one_of({"exact", "paper", "majumdar_tien"});
+    command.option("--convention", options->convention,
+                   "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien");
     command.option("--seed", options->seed, "of the bootstrap; default 2014");
     command.option("--resamples", options->resamples, "of the bootstrap; default 200, 0 leaves it out")
         .between(0, 100000);

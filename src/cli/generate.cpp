@@ -29,7 +29,7 @@ struct Options {
     std::optional<double> dimension, hurst;
     std::string roughness, rms, longest, shortest;
     double gamma = 1.5;
-    std::string long_waves = "plateau";
+    LongWaves long_waves = LongWaves::plateau;
     std::uint64_t seed = 1;
 };
 
@@ -57,7 +57,7 @@ void check_options(const Options& options) {
     only(options.gamma != 1.5, wm, "--gamma", false);
     only(options.hurst.has_value(), !wm, "--hurst", true);
     only(!options.rms.empty(), !wm, "--rms", true);
-    only(options.long_waves != "plateau", !wm, "--long-waves", false);
+    only(options.long_waves != LongWaves::plateau, !wm, "--long-waves", false);
     only(options.rows != 0, map, "--rows", false);
     const std::size_t rows = !map ? 1 : options.rows == 0 ? options.points : options.rows;
     if (options.points > most_points || rows > most_points / options.points)
@@ -104,7 +104,7 @@ Generated make(Options options) {
         how.rms = parse_length(options.rms, "--rms");
         how.longest_wavelength = longest;
         how.shortest_wavelength = shortest_wave;
-        how.long_waves = options.long_waves == "none" ? LongWaves::none : LongWaves::plateau;
+        how.long_waves = options.long_waves;
         how.seed = options.seed;
         if (map)
             result.surface =
@@ -113,7 +113,7 @@ Generated make(Options options) {
             result.surface = Profile<double>{self_affine_profile(how, options.points, spacing), spacing};
         say("H", shortest(how.hurst));
         say("rms", metres(how.rms));
-        say("beyond the longest wave", options.long_waves);
+        say("beyond the longest wave", std::string(name_of(options.long_waves)));
     }
     say("longest wave", metres(longest));
     say("shortest wave", metres(shortest_wave));
@@ -173,10 +173,8 @@ Command add_generate(CLI::App& app) {
     command.option("--rms", options->rms, "Rq or Sq of the profile or map, such as \"1 um\"");
     command.option("--longest", options->longest, "wavelength; default the longest side");
     command.option("--shortest", options->shortest, "wavelength; default two spacings");
-    command
-        .option("--long-waves", options->long_waves,
-                "beyond the longest wavelength: plateau (default), waves as strong as it, or none")
-        .one_of({"plateau", "none"});
+    command.option("--long-waves", options->long_waves,
+                   "beyond the longest wavelength: plateau (default), waves as strong as it, or none");
     command.option("--seed", options->seed, "of the random phases or amplitudes; default 1");
     command.option("--format", options->form, "csv (default), sdf (binary) or sdf-text")
         .type_name("FORMAT")

@@ -30,26 +30,6 @@ struct Options {
     std::string wave = "longitudinal";
 };
 
-/// How a parameter is called, and in which unit people read it.
-struct Naming {
-    FitParameter parameter;
-    std::string_view name;   ///< for --fit and in the documents
-    std::string_view shown;  ///< in the table, with its unit
-    double factor;           ///< from SI to the unit of the table
-    std::string_view unit;   ///< SI
-};
-constexpr std::array<Naming, fit_parameter_count> namings{
-    {{FitParameter::rms_height, "sigma", "sigma [µm]", 1e6, "m"},
-     {FitParameter::peak_radius, "R", "R [µm]", 1e6, "m"},
-     {FitParameter::peak_density, "Dp", "D_p [1/mm²]", 1e-6, "1/m^2"},
-     {FitParameter::fractal_dimension, "D", "D", 1, ""},
-     {FitParameter::effective_modulus, "E", "E [GPa]", 1e-9, "Pa"},
-     {FitParameter::r, "r", "r", 1, ""},
-     {FitParameter::theta, "theta", "theta [rad]", 1, "rad"},
-     {FitParameter::offset, "offset", "offset [MPa]", 1e-6, "Pa"}}};
-
-const Naming& naming_of(FitParameter parameter) { return namings[static_cast<std::size_t>(parameter)]; }
-
 struct Fit {
     Law law{};
     double theta = 0, r = 0;  ///< of the scene
@@ -60,25 +40,29 @@ struct Fit {
 struct Work {
     Scene scene;
     MeasuredCurve curve;
-    std::vector<FitParameter> wanted;
+    std::vector<Parameter> wanted;
     std::optional<Wave<double>> wave;
     std::vector<Fit> fits;
     std::vector<std::string> warnings;
     Status status = success;
 };
 
-std::vector<FitParameter> wanted_of(const std::vector<std::string>& names) {
-    std::vector<FitParameter> wanted;
+/// For --fit and in the documents.
+constexpr auto short_names() {
+    std::array<std::string_view, parameter_table.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = parameter_table[i].short_name;
+    return names;
+}
+
+std::vector<Parameter> wanted_of(const std::vector<std::string>& names) {
+    std::vector<Parameter> wanted;
     for (const std::string& written : names) {
         const std::string name(io::detail::trimmed(written));
-        const auto found = std::find_if(namings.begin(), namings.end(), [&](const Naming& naming) {
-            return name == naming.name || name == name_of(naming.parameter);
+        const auto found = std::find_if(parameter_table.begin(), parameter_table.end(), [&](const ParameterRow& row) {
+            return name == row.short_name || name == row.key;
         });
-        if (found == namings.end()) {
-            std::array<std::string_view, namings.size()> valid;
-            for (std::size_t i = 0; i < valid.size(); ++i) valid[i] = namings[i].name;
-            throw Usage("--fit: \"" + name + "\" is no parameter; must be one of " + list_of(valid));
-        }
+        if (found == parameter_table.end())
+            throw Usage("--fit: \"" + name + "\" is no parameter; must be one of " + list_of(short_names()));
         if (std::count(wanted.begin(), wanted.end(), found->parameter) > 0)
             throw Usage("--fit: \"" + name + "\" is there twice; each may be named once");
         wanted.push_back(found->parameter);
@@ -94,7 +78,7 @@ std::string title(const Fit& fit) {
 std::string loose_names(const Fit& fit) {
     std::vector<std::string> names;
     for (const auto& p : fit.found.parameters)
-        if (p.looseness > 0.02) names.emplace_back(naming_of(p.parameter).name);
+        if (p.looseness > 0.02) names.emplace_back(row_of(p.parameter).short_name);
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i)
         text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
@@ -177,18 +161,14 @@ void add_warnings(Work& work) {
             work.warnings.push_back(where +
                                     "no standard errors: as many parameters as points, and no column of errors");
         for (const auto& p : found.parameters) {
-            const std::string name(naming_of(p.parameter).name);
-            const bool between = p.parameter == FitParameter::fractal_dimension || p.parameter == FitParameter::r ||
-                                 p.parameter == FitParameter::theta;
-            const double lowest = p.parameter == FitParameter::fractal_dimension ? 1 : 0;
-            const double highest = p.parameter == FitParameter::fractal_dimension ? 2
-                                   : p.parameter == FitParameter::r               ? 1
-                                                                                  : std::numbers::pi / 2;
+            const ParameterRow& row = row_of(p.parameter);
+            const std::string name(row.short_name);
+            const bool between = row.variation == Variation::between;
+            const auto lowest = static_cast<double>(row.low.value), highest = static_cast<double>(row.high.value);
             if (between && !(p.value > lowest + 1e-6 && p.value < highest - 1e-6)) {
                 work.warnings.push_back(where + name + " came to the end of its range: no value of it fits the data");
                 work.status = doubtful_result;
-            } else if (!between && p.parameter != FitParameter::offset && found.covariance.size() > 0 &&
-                       !(p.high < 100 * p.low)) {
+            } else if (row.variation == Variation::log && found.covariance.size() > 0 && !(p.high < 100 * p.low)) {
                 work.warnings.push_back(where + "the data say next to nothing of " + name +
                                         ": the ends of its interval are a factor of 100 or more apart");
             }
@@ -197,7 +177,7 @@ void add_warnings(Work& work) {
             for (Eigen::Index k = 0; k < i; ++k)
                 if (std::abs(found.correlation(i, k)) > 0.99) {
                     const auto name = [&](Eigen::Index index) {
-                        return std::string(naming_of(work.wanted[static_cast<std::size_t>(index)]).name);
+                        return std::string(row_of(work.wanted[static_cast<std::size_t>(index)]).short_name);
                     };
                     work.warnings.push_back(where + name(k) + " and " + name(i) +
                                             " are hardly told apart (correlation " +
@@ -214,7 +194,7 @@ Work work_of(const Options& options) {
     work.scene = options.scene.empty() ? parse_scene(builtin_scene, "built-in scene")
                                        : parse_scene(read_all(options.scene), display_name(options.scene));
     const Scene& scene = work.scene;
-    if (scene.reading != Reading::none)
+    if (scene.reading != InteractionReading::none)
         throw domain_error(scene.file +
                            ": contact.interaction: must be \"none\" to identify parameters: the derivatives are those "
                            "of the interface alone");
@@ -253,7 +233,7 @@ Work work_of(const Options& options) {
                  ? "must name fractal, fractal_consistent or hertz; greenwood_williamson has no derivatives"
                  : "must name \"" + options.law + "\", which --law asks for"));
     if (skipped) work.warnings.emplace_back("greenwood_williamson is not fitted: it has no derivatives");
-    if (std::count(work.wanted.begin(), work.wanted.end(), FitParameter::fractal_dimension) > 0 &&
+    if (std::count(work.wanted.begin(), work.wanted.end(), Parameter::fractal_dimension) > 0 &&
         !scene.fractal_dimension)
         throw domain_error(scene.file + ": surface.fractal_dimension: is missing; --fit D starts from it");
     const auto data = observations(work.curve);
@@ -264,10 +244,6 @@ Work work_of(const Options& options) {
 
 /// An interval of data that say little may end beyond the range of numbers: nothing is shown there.
 Json finite_json(double value) { return std::isfinite(value) ? json_number(value) : Json(nullptr); }
-
-std::string_view status_name(FitStatus status) {
-    return status == FitStatus::converged ? "converged" : status == FitStatus::singular ? "singular" : "not_converged";
-}
 
 /// Measured value, model and residual are in these units.
 struct Shown {
@@ -299,25 +275,25 @@ std::string table(const Work& work) {
     for (const Fit& fit : work.fits) {
         const auto& found = fit.found;
         text += "\n" + title(fit) + ": " +
-                (found.status == FitStatus::not_converged ? "not converged" : std::string(status_name(found.status))) +
+                (found.status == FitStatus::not_converged ? "not converged" : std::string(name_of(found.status))) +
                 "\n";
         const bool has_errors = found.covariance.size() > 0;
         TextTable parameters({"parameter", "start", "estimate", "standard error", "95 % from", "to"});
         for (const auto& p : found.parameters) {
-            const Naming& naming = naming_of(p.parameter);
+            const ParameterRow& row = row_of(p.parameter);
             const auto cell = [&](double value, int digits) {
-                return has_errors && std::isfinite(value * naming.factor) ? rounded(value * naming.factor, digits)
-                                                                          : "-";
+                return has_errors && std::isfinite(value * row.shown_factor) ? rounded(value * row.shown_factor, digits)
+                                                                             : "-";
             };
-            parameters.add({std::string(naming.shown), rounded(fit.start[p.parameter] * naming.factor),
-                            found.status == FitStatus::singular ? "-" : rounded(p.value * naming.factor),
+            parameters.add({row.heading(), rounded(fit.start[p.parameter] * row.shown_factor),
+                            found.status == FitStatus::singular ? "-" : rounded(p.value * row.shown_factor),
                             cell(p.standard_error, 2), cell(p.low, 5), cell(p.high, 5)});
         }
         text += parameters.str();
         if (found.status == FitStatus::singular) continue;
         if (has_errors && work.wanted.size() > 1) {
             std::vector<std::string> header{"correlation"};
-            for (const FitParameter p : work.wanted) header.emplace_back(naming_of(p).name);
+            for (const Parameter p : work.wanted) header.emplace_back(row_of(p).short_name);
             TextTable matrix(header);
             for (std::size_t i = 0; i < work.wanted.size(); ++i) {
                 std::vector<std::string> row{header[i + 1]};
@@ -348,7 +324,7 @@ std::string csv(const Work& work) {
     std::vector<std::string> header{"law",       "theta", "r",     "status", "chi_squared",    "degrees_of_freedom",
                                     "parameter", "unit",  "start", "value",  "standard_error", "low",
                                     "high"};
-    for (const FitParameter p : work.wanted) header.push_back("correlation_" + std::string(naming_of(p).name));
+    for (const Parameter p : work.wanted) header.push_back("correlation_" + std::string(row_of(p).short_name));
     std::string text = csv_line(header);
     for (const Fit& fit : work.fits)
         for (std::size_t i = 0; i < fit.found.parameters.size(); ++i) {
@@ -361,11 +337,11 @@ std::string csv(const Work& work) {
             std::vector<std::string> cells{std::string(name_of(fit.law)),
                                            exact(fit.theta),
                                            exact(fit.r),
-                                           std::string(status_name(fit.found.status)),
+                                           std::string(name_of(fit.found.status)),
                                            exact(fit.found.chi_squared),
                                            std::to_string(fit.found.degrees_of_freedom),
-                                           std::string(naming_of(p.parameter).name),
-                                           std::string(naming_of(p.parameter).unit),
+                                           std::string(row_of(p.parameter).short_name),
+                                           std::string(row_of(p.parameter).unit),
                                            exact(fit.start[p.parameter]),
                                            singular ? "" : exact(p.value),
                                            cell(p.standard_error),
@@ -411,15 +387,15 @@ std::string json(const Work& work) {
         Json entry{{"law", name_of(fit.law)},
                    {"theta", json_number(fit.theta)},
                    {"r", json_number(fit.r)},
-                   {"status", status_name(found.status)},
+                   {"status", name_of(found.status)},
                    {"chi_squared", json_number(found.chi_squared)},
                    {"degrees_of_freedom", found.degrees_of_freedom},
                    {"errors_known", found.errors_known},
                    {"evaluations", found.evaluations}};
         Json& parameters = entry["parameters"] = Json::array();
         for (const auto& p : found.parameters) {
-            const Naming& naming = naming_of(p.parameter);
-            Json one{{"name", naming.name}, {"unit", naming.unit}, {"start", json_number(fit.start[p.parameter])}};
+            const ParameterRow& row = row_of(p.parameter);
+            Json one{{"name", row.short_name}, {"unit", row.unit}, {"start", json_number(fit.start[p.parameter])}};
             if (singular)
                 one["looseness"] = json_number(p.looseness);
             else
@@ -554,14 +530,16 @@ Command add_identify(CLI::App& app) {
                 "file (CSV) of pressure and stiffness or reflection, with their errors if they are known")
         .required()
         .type_name("FILE");
-    command
-        .option("--fit", options->fit,
-                "what is fitted, of sigma, R, Dp, D, E, r, theta, offset (of the pressure); the rest stays")
+    std::string fitted;
+    for (const std::string_view name : short_names()) fitted += (fitted.empty() ? "" : ", ") + std::string(name);
+    command.option("--fit", options->fit, "what is fitted, of " + fitted + " (of the pressure); the rest stays")
         .required()
         .delimiter(',')
         .type_name("NAME,...");
-    command.option("--law", options->law, "fit this law of the scene alone")
-        .one_of({"fractal", "fractal_consistent", "hertz"});
+    std::vector<std::string_view> laws;
+    for (const std::string_view name : choices<Law>())
+        if (name != name_of(Law::greenwood_williamson)) laws.push_back(name);  // has no derivatives
+    command.option("--law", options->law, "fit this law of the scene alone").one_of(laws);
     command.option("--wave", options->wave, "what the reflections are of")
         .one_of({"longitudinal", "shear"})
         .show_default();

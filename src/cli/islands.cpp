@@ -18,7 +18,8 @@ struct Options {
     OutputOptions output;
     SurfaceOptions surface;
     int neighbours = 8;
-    std::string border = "keep", height = "peak";
+    BorderIslands border = BorderIslands::kept;
+    IslandHeight height = IslandHeight::peak;
     std::size_t least_points = 1, levels = IslandOptions<double>{}.quantiles;
     IslandSpread spread;
 };
@@ -31,9 +32,9 @@ struct Result {
 Result sweep(const Options& options, const SurfaceInput& input) {
     IslandOptions<double> how;
     how.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
-    how.border = options.border == "drop" ? BorderIslands::dropped : BorderIslands::kept;
+    how.border = options.border;
     how.least_points = options.least_points;
-    how.height = options.height == "peak" ? IslandHeight::peak : IslandHeight::twice_mean;
+    how.height = options.height;
     how.quantiles = options.levels;
     IslandSpread spread = options.spread;
     how.progress = spread.progress = progress_bar();
@@ -81,9 +82,9 @@ std::string json(const Options& options, const SurfaceInput& input, const Result
     document["source"] = json_source(options.surface, input);
     Json inputs = json_inputs(options.surface, result.levelled.form);
     inputs.update({{"neighbours", options.neighbours},
-                   {"border", options.border},
+                   {"border", name_of(options.border)},
                    {"least_points", options.least_points},
-                   {"island_height", options.height},
+                   {"island_height", name_of(options.height)},
                    {"levels", options.levels},
                    {"tiles", options.spread.tiles},
                    {"resamples", options.spread.resamples},
@@ -132,8 +133,8 @@ std::string table(const Options& options, const SurfaceInput& input, const Resul
             rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form + ")\n";
     text += "  islands  of " + std::to_string(options.neighbours) + " neighbours, of " +
             std::to_string(options.least_points) + " points at least, at the border " +
-            (options.border == "keep" ? "kept" : "dropped") + "; height by " + options.height + "; " +
-            std::to_string(r.curve.size()) + " levels\n\n";
+            (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +
+            std::string(name_of(options.height)) + "; " + std::to_string(r.curve.size()) + " levels\n\n";
     const auto error = [&](double value, const std::string& unit) {
         return r.tiles > 0 ? " +- " + rounded(value, 2) + unit : unit;
     };
@@ -189,11 +190,10 @@ Command add_islands(CLI::App& app) {
     command.option("map", options->surface.file, "delimited text, SDF or X3P; - is standard input").required();
     add_surface_options(command, options->surface, SurfaceKind::map);
     command.option("--neighbours", options->neighbours, "of a point: 8 (default) or 4").one_of({4, 8});
-    command.option("--border", options->border, "islands that reach the edge of the map: keep (default) or drop")
-        .one_of({"keep", "drop"});
+    command.option("--border", options->border, "islands that reach the edge of the map: keep (default) or drop");
     command.option("--least-points", options->least_points, "of an island that counts; default 1");
-    command.option("--island-height", options->height, "of an island: peak (default), its highest point, or twice-mean")
-        .one_of({"peak", "twice-mean"});
+    command.option("--island-height", options->height,
+                   "of an island: peak (default), its highest point, or twice-mean");
     command.option("--levels", options->levels,
                    "number of levels, at equal steps of bearing area; default 200, 0 for every height");
     command.option("--tiles", options->spread.tiles,

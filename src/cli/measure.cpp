@@ -47,7 +47,7 @@ Report execute(const Options& options) {
         Json document = measured_document(surface);
         const MeasureOptions& m = options.measure;
         document["inputs"] = json_inputs(m.input, m.input.detrend);
-        document["inputs"].update({{"peaks", m.peaks},
+        document["inputs"].update({{"peaks", name_of(m.peaks)},
                                    {"tip_radius", m.tip_radius},
                                    {"resolution", m.resolution},
                                    {"window", m.window},
@@ -68,8 +68,7 @@ Command add_measure(CLI::App& app) {
                       "Every parameter of a scene's surface from a measured profile or map, with errors");
     command.option("file", measure.input.file, "profile or map of any form; - is standard input").required();
     add_surface_options(command, measure.input);
-    command.option("--peaks", measure.peaks, "of a map, R and D_p of its islands (default) or its summits")
-        .one_of({"islands", "summits"});
+    command.option("--peaks", measure.peaks, "of a map, R and D_p of its islands (default) or its summits");
     command.option("--tip-radius", measure.tip_radius,
                    "of the stylus, of a profile: shorter lags that may show it do not enter D");
     command.option("--resolution", measure.resolution, "of the instrument: shorter lags do not enter D");

@@ -66,9 +66,9 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
         if (found == values->end()) return std::nullopt;
         return measurement_of(*found, name + ": surface." + key);
     };
-    for (std::size_t i = 0; i < parameter_count; ++i) {
-        const auto which = static_cast<Parameter>(i);
-        const std::string key(parameter_names[i]);
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+        const Parameter which = parameter_table[i].parameter;
+        const std::string key(parameter_table[i].key);
         if (const auto measured = read(key.c_str()))
             surface.parameters.set(which, *measured);
         else if (which <= Parameter::peak_density)
@@ -79,8 +79,8 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
     if (const auto correlation = document.find("correlation_of_errors");
         correlation != document.end() && correlation->is_object()) {
         const auto matrix = correlation->find("matrix");
-        for (std::size_t i = 0; i < parameter_count; ++i)
-            for (std::size_t j = 0; j < parameter_count; ++j) {
+        for (std::size_t i = 0; i < surface_parameter_count; ++i)
+            for (std::size_t j = 0; j < surface_parameter_count; ++j) {
                 const bool there = matrix != correlation->end() && matrix->is_array() && i < matrix->size() &&
                                    (*matrix)[i].is_array() && j < (*matrix)[i].size() && (*matrix)[i][j].is_number();
                 if (!there) throw domain_error(name + ": correlation_of_errors.matrix: must be 6 rows of 6 numbers");

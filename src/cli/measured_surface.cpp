@@ -11,12 +11,6 @@
 namespace fstiff::cli {
 namespace {
 
-constexpr std::array<Parameter, parameter_count> all_parameters{
-    Parameter::rms_height,        Parameter::peak_radius, Parameter::peak_density,
-    Parameter::fractal_dimension, Parameter::r,           Parameter::theta};
-
-std::size_t index(Parameter which) { return static_cast<std::size_t>(which); }
-
 FractalFitOptions<double> fit_options(const MeasureOptions& options) {
     const std::string prefix(options.input.prefix);
     FractalFitOptions<double> fit;
@@ -39,8 +33,9 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
     else
-        said.push_back("R and D_p from " + std::to_string(found.peaks_counted) +
-                       (options.peaks == "summits" ? " summits" : " islands at the level where there are most"));
+        said.push_back(
+            "R and D_p from " + std::to_string(found.peaks_counted) +
+            (options.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
     if (found.fractal_dimension)
         said.push_back("D and G from lags of " + um(found.window.from) + " to " + um(found.window.to) +
                        (options.window.empty() ? " (automatic)" : " (given)"));
@@ -72,7 +67,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     how.fit.seed = how.seed = options.seed;
     how.resamples = static_cast<std::size_t>(options.resamples);
     how.progress = how.fit.progress = how.islands.progress = progress_bar();
-    how.peaks = options.peaks == "summits" ? PeakSource::summits : PeakSource::islands;
+    how.peaks = options.peaks;
     const SurfaceInput input = read_surface_input(options.input, bytes);
     const bool profile = input.surface.is_profile();
     MeasuredSurface surface;
@@ -110,7 +105,9 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
 std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
     const bool profile = surface.kind == "profile";
     const auto& p = surface.parameters;
-    const auto of = [&](Parameter which) { return Measurement<double>{p.value[index(which)], p.error[index(which)]}; };
+    const auto of = [&](Parameter which) {
+        return Measurement<double>{p.value[index_of(which)], p.error[index_of(which)]};
+    };
     std::vector<ParameterLine> lines{
         {"rms_height", "m", of(Parameter::rms_height), "root of the mean square about the mean"},
         {"peak_radius", "m", of(Parameter::peak_radius),
@@ -119,11 +116,11 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
          profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area"}};
     if (surface.max_peak_height.value > 0)
         lines.push_back({"max_peak_height", "m", surface.max_peak_height, "highest point; the error is a lower bound"});
-    if (p.known[index(Parameter::fractal_dimension)])
+    if (p.known[index_of(Parameter::fractal_dimension)])
         lines.push_back({"fractal_dimension", "", of(Parameter::fractal_dimension),
                          profile ? "structure function, (2.5)" : "structure functions along x and y, (2.5)"});
     if (surface.fractal_roughness) lines.push_back({"fractal_roughness", "m", *surface.fractal_roughness, "the same"});
-    if (p.known[index(Parameter::r)]) {
+    if (p.known[index_of(Parameter::r)]) {
         lines.push_back({"r", "", of(Parameter::r), "triples of neighbours, (4.1)"});
         lines.push_back({"theta", "", of(Parameter::theta), "triples of neighbours, (4.3) [rad]"});
     }
@@ -146,11 +143,10 @@ Json measured_document(const MeasuredSurface& surface) {
     if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;
     if (!surface.peaks_refusal.empty()) document["no_r_and_theta"] = surface.peaks_refusal;
     Json names = Json::array(), rows = Json::array();
-    for (const Parameter one : all_parameters) {
-        names.push_back(parameter_names[index(one)]);
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+        names.push_back(parameter_table[i].key);
         Json row = Json::array();
-        for (const Parameter two : all_parameters)
-            row.push_back(json_number(surface.parameters.correlation[index(one)][index(two)]));
+        for (const double one : surface.parameters.correlation[i]) row.push_back(json_number(one));
         rows.push_back(std::move(row));
     }
     document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};

@@ -18,7 +18,7 @@ namespace fstiff::cli {
 /// How a file is read, and how its parameters are found.
 struct MeasureOptions {
     SurfaceOptions input;
-    std::string peaks = "islands";  ///< of a map: islands or summits
+    PeakSource peaks = PeakSource::islands;  ///< of a map
     std::string tip_radius, resolution, window;
     int resamples = 400;
     std::uint64_t seed = 2014;

@@ -86,16 +86,8 @@ bool read_stream(std::istream& stream, std::string& bytes) {
 
 void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
     options.format = initial;
-    static const std::vector<std::string> names{"table", "csv", "json"};  // in the order of Format
-    arguments
-        .option(
-            "--format",
-            [&options](const std::string& name) {
-                options.format = static_cast<Format>(std::find(names.begin(), names.end(), name) - names.begin());
-            },
-            "table, csv or json; default " + names[static_cast<std::size_t>(initial)])
-        .type_name("FORMAT")
-        .one_of(names);
+    arguments.option("--format", options.format, "table, csv or json; default " + std::string(name_of(initial)))
+        .type_name("FORMAT");
 }
 
 void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {

@@ -25,6 +25,18 @@ public:
 
 enum class Format { table, csv, json };
 
+}  // namespace fstiff::cli
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<cli::Format> =
+    name_list<cli::Format>({{cli::Format::table, "table"}, {cli::Format::csv, "csv"}, {cli::Format::json, "json"}});
+
+}  // namespace fstiff
+
+namespace fstiff::cli {
+
 struct OutputOptions {
     Format format = Format::table;
     std::string file;  ///< empty: standard output

@@ -415,7 +415,7 @@ std::string page_of(const Scene& scene, const Results& results) {
     page.table(rows);
     std::string rest = "Effective modulus " + rounded(results.modulus / 1e9) +
                        " GPa from both bodies. Rms curvature of the peaks by (4.10). Interaction " +
-                       (scene.reading == Reading::none ? "left out" : "by (4.11)") + ".";
+                       (scene.reading == InteractionReading::none ? "left out" : "by (4.11)") + ".";
     if (scene.ultrasound)
         rest += " Reflection by (5.1); shear waves see the tangential stiffness, " + rounded(results.tangential_ratio) +
                 " K by Mindlin.";

@@ -70,9 +70,7 @@ void fill(Curve& curve, const Scene& scene, const Contact& contact) {
 
 Interaction<double> interaction(const Scene& scene) {
     Interaction<double> result;
-    result.reading = scene.reading == Reading::effective_separation ? InteractionReading::effective_separation
-                     : scene.reading == Reading::as_printed         ? InteractionReading::as_printed
-                                                                    : InteractionReading::none;
+    result.reading = scene.reading;
     if (result.reading != InteractionReading::none)
         result.length = scene.length == InteractionLength::nominal        ? std::sqrt(*scene.nominal_area)
                         : scene.length == InteractionLength::peak_spacing ? 1 / std::sqrt(scene.surface.peak_density)
@@ -151,11 +149,11 @@ void add_warnings(const Scene& scene, Results& results) {
         warn_if_any(
             results, "fewer than 10 contacts on the nominal area: a mean over peaks says little there",
             [&](const Curve&, const State& state) { return state.contact_density.value * *scene.nominal_area < 10; });
-    if (scene.reading != Reading::none &&
+    if (scene.reading != InteractionReading::none &&
         std::count(scene.laws.begin(), scene.laws.end(), Law::greenwood_williamson) > 0)
         results.warnings.push_back("interaction is not applied to greenwood_williamson");
 
-    if ((scene.reflection || scene.shear_reflection) && scene.reading != Reading::none)
+    if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
         results.warnings.push_back(
             "K with interaction holds the elasticity of the bulk over the interaction length: its reflection is not "
             "that of the interface alone");
@@ -189,8 +187,8 @@ std::vector<Curve> compute_curves(const Scene& scene, double modulus) {
 }
 
 /// The scene with the surface \p drawn about its own.
-Scene with_surface(Scene scene, const std::array<double, parameter_count>& drawn) {
-    const auto value = [&](Parameter which) { return drawn[static_cast<std::size_t>(which)]; };
+Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn) {
+    const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
     scene.surface.rms_height = value(Parameter::rms_height);
     scene.surface.peak_radius = value(Parameter::peak_radius);
     scene.surface.peak_density = value(Parameter::peak_density);
@@ -376,9 +374,6 @@ std::string json(const Scene& scene, const Results& results) {
     return document.str();
 }
 
-/// Of the parameters, in the order of Parameter.
-constexpr std::array<const char*, parameter_count> short_names{"sigma", "R", "D_p", "D", "r", "theta"};
-
 std::string table(const Scene& scene, const Results& results) {
     const auto& s = scene.surface;
     std::string text = "fstiff " FSTIFF_VERSION ": " + scene.name + " (" + scene.file + ")\n";
@@ -394,10 +389,10 @@ std::string table(const Scene& scene, const Results& results) {
     if (scene.measured) {
         text += "\n  measured  " + scene.measured->file + " (" + scene.measured->kind + "), errors of";
         const auto& u = scene.uncertain;
-        for (std::size_t i = 0; i < parameter_count; ++i)
+        for (std::size_t i = 0; i < surface_parameter_count; ++i)
             if (u.known[i])
-                text += std::string(i ? ", " : " ") + short_names[i] + " " + rounded(100 * u.error[i] / u.value[i], 2) +
-                        " %";
+                text += (i ? ", " : " ") + std::string(parameter_table[i].symbol) + " " +
+                        rounded(100 * u.error[i] / u.value[i], 2) + " %";
     }
     text += "\n  material  upper " + material(scene.upper) + "; lower " + material(scene.lower) +
             "; effective modulus " + rounded(results.modulus / 1e9) + " GPa";

@@ -32,12 +32,6 @@ namespace {
 
 using io::Dimension;
 
-constexpr std::array<std::pair<std::string_view, Law>, 4> law_names{
-    {{"fractal", Law::fractal},
-     {"fractal_consistent", Law::fractal_consistent},
-     {"hertz", Law::hertz},
-     {"greenwood_williamson", Law::greenwood_williamson}}};
-
 std::string_view si_unit(Dimension dimension) {
     switch (dimension) {
         case Dimension::length:
@@ -148,6 +142,11 @@ struct Source {
         if (!node.is_string()) refuse(node, key, "must be a text in quotation marks");
         record(key, written(node));
         return written(node);
+    }
+    /// One of the words of \p Enum.
+    template <NamedEnum Enum>
+    Enum choice(const toml::node& node, const std::string& key) {
+        return names<Enum>[choice(node, key, fstiff::choices<Enum>())].value;
     }
     /// One of \p allowed, by its place in that list.
     std::size_t choice(const toml::node& node, const std::string& key, std::span<const std::string_view> allowed) {
@@ -327,11 +326,20 @@ MeasuredSurface read_from(Source& source, const Section& surface) {
     const std::filesystem::path scene(source.file);
     if (path != "-" && path.is_relative() && scene.has_parent_path()) path = scene.parent_path() / path;
     options.input.file = path.string();
-    const std::array<std::string*, reading_keys.size()> into{
-        &options.input.format,  &options.input.units,  &options.input.spacing, nullptr,
-        &options.input.dx,      &options.input.dy,     &options.input.width,   &options.input.height,
-        &options.input.detrend, &options.input.cutoff, &options.peaks,         &options.tip_radius,
-        &options.resolution,    &options.window};
+    const std::array<std::string*, reading_keys.size()> into{&options.input.format,
+                                                             &options.input.units,
+                                                             &options.input.spacing,
+                                                             nullptr,
+                                                             &options.input.dx,
+                                                             &options.input.dy,
+                                                             &options.input.width,
+                                                             &options.input.height,
+                                                             &options.input.detrend,
+                                                             &options.input.cutoff,
+                                                             nullptr,
+                                                             &options.tip_radius,
+                                                             &options.resolution,
+                                                             &options.window};
     bool defaults = true;
     for (std::size_t i = 0; i < reading_keys.size(); ++i) {
         const toml::node* node = surface.find(reading_keys[i]);
@@ -340,6 +348,8 @@ MeasuredSurface read_from(Source& source, const Section& surface) {
         const std::string key = surface.key(reading_keys[i]);
         if (into[i]) {
             *into[i] = source.text(*node, key);
+        } else if (reading_keys[i] == "peaks") {
+            options.peaks = source.choice<PeakSource>(*node, key);
         } else {
             const auto* column = node->as_integer();
             if (!column || column->get() < 1 || column->get() > 1000000)
@@ -347,8 +357,6 @@ MeasuredSurface read_from(Source& source, const Section& surface) {
             options.input.column = static_cast<int>(column->get());
             source.record(key, written(*node), static_cast<double>(column->get()));
         }
-        if (reading_keys[i] == "peaks" && options.peaks != "islands" && options.peaks != "summits")
-            source.refuse(*node, key, "must be one of \"islands\", \"summits\"");
     }
     return measured_from(options, defaults, source.at(from) + ": " + surface.key("from") + ": ");
 }
@@ -357,14 +365,14 @@ MeasuredSurface read_from(Source& source, const Section& surface) {
 void take_measured(Source& source, Scene& scene) {
     const MeasuredSurface& measured = *scene.measured;
     const auto& p = measured.parameters;
-    const auto value = [&](Parameter which) { return p.value[static_cast<std::size_t>(which)]; };
+    const auto value = [&](Parameter which) { return p.value[index_of(which)]; };
+    const auto known = [&](Parameter which) { return p.known[index_of(which)]; };
     scene.uncertain = p;
     scene.surface = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
                      measured.max_peak_height.value};
-    if (p.known[static_cast<std::size_t>(Parameter::fractal_dimension)])
-        scene.fractal_dimension = value(Parameter::fractal_dimension);
+    if (known(Parameter::fractal_dimension)) scene.fractal_dimension = value(Parameter::fractal_dimension);
     if (measured.fractal_roughness) scene.fractal_roughness = measured.fractal_roughness->value;
-    if (p.known[static_cast<std::size_t>(Parameter::r)] && p.known[static_cast<std::size_t>(Parameter::theta)]) {
+    if (known(Parameter::r) && known(Parameter::theta)) {
         scene.r = value(Parameter::r);
         scene.theta = value(Parameter::theta);
     }
@@ -389,25 +397,16 @@ double read_angle(Source& source, const toml::node& node, const std::string& key
 }
 
 /// One parameter of [surface], or of surface.errors.
-double read_parameter(Source& source, const Section& section, Parameter which, const toml::node& node) {
-    const std::string key = section.key(parameter_names[static_cast<std::size_t>(which)]);
-    switch (which) {
-        case Parameter::rms_height:
-        case Parameter::peak_radius:
-            return source.positive(node, key, Dimension::length);
-        case Parameter::peak_density:
-            return source.positive(node, key, Dimension::inverse_area);
-        case Parameter::theta:
-            return read_angle(source, node, key);
-        default:
-            return source.number(node, key);
-    }
+double read_parameter(Source& source, const Section& section, const ParameterRow& row, const toml::node& node) {
+    const std::string key = section.key(row.key);
+    if (row.unit.empty()) return source.number(node, key);
+    for (const Dimension dimension : {Dimension::length, Dimension::inverse_area})
+        if (row.unit == si_unit(dimension)) return source.positive(node, key, dimension);
+    return read_angle(source, node, key);
 }
 
 void read_surface(Source& source, const toml::table& table, Scene& scene) {
-    constexpr std::array<Parameter, parameter_count> all{
-        Parameter::rms_height,        Parameter::peak_radius, Parameter::peak_density,
-        Parameter::fractal_dimension, Parameter::r,           Parameter::theta};
+    const auto all = std::span(parameter_table).first<surface_parameter_count>();
     const std::initializer_list<std::string_view> written_keys{"from",
                                                                "rms_height",
                                                                "peak_radius",
@@ -426,40 +425,36 @@ void read_surface(Source& source, const toml::table& table, Scene& scene) {
         take_measured(source, scene);
     }
     UncertainSurface<double>& uncertain = scene.uncertain;
-    for (const Parameter which : all) {
-        const auto i = static_cast<std::size_t>(which);
-        const std::string_view name = parameter_names[i];
+    for (const ParameterRow& row : all) {
+        const std::size_t i = index_of(row.parameter);
         const toml::node* node =
-            !scene.measured && which <= Parameter::peak_density ? &surface.at(name) : surface.find(name);
+            !scene.measured && row.parameter <= Parameter::peak_density ? &surface.at(row.key) : surface.find(row.key);
         if (!node) continue;
-        uncertain.set(which, {read_parameter(source, surface, which, *node), 0});
-        if (!parameter_in_range(which, uncertain.value[i]))
-            source.refuse(*node, surface.key(name),
-                          which == Parameter::fractal_dimension ? "must be between 1 and 2, both excluded"
-                          : which == Parameter::r               ? "must be at least 0 and less than 1"
-                                                                : "must be between 0 and pi/2, both excluded");
-        for (std::size_t j = 0; j < parameter_count; ++j)  // written by hand: independent of what was measured
+        uncertain.set(row.parameter, {read_parameter(source, surface, row, *node), 0});
+        if (!parameter_in_range(row.parameter, uncertain.value[i]))
+            source.refuse(*node, surface.key(row.key), "must be " + row.range());
+        for (std::size_t j = 0; j < surface_parameter_count; ++j)  // written by hand: independent of what was measured
             uncertain.correlation[i][j] = uncertain.correlation[j][i] = i == j ? 1 : 0;
     }
     if (const auto* errors = surface.find("errors")) {
         if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
+        constexpr auto keys = choices<Parameter>();
         const Section section(source, *errors->as_table(), surface.key("errors"),
-                              {parameter_names.begin(), parameter_names.end()});
-        for (const Parameter which : all) {
-            const auto i = static_cast<std::size_t>(which);
-            const toml::node* node = section.find(parameter_names[i]);
+                              std::span(keys).first<surface_parameter_count>());
+        for (const ParameterRow& row : all) {
+            const std::size_t i = index_of(row.parameter);
+            const toml::node* node = section.find(row.key);
             if (!node) continue;
-            const std::string key = section.key(parameter_names[i]);
+            const std::string key = section.key(row.key);
             if (!uncertain.known[i])
-                source.refuse(*node, key,
-                              "has no value beside it; must stand beside surface." + std::string(parameter_names[i]));
-            uncertain.error[i] = read_parameter(source, section, which, *node);
+                source.refuse(*node, key, "has no value beside it; must stand beside surface." + std::string(row.key));
+            uncertain.error[i] = read_parameter(source, section, row, *node);
             if (!(uncertain.error[i] >= 0 && std::isfinite(uncertain.error[i])))
                 source.refuse(*node, key, "must be finite and not negative");
         }
     }
     const auto value = [&](Parameter which) -> std::optional<double> {
-        const auto i = static_cast<std::size_t>(which);
+        const std::size_t i = index_of(which);
         return uncertain.known[i] ? std::optional(uncertain.value[i]) : std::nullopt;
     };
     scene.surface.rms_height = *value(Parameter::rms_height);
@@ -563,19 +558,18 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
     }
     if (!node->is_table()) source.refuse(*node, key, allowed);
     const Section table(source, *node->as_table(), key, {"reading", "length"});
-    constexpr std::array<std::string_view, 3> readings{"none", "effective_separation", "as_printed"};
-    scene.reading = static_cast<Reading>(source.choice(table.at("reading"), table.key("reading"), readings));
+    scene.reading = source.choice<InteractionReading>(table.at("reading"), table.key("reading"));
 
     const toml::node* length = table.find("length");
     const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
-    if (text == "nominal" || text == "peak_spacing") {
-        scene.length = text == "nominal" ? InteractionLength::nominal : InteractionLength::peak_spacing;
+    if (const auto by = find_named<InteractionLength>(text)) {
+        scene.length = *by;
         source.record(table.key("length"), length ? text : "nominal (default)");
     } else {
         scene.length = InteractionLength::given;
         scene.given_length = source.positive(*length, table.key("length"), Dimension::length);
     }
-    if (scene.reading != Reading::none && scene.length == InteractionLength::nominal && !scene.nominal_area)
+    if (scene.reading != InteractionReading::none && scene.length == InteractionLength::nominal && !scene.nominal_area)
         throw domain_error(source.at(*node) + ": " + contact.key("nominal_area") +
                            ": is missing; interaction length \"nominal\" is its square root");
 }
@@ -600,11 +594,9 @@ void read_contact(Source& source, const toml::table& table, Scene& scene, const 
         contact.at("pressures", "is missing; the scene needs contact.pressures or contact.separations");
     scene.points_where = source.at(separations ? *separations : *pressures) + ": " + key + ": ";
 
-    std::array<std::string_view, law_names.size()> names;
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = law_names[i].first;
     if (const auto* laws = contact.find("laws")) {
-        for (const auto i : source.choices(*laws, contact.key("laws"), names))
-            scene.laws.push_back(law_names[i].second);
+        for (const auto i : source.choices(*laws, contact.key("laws"), choices<Law>()))
+            scene.laws.push_back(names<Law>[i].value);
     } else {
         if (scene.fractal_dimension) scene.laws.push_back(Law::fractal);
         scene.laws.insert(scene.laws.end(), {Law::hertz, Law::greenwood_williamson});
@@ -763,11 +755,6 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
 }
 
 }  // namespace
-
-std::string_view name_of(Law law) {
-    return std::find_if(law_names.begin(), law_names.end(), [law](const auto& entry) { return entry.second == law; })
-        ->first;
-}
 
 PeakDensity<double> peak_density(const Peaks& peaks) {
     try {

@@ -6,6 +6,8 @@
 #include "waves.hpp"
 
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/interaction.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/peaks/peak_density.hpp>
 #include <fstiff/surface/roughness.hpp>
 
@@ -26,7 +28,6 @@ struct Input {
 };
 
 enum class Law { fractal, fractal_consistent, hertz, greenwood_williamson };
-std::string_view name_of(Law law);
 
 /// One peak density to compute; the values are checked when the PeakDensity is made.
 struct Peaks {
@@ -39,8 +40,27 @@ struct Peaks {
 /// \throws domain_error naming the place of the value that no peak density has.
 PeakDensity<double> peak_density(const Peaks& peaks);
 
-enum class Reading { none, effective_separation, as_printed };
 enum class InteractionLength { nominal, peak_spacing, given };
+
+}  // namespace fstiff::cli
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<cli::Law> = name_list<cli::Law>({
+    {cli::Law::fractal, "fractal"},
+    {cli::Law::fractal_consistent, "fractal_consistent"},
+    {cli::Law::hertz, "hertz"},
+    {cli::Law::greenwood_williamson, "greenwood_williamson"},
+});
+/// A given length is written as such.
+template <>
+inline constexpr auto names<cli::InteractionLength> = name_list<cli::InteractionLength>(
+    {{cli::InteractionLength::nominal, "nominal"}, {cli::InteractionLength::peak_spacing, "peak_spacing"}});
+
+}  // namespace fstiff
+
+namespace fstiff::cli {
 
 struct Scene {
     std::string name;
@@ -73,7 +93,7 @@ struct Scene {
     std::string points_where;  ///< file, line and key for messages
     std::vector<Law> laws;
     std::vector<Peaks> peaks;
-    Reading reading = Reading::none;
+    InteractionReading reading = InteractionReading::none;
     InteractionLength length = InteractionLength::nominal;
     double given_length = 0;  ///< [m], for InteractionLength::given
 

@@ -10,6 +10,7 @@
 #include <fstiff/io/x3p.hpp>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -17,30 +18,16 @@
 namespace fstiff::cli {
 namespace {
 
-template <class Value, std::size_t count>
-using Names = std::array<std::pair<std::string_view, Value>, count>;
+/// Of a profile also: the line, then the filter of ISO 16610-21.
+constexpr std::string_view gaussian = "gaussian";
 
-constexpr Names<Form, 5> profile_forms{{{"none", Form::none},
-                                        {"mean", Form::mean},
-                                        {"line", Form::line},
-                                        {"parabola", Form::parabola},
-                                        {"gaussian", Form::line}}};  // the filter follows
-constexpr Names<MapForm, 5> map_forms{{{"none", MapForm::none},
-                                       {"mean", MapForm::mean},
-                                       {"plane", MapForm::plane},
-                                       {"quadratic", MapForm::quadratic},
-                                       {"cubic", MapForm::cubic}}};
-
-template <class Value, std::size_t count>
-Value form_of(const Names<Value, count>& forms, const SurfaceOptions& options, std::string_view name,
-              std::string_view what) {
-    std::string allowed;
-    for (const auto& [known, value] : forms) {
-        if (known == name) return value;
-        allowed += (allowed.empty() ? "" : ", ") + std::string(known);
-    }
+/// The form called \p name; \p more stands behind the choices in the refusal.
+template <NamedEnum FormOf>
+FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string_view what,
+               const std::string& more = "") {
+    if (const auto form = find_named<FormOf>(name)) return *form;
     throw Usage(std::string(options.prefix) + "detrend = \"" + std::string(name) + "\": of a " + std::string(what) +
-                " must be one of " + allowed);
+                " must be one of " + choices_text<FormOf>() + more);
 }
 
 void refuse_cutoff(const SurfaceOptions& options) {
@@ -87,14 +74,19 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     arguments
         .option("--input-format", options.format,
                 "form of the file: auto (default), profile, triples, matrix, sdf or x3p")
-        .one_of({"auto", "profile", "triples", "matrix", "sdf", "x3p"});
+        .one_of(choices<io::SurfaceFormat>());
     arguments.option(
         "--units", options.units,
         "units of lengths and heights of a text, such as um,nm, or one for both; replace those of the file");
-    std::vector<std::string> names{"none", "mean"};
+    std::vector<std::string_view> words;
+    const auto allow = [&](std::span<const std::string_view> more) {
+        for (const std::string_view word : more)
+            if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    };
     std::string forms;
     if (profiles) {
-        names.insert(names.end(), {"line", "parabola", "gaussian"});
+        allow(choices<Form>());
+        words.push_back(gaussian);
         forms = "; of a profile none, mean, line (default), parabola or gaussian";
         arguments.option("--spacing", options.spacing,
                          "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file");
@@ -106,14 +98,14 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
                          "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\"");
     }
     if (maps) {
-        names.insert(names.end(), {"plane", "quadratic", "cubic"});
+        allow(choices<MapForm>());
         forms += "; of a map none, mean, plane (default), quadratic or cubic";
         arguments.option("--dx", options.dx, "distance of neighbouring columns of a matrix; replaces that of the file");
         arguments.option("--dy", options.dy, "distance of neighbouring rows of a matrix");
         arguments.option("--width", options.width, "columns times dx of a matrix, instead of --dx");
         arguments.option("--height", options.height, "rows times dy of a matrix, instead of --dy");
     }
-    arguments.option("--detrend", options.detrend, "form that is removed" + forms).one_of(names);
+    arguments.option("--detrend", options.detrend, "form that is removed" + forms).one_of(words);
 }
 
 std::size_t SurfaceInput::points() const {
@@ -162,8 +154,9 @@ LevelledProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
                            std::to_string(input.surface.map().rows()) + " points); must be a profile");
     LevelledProfile result;
     result.form = options.detrend.empty() ? "line" : options.detrend;
-    const Form form = form_of(profile_forms, options, result.form, "profile");
-    const bool filter = result.form == "gaussian";
+    const bool filter = result.form == gaussian;
+    const Form form =
+        filter ? Form::line : form_of<Form>(options, result.form, "profile", ", " + std::string(gaussian));
     const std::string name = std::string(options.prefix) + "cutoff";
     if (!filter) refuse_cutoff(options);
     if (filter && options.cutoff.empty())
@@ -186,7 +179,7 @@ LevelledMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
                            std::to_string(input.surface.profile().size()) + " points); must be a map");
     LevelledMap result;
     result.form = options.detrend.empty() ? "plane" : options.detrend;
-    const MapForm form = form_of(map_forms, options, result.form, "map");
+    const MapForm form = form_of<MapForm>(options, result.form, "map");
     refuse_cutoff(options);
     about_file(options.file, [&] {
         const HeightMap<double>& read = input.surface.map();

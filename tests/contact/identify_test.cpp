@@ -53,7 +53,7 @@ std::vector<Observation<double>> curve(const ContactParameters<double>& x, const
 
 /// In how many of 100 seeded runs each parameter's interval holds the truth; \p error is relative for K, absolute for R.
 template <class Law>
-std::vector<int> coverage(const ContactParameters<double>& x, const std::vector<FitParameter>& wanted, const Law& law,
+std::vector<int> coverage(const ContactParameters<double>& x, const std::vector<Parameter>& wanted, const Law& law,
                           double error, bool known, const Wave<double>* as = nullptr) {
     auto data = curve(x, law, 25, as);
     const auto exact = data;
@@ -66,8 +66,8 @@ std::vector<int> coverage(const ContactParameters<double>& x, const std::vector<
             data[i].error = known ? deviation : 0;
         }
         ContactParameters<double> start = x;
-        for (const FitParameter p : wanted)
-            start[p] = p == FitParameter::offset ? 0 : p == FitParameter::fractal_dimension ? 1.4 : start[p] * 0.8;
+        for (const Parameter p : wanted)
+            start[p] = p == Parameter::offset ? 0 : p == Parameter::fractal_dimension ? 1.4 : start[p] * 0.8;
         const auto fit = identify(data, wanted, start, law, {.wave = as ? std::optional(*as) : std::nullopt});
         REQUIRE(fit.status == FitStatus::converged);
         for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -88,7 +88,7 @@ void check_coverage(const std::vector<int>& hits) {
 }  // namespace
 
 TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from K(p)") {
-    using enum FitParameter;
+    using enum Parameter;
     check_coverage(coverage(truth, {rms_height, peak_density}, fractal, 0.02, true));
     check_coverage(coverage(truth, {rms_height, peak_radius}, hertz, 0.02, false));
     check_coverage(coverage(truth, {fractal_dimension}, fractal, 0.02, true));
@@ -100,7 +100,7 @@ TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from 
 }
 
 TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from R(p)") {
-    using enum FitParameter;
+    using enum Parameter;
     // 1 - R is 1e-5 to 0.04 here: with errors ten times these, two parameters have no minimum in some runs
     check_coverage(coverage(truth, {rms_height, peak_density}, fractal, 0.0003, true, &wave));
     check_coverage(coverage(truth, {effective_modulus}, hertz, 0.001, false, &wave));
@@ -109,15 +109,15 @@ TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from 
 }
 
 TEST_CASE("without noise the truth comes back") {
-    using enum FitParameter;
-    const std::vector<std::vector<FitParameter>> sets{
+    using enum Parameter;
+    const std::vector<std::vector<Parameter>> sets{
         {rms_height, peak_density}, {rms_height, fractal_dimension, offset}, {rms_height, peak_radius, theta}};
     for (const auto& wanted : sets) {
         ContactParameters<double> x = truth, start = truth;
         x.offset = 1e5;
         start.offset = 0;
         if (std::count(wanted.begin(), wanted.end(), offset) == 0) start.offset = x.offset;
-        for (const FitParameter p : wanted)
+        for (const Parameter p : wanted)
             if (p != offset) start[p] *= 0.9;
         auto data = curve(x, fractal, 30);
         for (auto& o : data) o.error = 0.01 * o.value;
@@ -131,9 +131,9 @@ TEST_CASE("without noise the truth comes back") {
 }
 
 TEST_CASE("covariance is that of the scatter of estimates") {
-    using enum FitParameter;
+    using enum Parameter;
     const auto exact = curve(truth, fractal, 25);
-    const std::vector<FitParameter> wanted{rms_height, peak_density};
+    const std::vector<Parameter> wanted{rms_height, peak_density};
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     Eigen::Matrix2d squares = Eigen::Matrix2d::Zero(), claimed = Eigen::Matrix2d::Zero();
     const int runs = 400;
@@ -161,7 +161,7 @@ TEST_CASE("covariance is that of the scatter of estimates") {
 }
 
 TEST_CASE("parameters that K(p) holds in combination only are called singular, by name") {
-    using enum FitParameter;
+    using enum Parameter;
     auto data = curve(truth, fractal, 25);
     for (auto& o : data) o.error = 0.01 * o.value;
     const auto pair = identify(data, {peak_radius, peak_density}, truth, fractal);
@@ -181,7 +181,7 @@ TEST_CASE("parameters that K(p) holds in combination only are called singular, b
 }
 
 TEST_CASE("estimates do not depend on the unit of length") {
-    using enum FitParameter;
+    using enum Parameter;
     for (const double unit : {1e-9, 1e9}) {
         auto data = curve(truth, fractal, 25);
         Noise noise(3);
@@ -218,9 +218,9 @@ TEST_CASE("half the interval is Student's t") {
 }
 
 TEST_CASE("identify refuses data and starting values that no model has") {
-    using enum FitParameter;
+    using enum Parameter;
     auto data = curve(truth, fractal, 3);
-    const auto refused = [&](const std::vector<FitParameter>& wanted, const ContactParameters<double>& start,
+    const auto refused = [&](const std::vector<Parameter>& wanted, const ContactParameters<double>& start,
                              const std::string& part) {
         const std::string said = test::refusal([&] { static_cast<void>(identify(data, wanted, start, fractal)); });
         INFO(said);

@@ -154,8 +154,8 @@ void check_sound(const SurfaceParameters<double>& s) {
         CHECK((s.r->value >= 0 && s.r->value < 1 && std::isfinite(s.r->error)));
         CHECK((s.theta->value > 0 && s.theta->value < pi / 2 && std::isfinite(s.theta->error)));
     }
-    for (std::size_t i = 0; i < parameter_count; ++i)
-        for (std::size_t j = 0; j < parameter_count; ++j) {
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < surface_parameter_count; ++j) {
             CHECK(s.correlation[i][j] == s.correlation[j][i]);
             CHECK(std::abs(s.correlation[i][j]) <= 1);
             // no noise of rounding: either nothing, or what resamples of a surface can tell from nothing
@@ -445,8 +445,8 @@ TEST_CASE("Another unit of length or of height changes the numbers by that unit 
         same(*there.theta, *here.theta, 1);
         CHECK(there.peaks_counted == here.peaks_counted);
         CHECK(there.blocks == here.blocks);
-        for (std::size_t i = 0; i < parameter_count; ++i)
-            for (std::size_t j = 0; j < parameter_count; ++j)
+        for (std::size_t i = 0; i < surface_parameter_count; ++i)
+            for (std::size_t j = 0; j < surface_parameter_count; ++j)
                 CHECK(std::abs(there.correlation[i][j] - here.correlation[i][j]) <= 1000 * tolerance);
         // the fit takes logarithms of lengths and heights
         REQUIRE(there.fractal_dimension);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
-using Draw = std::array<double, parameter_count>;
+using Draw = std::array<double, surface_parameter_count>;
 
 std::size_t place(Parameter which) { return static_cast<std::size_t>(which); }
 
@@ -48,20 +48,20 @@ double normal_part(const Draw& draw, std::size_t i) {
 
 struct Moments {
     Draw mean{}, deviation{};
-    std::array<Draw, parameter_count> correlation{};
+    std::array<Draw, surface_parameter_count> correlation{};
 };
 
 template <class Of>
 Moments moments(const std::vector<Draw>& all, const Of& of) {
     Moments m;
     const auto count = static_cast<double>(all.size());
-    for (std::size_t i = 0; i < parameter_count; ++i) {
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         for (const auto& draw : all) m.mean[i] += of(draw, i) / count;
         for (const auto& draw : all) m.deviation[i] += std::pow(of(draw, i) - m.mean[i], 2) / (count - 1);
         m.deviation[i] = std::sqrt(m.deviation[i]);
     }
-    for (std::size_t i = 0; i < parameter_count; ++i)
-        for (std::size_t j = 0; j < parameter_count; ++j)
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < surface_parameter_count; ++j)
             for (const auto& draw : all)
                 m.correlation[i][j] += (of(draw, i) - m.mean[i]) * (of(draw, j) - m.mean[j]) / m.deviation[i] /
                                        m.deviation[j] / (count - 1);
@@ -89,7 +89,7 @@ TEST_CASE("Many draws have the values, the errors and the correlation that were 
     const auto s = surface();
     const auto all = draws(s, count);
     const auto m = moments(all, normal_part);
-    for (std::size_t i = 0; i < parameter_count; ++i) {
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         const double relative = s.error[i] / s.value[i];
         const bool log = i < place(Parameter::fractal_dimension);
         const double centre = log ? std::log(s.value[i]) : s.value[i];
@@ -98,7 +98,7 @@ TEST_CASE("Many draws have the values, the errors and the correlation that were 
         // four standard errors of a mean, of a standard deviation and of a correlation of that many normal numbers
         CHECK(std::abs(m.mean[i] - centre) <= 4 * spread / root);
         CHECK(std::abs(m.deviation[i] / spread - 1) <= 4 / (root * std::sqrt(2.0)));
-        for (std::size_t j = 0; j < parameter_count; ++j) {
+        for (std::size_t j = 0; j < surface_parameter_count; ++j) {
             const double c = s.correlation[i][j];
             CAPTURE(j, m.correlation[i][j], c);
             CHECK(std::abs(m.correlation[i][j] - c) <= 4 * (1 - c * c) / root + 1e-12);
@@ -128,13 +128,13 @@ TEST_CASE("Draws stay in the range of every parameter, however large the errors"
     s.value[place(Parameter::r)] = 0.0;
     s.value[place(Parameter::theta)] = 1.5;
     s.correlation = uncorrelated<double>();
-    for (std::size_t i = 0; i < parameter_count; ++i) s.error[i] = i < 3 ? 5 * s.value[i] : 0.5;
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) s.error[i] = i < 3 ? 5 * s.value[i] : 0.5;
     bool inside = true;
     double less = 0, below = 0;
     const int count = 20000;
     const auto all = draws(s, count);
     for (const auto& draw : all) {
-        for (std::size_t i = 0; i < parameter_count; ++i)
+        for (std::size_t i = 0; i < surface_parameter_count; ++i)
             inside = inside && parameter_in_range(static_cast<Parameter>(i), draw[i]) && std::isfinite(draw[i]);
         less += draw[place(Parameter::r)] < 0.5 ? 1.0 / count : 0;
         below += draw[0] < s.value[0] ? 1.0 / count : 0;
@@ -205,15 +205,16 @@ TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
         return refusal_of(s);
     };
     CHECK(refusal_of(surface()).empty());
-    const std::string range = "must be in the range of that parameter";
-    CHECK(with([](auto& s) { s.value[0] = 0; }) == "rms_height = 0: " + range);
-    CHECK(with([](auto& s) { s.value[1] = -2e-5; }) == "peak_radius = -2e-05: " + range);
+    const std::string positive = "must be finite and greater than 0";
+    const std::string dimension = "must be between 1 and 2, both excluded";
+    CHECK(with([](auto& s) { s.value[0] = 0; }) == "rms_height = 0: " + positive);
+    CHECK(with([](auto& s) { s.value[1] = -2e-5; }) == "peak_radius = -2e-05: " + positive);
     CHECK(with([](auto& s) { s.value[2] = std::numeric_limits<double>::infinity(); }) ==
-          "peak_density = inf: " + range);
-    CHECK(with([](auto& s) { s.value[3] = 1; }) == "fractal_dimension = 1: " + range);
-    CHECK(with([](auto& s) { s.value[3] = nan_value; }) == "fractal_dimension = nan: " + range);
-    CHECK(with([](auto& s) { s.value[4] = 1; }) == "r = 1: " + range);
-    CHECK(with([](auto& s) { s.value[5] = 1.6; }) == "theta = 1.6: " + range);
+          "peak_density = inf: " + positive);
+    CHECK(with([](auto& s) { s.value[3] = 1; }) == "fractal_dimension = 1: " + dimension);
+    CHECK(with([](auto& s) { s.value[3] = nan_value; }) == "fractal_dimension = nan: " + dimension);
+    CHECK(with([](auto& s) { s.value[4] = 1; }) == "r = 1: must be at least 0 and less than 1");
+    CHECK(with([](auto& s) { s.value[5] = 1.6; }) == "theta = 1.6: must be between 0 and pi/2, both excluded");
     CHECK(with([](auto& s) { s.error[0] = -1e-9; }) == "rms_height error = -1e-09: must be finite and not negative");
     CHECK(with([](auto& s) { s.error[4] = nan_value; }) == "r error = nan: must be finite and not negative");
     CHECK(with([](auto& s) { s.error[5] = std::numeric_limits<double>::infinity(); }) ==
@@ -263,11 +264,13 @@ TEST_CASE("A measured surface hands over its values, errors and correlation") {
     CHECK(s.value == Draw{1e-6, 2e-5, 3e9, 0, 0, 0.5});
     CHECK(s.error == Draw{1e-7, 2e-6, 3e8, 0, 0, 0.01});
     CHECK(s.correlation == found.correlation);
-    for (std::size_t i = 0; i < parameter_count; ++i) CHECK(!parameter_names[i].empty());
     found.fractal_dimension = {1.5, 0.02};
     found.r = {0.25, 0.03};
     CHECK(uncertain(found).value == Draw{1e-6, 2e-5, 3e9, 1.5, 0.25, 0.5});
     CHECK(refusal_of(uncertain(found)).empty());
+    CHECK(test::refusal([] {
+              UncertainSurface<double>().set(Parameter::offset, {1, 1});
+          }) == "offset: is no parameter of a surface; must be one that SurfaceParameters holds");
 }
 
 TEST_CASE("A quantile lies between the values that stand beside it") {
@@ -301,17 +304,17 @@ TEST_CASE("A quantile lies between the values that stand beside it") {
 TEST_CASE("Float draws are those of double, rounded") {
     UncertainSurface<float> s;
     const auto exact = surface();
-    for (std::size_t i = 0; i < parameter_count; ++i)
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
         s.set(static_cast<Parameter>(i), {static_cast<float>(exact.value[i]), static_cast<float>(exact.error[i])});
-    for (std::size_t i = 0; i < parameter_count; ++i)
-        for (std::size_t j = 0; j < parameter_count; ++j)
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < surface_parameter_count; ++j)
             s.correlation[i][j] = static_cast<float>(exact.correlation[i][j]);
     SurfaceSampler<float> sample(s, 3);
     SurfaceSampler<double> reference(exact, 3);
     for (int k = 0; k < 100; ++k) {
         const auto a = sample();
         const auto b = reference();
-        for (std::size_t i = 0; i < parameter_count; ++i)
+        for (std::size_t i = 0; i < surface_parameter_count; ++i)
             CHECK(test::relative_error(static_cast<double>(a[i]), b[i]) <= 1e-5);
     }
 }

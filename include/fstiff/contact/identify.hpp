@@ -5,10 +5,11 @@
 ///
 ///     minimise  sum_i [(model(p_i + p_0) - y_i)/e_i]^2       over some of sigma, R, D_p, D, E, r, theta, p_0
 ///
-/// with the analytic derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp. Positive parameters are fitted
-/// as their logarithms; D, r and theta as ln (x-a)/(b-x) between their ends; the pressure offset p_0 as it is. Intervals
-/// are symmetric in the fitted variable. Without errors e_i, all points count alike (K by relative, R by absolute residual)
-/// and the covariance is scaled by chi^2 over the degrees of freedom.
+/// with the analytic derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp. Each parameter is fitted as its
+/// row of surface/contact_parameter.hpp says: positive ones as their logarithms, D, r and theta as ln (x-a)/(b-x) between
+/// their ends, the pressure offset p_0 as it is. Intervals are symmetric in the fitted variable. Without errors e_i, all
+/// points count alike (K by relative, R by absolute residual) and the covariance is scaled by chi^2 over the degrees of
+/// freedom.
 ///
 /// What a curve can tell: K(p) = B g(p/A) with A = E D_p sigma^(3/2) R^(1/2) a and B = E D_p sigma^(1/2) R^(1/2) b, where g
 /// depends on r and theta, a and b on D. So E, D_p and R enter in the product E D_p sqrt(R) alone, and of
@@ -22,35 +23,16 @@
 #include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/least_squares.hpp>
+#include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace fstiff {
-
-/// What can be fitted; the values index FitParameter.
-enum class FitParameter {
-    rms_height,
-    peak_radius,
-    peak_density,
-    fractal_dimension,
-    effective_modulus,
-    r,
-    theta,
-    offset
-};
-inline constexpr std::size_t fit_parameter_count = 8;
-
-[[nodiscard]] constexpr std::string_view name_of(FitParameter parameter) {
-    constexpr std::array<std::string_view, fit_parameter_count> names{
-        "rms_height", "peak_radius", "peak_density", "fractal_dimension", "effective_modulus", "r", "theta", "offset"};
-    return names[static_cast<std::size_t>(parameter)];
-}
 
 /// Values of all parameters: those that are fitted start from here, the others stay.
 template <Real T>
@@ -64,18 +46,19 @@ struct ContactParameters {
     T theta{};   ///< [rad]
     T offset{};  ///< p_0 [Pa]: what is added to the measured pressures
 
-    [[nodiscard]] T& operator[](FitParameter parameter) {
-        T ContactParameters::*const members[fit_parameter_count] = {&ContactParameters::rms_height,
-                                                                    &ContactParameters::peak_radius,
-                                                                    &ContactParameters::peak_density,
-                                                                    &ContactParameters::fractal_dimension,
-                                                                    &ContactParameters::effective_modulus,
-                                                                    &ContactParameters::r,
-                                                                    &ContactParameters::theta,
-                                                                    &ContactParameters::offset};
-        return this->*members[static_cast<std::size_t>(parameter)];
+    [[nodiscard]] T& operator[](Parameter parameter) noexcept { return at(*this, parameter); }
+    [[nodiscard]] T operator[](Parameter parameter) const noexcept { return at(*this, parameter); }
+
+private:
+    template <class Self>
+    static auto& at(Self& self, Parameter parameter) noexcept {
+        constexpr std::array members{
+            &ContactParameters::rms_height,        &ContactParameters::peak_radius, &ContactParameters::peak_density,
+            &ContactParameters::fractal_dimension, &ContactParameters::r,           &ContactParameters::theta,
+            &ContactParameters::effective_modulus, &ContactParameters::offset};  // in the order of Parameter
+        static_assert(members.size() == parameter_table.size());
+        return self.*members[index_of(parameter)];
     }
-    [[nodiscard]] T operator[](FitParameter parameter) const { return ContactParameters(*this)[parameter]; }
 };
 
 template <Real T>
@@ -102,7 +85,7 @@ struct IdentifyOptions {
 
 template <Real T>
 struct IdentifiedParameter {
-    FitParameter parameter{};
+    Parameter parameter{};
     T value{}, standard_error{};
     T low{}, high{};  ///< of the 95 % interval
     T looseness = 0;  ///< when singular: its share in the combination that the data do not see, of the largest
@@ -140,65 +123,13 @@ template <Real T>
 
 namespace detail {
 
-/// A parameter between its ends as a variable without ends, and back.
+/// dK/dx of \p parameter; an offset adds to the pressure.
 template <Real T>
-struct Chart {
-    enum class Kind { identity, log, between } kind;
-    T low{}, high{};
-
-    static Chart of(FitParameter parameter) {
-        switch (parameter) {
-            case FitParameter::offset:
-                return {Kind::identity};
-            case FitParameter::fractal_dimension:
-                return {Kind::between, T(1), T(2)};
-            case FitParameter::r:
-                return {Kind::between, T(0), T(1)};
-            case FitParameter::theta:
-                return {Kind::between, T(0), numbers::pi_v<T> / 2};
-            default:
-                return {Kind::log};
-        }
-    }
-    static std::string_view range(FitParameter parameter) {
-        switch (parameter) {
-            case FitParameter::offset:
-                return "finite";
-            case FitParameter::fractal_dimension:
-                return "between 1 and 2, both excluded, to start a fit from";
-            case FitParameter::r:
-                return "between 0 and 1, both excluded, to start a fit from";
-            case FitParameter::theta:
-                return "between 0 and pi/2, both excluded, to start a fit from";
-            default:
-                return "finite and greater than 0 to start a fit from";
-        }
-    }
-    T variable(T x) const {
-        return kind == Kind::identity ? x : kind == Kind::log ? std::log(x) : std::log((x - low) / (high - x));
-    }
-    T value(T u) const {
-        if (kind == Kind::identity) return u;
-        if (kind == Kind::log) return std::exp(u);
-        return u >= 0 ? high - (high - low) * (std::exp(-u) / (1 + std::exp(-u)))
-                      : low + (high - low) * (std::exp(u) / (1 + std::exp(u)));
-    }
-    T slope(T x) const {  // d value/d variable
-        return kind == Kind::identity ? T(1) : kind == Kind::log ? x : (x - low) * (high - x) / (high - low);
-    }
-    bool inside(T x) const {
-        return kind == Kind::identity ? std::isfinite(x)
-               : kind == Kind::log    ? x > 0 && x <= std::numeric_limits<T>::max()
-                                      : x > low && x < high;
-    }
-};
-
-template <Real T>
-T slope_of(const Sensitivity<T>& s, FitParameter parameter) {
-    const std::array<T, fit_parameter_count> slopes{
-        s.rms_height,        s.peak_radius, s.peak_density, s.fractal_dimension,
-        s.effective_modulus, s.r,           s.theta,        s.pressure};
-    return slopes[static_cast<std::size_t>(parameter)];
+T slope_of(const Sensitivity<T>& s, Parameter parameter) {
+    const std::array slopes{s.rms_height, s.peak_radius, s.peak_density,      s.fractal_dimension,
+                            s.r,          s.theta,       s.effective_modulus, s.pressure};  // in the order of Parameter
+    static_assert(slopes.size() == parameter_table.size());
+    return slopes[index_of(parameter)];
 }
 
 }  // namespace detail
@@ -207,9 +138,9 @@ T slope_of(const Sensitivity<T>& s, FitParameter parameter) {
 /// [](T dimension) { return FractalLaw<T>(dimension); }.
 /// \throws domain_error for data or starting values that no model has, or fewer points than parameters.
 template <Real T, class MakeLaw>
-[[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data,
-                                         const std::vector<FitParameter>& wanted, const ContactParameters<T>& start,
-                                         const MakeLaw& law, const IdentifyOptions<T>& options = {}) {
+[[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
+                                         const ContactParameters<T>& start, const MakeLaw& law,
+                                         const IdentifyOptions<T>& options = {}) {
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
     const auto with_error = std::count_if(data.begin(), data.end(), [](const auto& o) { return o.error > 0; });
@@ -223,7 +154,7 @@ template <Real T, class MakeLaw>
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const T x = start[wanted[i]];
-        require(detail::Chart<T>::of(wanted[i]).inside(x), name_of(wanted[i]), x, detail::Chart<T>::range(wanted[i]));
+        require(ParameterScale<T>(wanted[i]).inside(x), name_of(wanted[i]), x, row_of(wanted[i]).starting_range());
         if (std::count(wanted.begin(), wanted.end(), wanted[i]) > 1)
             throw domain_error(std::string(name_of(wanted[i])) + ": is fitted twice; must be named once");
     }
@@ -235,16 +166,16 @@ template <Real T, class MakeLaw>
     const auto parameters_at = [&](const Vector& u) {
         ContactParameters<T> x = start;
         for (Eigen::Index i = 0; i < count; ++i) {
-            const FitParameter p = wanted[static_cast<std::size_t>(i)];
-            x[p] = detail::Chart<T>::of(p).value(u(i));
+            const Parameter p = wanted[static_cast<std::size_t>(i)];
+            x[p] = ParameterScale<T>(p).value(u(i));
         }
         return x;
     };
     std::vector<T> model(data.size());
     const auto evaluate = [&](const Vector& u, Vector& f, Matrix& jacobian) {
         const ContactParameters<T> x = parameters_at(u);
-        for (const FitParameter p : wanted)
-            if (!detail::Chart<T>::of(p).inside(x[p])) return false;
+        for (const Parameter p : wanted)
+            if (!ParameterScale<T>(p).inside(x[p])) return false;
         for (std::size_t i = 0; i < data.size(); ++i) {
             if (!(data[i].pressure + x.offset > 0)) return false;
             Sensitivity<T> s;
@@ -267,16 +198,16 @@ template <Real T, class MakeLaw>
             model[i] = value;
             f(row) = (value - data[i].value) / error;
             for (Eigen::Index k = 0; k < count; ++k) {
-                const FitParameter p = wanted[static_cast<std::size_t>(k)];
-                jacobian(row, k) = detail::slope_of(s, p) * chain * detail::Chart<T>::of(p).slope(x[p]) / error;
+                const Parameter p = wanted[static_cast<std::size_t>(k)];
+                jacobian(row, k) = detail::slope_of(s, p) * chain * ParameterScale<T>(p).slope(x[p]) / error;
             }
         }
         return true;
     };
     Vector u(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const FitParameter p = wanted[static_cast<std::size_t>(i)];
-        u(i) = detail::Chart<T>::of(p).variable(start[p]);
+        const Parameter p = wanted[static_cast<std::size_t>(i)];
+        u(i) = ParameterScale<T>(p).variable(start[p]);
     }
     const LeastSquaresFit<T> fit = least_squares<T>(u, points, evaluate, options.search);
 
@@ -311,26 +242,25 @@ template <Real T, class MakeLaw>
     }
     const T largest = fit.loose.size() > 0 ? fit.loose.cwiseAbs().maxCoeff() : T(1);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const FitParameter p = wanted[static_cast<std::size_t>(i)];
-        const auto chart = detail::Chart<T>::of(p);
+        const Parameter p = wanted[static_cast<std::size_t>(i)];
+        const ParameterScale<T> fitted(p);
         IdentifiedParameter<T> found;
         found.parameter = p;
         found.value = found.low = found.high = out.all[p];
         if (fit.loose.size() > 0) found.looseness = std::abs(fit.loose(i)) / largest;
         if (has_errors) {
             const T deviation = scale * std::sqrt(fit.covariance(i, i));
-            found.standard_error = deviation * chart.slope(found.value);
-            found.low = chart.value(fit.parameters(i) - factor * deviation);
-            found.high = chart.value(fit.parameters(i) + factor * deviation);
+            found.standard_error = deviation * fitted.slope(found.value);
+            found.low = fitted.value(fit.parameters(i) - factor * deviation);
+            found.high = fitted.value(fit.parameters(i) + factor * deviation);
         }
         out.parameters.push_back(found);
     }
     if (has_errors)
         for (Eigen::Index i = 0; i < count; ++i)
             for (Eigen::Index k = 0; k < count; ++k) {
-                const FitParameter a = wanted[static_cast<std::size_t>(i)], b = wanted[static_cast<std::size_t>(k)];
-                out.covariance(i, k) *=
-                    detail::Chart<T>::of(a).slope(out.all[a]) * detail::Chart<T>::of(b).slope(out.all[b]);
+                const Parameter a = wanted[static_cast<std::size_t>(i)], b = wanted[static_cast<std::size_t>(k)];
+                out.covariance(i, k) *= ParameterScale<T>(a).slope(out.all[a]) * ParameterScale<T>(b).slope(out.all[b]);
             }
     return out;
 }

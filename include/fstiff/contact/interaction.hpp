@@ -16,6 +16,7 @@
 /// Valid       L > 0 for every reading but none
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
 
 namespace fstiff {
 
@@ -24,6 +25,12 @@ enum class InteractionReading {
     effective_separation,  ///< the integrals at eta_effective; separation and stiffness those of the nominal planes
     as_printed  ///< stiffness, area and contacts at eta_new against the pressure at eta_old, as the paper plots them
 };
+template <>
+inline constexpr auto names<InteractionReading> = name_list<InteractionReading>({
+    {InteractionReading::none, "none"},
+    {InteractionReading::effective_separation, "effective_separation"},
+    {InteractionReading::as_printed, "as_printed"},
+});
 
 template <Real T>
 struct Interaction {

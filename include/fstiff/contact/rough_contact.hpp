@@ -28,6 +28,7 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/law_sums.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/roughness.hpp>
@@ -42,6 +43,9 @@ enum class CurvatureScale {
     bush_gibson_thomas,  ///< 3 sqrt(pi)/(8 R), eq. (4.10)
     consistent           ///< 1/(R E t): the mean curvature of the peaks of the density (4.4) is 1/R
 };
+template <>
+inline constexpr auto names<CurvatureScale> = name_list<CurvatureScale>(
+    {{CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"}, {CurvatureScale::consistent, "consistent"}});
 
 template <Real T>
 struct RoughContactOptions {

@@ -17,6 +17,7 @@
 ///             (tests/io/quantity_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/core/text.hpp>
 
@@ -43,6 +44,29 @@ enum class Dimension {
     impedance,
     stiffness_per_area
 };
+
+}  // namespace fstiff::io
+
+namespace fstiff {
+
+/// As messages call them.
+template <>
+inline constexpr auto names<io::Dimension> = name_list<io::Dimension>({
+    {io::Dimension::length, "length"},
+    {io::Dimension::area, "area"},
+    {io::Dimension::inverse_area, "number per area"},
+    {io::Dimension::pressure, "pressure"},
+    {io::Dimension::angle, "angle"},
+    {io::Dimension::frequency, "frequency"},
+    {io::Dimension::velocity, "velocity"},
+    {io::Dimension::density, "density"},
+    {io::Dimension::impedance, "impedance"},
+    {io::Dimension::stiffness_per_area, "stiffness per area"},
+});
+
+}  // namespace fstiff
+
+namespace fstiff::io {
 
 /// What one \p unit of \p dimension is in SI units.
 /// \throws domain_error listing the accepted units.
@@ -156,32 +180,6 @@ inline constexpr std::array units{
     Unit{Dimension::stiffness_per_area, "MPa/m", 6, 1, false},
 };
 
-inline std::string_view dimension_name(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::length:
-            return "length";
-        case Dimension::area:
-            return "area";
-        case Dimension::inverse_area:
-            return "number per area";
-        case Dimension::pressure:
-            return "pressure";
-        case Dimension::angle:
-            return "angle";
-        case Dimension::frequency:
-            return "frequency";
-        case Dimension::velocity:
-            return "velocity";
-        case Dimension::density:
-            return "density";
-        case Dimension::impedance:
-            return "impedance";
-        case Dimension::stiffness_per_area:
-            return "stiffness per area";
-    }
-    return "quantity";
-}
-
 inline std::string accepted_units(Dimension dimension) {
     std::string list;
     for (const Unit& unit : units)
@@ -268,7 +266,7 @@ inline const Unit* find_unit(std::string_view text, Dimension dimension) {
 
 inline const Unit& require_unit(std::string_view text, Dimension dimension) {
     if (const Unit* unit = find_unit(text, dimension)) return *unit;
-    throw domain_error("unit \"" + std::string(text) + "\": is no unit of " + std::string(dimension_name(dimension)) +
+    throw domain_error("unit \"" + std::string(text) + "\": is no unit of " + std::string(name_of(dimension)) +
                        "; allowed are " + accepted_units(dimension));
 }
 
@@ -342,7 +340,7 @@ inline double parse_number(std::string_view text, std::string_view name) {
 inline double parse_quantity(std::string_view text, Dimension dimension, std::string_view name) {
     if (dimension == Dimension::angle) return parse_angle(text, name);
     const std::string_view inner = detail::trimmed(text);
-    const std::string kind(detail::dimension_name(dimension));
+    const std::string kind(name_of(dimension));
     const auto bare = detail::leading_number(inner);
     if (bare.status == detail::NumberStatus::no_number)
         detail::refuse_text(name, text,

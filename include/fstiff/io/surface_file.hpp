@@ -13,6 +13,7 @@
 /// Valid       as <fstiff/io/delimited.hpp>, <fstiff/io/map_text.hpp>, <fstiff/io/sdf.hpp> and <fstiff/io/x3p.hpp>
 /// Accuracy    as there (tests/io/surface_file_test.cpp)
 
+#include <fstiff/core/names.hpp>
 #include <fstiff/io/delimited.hpp>
 #include <fstiff/io/map_text.hpp>
 #include <fstiff/io/sdf.hpp>
@@ -23,6 +24,24 @@
 namespace fstiff::io {
 
 enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p };
+
+}  // namespace fstiff::io
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
+    {io::SurfaceFormat::automatic, "auto"},
+    {io::SurfaceFormat::profile, "profile"},
+    {io::SurfaceFormat::triples, "triples"},
+    {io::SurfaceFormat::matrix, "matrix"},
+    {io::SurfaceFormat::sdf, "sdf"},
+    {io::SurfaceFormat::x3p, "x3p"},
+});
+
+}  // namespace fstiff
+
+namespace fstiff::io {
 
 /// "profile", "triples", "matrix", "sdf", "x3p" or "auto". \throws domain_error listing them.
 [[nodiscard]] inline SurfaceFormat surface_format(std::string_view name);
@@ -72,8 +91,6 @@ struct Surface {
 [[nodiscard]] inline Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
 
 namespace detail {
-
-inline constexpr std::string_view surface_formats[] = {"auto", "profile", "triples", "matrix", "sdf", "x3p"};
 
 /// Refuses the options that \p format has no use for.
 inline void check_options(SurfaceFormat format, const SurfaceOptions& options, const std::string& name) {
@@ -138,17 +155,11 @@ inline std::pair<SurfaceFormat, std::string> text_form(std::string_view text, co
 }  // namespace detail
 
 inline SurfaceFormat surface_format(std::string_view name) {
-    std::string allowed;
-    for (std::size_t i = 0; i < std::size(detail::surface_formats); ++i) {
-        if (name == detail::surface_formats[i]) return static_cast<SurfaceFormat>(i);
-        allowed += (allowed.empty() ? "" : ", ") + std::string(detail::surface_formats[i]);
-    }
-    throw domain_error("format = " + detail::shown_cell(name) + ": must be one of " + allowed);
+    if (const auto format = find_named<SurfaceFormat>(name)) return *format;
+    throw domain_error("format = " + detail::shown_cell(name) + ": must be one of " + choices_text<SurfaceFormat>());
 }
 
-inline std::string_view surface_format_name(SurfaceFormat format) {
-    return detail::surface_formats[static_cast<std::size_t>(format)];
-}
+inline std::string_view surface_format_name(SurfaceFormat format) { return name_of(format); }
 
 inline std::vector<std::string> SurfaceRecord::sentences() const {
     std::vector<std::string> all{"format: " + std::string(surface_format_name(format)) + ", from " + format_from};

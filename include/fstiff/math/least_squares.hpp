@@ -16,6 +16,7 @@
 /// Accuracy    the step left at the end is below the tolerance times the standard errors (tests/math/least_squares_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>
 
 #include <Eigen/Core>
@@ -41,6 +42,12 @@ enum class FitStatus {
     singular,      ///< a combination of the parameters leaves the residuals as they are: no covariance
     not_converged  ///< steps used up, or no step made the residuals smaller before the end was reached
 };
+template <>
+inline constexpr auto names<FitStatus> = name_list<FitStatus>({
+    {FitStatus::converged, "converged"},
+    {FitStatus::singular, "singular"},
+    {FitStatus::not_converged, "not_converged"},
+});
 
 template <Real T>
 struct LeastSquaresFit {

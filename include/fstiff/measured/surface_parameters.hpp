@@ -34,8 +34,10 @@
 ///             surfaces as long as their longest wave 0.5 to 0.9, or shorter 0.4 to 0.7; R_p 0.5 to 0.7
 ///             (tests/measured/surface_parameters_test.cpp)
 
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/sections.hpp>
+#include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/topography/islands.hpp>
 
 #include <array>
@@ -53,6 +55,9 @@ enum class PeakSource {
     islands,  ///< the representative island: where there are most (Figs. 3 and 4)
     summits   ///< points above their eight neighbours
 };
+template <>
+inline constexpr auto names<PeakSource> = name_list<PeakSource>({{PeakSource::islands, "islands"},
+                                                                 {PeakSource::summits, "summits"}});
 
 template <Real T>
 struct SurfaceParameterOptions {
@@ -65,16 +70,14 @@ struct SurfaceParameterOptions {
     ProgressHook progress{};  ///< of the resamples; `islands` and `fit` have their own
 };
 
-/// Order of SurfaceParameters::correlation.
-enum class Parameter { rms_height, peak_radius, peak_density, fractal_dimension, r, theta };
-inline constexpr std::size_t parameter_count = 6;
+/// Rows and columns are those of Parameter, of the surface.
 template <Real T>
-using ParameterCorrelation = std::array<std::array<T, parameter_count>, parameter_count>;
+using ParameterCorrelation = std::array<std::array<T, surface_parameter_count>, surface_parameter_count>;
 
 template <Real T>
 [[nodiscard]] constexpr ParameterCorrelation<T> uncorrelated() {
     ParameterCorrelation<T> one{};
-    for (std::size_t i = 0; i < parameter_count; ++i) one[i][i] = T(1);
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) one[i][i] = T(1);
     return one;
 }
 
@@ -239,8 +242,8 @@ void take_over(SurfaceParameters<T>& result, const Estimates<Sum<T>>& whole, con
     result.peak_density = measured(2, 1 / dx / dy);
     result.max_peak_height = measured(3, unit);
     result.blocks = spread.blocks;
-    for (std::size_t i = 0; i < parameter_count; ++i)
-        for (std::size_t j = 0; j < parameter_count; ++j)
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < surface_parameter_count; ++j)
             result.correlation[i][j] = static_cast<T>(spread.correlation[i][j]);
     const T r = static_cast<T>(whole[4]), theta = static_cast<T>(whole[5]);
     if (!std::isfinite(r) || !(theta > T(0)))
@@ -426,8 +429,8 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
         result.peak_radius = {islands.radius, islands.radius_error};
         result.peak_density = {islands.density, islands.density_error};
         result.peaks_counted = islands.islands;
-        const auto radius = static_cast<std::size_t>(Parameter::peak_radius);
-        const auto density = static_cast<std::size_t>(Parameter::peak_density);
+        const auto radius = index_of(Parameter::peak_radius);
+        const auto density = index_of(Parameter::peak_density);
         result.correlation[radius][density] = result.correlation[density][radius] = islands.correlation;
     }
     detail::require_numbers(result);

@@ -7,6 +7,7 @@
 ///     x = value + error z                                     D in (1, 2), r in [0, 1), theta in (0, pi/2): truncated
 ///     z                                                       standard normal, with the correlation of the errors
 ///
+/// Which of the two a parameter takes stands in its row of surface/contact_parameter.hpp.
 /// A draw in which D, r or theta leaves its range is drawn again, all of it. An error of 0 gives the value itself.
 ///
 /// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); splitmix64 of surface/weierstrass_mandelbrot.hpp: the random
@@ -30,34 +31,19 @@
 
 namespace fstiff {
 
-/// Names in the order of Parameter.
-inline constexpr std::array<std::string_view, parameter_count> parameter_names{
-    "rms_height", "peak_radius", "peak_density", "fractal_dimension", "r", "theta"};
-
-/// Whether \p x is a value that \p which can have.
-template <Real T>
-[[nodiscard]] bool parameter_in_range(Parameter which, T x) {
-    switch (which) {
-        case Parameter::fractal_dimension:
-            return x > T(1) && x < T(2);
-        case Parameter::r:
-            return x >= T(0) && x < T(1);
-        case Parameter::theta:
-            return x > T(0) && x < numbers::pi_v<T> / 2;
-        default:
-            return x > T(0) && x <= std::numeric_limits<T>::max();
-    }
-}
-
 /// The parameters that enter the contact, with errors.
 template <Real T>
 struct UncertainSurface {
-    std::array<T, parameter_count> value{}, error{};  ///< in the order of Parameter
-    std::array<bool, parameter_count> known{};        ///< D, r and theta may not be
+    std::array<T, surface_parameter_count> value{}, error{};  ///< in the order of Parameter
+    std::array<bool, surface_parameter_count> known{};        ///< D, r and theta may not be
     ParameterCorrelation<T> correlation = uncorrelated<T>();
 
+    /// \throws domain_error for a parameter that is not of the surface.
     constexpr void set(Parameter which, const Measurement<T>& measured) {
-        const auto i = static_cast<std::size_t>(which);
+        const std::size_t i = index_of(which);
+        if (i >= surface_parameter_count)
+            throw domain_error(std::string(name_of(which)) +
+                               ": is no parameter of a surface; must be one that SurfaceParameters holds");
         value[i] = measured.value, error[i] = measured.error, known[i] = true;
     }
     /// \throws domain_error naming the parameter that is out of range.
@@ -76,12 +62,12 @@ public:
     SurfaceSampler(const UncertainSurface<T>& surface, std::uint64_t seed);
     /// In the order of Parameter; what is not known stays 0.
     /// \throws domain_error when 1000 draws in a row leave the range of D, r or theta.
-    [[nodiscard]] std::array<T, parameter_count> operator()();
+    [[nodiscard]] std::array<T, surface_parameter_count> operator()();
 
 private:
     T normal();
     UncertainSurface<T> surface_;
-    std::array<std::array<T, parameter_count>, parameter_count> root_{};  ///< of the correlation
+    std::array<std::array<T, surface_parameter_count>, surface_parameter_count> root_{};  ///< of the correlation
     std::uint64_t state_;
 };
 
@@ -92,13 +78,13 @@ template <Real T>
 
 template <Real T>
 void UncertainSurface<T>::validate() const {
-    for (std::size_t i = 0; i < parameter_count; ++i) {
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         if (!known[i]) continue;
-        require(parameter_in_range(static_cast<Parameter>(i), value[i]), parameter_names[i], value[i],
-                "in the range of that parameter");
-        require(error[i] >= T(0) && error[i] <= std::numeric_limits<T>::max(),
-                std::string(parameter_names[i]) + " error", error[i], "finite and not negative");
-        for (std::size_t j = 0; j < parameter_count; ++j)
+        const ParameterRow& row = parameter_table[i];
+        require(parameter_in_range(row.parameter, value[i]), row.key, value[i], row.range());
+        require(error[i] >= T(0) && error[i] <= std::numeric_limits<T>::max(), std::string(row.key) + " error",
+                error[i], "finite and not negative");
+        for (std::size_t j = 0; j < surface_parameter_count; ++j)
             require(!known[j] || (std::abs(correlation[i][j]) <= T(1) && correlation[i][j] == correlation[j][i]),
                     "correlation", correlation[i][j], "symmetric, between -1 and 1");
         require(correlation[i][i] == T(1), "correlation of a parameter with itself", correlation[i][i], "1");
@@ -122,11 +108,11 @@ template <Real T>
 SurfaceSampler<T>::SurfaceSampler(const UncertainSurface<T>& surface, std::uint64_t seed)
     : surface_(surface), state_(seed) {
     surface_.validate();
-    constexpr auto size = static_cast<Eigen::Index>(parameter_count);
+    constexpr auto size = static_cast<Eigen::Index>(surface_parameter_count);
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation(size, size);
     correlation.setIdentity();
-    for (std::size_t i = 0; i < parameter_count; ++i)
-        for (std::size_t j = 0; j < parameter_count; ++j)
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < surface_parameter_count; ++j)
             if (surface.known[i] && surface.known[j])
                 correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = surface.correlation[i][j];
     // the symmetric root: a correlation of exactly 1, or rounded to a few digits, does it no harm
@@ -149,20 +135,21 @@ T SurfaceSampler<T>::normal() {
 }
 
 template <Real T>
-std::array<T, parameter_count> SurfaceSampler<T>::operator()() {
-    constexpr auto first_normal = static_cast<std::size_t>(Parameter::fractal_dimension);
+std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
     for (int attempt = 0; attempt < 1000; ++attempt) {
-        std::array<T, parameter_count> z{};
+        std::array<T, surface_parameter_count> z{};
         for (T& one : z) one = normal();
-        std::array<T, parameter_count> draw{};
+        std::array<T, surface_parameter_count> draw{};
         bool inside = true;
-        for (std::size_t i = 0; i < parameter_count; ++i) {
+        for (std::size_t i = 0; i < surface_parameter_count; ++i) {
             if (!surface_.known[i]) continue;
             const T one = std::inner_product(z.begin(), z.end(), root_[i].begin(), T(0));
             const T value = surface_.value[i], error = surface_.error[i], relative = error / value;
-            draw[i] = i >= first_normal ? value + error * one
-                                        : value * std::exp(std::sqrt(std::log1p(relative * relative)) * one);
-            inside = inside && parameter_in_range(static_cast<Parameter>(i), draw[i]);
+            const ParameterRow& row = parameter_table[i];
+            draw[i] = row.variation == Variation::log
+                          ? value * std::exp(std::sqrt(std::log1p(relative * relative)) * one)
+                          : value + error * one;
+            inside = inside && parameter_in_range(row.parameter, draw[i]);
         }
         if (inside) return draw;
     }

@@ -13,6 +13,7 @@
 /// Accuracy    16 epsilon (tests/contact/greenwood_williamson_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 
@@ -23,6 +24,9 @@
 namespace fstiff {
 
 enum class Heights { gaussian, exponential };
+template <>
+inline constexpr auto names<Heights> = name_list<Heights>({{Heights::gaussian, "gaussian"},
+                                                            {Heights::exponential, "exponential"}});
 
 namespace detail {
 

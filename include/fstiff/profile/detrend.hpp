@@ -12,6 +12,7 @@
 /// Accuracy    offset or tilt of 1e6 times the roughness: heights within 4e-16 of the largest height before removal
 ///             (tests/profile/detrend_test.cpp)
 
+#include <fstiff/core/names.hpp>
 #include <fstiff/profile/profile.hpp>
 
 #include <array>
@@ -19,6 +20,9 @@
 namespace fstiff {
 
 enum class Form { none, mean, line, parabola };
+template <>
+inline constexpr auto names<Form> =
+    name_list<Form>({{Form::none, "none"}, {Form::mean, "mean"}, {Form::line, "line"}, {Form::parabola, "parabola"}});
 
 /// \p profile without the \p form.
 /// \throws domain_error when it has fewer points than the form has coefficients, or an infinite height.

@@ -44,6 +44,7 @@
 ///             D within 0.02 and its own 3 sigma, G within a factor 1.5; 200 random walks of 1000 points: the error of
 ///             D is 0.8 to 1.25 times the scatter of D (tests/profile/fractal_fit_test.cpp)
 
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
@@ -85,8 +86,21 @@ enum class WindowEnd {
     length,      ///< the longest lag searched: of longer ones the profile holds too few
 };
 
+/// To follow "begins" or "ends".
+template <>
+inline constexpr auto names<WindowEnd> = name_list<WindowEnd>({
+    {WindowEnd::given, "as given"},
+    {WindowEnd::sampling, "at the first lag searched"},
+    {WindowEnd::resolution, "at the resolution"},
+    {WindowEnd::tip, "where the tip no longer shows"},
+    {WindowEnd::smooth, "where the profile becomes smooth"},
+    {WindowEnd::saturated, "where the structure function saturates"},
+    {WindowEnd::bend, "where the slope changes"},
+    {WindowEnd::length, "at the longest lag searched"},
+});
+
 /// In words, to follow "begins" or "ends".
-[[nodiscard]] constexpr std::string_view describe(WindowEnd end);
+[[nodiscard]] constexpr std::string_view describe(WindowEnd end) { return name_of(end); }
 
 template <Real T>
 struct FractalFitOptions {
@@ -161,28 +175,6 @@ template <Real T>
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,
                                         const FractalFitOptions<T>& options = {});
-
-constexpr std::string_view describe(WindowEnd end) {
-    switch (end) {
-        case WindowEnd::given:
-            return "as given";
-        case WindowEnd::sampling:
-            return "at the first lag searched";
-        case WindowEnd::resolution:
-            return "at the resolution";
-        case WindowEnd::tip:
-            return "where the tip no longer shows";
-        case WindowEnd::smooth:
-            return "where the profile becomes smooth";
-        case WindowEnd::saturated:
-            return "where the structure function saturates";
-        case WindowEnd::bend:
-            return "where the slope changes";
-        case WindowEnd::length:
-            return "at the longest lag searched";
-    }
-    return "";
-}
 
 namespace detail {
 

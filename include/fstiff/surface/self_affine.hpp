@@ -23,6 +23,7 @@
 ///             random bits are the same on every platform; heights agree to the rounding of the local log, cos and pow.
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
@@ -42,6 +43,9 @@ namespace fstiff {
 
 /// What stands beyond the longest wavelength: waves as strong as the longest one, or none.
 enum class LongWaves { plateau, none };
+template <>
+inline constexpr auto names<LongWaves> = name_list<LongWaves>({{LongWaves::plateau, "plateau"},
+                                                               {LongWaves::none, "none"}});
 
 template <Real T>
 struct SelfAffineOptions {

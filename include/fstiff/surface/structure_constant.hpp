@@ -19,6 +19,7 @@
 /// Accuracy    20 ulp for 1.001 <= D <= 1.999 (tests/surface/structure_constant_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
 
@@ -29,6 +30,11 @@ namespace fstiff {
 
 /// Which coefficient links S to G.
 enum class StructureConvention { exact, paper, majumdar_tien };
+template <>
+inline constexpr auto names<StructureConvention> =
+    name_list<StructureConvention>({{StructureConvention::exact, "exact"},
+                                    {StructureConvention::paper, "paper"},
+                                    {StructureConvention::majumdar_tien, "majumdar_tien"}});
 
 /// c(D), dimensionless.
 /// \throws domain_error unless 1 < D < 2 and gamma > 1.

@@ -14,6 +14,7 @@
 /// Accuracy    offset and tilt of 1e6 times the roughness: heights within 1e-15 of the largest height before removal
 ///             (tests/topography/form_test.cpp)
 
+#include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/topography/height_map.hpp>
 
@@ -28,6 +29,12 @@ namespace fstiff {
 
 /// Degree of the surface that is removed.
 enum class MapForm { none = -1, mean = 0, plane = 1, quadratic = 2, cubic = 3 };
+template <>
+inline constexpr auto names<MapForm> = name_list<MapForm>({{MapForm::none, "none"},
+                                                           {MapForm::mean, "mean"},
+                                                           {MapForm::plane, "plane"},
+                                                           {MapForm::quadratic, "quadratic"},
+                                                           {MapForm::cubic, "cubic"}});
 
 /// \p map without the \p form.
 /// \throws domain_error for a map out of range, or whose points do not determine the form.

@@ -27,6 +27,7 @@
 ///             where the waves span a factor of 4 at most; 1.04 to 1.25 at 8, 1.1 to 1.7 at 16: that number is the one
 ///             of islands less lakes, and in wide bands islands have lakes.
 
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>
@@ -51,9 +52,15 @@ enum class Connectivity { four, eight };
 
 /// Whether an island that reaches the edge of the map counts.
 enum class BorderIslands { kept, dropped };
+template <>
+inline constexpr auto names<BorderIslands> = name_list<BorderIslands>({{BorderIslands::kept, "keep"},
+                                                                       {BorderIslands::dropped, "drop"}});
 
 /// Height of an island above the level: its highest point, or twice its mean; of a paraboloid the same.
 enum class IslandHeight { peak, twice_mean };
+template <>
+inline constexpr auto names<IslandHeight> = name_list<IslandHeight>({{IslandHeight::peak, "peak"},
+                                                                     {IslandHeight::twice_mean, "twice-mean"}});
 
 template <Real T>
 struct IslandOptions {

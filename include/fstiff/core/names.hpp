@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The words of an enum, written once: reading them, writing them and the list of choices follow from one list.
+///
+///     enum class Divisor { pairs, paper };
+///     template <>
+///     inline constexpr auto names<Divisor> = name_list<Divisor>({{Divisor::pairs, "pairs"}, {Divisor::paper, "paper"}});
+///
+///     name_of(Divisor::paper)                     "paper"
+///     parse<Divisor>("paper", "divisor")          Divisor::paper
+///     parse<Divisor>("many", "divisor")           throws "divisor = "many": must be one of pairs, paper"
+///
+/// The list stands beside its enum, in namespace fstiff, and is what --help, the refusals and the files of fstiff read.
+///
+/// Valid       each value and each word once (checked where the list is written); no word is empty
+
+#include <fstiff/core/error.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace fstiff {
+
+/// A value of an enum and its word.
+template <class Enum>
+struct Named {
+    Enum value;
+    std::string_view name;
+};
+
+/// The words of \p Enum in the order in which choices are listed. Empty for an enum that has no words; every other one
+/// specialises it with a name_list.
+template <class Enum>
+inline constexpr std::array<Named<Enum>, 0> names{};
+
+/// The list of a specialisation of `names`. Does not compile when a value or a word is there twice, or a word is empty.
+template <class Enum, std::size_t count>
+[[nodiscard]] consteval std::array<Named<Enum>, count> name_list(const Named<Enum> (&list)[count]) {
+    for (std::size_t i = 0; i < count; ++i) {
+        if (list[i].name.empty()) throw "a word is empty";
+        for (std::size_t j = 0; j < i; ++j)
+            if (list[i].value == list[j].value || list[i].name == list[j].name)
+                throw "a value or a word is there twice";
+    }
+    return std::to_array(list);
+}
+
+/// An enum that has words.
+template <class Enum>
+concept NamedEnum = std::is_enum_v<Enum> && names<Enum>
+.size() > 0;
+
+/// The word of \p value; empty for a value that has none.
+template <NamedEnum Enum>
+[[nodiscard]] constexpr std::string_view name_of(Enum value) noexcept {
+    for (const auto& known : names<Enum>)
+        if (known.value == value) return known.name;
+    return {};
+}
+
+/// The value whose word is \p name, upper and lower case told apart; none when there is no such word.
+template <NamedEnum Enum>
+[[nodiscard]] constexpr std::optional<Enum> find_named(std::string_view name) noexcept {
+    for (const auto& known : names<Enum>)
+        if (known.name == name) return known.value;
+    return std::nullopt;
+}
+
+/// The words alone.
+template <NamedEnum Enum>
+[[nodiscard]] constexpr auto choices() noexcept {
+    std::array<std::string_view, names<Enum>.size()> words;
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = names<Enum>[i].name;
+    return words;
+}
+
+/// The words as they stand in a sentence: pairs, paper.
+template <NamedEnum Enum>
+[[nodiscard]] std::string choices_text() {
+    std::string text;
+    for (const auto& known : names<Enum>) text += (text.empty() ? "" : ", ") + std::string(known.name);
+    return text;
+}
+
+/// The value whose word is \p text.
+/// \throws domain_error "<parameter> = "<text>": must be one of <choices>".
+template <NamedEnum Enum>
+[[nodiscard]] Enum parse(std::string_view text, std::string_view parameter) {
+    if (const auto found = find_named<Enum>(text)) return *found;
+    detail::refuse(parameter, "\"" + std::string(text) + "\"", "one of " + choices_text<Enum>());
+}
+
+}  // namespace fstiff

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Words of an enum: of a small one by hand, and of every enum of the library that has words, there and back.
+#include <fstiff/fstiff.hpp>
+#include <fstiff/io.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace {
+enum class Fruit { apple = -1, pear = 4, unnamed = 7 };
+enum class Silent { one };
+}  // namespace
+
+template <>
+inline constexpr auto fstiff::names<Fruit> = fstiff::name_list<Fruit>({{Fruit::apple, "apple"}, {Fruit::pear, "pear"}});
+
+using namespace fstiff;
+
+TEST_CASE("Words of an enum follow from one list", "[names]") {
+    static_assert(NamedEnum<Fruit> && !NamedEnum<Silent> && !NamedEnum<int>);
+    static_assert(name_of(Fruit::pear) == "pear" && name_of(Fruit::unnamed).empty());
+    static_assert(find_named<Fruit>("apple") == Fruit::apple && !find_named<Fruit>("Apple") && !find_named<Fruit>(""));
+    static_assert(choices<Fruit>().size() == 2 && choices<Fruit>()[1] == "pear");
+    CHECK(choices_text<Fruit>() == "apple, pear");
+    CHECK(parse<Fruit>("pear", "fruit") == Fruit::pear);
+    CHECK(test::refusal([] { (void)parse<Fruit>("plum", "fruit"); }) == "fruit = \"plum\": must be one of apple, pear");
+    CHECK(test::refusal([] { (void)parse<Fruit>("", "fruit"); }) == "fruit = \"\": must be one of apple, pear");
+}
+
+TEMPLATE_TEST_CASE("Every word of the library reads back as its value", "[names]", BorderIslands, CurvatureScale,
+                   FitStatus, Form, Heights, InteractionReading, IslandHeight, LongWaves, MapForm, Parameter,
+                   PeakSource, StructureConvention, WindowEnd, io::Dimension, io::SurfaceFormat) {
+    for (const auto& [value, name] : names<TestType>) {
+        CHECK(name_of(value) == name);
+        CHECK(parse<TestType>(name, "word") == value);
+    }
+    const std::string said = test::refusal([] { (void)parse<TestType>("no such word", "word"); });
+    CHECK(said == "word = \"no such word\": must be one of " + choices_text<TestType>());
+}
