@@ -12,10 +12,13 @@
 ///
 /// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729-734; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014),
 ///             eq. (4.11); the readings are discussed in docs/errata.md.
+///             L = 1/sqrt(D_p), the spacing of the peaks, is the other length that is in use.
 /// Units       L [m]
 /// Valid       L > 0 for every reading but none
 
 #include <fstiff/core/error.hpp>
+
+#include <cmath>
 
 namespace fstiff {
 
@@ -24,6 +27,20 @@ enum class InteractionReading {
     effective_separation,  ///< the integrals at eta_effective; separation and stiffness those of the nominal planes
     as_printed  ///< stiffness, area and contacts at eta_new against the pressure at eta_old, as the paper plots them
 };
+
+/// L = sqrt(A0) [m], as the paper has it. \throws domain_error unless the nominal area [m^2] is finite and positive.
+template <Real T>
+[[nodiscard]] T interaction_length_of_area(T nominal_area) {
+    require_positive("nominal_area", nominal_area);
+    return std::sqrt(nominal_area);
+}
+
+/// L = 1/sqrt(D_p) [m]. \throws domain_error unless the density of peaks [1/m^2] is finite and positive.
+template <Real T>
+[[nodiscard]] T interaction_length_of_peaks(T peak_density) {
+    require_positive("peak_density", peak_density);
+    return 1 / std::sqrt(peak_density);
+}
 
 template <Real T>
 struct Interaction {
