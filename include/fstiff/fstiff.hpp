@@ -62,6 +62,7 @@
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/fit_concerns.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/identify.hpp>
 #include <fstiff/contact/interaction.hpp>
