@@ -47,7 +47,6 @@ struct ProfileResult {
 struct MapResult {
     LevelledMap levelled;
     DirectionalFit<double> fit;
-    ArealStatistics<double> areal;
 };
 
 FractalFitOptions<double> fit_options(const Options& options) {
@@ -94,7 +93,6 @@ MapResult fit_map(const Options& options, const SurfaceInput& input) {
     result.levelled = level_map(options.surface, input);
     about_file(options.surface.file, [&] {
         result.fit = fit_directions(result.levelled.map, how);
-        result.areal = areal_statistics(result.levelled.map);
         if (!result.fit.x && !result.fit.y)
             throw domain_error("no direction of the map allows a fit; along x: " + result.fit.x_refusal +
                                "; along y: " + result.fit.y_refusal);
@@ -283,7 +281,7 @@ std::string json(const Options& options, const SurfaceInput& input, const MapRes
     document["missing_points"] = input.missing();
     document["rms_height_m"] = json_number(result.levelled.rms);
     document["rms_height_before_detrend_m"] = json_number(result.levelled.rms_as_read);
-    const ArealStatistics<double>& a = result.areal;
+    const ArealStatistics<double>& a = result.levelled.areal;
     document["areal"] = {{"m0_m2", json_number(a.m0)},
                          {"m2", json_number(a.m2)},
                          {"m2_x", json_number(a.m2_x)},
@@ -387,7 +385,7 @@ std::string table(const Options& options, const SurfaceInput& input, const Profi
 
 std::string table(const Options& options, const SurfaceInput& input, const MapResult& result) {
     const HeightMap<double>& map = result.levelled.map;
-    const ArealStatistics<double>& a = result.areal;
+    const ArealStatistics<double>& a = result.levelled.areal;
     std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of the map " + display_name(options.surface.file) +
                        "\n" + source_lines(input, "  file     ");
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +

@@ -7,6 +7,7 @@
 #include "scene.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/contact/fit_concerns.hpp>
 #include <fstiff/contact/identify.hpp>
 #include <fstiff/core/version.hpp>
 
@@ -74,14 +75,14 @@ std::string title(const Fit& fit) {
     return std::string(name_of(fit.law)) + ", theta = " + rounded(fit.theta) + ", r = " + rounded(fit.r);
 }
 
-/// "sigma and Dp", in the order of --fit: those in which the data do not see a change.
-std::string loose_names(const Fit& fit) {
-    std::vector<std::string> names;
-    for (const auto& p : fit.found.parameters)
-        if (p.looseness > 0.02) names.emplace_back(row_of(p.parameter).short_name);
+/// "sigma and Dp", in the order of --fit.
+std::string names_of(const std::vector<Parameter>& parameters) {
     std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        text += (i == 0                       ? ""
+                 : i + 1 == parameters.size() ? " and "
+                                              : ", ") +
+                std::string(row_of(parameters[i]).short_name);
     return text;
 }
 
@@ -129,61 +130,42 @@ Identification<double> identify(const Work& work, const Fit& fit, const std::vec
     }
 }
 
-void add_warnings(Work& work) {
-    for (const Fit& fit : work.fits) {
-        const auto& found = fit.found;
-        const std::string where = title(fit) + ": ";
-        if (found.status == FitStatus::singular) {
-            const std::string loose = loose_names(fit);
-            const bool one = loose.find(' ') == std::string::npos;
-            work.warnings.push_back(
-                where +
-                (one ? "the data do not depend on " + loose + " here"
-                     : "the data cannot tell " + loose +
-                           " apart: a change of one is undone by the others, so that only a combination of "
-                           "them can be found") +
-                "; fit fewer parameters. K(p) holds R, Dp and E as the product E Dp sqrt(R) alone, and of sigma, that "
-                "product and D no more than two can be found; no law but the fractal ones depends on D");
-            work.status = doubtful_result;
-            continue;
-        }
-        if (found.status == FitStatus::not_converged) {
-            work.warnings.push_back(where +
-                                    "the search did not converge: start closer to the data, or fit fewer parameters");
-            work.status = doubtful_result;
-        }
-        const auto dof = static_cast<double>(found.degrees_of_freedom);
-        if (found.errors_known && dof > 0 && found.chi_squared > dof + 3 * std::sqrt(2 * dof))
-            work.warnings.push_back(where + "chi^2/dof = " + rounded(found.chi_squared / dof, 3) +
-                                    ": the model does not describe the data within their errors, and the standard "
-                                    "errors are too small");
-        if (found.covariance.size() == 0)
-            work.warnings.push_back(where +
-                                    "no standard errors: as many parameters as points, and no column of errors");
-        for (const auto& p : found.parameters) {
-            const ParameterRow& row = row_of(p.parameter);
-            const std::string name(row.short_name);
-            const bool between = row.variation == Variation::between;
-            const auto lowest = static_cast<double>(row.low.value), highest = static_cast<double>(row.high.value);
-            if (between && !(p.value > lowest + 1e-6 && p.value < highest - 1e-6)) {
-                work.warnings.push_back(where + name + " came to the end of its range: no value of it fits the data");
-                work.status = doubtful_result;
-            } else if (row.variation == Variation::log && found.covariance.size() > 0 && !(p.high < 100 * p.low)) {
-                work.warnings.push_back(where + "the data say next to nothing of " + name +
-                                        ": the ends of its interval are a factor of 100 or more apart");
-            }
-        }
-        for (Eigen::Index i = 0; i < found.correlation.rows(); ++i)
-            for (Eigen::Index k = 0; k < i; ++k)
-                if (std::abs(found.correlation(i, k)) > 0.99) {
-                    const auto name = [&](Eigen::Index index) {
-                        return std::string(row_of(work.wanted[static_cast<std::size_t>(index)]).short_name);
-                    };
-                    work.warnings.push_back(where + name(k) + " and " + name(i) +
-                                            " are hardly told apart (correlation " +
-                                            rounded(found.correlation(i, k), 4) + ")");
-                }
+std::string sentence(const FitFinding<double>& finding) {
+    const std::string names = names_of(finding.parameters);
+    switch (finding.concern) {
+        case FitConcern::unseen:
+            return (finding.parameters.size() < 2
+                        ? "the data do not depend on " + names + " here"
+                        : "the data cannot tell " + names +
+                              " apart: a change of one is undone by the others, so that only a combination of them can "
+                              "be found") +
+                   "; fit fewer parameters. K(p) holds R, Dp and E as the product E Dp sqrt(R) alone, and of sigma, "
+                   "that "
+                   "product and D no more than two can be found; no law but the fractal ones depends on D";
+        case FitConcern::not_converged:
+            return "the search did not converge: start closer to the data, or fit fewer parameters";
+        case FitConcern::misfit:
+            return "chi^2/dof = " + rounded(finding.value, 3) +
+                   ": the model does not describe the data within their errors, and the standard errors are too small";
+        case FitConcern::no_errors:
+            return "no standard errors: as many parameters as points, and no column of errors";
+        case FitConcern::at_end:
+            return names + " came to the end of its range: no value of it fits the data";
+        case FitConcern::unresolved:
+            return "the data say next to nothing of " + names +
+                   ": the ends of its interval are a factor of 100 or more apart";
+        case FitConcern::correlated:
+            return names + " are hardly told apart (correlation " + rounded(finding.value, 4) + ")";
     }
+    return {};
+}
+
+void add_warnings(Work& work) {
+    for (const Fit& fit : work.fits)
+        for (const auto& finding : concerns_of(fit.found)) {
+            work.warnings.push_back(title(fit) + ": " + sentence(finding));
+            if (is_fatal(finding.concern)) work.status = doubtful_result;
+        }
 }
 
 Work work_of(const Options& options) {

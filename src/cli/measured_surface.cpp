@@ -92,8 +92,9 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
         found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }
-    surface.fit = how.fit;
-    surface.fit.progress = {};  // the bar ends with the work
+    surface.profile_fit = std::move(found.profile_fit);
+    surface.map_fit = std::move(found.map_fit);
+    if (found.islands) surface.islands = std::move(found.islands->curve);
     surface.parameters = uncertain(found);
     surface.max_peak_height = found.max_peak_height;
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;

@@ -4,8 +4,10 @@
 
 #include "surface_input.hpp"
 
+#include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/topography/islands.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -34,7 +36,9 @@ struct MeasuredSurface {
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
     std::shared_ptr<const LevelledProfile> profile;
     std::shared_ptr<const LevelledMap> map;
-    FractalFitOptions<double> fit;  ///< that gave D
+    std::optional<FractalFit<double>> profile_fit;  ///< that gave D, and that of a map
+    std::optional<DirectionalFit<double>> map_fit;
+    std::optional<IslandCurve<double>> islands;  ///< that gave R and D_p of a map
 };
 
 /// \throws domain_error in one sentence with the name of the file, Usage for options that do not fit it.

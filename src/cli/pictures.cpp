@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures.hpp"
 
+#include <fstiff/contact/linear_law.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/ultrasound/resolvable_stiffness.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,18 +43,15 @@ PlotLine line_of(const Results& results, const Curve& curve) {
     return line;
 }
 
-/// K that a wave of the scene's frequency tells from a weld and from a gap: |R| between 0.1 and 0.99.
+/// K that a wave of the scene's frequency tells from a weld and from a gap.
 std::optional<PlotWindow> ultrasonic_window(const Scene& scene) {
     if (!scene.ultrasound) return std::nullopt;
     const Waves& waves = *scene.ultrasound;
-    constexpr double most = 0.99;
-    const double least = std::max(0.1, 1.01 * welded_reflection(waves.longitudinal));
-    if (least >= most) return std::nullopt;
-    const auto stiffness = [&](double r) {
-        return stiffness_from_reflection(r, waves.longitudinal, waves.angular()) / GPa_per_um;
-    };
-    return PlotWindow{"|R| " + rounded(least, 2) + " to 0.99 at " + rounded(waves.frequency / 1e6, 3) + " MHz",
-                      stiffness(most), stiffness(least), true};
+    const auto range = resolvable_stiffness(waves.longitudinal, waves.angular());
+    if (!range) return std::nullopt;
+    return PlotWindow{"|R| " + rounded(range->least_reflection, 2) + " to " + rounded(range->most_reflection, 2) +
+                          " at " + rounded(waves.frequency / 1e6, 3) + " MHz",
+                      range->low / GPa_per_um, range->high / GPa_per_um, true};
 }
 
 Panel reflection_panel(const Scene& scene, const Results& results, const char* title, const Impedances<double>& media,
@@ -66,7 +65,7 @@ Panel reflection_panel(const Scene& scene, const Results& results, const char* t
     for (std::size_t c = 0; c < results.curves.size(); ++c) {
         const Curve& curve = results.curves[c];
         if (curve.band.empty() || curve.band.size() != curve.states.size()) continue;
-        for (const Band& band : curve.band) {  // R falls with K
+        for (const SampledBand<double>& band : curve.band) {  // R falls with K
             panel.lines[c].low.push_back(of(band.high));
             panel.lines[c].high.push_back(of(band.low));
         }
@@ -114,7 +113,7 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
             high = std::max(high, state.pressure.value);
         }
         if (curve.band.size() == curve.states.size() && !curve.band.empty()) {
-            for (const Band& band : curve.band) {
+            for (const SampledBand<double>& band : curve.band) {
                 line.low.push_back(band.low / GPa_per_um);
                 line.high.push_back(band.high / GPa_per_um);
             }
@@ -128,7 +127,7 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
         PlotLine reference{.label = "p/(0.48 σ)", .x = {}, .y = {}};
         for (const double p : {low, high}) {
             reference.x.push_back(p / MPa);
-            reference.y.push_back(p / (0.48 * scene.surface.rms_height) / GPa_per_um);
+            reference.y.push_back(linear_stiffness(p, scene.surface.rms_height) / GPa_per_um);
         }
         reference.colour = neutral;
         reference.stroke = Stroke::dashed;

@@ -12,6 +12,7 @@
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
+#include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/islands.hpp>
@@ -22,6 +23,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <span>
 
 namespace fstiff::cli {
 namespace {
@@ -117,22 +119,17 @@ std::vector<Panel> map_panels(const HeightMap<double>& map) {
 }
 
 /// Height against the share of the surface that stands above it.
-Panel bearing_panel(const double* heights, std::size_t count) {
-    std::vector<double> sorted;
-    for (std::size_t i = 0; i < count; ++i)
-        if (!std::isnan(heights[i])) sorted.push_back(heights[i]);
-    std::sort(sorted.begin(), sorted.end(), std::greater<>());
+Panel bearing_panel(std::span<const double> heights) {
     Panel panel{.title = "Bearing curve",
                 .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 100.0},
                 .y = {.label = "height [µm]", .logarithmic = false},
                 .height = 240,
                 .legend = false};
     PlotLine line{.label = "height", .x = {}, .y = {}};
-    constexpr std::size_t points = 200;
-    for (std::size_t k = 0; k <= points; ++k) {
-        const std::size_t index = std::min(sorted.size() - 1, k * sorted.size() / points);
-        line.x.push_back(100.0 * static_cast<double>(k) / points);
-        line.y.push_back(sorted[index] / um);
+    const BearingCurve<double> curve = bearing_curve(heights);
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+        line.x.push_back(100 * curve.share[k]);
+        line.y.push_back(curve.height[k] / um);
     }
     panel.lines.push_back(std::move(line));
     return panel;
@@ -184,24 +181,18 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
         page.paragraph("The numbers come from the JSON of fstiff measure, which holds no heights: none are drawn.");
         return;
     }
-    const auto try_fit = [&](const auto& draw) {
-        try {
-            draw();
-        } catch (const domain_error& error) {
-            page.paragraph("No structure function is fitted: " + std::string(error.what()));
-        }
-    };
     Rows peaks{{"peak statistics", "value"}};
     if (surface.profile) {
         const Profile<double>& profile = surface.profile->profile;
-        page.figure(
-            {.title = shown, .panels = {profile_panel(profile), bearing_panel(profile.heights.data(), profile.size())}},
-            "Profile, and its height against the share of it that stands above.");
-        try_fit([&] {
+        page.figure({.title = shown, .panels = {profile_panel(profile), bearing_panel(profile.heights)}},
+                    "Profile, and its height against the share of it that stands above.");
+        if (surface.profile_fit) {
             Panel panel = structure_panel();
-            add_structure(panel, fit_fractal(profile, surface.fit), "");
+            add_structure(panel, *surface.profile_fit, "");
             page.figure({.title = shown, .panels = {panel}}, "Structure function, its fit and the window.");
-        });
+        } else {
+            page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
+        }
         try {
             const PeakStatistics<double> s = peak_statistics(profile);
             peaks.insert(peaks.end(), {{"r (4.1)", rounded(s.r)},
@@ -219,11 +210,11 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
     } else {
         const HeightMap<double>& map = surface.map->map;
         std::vector<Panel> panels = map_panels(map);
-        panels.push_back(bearing_panel(map.heights.data(), static_cast<std::size_t>(map.size())));
+        panels.push_back(bearing_panel({map.heights.data(), static_cast<std::size_t>(map.size())}));
         page.figure({.title = shown, .panels = panels},
                     "Map, the heights of its colours, and height against the share of the map that stands above.");
-        try_fit([&] {
-            const DirectionalFit<double> fit = fit_directions(map, surface.fit);
+        if (surface.map_fit) {
+            const DirectionalFit<double>& fit = *surface.map_fit;
             Panel panel = structure_panel();
             if (fit.x) add_structure(panel, *fit.x, " along x");
             if (fit.y) add_structure(panel, *fit.y, " along y");
@@ -232,15 +223,17 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
             if (!panel.lines.empty())
                 page.figure({.title = shown, .panels = {panel}},
                             "Structure functions along both directions, their fits and windows.");
-        });
-        const ArealStatistics<double> a = areal_statistics(map);
+        } else {
+            page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
+        }
+        const ArealStatistics<double>& a = surface.map->areal;
         peaks.insert(peaks.end(), {{"summits [1/mm²]", rounded(a.summit_density * 1e-6)},
                                    {"mean curvature of the summits [1/mm]", rounded(a.summit_curvature * 1e-3)},
                                    {"mean height of the summits [µm]", rounded(a.summit_height / um)},
                                    {"rms gradient", rounded(a.rms_gradient)},
                                    {"α = m0 m4/m2²", rounded(a.nayak)}});
         try {
-            const IslandCurve<double> curve = island_curve(map);
+            const IslandCurve<double> curve = surface.islands ? *surface.islands : island_curve(map);
             Panel islands{.title = "Islands",
                           .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 100.0},
                           .y = {.label = "density [1/mm²]", .logarithmic = false, .low = 0.0},
@@ -287,44 +280,32 @@ std::string range_of(double low, double high, int digits = 3) {
 
 void validity_section(Page& page, const Scene& scene, const Results& results) {
     page.heading("Validity");
-    const double product = scene.surface.rms_height * scene.surface.peak_radius * scene.surface.peak_density;
     Rows rows{{"check", "value", "holds where", "verdict"}};
-    rows.push_back({"σ R D_p, that an isotropic Gaussian surface can have", rounded(product, 3),
-                    "at least " + rounded(minimum_gaussian_product<double>, 3),
-                    product < minimum_gaussian_product<double> ? "does not hold: R and D_p are of islands, not summits"
-                                                               : "holds"});
+    if (const auto* gaussian = find_check(results.surface_checks, Concern::gaussian_surface))
+        rows.push_back({"σ R D_p, that an isotropic Gaussian surface can have", rounded(gaussian->least, 3),
+                        "at least " + rounded(gaussian->limit, 3),
+                        gaussian->holds() ? "holds" : "does not hold: R and D_p are of islands, not summits"});
+    const auto* plastic = find_check(results.surface_checks, Concern::plasticity);
     rows.push_back({"plasticity index ψ = (E/H)√(σ/R), H = 2.8 Y",
-                    results.plasticity_index ? rounded(*results.plasticity_index, 3) : "yield strength not given",
-                    "elastic below 1",
-                    !results.plasticity_index       ? "not known"
-                    : *results.plasticity_index > 1 ? "yields at first loading; an elastic K is that of unloading"
-                                                    : "holds"});
+                    plastic ? rounded(plastic->least, 3) : "yield strength not given", "elastic below 1",
+                    !plastic           ? "not known"
+                    : plastic->holds() ? "holds"
+                                       : "yields at first loading; an elastic K is that of unloading"});
     for (const Curve& curve : results.curves) {
-        double low = std::numeric_limits<double>::infinity(), high = 0, least = low, most = 0;
-        for (const auto& state : curve.states) {
-            if (curve.rms_gradient) {
-                const double p = dimensionless_pressure(state.pressure.value, results.modulus, *curve.rms_gradient);
-                low = std::min(low, p);
-                high = std::max(high, p);
-            }
-            if (const double area = state.real_area_fraction.value; area > 0) {
-                least = std::min(least, state.pressure.value / area);
-                most = std::max(most, state.pressure.value / area);
-            }
-        }
         const std::string name = legend_of(curve);
-        if (curve.rms_gradient)
-            rows.push_back({"p* = p/(E g_rms), " + name, range_of(low, high),
-                            "at most " + rounded(largest_dimensionless_pressure<double>, 3),
-                            high > largest_dimensionless_pressure<double>
-                                ? "does not hold up to the greatest pressure: K is too small there"
-                                : "holds"});
-        rows.push_back({"mean contact pressure [GPa], " + name, range_of(least / 1e9, most / 1e9),
-                        scene.yield_strength ? "below 2.8 Y = " + rounded(2.8 * *scene.yield_strength / 1e9, 3) + " GPa"
-                                             : "below the hardness",
-                        !scene.yield_strength                ? "not known"
-                        : most > 2.8 * *scene.yield_strength ? "does not hold"
-                                                             : "holds"});
+        if (const auto* pressure = find_check(curve.checks, Concern::interacting_asperities))
+            rows.push_back(
+                {"p* = p/(E g_rms), " + name, range_of(pressure->least, pressure->greatest),
+                 "at most " + rounded(pressure->limit, 3),
+                 pressure->holds() ? "holds" : "does not hold up to the greatest pressure: K is too small there"});
+        if (const auto* hardness = find_check(curve.checks, Concern::above_hardness))
+            rows.push_back({"mean contact pressure [GPa], " + name,
+                            range_of(hardness->least / 1e9, hardness->greatest / 1e9),
+                            scene.yield_strength ? "below 2.8 Y = " + rounded(hardness->limit / 1e9, 3) + " GPa"
+                                                 : "below the hardness",
+                            !scene.yield_strength ? "not known"
+                            : hardness->holds()   ? "holds"
+                                                  : "does not hold"});
     }
     page.table(rows);
     if (!results.warnings.empty()) {

@@ -6,6 +6,8 @@
 #include "scene.hpp"
 
 #include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/validity.hpp>
+#include <fstiff/measured/sampled_band.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -14,25 +16,21 @@
 
 namespace fstiff::cli {
 
-/// Quantiles of K at one point of the scene, over the errors of the surface.
-struct Band {
-    double low = 0, high = 0;  ///< 5 and 95 % [Pa/m]
-    std::size_t failed = 0;    ///< samples that the model does not reach
-};
-
 /// One law on one peak density, at every point of the scene.
 struct Curve {
     Law law{};
     std::optional<double> theta, r;      ///< none: Greenwood-Williamson
     std::optional<double> rms_gradient;  ///< of the surface, for p*
     std::vector<ContactState<double>> states;
-    std::vector<Band> band;  ///< of the stiffness, one a state; empty: the surface has no errors
+    std::vector<Check<double>> checks;
+    std::vector<SampledBand<double>> band;  ///< of the stiffness, one a state; empty: the surface has no errors
 };
 
 struct Results {
     double modulus = 0;           ///< effective [Pa]
     double tangential_ratio = 0;  ///< of the tangential stiffness to K
     std::optional<double> plasticity_index;
+    std::vector<Check<double>> surface_checks;
     std::vector<Curve> curves;
     std::vector<std::string> warnings;
     Status status = success;

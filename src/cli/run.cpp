@@ -9,20 +9,21 @@
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/measured/sampled_band.hpp>
 #include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/ultrasound/propagation.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 
 namespace fstiff::cli {
@@ -42,64 +43,64 @@ Quantity wanted(const Scene& scene) {
     return set;
 }
 
-template <class Contact>
-void fill(Curve& curve, const Scene& scene, const Contact& contact) {
-    for (const double point : scene.points) {
-        try {
-            curve.states.push_back(scene.at_separations ? contact.at_separation(point, wanted(scene))
-                                                        : contact.at_pressure(point, wanted(scene)));
-        } catch (const domain_error& error) {
-            if (scene.out_of_reach_is_nan) {
-                curve.states.emplace_back().stiffness.value = std::numeric_limits<double>::quiet_NaN();
-                continue;
-            }
-            throw domain_error(scene.points_where + "law " + std::string(name_of(curve.law)) + ": " + error.what());
-        }
-        const ContactState<double>& state = curve.states.back();
-        for (const Estimate<double>* value :
-             {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction, &state.contact_density})
-            // the tangential stiffness is up to 4/3 of K
-            if (!scene.out_of_reach_is_nan && (!std::isfinite(2 * value->value) || !std::isfinite(2 * value->error)))
-                throw domain_error(
-                    scene.points_where + "law " + std::string(name_of(curve.law)) + ": a result for " +
-                    shortest(point) +
-                    " is beyond the range of double precision; the values of the scene must be less extreme");
-        if (!scene.at_separations) curve.states.back().pressure.value = point;  // as asked for, to the last digit
+/// The states of \p points. \throws domain_error for the first that the model does not reach, naming its place.
+std::vector<ContactState<double>> accepted(const Scene& scene, Law law,
+                                           const std::vector<ContactPoint<double>>& points) {
+    std::vector<ContactState<double>> states;
+    for (const auto& point : points) {
+        if (!point.ok())
+            throw domain_error(scene.points_where + "law " + std::string(name_of(law)) + ": " +
+                               (point.status == PointStatus::out_of_reach
+                                    ? point.reason
+                                    : "a result for " + shortest(scene.points[states.size()]) +
+                                          " is beyond the range of double precision; the values of the scene must be "
+                                          "less extreme"));
+        states.push_back(point.state);
     }
+    return states;
+}
+
+template <class Contact>
+std::vector<ContactPoint<double>> points_of(const Scene& scene, const Contact& contact, Quantity quantities) {
+    return scene.at_separations ? curve_at_separations(contact, scene.points, quantities)
+                                : curve_at_pressures(contact, scene.points, quantities);
 }
 
 Interaction<double> interaction(const Scene& scene) {
     Interaction<double> result;
     result.reading = scene.reading;
     if (result.reading != InteractionReading::none)
-        result.length = scene.length == InteractionLength::nominal        ? std::sqrt(*scene.nominal_area)
-                        : scene.length == InteractionLength::peak_spacing ? 1 / std::sqrt(scene.surface.peak_density)
-                                                                          : scene.given_length;
+        result.length = scene.length == InteractionLength::nominal ? interaction_length_of_area(*scene.nominal_area)
+                        : scene.length == InteractionLength::peak_spacing
+                            ? interaction_length_of_peaks(scene.surface.peak_density)
+                            : scene.given_length;
     return result;
 }
 
-Curve compute(const Scene& scene, Law law, const PeakDensity<double>& peaks, double modulus) {
-    Curve curve{law, peaks.theta(), peaks.r(), rms_gradient(scene.surface, peaks), {}, {}};
+/// Calls \p visit with every contact of the scene, one a law and peak density, and its curve, still without states.
+template <class Visit>
+void for_each_contact(const Scene& scene, double modulus, const Visit& visit) {
     RoughContactOptions<double> options;
     options.interaction = interaction(scene);
-    const auto with = [&](const auto& asperity) {
-        fill(curve, scene, RoughContact(scene.surface, peaks, asperity, modulus, options));
-    };
-    if (law == Law::fractal)
-        with(FractalLaw<double>(*scene.fractal_dimension));
-    else if (law == Law::fractal_consistent)
-        with(FractalConsistentLaw<double>(*scene.fractal_dimension));
-    else
-        with(HertzLaw<double>{});
-    return curve;
-}
-
-/// "from 3e+06 Pa on" for the first point of a curve where \p doubtful holds.
-template <class Test>
-std::optional<std::size_t> first(const Curve& curve, const Test& doubtful) {
-    const auto found = std::find_if(curve.states.begin(), curve.states.end(), doubtful);
-    return found == curve.states.end() ? std::nullopt
-                                       : std::optional(static_cast<std::size_t>(found - curve.states.begin()));
+    for (const Law law : scene.laws) {
+        if (law == Law::greenwood_williamson) {
+            visit(Curve{law, {}, {}, {}, {}, {}, {}}, GreenwoodWilliamson<double>(scene.surface, modulus));
+            continue;
+        }
+        for (const Peaks& of : scene.peaks) {
+            const PeakDensity<double> peaks = peak_density(of);
+            const Curve curve{law, peaks.theta(), peaks.r(), rms_gradient(scene.surface, peaks), {}, {}, {}};
+            const auto with = [&](const auto& asperity) {
+                visit(curve, RoughContact(scene.surface, peaks, asperity, modulus, options));
+            };
+            if (law == Law::fractal)
+                with(FractalLaw<double>(*scene.fractal_dimension));
+            else if (law == Law::fractal_consistent)
+                with(FractalConsistentLaw<double>(*scene.fractal_dimension));
+            else
+                with(HertzLaw<double>{});
+        }
+    }
 }
 
 std::string title(const Curve& curve) {
@@ -108,47 +109,54 @@ std::string title(const Curve& curve) {
     return text;
 }
 
-/// A warning for all curves that have a point where \p doubtful holds; \p text begins the sentence.
-template <class Test>
-void warn_if_any(Results& results, const std::string& text, const Test& doubtful) {
+/// Begins the sentence about what does not hold at some points of a curve.
+std::string_view sentence(Concern concern) {
+    switch (concern) {
+        case Concern::interacting_asperities:
+            return "p* is above 0.01: asperities that do not feel one another give too small a K there";
+        case Concern::mean_planes_crossed:
+            return "the separation is below 0: the mean planes have passed each other";
+        case Concern::above_highest_peak:
+            return "the separation is above the highest peak: real surfaces do not touch there";
+        case Concern::few_contacts:
+            return "fewer than 10 contacts on the nominal area: a mean over peaks says little there";
+        case Concern::area_above_nominal:
+            return "the real area exceeds the nominal area: the model does not hold there";
+        case Concern::not_converged:
+            return "the stiffness has an error above 1e-6 of its size: the integrals did not converge there";
+        default:
+            return "";
+    }
+}
+
+/// A warning for all curves that have a point where \p concern does not hold.
+void warn_if_any(Results& results, Concern concern) {
     std::size_t count = 0;
     std::string where;
     for (const Curve& curve : results.curves) {
-        const auto point = first(curve, [&](const ContactState<double>& state) { return doubtful(curve, state); });
-        if (point && count++ == 0)
-            where = title(curve) + " at p = " + rounded(curve.states[*point].pressure.value / 1e6) + " MPa";
+        const Check<double>* check = find_check(curve.checks, concern);
+        if (check && !check->holds() && count++ == 0)
+            where = title(curve) + " at p = " + rounded(curve.states[check->first].pressure.value / 1e6) + " MPa";
     }
     if (count > 0)
-        results.warnings.push_back(text + " (" + std::to_string(count) + " of " +
+        results.warnings.push_back(std::string(sentence(concern)) + " (" + std::to_string(count) + " of " +
                                    std::to_string(results.curves.size()) + " curves, the first " + where + ")");
 }
 
 void add_warnings(const Scene& scene, Results& results) {
-    using State = ContactState<double>;
-    if (results.plasticity_index && *results.plasticity_index > 1)
-        results.warnings.push_back("plasticity index " + rounded(*results.plasticity_index, 3) +
-                                   " is above 1: the peaks yield at first loading; an elastic K is that of unloading");
-    if (const double product = scene.surface.rms_height * scene.surface.peak_radius * scene.surface.peak_density;
-        product < minimum_gaussian_product<double>)
+    for (const Check<double>& check : results.surface_checks) {
+        if (check.holds()) continue;
+        const std::string value = rounded(check.least, 3);
         results.warnings.push_back(
-            "sigma R D_p = " + rounded(product, 3) + " is below " + rounded(minimum_gaussian_product<double>, 3) +
-            ", the least of an isotropic Gaussian surface: R and D_p are those of islands, not of summits");
-    warn_if_any(results, "p* is above 0.01: asperities that do not feel one another give too small a K there",
-                [&](const Curve& curve, const State& state) {
-                    return curve.rms_gradient &&
-                           dimensionless_pressure(state.pressure.value, results.modulus, *curve.rms_gradient) >
-                               largest_dimensionless_pressure<double>;
-                });
-    warn_if_any(results, "the separation is below 0: the mean planes have passed each other",
-                [](const Curve&, const State& state) { return state.separation.value < 0; });
-    if (scene.surface.max_peak_height > 0)
-        warn_if_any(
-            results, "the separation is above the highest peak: real surfaces do not touch there",
-            [&](const Curve&, const State& state) { return state.separation.value > scene.surface.max_peak_height; });
-    if (scene.contacts && scene.nominal_area)
-        warn_if_any(
-            results, "fewer than 10 contacts on the nominal area: a mean over peaks says little there",
-            [&](const Curve&, const State& state) { return state.contact_density.value * *scene.nominal_area < 10; });
+            check.concern == Concern::plasticity
+                ? "plasticity index " + value +
+                      " is above 1: the peaks yield at first loading; an elastic K is that of unloading"
+                : "sigma R D_p = " + value + " is below " + rounded(check.limit, 3) +
+                      ", the least of an isotropic Gaussian surface: R and D_p are those of islands, not of summits");
+    }
+    for (const Concern concern : {Concern::interacting_asperities, Concern::mean_planes_crossed,
+                                  Concern::above_highest_peak, Concern::few_contacts})
+        warn_if_any(results, concern);
     if (scene.reading != InteractionReading::none &&
         std::count(scene.laws.begin(), scene.laws.end(), Law::greenwood_williamson) > 0)
         results.warnings.push_back("interaction is not applied to greenwood_williamson");
@@ -159,31 +167,8 @@ void add_warnings(const Scene& scene, Results& results) {
             "that of the interface alone");
 
     const std::size_t before = results.warnings.size();
-    if (scene.real_area)
-        warn_if_any(results, "the real area exceeds the nominal area: the model does not hold there",
-                    [](const Curve&, const State& state) { return state.real_area_fraction.value > 1; });
-    if (scene.needs_stiffness())
-        warn_if_any(results, "the stiffness has an error above 1e-6 of its size: the integrals did not converge there",
-                    [](const Curve&, const State& state) {
-                        return state.stiffness.error >
-                               std::max(1e-6 * state.stiffness.value, std::numeric_limits<double>::min());
-                    });
+    for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
     if (results.warnings.size() > before) results.status = doubtful_result;
-}
-
-/// One curve a law and peak density.
-std::vector<Curve> compute_curves(const Scene& scene, double modulus) {
-    std::vector<Curve> curves;
-    for (const Law law : scene.laws) {
-        if (law == Law::greenwood_williamson) {
-            Curve curve{law, {}, {}, {}, {}, {}};
-            fill(curve, scene, GreenwoodWilliamson<double>(scene.surface, modulus));
-            curves.push_back(std::move(curve));
-            continue;
-        }
-        for (const Peaks& peaks : scene.peaks) curves.push_back(compute(scene, law, peak_density(peaks), modulus));
-    }
-    return curves;
 }
 
 /// The scene with the surface \p drawn about its own.
@@ -200,37 +185,25 @@ Scene with_surface(Scene scene, const std::array<double, surface_parameter_count
 
 /// The band of K over the errors of the surface; every curve and point sees the same samples.
 void add_bands(const Scene& scene, Results& results) {
-    Scene lean = scene;  // nothing but K
-    lean.stiffness = true;
-    lean.separation = lean.real_area = lean.contacts = false;
+    Scene lean = scene;  // is copied with every surface
     lean.inputs.clear();
     lean.measured.reset();
-    lean.out_of_reach_is_nan = true;
-    std::vector<std::vector<std::vector<double>>> found;  // by curve, point, sample
-    for (const Curve& curve : results.curves) found.emplace_back(curve.states.size());
-    SurfaceSampler<double> draw(scene.uncertain, scene.seed);
-    const ProgressHook progress = progress_bar();
-    for (int i = 0; i < scene.samples; ++i) {
-        if (progress) progress("surfaces", static_cast<std::size_t>(i), static_cast<std::size_t>(scene.samples));
-        const std::vector<Curve> curves = compute_curves(with_surface(lean, draw()), results.modulus);
-        for (std::size_t c = 0; c < curves.size(); ++c)
-            for (std::size_t k = 0; k < curves[c].states.size(); ++k)
-                if (const double stiffness = curves[c].states[k].stiffness.value; std::isfinite(stiffness))
-                    found[c][k].push_back(stiffness);
-    }
+    const auto stiffness_of = [&](const std::array<double, surface_parameter_count>& drawn) {
+        std::vector<double> all;
+        for_each_contact(with_surface(lean, drawn), results.modulus, [&](const Curve&, const auto& contact) {
+            for (const auto& point : points_of(scene, contact, Quantity::pressure | Quantity::stiffness))
+                all.push_back(point.state.stiffness.value);
+        });
+        return all;
+    };
+    const auto bands = sampled_band(scene.uncertain, stiffness_of,
+                                    {static_cast<std::size_t>(scene.samples), scene.seed, progress_bar()});
     std::size_t failed = 0;
-    for (std::size_t c = 0; c < found.size(); ++c)
-        for (std::vector<double>& values : found[c]) {
-            std::sort(values.begin(), values.end());
-            Band band;
-            band.failed = static_cast<std::size_t>(scene.samples) - values.size();
-            failed = std::max(failed, band.failed);
-            if (!values.empty()) {
-                const std::span<const double> sorted(values);
-                band.low = sorted_quantile(sorted, 0.05);
-                band.high = sorted_quantile(sorted, 0.95);
-            }
-            results.curves[c].band.push_back(band);
+    auto next = bands.begin();
+    for (Curve& curve : results.curves)
+        for (std::size_t i = 0; i < curve.states.size(); ++i) {
+            failed = std::max(failed, next->failed);
+            curve.band.push_back(*next++);
         }
     if (failed > 0)
         results.warnings.push_back("up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +
@@ -245,17 +218,31 @@ Results compute(const Scene& scene) {
     if (scene.yield_strength)
         results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
-    results.curves = compute_curves(scene, results.modulus);
+    results.surface_checks = check_surface(scene.surface, results.modulus, scene.yield_strength);
+    for_each_contact(scene, results.modulus, [&](Curve curve, const auto& contact) {
+        curve.states = accepted(scene, curve.law, points_of(scene, contact, wanted(scene)));
+        curve.checks = check_curve<double>(curve.states,
+                                           {.effective_modulus = results.modulus,
+                                            .rms_gradient = curve.rms_gradient,
+                                            .max_peak_height = scene.surface.max_peak_height,
+                                            .nominal_area = scene.nominal_area,
+                                            .yield_strength = scene.yield_strength},
+                                           wanted(scene));
+        results.curves.push_back(std::move(curve));
+    });
     if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results);
     add_warnings(scene, results);
     return results;
 }
 
-const Band* band(const Curve& curve, std::size_t point) { return curve.band.empty() ? nullptr : &curve.band[point]; }
+const SampledBand<double>* band(const Curve& curve, std::size_t point) {
+    return curve.band.empty() ? nullptr : &curve.band[point];
+}
 
 /// The machine-readable columns of one row; law, theta and r stand before them.
 std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const Results& results,
-                                                    const ContactState<double>& state, const Band* band) {
+                                                    const ContactState<double>& state,
+                                                    const SampledBand<double>* band) {
     std::vector<std::pair<std::string, double>> row{{"pressure_Pa", state.pressure.value}, {"eta", state.eta}};
     const auto add = [&](const std::string& name, const std::string& unit, double value, double error) {
         row.emplace_back(name + unit, value);
@@ -277,12 +264,10 @@ std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const Re
     }
     const auto add_reflection = [&](const std::string& name, const Impedances<double>& media, double factor) {
         const double angular = scene.ultrasound->angular();
-        const auto of = [&](double stiffness, double error) {
-            return reflection_of(factor * stiffness, factor * error, media, angular);
-        };
-        const Estimate<double> r = of(state.stiffness.value, state.stiffness.error);
+        const auto of = [&](double stiffness) { return reflection(factor * stiffness, media, angular); };
+        const Estimate<double> r = reflection(state.stiffness * factor, media, angular);
         add(name, "", r.value, r.error);
-        if (band) add_band(name, "", of(band->high, 0).value, of(band->low, 0).value);  // R falls with K
+        if (band) add_band(name, "", of(band->high), of(band->low));  // R falls with K
     };
     if (scene.reflection) add_reflection("reflection", scene.ultrasound->longitudinal, 1);
     if (scene.shear_reflection) add_reflection("shear_reflection", *scene.ultrasound->shear, ratio);
@@ -293,7 +278,7 @@ std::vector<std::pair<std::string, double>> numbers(const Scene& scene, const Re
 
 std::string csv(const Scene& scene, const Results& results) {
     std::vector<std::string> header{"law", "theta", "r"};
-    const Band none;
+    const SampledBand<double> none;
     for (const auto& [name, value] : numbers(scene, results, {}, results.curves.front().band.empty() ? nullptr : &none))
         header.push_back(name);
     std::string text = csv_line(header);
@@ -367,7 +352,7 @@ std::string json(const Scene& scene, const Results& results) {
             if (curve.r) row["r"] = json_number(*curve.r);
             for (const auto& [name, value] : numbers(scene, results, curve.states[i], band(curve, i)))
                 row[name] = json_number(value);
-            if (const Band* of = band(curve, i)) row["samples_out_of_reach"] = of->failed;
+            if (const SampledBand<double>* of = band(curve, i)) row["samples_out_of_reach"] = of->failed;
             rows.push_back(std::move(row));
         }
     document["warnings"] = results.warnings;
@@ -444,7 +429,7 @@ std::string table(const Scene& scene, const Results& results) {
             if (scene.stiffness)
                 row.insert(row.end(), {rounded(state.stiffness.value / 1e15), rounded(state.stiffness.value, 6),
                                        rounded(state.stiffness.error, 2)});
-            const Band* of = band(curve, i);
+            const SampledBand<double>* of = band(curve, i);
             if (scene.stiffness && of) row.insert(row.end(), {rounded(of->low / 1e15), rounded(of->high / 1e15)});
             const double ratio = results.tangential_ratio;
             if (scene.tangential_stiffness) row.push_back(rounded(ratio * state.stiffness.value / 1e15));

@@ -3,13 +3,13 @@
 // A scene: what `fstiff run` computes, read from TOML. Every key, unit and default is in docs/scene.md.
 
 #include "measured_surface.hpp"
-#include "waves.hpp"
 
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/peaks/peak_density.hpp>
 #include <fstiff/surface/roughness.hpp>
+#include <fstiff/ultrasound/spring_interface.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -61,6 +61,14 @@ inline constexpr auto names<cli::InteractionLength> = name_list<cli::Interaction
 }  // namespace fstiff
 
 namespace fstiff::cli {
+/// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
+struct Waves {
+    double frequency = 0;                     ///< [Hz]
+    Impedances<double> longitudinal{};        ///< the wave comes from material.upper
+    std::optional<Impedances<double>> shear;  ///< none: not known
+
+    [[nodiscard]] double angular() const { return angular_frequency(frequency); }
+};
 
 struct Scene {
     std::string name;
@@ -77,7 +85,6 @@ struct Scene {
     int samples = 400;                        ///< of the band; 0: no band
     std::uint64_t seed = 2014;
     std::vector<std::string> warnings;
-    bool out_of_reach_is_nan = false;  ///< of a sample of the band, whose points may be beyond the model: no error
 
     /// Whether a band can be given: some parameter that enters has an error.
     [[nodiscard]] bool has_errors() const {

@@ -185,7 +185,8 @@ LevelledMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
         const HeightMap<double>& read = input.surface.map();
         result.map = remove_form(read, form);
         result.rms_as_read = areal_statistics(read).rms_height;
-        result.rms = areal_statistics(result.map).rms_height;
+        result.areal = areal_statistics(result.map);
+        result.rms = result.areal.rms_height;
     });
     return result;
 }

@@ -8,6 +8,7 @@
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include <optional>
@@ -65,6 +66,7 @@ struct LevelledProfile {
 struct LevelledMap {
     HeightMap<double> map;
     double rms_as_read{}, rms{};  ///< Sq before and after [m]
+    ArealStatistics<double> areal;
     std::string form;
 };
 

@@ -646,3 +646,30 @@ TEST_CASE("The errors of islands of a real map contain the difference of its hal
     CHECK(std::sqrt(stated / square) >= 0.5);
     CHECK(std::sqrt(stated / square) <= 4);
 }
+
+TEST_CASE("The fits and the islands behind the numbers are kept, and are those of their own functions") {
+    SurfaceParameterOptions<double> how;
+    how.fit.resamples = 20;
+    how.resamples = 20;
+    const auto profile = short_profile(0.5, 3);
+    const auto p = surface_parameters(profile, how);
+    REQUIRE((p.profile_fit && !p.map_fit && !p.islands));
+    CHECK(p.profile_fit->fractal.dimension == fit_fractal(profile, how.fit).fractal.dimension);
+    CHECK(p.profile_fit->fractal.dimension == p.fractal_dimension->value);
+
+    const auto map = short_map(0.5, 4);
+    const auto m = surface_parameters(map, how);
+    REQUIRE((!m.profile_fit && m.map_fit && m.islands));
+    const auto both = fit_directions(map, how.fit);
+    CHECK((m.map_fit->x.has_value() == both.x.has_value() && m.map_fit->y.has_value() == both.y.has_value()));
+    CHECK((m.map_fit->x_refusal == both.x_refusal && m.map_fit->y_refusal == both.y_refusal));
+    const auto alone = island_curve(map);
+    CHECK((m.islands->curve.density == alone.density && m.islands->curve.bearing_area == alone.bearing_area));
+    CHECK((m.islands->density == m.peak_density.value && m.islands->radius == m.peak_radius.value));
+    how.peaks = PeakSource::summits;
+    CHECK(!surface_parameters(map, how).islands);
+
+    const auto flat =
+        surface_parameters(Profile<double>{{profile.heights.begin(), profile.heights.begin() + 20}, 1e-6}, how);
+    CHECK(flat.profile_fit.has_value() == flat.fractal_refusal.empty());
+}

@@ -6,6 +6,7 @@
 #include "support/table.hpp"
 
 #include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
 #include <algorithm>
@@ -53,7 +54,7 @@ inline std::vector<HalfSpaceRatio> half_space_ratios() {
             {"fractal_consistent", law(FractalConsistentLaw<double>(dimension))},
             {"greenwood_williamson",
              [&](double p) { return one_radius.at_pressure(p, Quantity::stiffness).stiffness.value; }},
-            {"linear", [&](double p) { return p / (0.48 * surface.rms_height); }}};
+            {"linear", [&](double p) { return linear_stiffness(p, surface.rms_height); }}};
         for (const auto& [name, model] : laws)
             for (const auto& [pressure, of_each] : stiffness) {
                 double sum = 0;

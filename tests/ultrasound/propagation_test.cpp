@@ -101,3 +101,25 @@ TEST_CASE("propagation refuses what has no error") {
     CHECK(call(0.5, -1).find("reflection_error = -1") == 0);
     CHECK(call(1, 0.1).find("reflection = 1") == 0);
 }
+
+TEST_CASE("The error of R is that of K carried on, and back again") {
+    const double omega = 2 * std::numbers::pi * 7e6;
+    for (const auto& media : pairs)
+        for (double k = 1e13; k < 1e17; k *= 7.3) {
+            const Estimate<double> r = reflection(Estimate<double>{k, 1e-3 * k, 5}, media, omega);
+            CHECK((r.value == reflection(k, media, omega) && r.evaluations == 5));
+            // to first order: half a change of either sign
+            const double change =
+                (reflection(k * (1 - 1e-3), media, omega) - reflection(k * (1 + 1e-3), media, omega)) / 2;
+            CHECK(std::abs(r.error - change) < 1e-5 * change + 4e-15);
+            const double c = welded_reflection(media);
+            if (r.value < c + 1e-3 || r.value > 1 - 1e-6) continue;
+            const auto back = measured_stiffness(r.value, r.error, media, omega);
+            // R is rounded, and near the weld or 1 its last digit moves K and the slope
+            const double lost = 1e-13 / std::min(r.value - c, 1 - r.value);
+            CHECK(std::abs(back.value - k) < lost * k);
+            CHECK(std::abs(back.error - 1e-3 * k) <
+                  1e-3 * k * (lost + 1e-6) + 1e-14 * back.value / std::min(r.value - c, 1 - r.value));
+        }
+    CHECK(reflection(Estimate<double>{0, 0, 0}, pairs[0], omega).value == 1);
+}

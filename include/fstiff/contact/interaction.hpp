@@ -12,11 +12,14 @@
 ///
 /// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729-734; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014),
 ///             eq. (4.11); the readings are discussed in docs/errata.md.
+///             L = 1/sqrt(D_p), the spacing of the peaks, is the other length that is in use.
 /// Units       L [m]
 /// Valid       L > 0 for every reading but none
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
+
+#include <cmath>
 
 namespace fstiff {
 
@@ -31,6 +34,20 @@ inline constexpr auto names<InteractionReading> = name_list<InteractionReading>(
     {InteractionReading::effective_separation, "effective_separation"},
     {InteractionReading::as_printed, "as_printed"},
 });
+
+/// L = sqrt(A0) [m], as the paper has it. \throws domain_error unless the nominal area [m^2] is finite and positive.
+template <Real T>
+[[nodiscard]] T interaction_length_of_area(T nominal_area) {
+    require_positive("nominal_area", nominal_area);
+    return std::sqrt(nominal_area);
+}
+
+/// L = 1/sqrt(D_p) [m]. \throws domain_error unless the density of peaks [1/m^2] is finite and positive.
+template <Real T>
+[[nodiscard]] T interaction_length_of_peaks(T peak_density) {
+    require_positive("peak_density", peak_density);
+    return 1 / std::sqrt(peak_density);
+}
 
 template <Real T>
 struct Interaction {

@@ -1,22 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How far the elastic multi-asperity models may be believed.
+/// How far the elastic multi-asperity models may be believed: every check by its name, with its numbers and its limit.
 ///
-///     psi   = (E/H) sqrt(sigma/R),  H = 2.8 Y         plasticity index: peaks yield at any load where it exceeds about 1
-///     p*    = p/(E g_rms)                             pressure over what closes the gaps; models of independent peaks hold
-///                                                     for p* <= 0.01 or so (docs/errata.md tells against which truth)
-///     g_rms = sqrt(2 r sigma sigma_kappa)             rms gradient of an isotropic surface of the density (4.4)
-///     sigma R D_p >= 0.0249                           on an isotropic Gaussian surface: 0.02036 sqrt(alpha), alpha >= 1.5
+///     of the surface     psi = (E/H) sqrt(sigma/R) <= 1, H = 2.8 Y    plasticity index: else peaks yield at any load
+///                        sigma R D_p >= 0.0249                        of an isotropic Gaussian surface, where it is
+///                                                                     0.02036 sqrt(alpha), alpha >= 1.5
+///     of each state      p* = p/(E g_rms) <= 0.01                     pressure over what closes the gaps: beyond it the
+///                                                                     peaks feel one another (docs/errata.md)
+///                        0 <= separation <= R_p                       the mean planes apart, some peak in touch
+///                        n A0 >= 10                                   contacts enough for a mean over peaks
+///                        A <= A0
+///                        p A0/A <= 2.8 Y                              mean pressure on the real area below the hardness
+///                        error of K <= 1e-6 K                         the integrals converged
+///     g_rms = sqrt(2 r sigma sigma_kappa)                             rms gradient of an isotropic surface of (4.4)
+///
+/// Nothing is refused: a check that does not hold says at which states, and the numbers stay as they are.
+///
+///     for (const auto& check : fstiff::check_curve<double>(states, {.effective_modulus = 112.6e9, .rms_gradient = 0.08}))
+///         if (!check.holds()) warn(name_of(check.concern), check.first, check.greatest, check.limit);
 ///
 /// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319 (psi); Greenwood, Proc. R. Soc. Lond. A 393
-///             (1984) 133-157 (r = sigma_m^2/(sigma sigma_kappa), sigma_m the slope of a profile).
-/// Units       SI; the numbers returned are dimensionless
+///             (1984) 133-157 (r = sigma_m^2/(sigma sigma_kappa), sigma_m the slope of a profile); Tabor, The Hardness of
+///             Metals (1951) (2.8); the limits 0.01, 10 and 1e-6 are this project's.
+/// Units       SI; the numbers returned are dimensionless, but for separations [m] and mean pressures [Pa]
+/// Valid       states of one contact, with finite values
 
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace fstiff {
 
@@ -26,13 +48,17 @@ inline constexpr T minimum_gaussian_product = T(0.0249);  ///< least sigma R D_p
 template <Real T>
 inline constexpr T largest_dimensionless_pressure = T(0.01);  ///< p* above which independent peaks are in doubt
 
+template <Real T>
+inline constexpr T hardness_over_yield_strength = T(2.8);  ///< H/Y of the plasticity index
+
 /// psi for the yield strength Y [Pa] of the softer body. \throws domain_error naming what is not positive.
 template <Real T>
 [[nodiscard]] T plasticity_index(const Roughness<T>& surface, T effective_modulus, T yield_strength) {
     surface.validate();
     require_positive("effective_modulus", effective_modulus);
     require_positive("yield_strength", yield_strength);
-    return effective_modulus / (T(2.8) * yield_strength) * std::sqrt(surface.rms_height / surface.peak_radius);
+    return effective_modulus / (hardness_over_yield_strength<T> * yield_strength) *
+           std::sqrt(surface.rms_height / surface.peak_radius);
 }
 
 /// g_rms of the surface; none for r = 0, where the slopes are of another scale than heights and curvatures.
@@ -47,6 +73,141 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T dimensionless_pressure(T pressure, T effective_modulus, T rms_gradient) {
     return pressure / (effective_modulus * rms_gradient);
+}
+
+/// What may speak against a result.
+enum class Concern {
+    plasticity,              ///< psi above 1: the peaks yield at first loading
+    gaussian_surface,        ///< sigma R D_p below what an isotropic Gaussian surface can have
+    interacting_asperities,  ///< p* above 0.01
+    mean_planes_crossed,     ///< the separation is below 0
+    above_highest_peak,      ///< the separation is above R_p
+    few_contacts,            ///< fewer than 10 on the nominal area
+    area_above_nominal,      ///< the real area exceeds the nominal one
+    above_hardness,          ///< the mean pressure on the real area exceeds 2.8 Y
+    not_converged            ///< the error of K is above 1e-6 K
+};
+
+[[nodiscard]] constexpr std::string_view name_of(Concern concern) {
+    constexpr std::array<std::string_view, 9> names{
+        "plasticity",   "gaussian_surface",   "interacting_asperities", "mean_planes_crossed", "above_highest_peak",
+        "few_contacts", "area_above_nominal", "above_hardness",         "not_converged"};
+    return names[static_cast<std::size_t>(concern)];
+}
+
+/// One check of a surface, or of all states of a curve.
+template <Real T>
+struct Check {
+    Concern concern{};
+    T limit{};  ///< what the values are held against; infinite for a hardness that is not known
+    T least = std::numeric_limits<T>::infinity(),  ///< of the values; infinite when there are none
+        greatest = -std::numeric_limits<T>::infinity();
+    std::size_t violations{};  ///< states at which the check does not hold; 1 of a surface
+    std::size_t first{};       ///< state of them; meaningless without any
+
+    [[nodiscard]] bool holds() const { return violations == 0; }
+};
+
+/// The check of \p concern among \p checks; null when it was not made.
+template <Real T>
+[[nodiscard]] const Check<T>* find_check(const std::vector<Check<T>>& checks, Concern concern) {
+    const auto found =
+        std::find_if(checks.begin(), checks.end(), [&](const auto& one) { return one.concern == concern; });
+    return found == checks.end() ? nullptr : &*found;
+}
+
+namespace detail {
+
+template <Real T>
+Check<T> surface_check(Concern concern, T value, T limit, bool holds) {
+    return {concern, limit, value, value, holds ? std::size_t(0) : std::size_t(1), 0};
+}
+
+}  // namespace detail
+
+/// The checks that need no state: plasticity when \p yield_strength [Pa] is known, gaussian_surface always.
+/// \throws domain_error as plasticity_index.
+template <Real T>
+[[nodiscard]] std::vector<Check<T>> check_surface(const Roughness<T>& surface, T effective_modulus,
+                                                  std::optional<T> yield_strength = {}) {
+    std::vector<Check<T>> checks;
+    if (yield_strength) {
+        const T psi = plasticity_index(surface, effective_modulus, *yield_strength);
+        checks.push_back(detail::surface_check(Concern::plasticity, psi, T(1), psi <= T(1)));
+    }
+    const T product = surface.rms_height * surface.peak_radius * surface.peak_density;
+    constexpr T least = minimum_gaussian_product<T>;
+    checks.push_back(detail::surface_check(Concern::gaussian_surface, product, least, product >= least));
+    return checks;
+}
+
+/// What the states of a curve are held against; a check for which something is missing is not made.
+template <Real T>
+struct CurveLimits {
+    T effective_modulus{};              ///< [Pa], for p*
+    std::optional<T> rms_gradient{};    ///< for p*
+    T max_peak_height{};                ///< R_p [m]; 0: not known
+    std::optional<T> nominal_area{};    ///< [m^2], for few_contacts
+    std::optional<T> yield_strength{};  ///< [Pa]; without it above_hardness has its values, and always holds
+};
+
+/// The checks of \p states, which hold the quantities \p known and always separation and pressure; in the order of Concern.
+template <Real T>
+[[nodiscard]] std::vector<Check<T>> check_curve(std::span<const ContactState<T>> states, const CurveLimits<T>& limits,
+                                                Quantity known = Quantity::all) {
+    std::vector<Check<T>> checks;
+    // value_of gives the number that is shown, or none; broken says where the check does not hold
+    const auto check = [&](Concern concern, T limit, const auto& value_of, const auto& broken) {
+        Check<T> made{.concern = concern, .limit = limit};
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            const std::optional<T> value = value_of(states[i]);
+            if (!value) continue;
+            made.least = std::min(made.least, *value);
+            made.greatest = std::max(made.greatest, *value);
+            if (broken(states[i], *value) && made.violations++ == 0) made.first = i;
+        }
+        checks.push_back(made);
+    };
+    const auto above = [&](Concern concern, T limit, const auto& value_of) {
+        check(concern, limit, value_of, [limit](const ContactState<T>&, T value) { return value > limit; });
+    };
+    const auto below = [&](Concern concern, T limit, const auto& value_of) {
+        check(concern, limit, value_of, [limit](const ContactState<T>&, T value) { return value < limit; });
+    };
+    using State = ContactState<T>;
+    const auto separation = [](const State& state) { return std::optional(state.separation.value); };
+    if (limits.rms_gradient)
+        above(Concern::interacting_asperities, largest_dimensionless_pressure<T>, [&](const State& state) {
+            return std::optional(
+                dimensionless_pressure(state.pressure.value, limits.effective_modulus, *limits.rms_gradient));
+        });
+    below(Concern::mean_planes_crossed, T(0), separation);
+    if (limits.max_peak_height > T(0)) above(Concern::above_highest_peak, limits.max_peak_height, separation);
+    if (has(known, Quantity::contacts) && limits.nominal_area)
+        below(Concern::few_contacts, T(10),
+              [&](const State& state) { return std::optional(state.contact_density.value * *limits.nominal_area); });
+    if (has(known, Quantity::real_area)) {
+        above(Concern::area_above_nominal, T(1),
+              [](const State& state) { return std::optional(state.real_area_fraction.value); });
+        above(Concern::above_hardness,
+              limits.yield_strength ? hardness_over_yield_strength<T> * *limits.yield_strength
+                                    : std::numeric_limits<T>::infinity(),
+              [](const State& state) {
+                  const T area = state.real_area_fraction.value;
+                  return area > T(0) ? std::optional(state.pressure.value / area) : std::nullopt;
+              });
+    }
+    if (has(known, Quantity::stiffness))
+        check(
+            Concern::not_converged, T(1e-6),
+            [](const State& state) {
+                const T scale = std::max(state.stiffness.value, std::numeric_limits<T>::min());
+                return std::optional(state.stiffness.error / scale);
+            },
+            [](const State& state, T) {  // as a product, so that a K that underflows is no concern
+                return state.stiffness.error > std::max(T(1e-6) * state.stiffness.value, std::numeric_limits<T>::min());
+            });
+    return checks;
 }
 
 }  // namespace fstiff

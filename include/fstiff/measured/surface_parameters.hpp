@@ -101,6 +101,9 @@ struct SurfaceParameters {
     std::size_t blocks{};         ///< independent parts that the errors come from
     T block_length{};             ///< of a profile [m]
     std::uint64_t seed{};
+    std::optional<FractalFit<T>> profile_fit;  ///< behind D and G of a profile; none where fractal_refusal tells why
+    std::optional<DirectionalFit<T>> map_fit;  ///< behind those of a map; without x and y where neither can be fitted
+    std::optional<RepresentativeIslands<T>> islands;  ///< behind R and D_p of a map, of PeakSource::islands
 };
 
 /// \throws domain_error for a surface or an option out of range, or one without peaks.
@@ -359,7 +362,8 @@ SurfaceParameters<T> surface_parameters(const Profile<T>& profile, const Surface
     result.block_length = static_cast<T>(block * length) * profile.spacing;
     result.seed = options.seed;
     try {
-        detail::take_over(result, fit_fractal(profile, options.fit));
+        result.profile_fit = fit_fractal(profile, options.fit);
+        detail::take_over(result, *result.profile_fit);
     } catch (const domain_error& error) {
         result.fractal_refusal = error.what();
     }
@@ -420,8 +424,9 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
                       static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) {
-        const RepresentativeIslands<T> islands = representative_islands(
-            map, options.islands, {options.tiles, options.resamples, options.seed, options.progress});
+        result.islands = representative_islands(map, options.islands,
+                                                {options.tiles, options.resamples, options.seed, options.progress});
+        const RepresentativeIslands<T>& islands = *result.islands;
         if (islands.islands < 2)
             throw domain_error(
                 "islands of the map where there are most = 1: must be at least 2 for the errors of R "
@@ -436,7 +441,8 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
     detail::require_numbers(result);
     result.seed = options.seed;
     try {
-        detail::take_over(result, fit_directions(map, options.fit));
+        result.map_fit = fit_directions(map, options.fit);
+        detail::take_over(result, *result.map_fit);
     } catch (const domain_error& error) {
         result.fractal_refusal = error.what();
     }

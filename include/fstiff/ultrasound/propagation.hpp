@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How reflection and stiffness of a spring-like interface move together: slopes, and the error of K from that of R.
+/// How reflection and stiffness of a spring-like interface move together: slopes, and the error of one from that of the
+/// other.
 ///
 ///     s = K (z1+z2)/(omega z1 z2),  c = |z1-z2|/(z1+z2)
 ///     dR/dK = -(ds/dK) (s/R) (1-c^2)/(1+s^2)^2
 ///     dK/dR = -K R (1-c)(1+c) / [(1-R)(1+R) (R-c)(R+c)]
-///     error of K = |dK/dR| error of R                                                                    to first order
+///     error of K = |dK/dR| error of R,  error of R = |dR/dK| error of K                                  to first order
 ///
 /// Like media: c = 0 and dK/dR = -K/(R (1-R)(1+R)), so that the relative error of K is least, 2.6 times the error of R, at
 /// R = 1/sqrt(3), and grows without bound towards R = 1 (no contact) and the welded joint. The waves may be longitudinal (z
@@ -18,9 +19,11 @@
 /// Valid       as spring_interface.hpp
 /// Accuracy    16 epsilon; dK/dR beyond R = c + 1e-3 (tests/ultrasound/propagation_test.cpp)
 
+#include <fstiff/core/estimate.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace fstiff {
 
@@ -35,6 +38,16 @@ template <Real T>
     const auto [low, high] = std::minmax({media.incident, media.beyond});
     const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));  // 1 - c^2
     return r > 0 || c > 0 ? -share * passed / r / angular_frequency / detail::joint_impedance(media) : T(0);
+}
+
+/// |R| of the stiffness \p stiffness [Pa/m]; its error is that of the stiffness carried on to first order, and the rounding of
+/// R. \throws domain_error as reflection.
+template <Real T>
+[[nodiscard]] Estimate<T> reflection(const Estimate<T>& stiffness, const Impedances<T>& media, T angular_frequency) {
+    const T r = reflection(stiffness.value, media, angular_frequency);
+    const T slope = std::abs(reflection_slope(stiffness.value, media, angular_frequency));
+    return {r, slope * stiffness.error + spring_interface_ulps * std::numeric_limits<T>::epsilon() * r,
+            stiffness.evaluations};
 }
 
 /// A stiffness with its standard error [Pa/m].

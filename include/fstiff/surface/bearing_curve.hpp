@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The bearing curve (Abbott-Firestone): the height above which a given share of a profile or map stands.
+///
+///     z(s)   with   number of heights above z(s) = s N,  s = 0 ... 1
+///
+/// z(0) is the highest point, z(1) the lowest. Of a map it is the bearing area, of a profile the bearing length; both are
+/// one curve for an isotropic surface.
+///
+/// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; ISO 21920-2 and ISO 25178-2 (material ratio)
+/// Units       heights in any unit, shares from 0 to 1
+/// Valid       heights finite, or NaN where a point is missing; one at least exists
+/// Accuracy    each height is one of those given: the one at place s N from above, the lowest at s = 1
+///             (tests/surface/bearing_curve_test.cpp)
+
+#include <fstiff/core/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <span>
+#include <vector>
+
+namespace fstiff {
+
+template <Real T>
+struct BearingCurve {
+    std::vector<T> share;   ///< of the points that stand above, from 0 to 1
+    std::vector<T> height;  ///< falls with the share
+
+    [[nodiscard]] std::size_t size() const { return share.size(); }
+};
+
+/// The curve of \p heights at \p steps + 1 equal steps of the share. \throws domain_error when no height exists, or for no
+/// steps.
+template <Real T>
+[[nodiscard]] BearingCurve<T> bearing_curve(std::span<const T> heights, std::size_t steps = 200) {
+    if (steps < 1) throw domain_error("steps of a bearing curve = 0: must be at least 1");
+    std::vector<T> sorted;
+    sorted.reserve(heights.size());
+    std::copy_if(heights.begin(), heights.end(), std::back_inserter(sorted), [](T z) { return !std::isnan(z); });
+    if (sorted.empty()) throw domain_error("heights of a bearing curve = 0: must be at least 1");
+    std::sort(sorted.begin(), sorted.end(), std::greater<>());
+    BearingCurve<T> curve;
+    for (std::size_t k = 0; k <= steps; ++k) {
+        curve.share.push_back(static_cast<T>(k) / static_cast<T>(steps));
+        curve.height.push_back(sorted[std::min(sorted.size() - 1, k * sorted.size() / steps)]);
+    }
+    return curve;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The lengths of an interaction; what it does to a contact is tested in rough_contact_test.cpp.
+#include <fstiff/contact/interaction.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+using namespace fstiff;
+
+TEST_CASE("The length of an interaction is that of the nominal area, or the spacing of the peaks") {
+    CHECK(interaction_length_of_area(9e-6) * interaction_length_of_area(9e-6) == 9e-6);
+    CHECK(test::ulps(interaction_length_of_peaks(1e8), 1e-4) <= 1);
+    CHECK(test::refusal([] { (void)interaction_length_of_area(0.0); }).starts_with("nominal_area = 0: must be"));
+    CHECK(test::refusal([] { (void)interaction_length_of_peaks(-1.0); }).starts_with("peak_density = -1: must be"));
+}
