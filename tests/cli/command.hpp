@@ -2,6 +2,7 @@
 #pragma once
 // Runs the command as a process: FSTIFF_COMMAND is its path, FSTIFF_SCENES the folder of the scenes, both set by CMake.
 #include "support/catch.hpp"
+#include "support/csv.hpp"
 
 #include <sys/wait.h>
 #include <algorithm>
@@ -86,41 +87,6 @@ inline std::string replaced(std::string text, const std::string& from, const std
     if (found == std::string::npos) throw std::runtime_error("the text holds no " + from);
     return text.replace(found, from.size(), to);
 }
-
-/// The cells of one line; those with commas stand in quotes.
-inline std::vector<std::string> csv_cells(const std::string& line) {
-    std::vector<std::string> cells{""};
-    bool quoted = false;
-    for (const char c : line) {
-        if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            cells.emplace_back();
-        else
-            cells.back() += c;
-    }
-    return cells;
-}
-
-/// Cells of CSV text by column name.
-class Csv {
-public:
-    explicit Csv(const std::string& text) {
-        for (const std::string& line : lines(text)) rows_.push_back(csv_cells(line));
-        if (rows_.empty()) throw std::runtime_error("the document is empty");
-    }
-    std::size_t size() const { return rows_.size() - 1; }
-    const std::vector<std::string>& header() const { return rows_.front(); }
-    const std::string& text(std::size_t row, const std::string& column) const {
-        const auto found = std::find(header().begin(), header().end(), column);
-        if (found == header().end()) throw std::runtime_error("no column " + column);
-        return rows_.at(row + 1).at(static_cast<std::size_t>(found - header().begin()));
-    }
-    double number(std::size_t row, const std::string& column) const { return std::stod(text(row, column)); }
-
-private:
-    std::vector<std::vector<std::string>> rows_;
-};
 
 /// Checks that the command refuses: the exit code, one sentence with every one of \p parts on standard error, no document,
 /// and no file where the output should have gone. \p arguments are tried with and without --output.

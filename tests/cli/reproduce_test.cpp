@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/command.hpp"
+#include "support/paper.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -45,15 +46,8 @@ double integral(double a, double b, const F& f) {
     return sum * (b - a) / 2 * 4.0 / n;
 }
 
-struct Surface {
-    const char *file, *name, *figure;
-    double sigma, radius, density;
-};
-constexpr Surface surfaces[] = {
-    {"sand_blasted_fine", "sand blasted (fine)", "fig7", 0.832e-6, 40e-6, 500e6},
-    {"sand_blasted_coarse", "sand blasted (coarse)", "fig8", 5.13e-6, 30e-6, 230e6},
-    {"electrical_discharge", "electrical discharge machining", "fig9", 8.94e-6, 19e-6, 160e6}};
-constexpr double modulus = 205e9 / (2 * (1 - 0.3 * 0.3));
+using Surface = test::PaperSurface;
+constexpr double modulus = paper_modulus;
 
 /// K of Greenwood and Williamson at a pressure, by bisection of the separation.
 double classic(const Surface& s, double pressure) {
@@ -64,17 +58,18 @@ double classic(const Surface& s, double pressure) {
     double low = -2, high = 6;
     for (int k = 0; k < 60; ++k) {
         const double eta = (low + high) / 2;
-        const double p = 4.0 / 3 * modulus * s.density * std::sqrt(s.radius) * std::pow(s.sigma, 1.5) * mean(eta, 1.5);
+        const double p = 4.0 / 3 * modulus * s.peak_density * std::sqrt(s.peak_radius) * std::pow(s.rms_height, 1.5) *
+                         mean(eta, 1.5);
         (p > pressure ? low : high) = eta;
     }
-    return 2 * modulus * s.density * std::sqrt(s.radius * s.sigma) * mean(low, 0.5);
+    return 2 * modulus * s.peak_density * std::sqrt(s.peak_radius * s.rms_height) * mean(low, 0.5);
 }
 
 }  // namespace
 
 TEST_CASE("reproduce writes every figure three times, a page that holds them, and the errata") {
     const Folder folder;
-    const Outcome outcome = fstiff("reproduce -o '" + folder / "paper" + "'");
+    const Outcome outcome = test::fstiff("reproduce -o '" + folder / "paper" + "'");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     const std::string page = read(folder / "paper/index.html");
@@ -113,13 +108,13 @@ TEST_CASE("reproduce writes every figure three times, a page that holds them, an
 
 TEST_CASE("The curves of Figs. 7, 8 and 9 are those of the table of arbitrary precision") {
     const Folder folder;
-    REQUIRE(fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
+    REQUIRE(test::fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
     const Csv table(read(FSTIFF_TEST_DATA "/table1_curves.csv"));
-    for (const Surface& s : surfaces) {
+    for (const Surface& s : paper_surfaces) {
         const Curves drawn = curves(folder / ("paper/" + std::string(s.figure) + ".csv"));
         int compared = 0;
         for (std::size_t i = 0; i < table.size(); ++i) {
-            if (table.text(i, "surface") != s.file) continue;
+            if (table.text(i, "surface") != s.key) continue;
             const double theta = table.number(i, "theta"), r = table.number(i, "r");
             const bool quarter = std::abs(theta - pi / 4) < 1e-9 && r == 0;
             const bool third = std::abs(theta - pi / 3) < 1e-9 && std::abs(r * r - 2.0 / 3) < 1e-9;
@@ -151,7 +146,7 @@ TEST_CASE("The curves of Figs. 7, 8 and 9 are those of the table of arbitrary pr
 
 TEST_CASE("Fig. 2 is the density (4.4) integrated over the curvature") {
     const Folder folder;
-    REQUIRE(fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
+    REQUIRE(test::fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
     const Curves drawn = curves(folder / "paper/fig2.csv");
     const double theta = pi / 3;
     for (const auto& [label, r] : {std::pair{"r = 1/2", 0.5}, {"r = 1/3", 1.0 / 3}, {"r = 1/5", 0.2}})
@@ -171,7 +166,7 @@ TEST_CASE("Fig. 2 is the density (4.4) integrated over the curvature") {
 
 TEST_CASE("The numbers behind the conclusions are the known ones") {
     const Folder folder;
-    const Outcome outcome = fstiff("reproduce --format json -o '" + folder / "paper" + "'");
+    const Outcome outcome = test::fstiff("reproduce --format json -o '" + folder / "paper" + "'");
     REQUIRE(outcome.status == 0);
     const Json document = Json::parse(outcome.out);
     std::map<std::string, std::map<std::string, std::pair<double, double>>> found;
@@ -184,7 +179,7 @@ TEST_CASE("The numbers behind the conclusions are the known ones") {
         {"theta_at_equal_pressure", {{1.06, 1.18}, {1.05, 1.14}, {1.05, 1.14}}},
         {"theta_at_equal_separation", {{1.68, 2.14}, {1.68, 2.14}, {1.68, 2.14}}}};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Surface& s = surfaces[i];
+        const Surface& s = paper_surfaces[i];
         INFO(s.name);
         for (const auto& [key, bounds] : known) {
             INFO(key);
@@ -194,7 +189,7 @@ TEST_CASE("The numbers behind the conclusions are the known ones") {
         const double dimension = std::vector{1.62, 1.58, 1.70}[i], factor = 2.0 / 3 * (3 - dimension) / (2 - dimension);
         CHECK(std::abs(found.at("fractal_over_elastic").at(s.name).first / factor - 1) < 1e-12);
         CHECK(std::abs(found.at("fractal_over_elastic").at(s.name).second / factor - 1) < 1e-12);
-        const double shift = 1e8 * std::sqrt(195e-6) / (modulus * s.sigma);
+        const double shift = 1e8 * std::sqrt(195e-6) / (modulus * s.rms_height);
         CHECK(std::abs(found.at("interaction_shift").at(s.name).second / shift - 1) < 1e-12);
     }
     CHECK(document.at("generated").size() == 19);
@@ -203,16 +198,16 @@ TEST_CASE("The numbers behind the conclusions are the known ones") {
 
 TEST_CASE("reproduce gives the same files twice, and refuses what is no folder") {
     const Folder folder;
-    REQUIRE(fstiff("reproduce -o '" + folder / "one" + "'").status == 0);
-    REQUIRE(fstiff("reproduce -o '" + folder / "two" + "'").status == 0);
+    REQUIRE(test::fstiff("reproduce -o '" + folder / "one" + "'").status == 0);
+    REQUIRE(test::fstiff("reproduce -o '" + folder / "two" + "'").status == 0);
     for (const auto& entry : std::filesystem::directory_iterator(folder / "one")) {
         const std::string name = entry.path().filename().string();
         INFO(name);
         CHECK(read(folder / ("one/" + name)) == read(folder / ("two/" + name)));
     }
     const std::string file = folder.write("file", "text");
-    const Outcome refused = fstiff("reproduce -o '" + file + "'");
+    const Outcome refused = test::fstiff("reproduce -o '" + file + "'");
     CHECK(refused.status == 3);
     CHECK(contains(refused.err, "is no folder"));
-    CHECK(fstiff("reproduce").status == 2);
+    CHECK(test::fstiff("reproduce").status == 2);
 }

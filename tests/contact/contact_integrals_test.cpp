@@ -129,6 +129,37 @@ TEST_CASE("the estimate covers the error at random points of every regime, at ev
     for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12, 2.3e-14}) check_cover(points, tolerance);
 }
 
+TEST_CASE(
+    "far above the surface, where the rounding of eta rules, the estimate covers it and is no hundred times too "
+    "large") {
+    // At a separation eta the exponent z = (t - r eta)/c inherits the rounding of numbers of the size of eta: the value is
+    // wrong by a part of eta epsilon, while the rule itself is right to the tolerance, 50 epsilon.
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    for (const double eta : {1e2, 1e3, 1e4, 1e5}) {
+        double largest = 0;  // error over estimate
+        for (const Point& p : random_points(200)) {
+            if (p.theta > 1.5) continue;
+            const auto fast =
+                scaled_contact_integrals(PeakDensity<double>(p.r, p.theta), eta, Quantity::all, {50 * epsilon});
+            const auto truth = scaled_contact_integrals(PeakDensity<long double>(p.r, p.theta),
+                                                        static_cast<long double>(eta), Quantity::all, {1e-17L});
+            const std::pair<Estimate<double>, Estimate<long double>> all[] = {{fast.contacts, truth.contacts},
+                                                                              {fast.load, truth.load},
+                                                                              {fast.stiffness, truth.stiffness},
+                                                                              {fast.area, truth.area}};
+            for (const auto& [value, true_value] : all) {
+                const double error =
+                    std::abs(static_cast<double>(static_cast<long double>(value.value) - true_value.value));
+                INFO("r " << p.r << " theta " << p.theta << " eta " << eta);
+                CHECK(error <= value.error);
+                largest = std::max(largest, error / value.error);
+            }
+        }
+        CAPTURE(eta, largest);
+        CHECK(largest > 0.02);  // so that an estimate cut to 1 % fails above
+    }
+}
+
 TEST_CASE("the estimate covers the error at 96,000 values of every regime", "[long]") {
     for (const unsigned seed : {1u, 2u, 3u})
         for (const double tolerance : {1e-12, 2.3e-14})

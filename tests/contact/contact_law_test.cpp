@@ -5,6 +5,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/paper.hpp"
 
 #include <numbers>
 #include <random>
@@ -14,7 +15,7 @@ using namespace fstiff;
 
 namespace {
 
-const Roughness<double> fine{0.832e-6, 40e-6, 500e6, 0};
+const Roughness<double> fine = test::sand_blasted_fine.roughness();
 const PeakDensity<double> third = PeakDensity<double>::exponential(std::numbers::pi / 3);
 constexpr double modulus = 112.6e9;
 
@@ -224,7 +225,7 @@ Eigen::ArrayX<T> scattered(Eigen::Index count, T low, T high, T beyond) {
 TEST_CASE("a batch is the scalar calls within rounding: any length, any alignment, at the ends and outside") {
     const auto contact = hertz();
     const RoughContact<float, HertzLaw<float>> contact_of_floats(
-        {0.832e-6F, 40e-6F, 500e6F, 0}, PeakDensity<float>(0.5F, 1.0F), HertzLaw<float>{}, 112.6e9F);
+        test::sand_blasted_fine.roughness<float>(), PeakDensity<float>(0.5F, 1.0F), HertzLaw<float>{}, 112.6e9F);
     const auto check = [](const auto& law, auto beyond, auto beyond_gap) {
         using T = decltype(beyond);
         const auto [low, high] = law.pressures();
@@ -350,8 +351,8 @@ TEST_CASE("threads may share a law") {
 }
 
 TEST_CASE("float laws, and ranges that cannot be compiled") {
-    const RoughContact<float, HertzLaw<float>> contact({0.832e-6F, 40e-6F, 500e6F, 0}, PeakDensity<float>(0.5F, 1.0F),
-                                                       HertzLaw<float>{}, 112.6e9F);
+    const RoughContact<float, HertzLaw<float>> contact(test::sand_blasted_fine.roughness<float>(),
+                                                       PeakDensity<float>(0.5F, 1.0F), HertzLaw<float>{}, 112.6e9F);
     const auto law = ContactLaw<float>::compile(contact, {1e5F, 1e8F});
     for (const float p : {1e5F, 3e6F, 9e7F})
         CHECK(test::relative_error(law.stiffness(p), contact.at_pressure(p).stiffness.value) <= law.relative_error());

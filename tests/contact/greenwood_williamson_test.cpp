@@ -3,6 +3,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/paper.hpp"
 #include "support/scalars.hpp"
 #include "support/table.hpp"
 
@@ -13,7 +14,7 @@
 using namespace fstiff;
 
 namespace {
-const Roughness<double> fine{0.832e-6, 40e-6, 500e6, 0};
+const Roughness<double> fine = test::sand_blasted_fine.roughness();
 constexpr double modulus = 112.6e9;
 }  // namespace
 
@@ -56,7 +57,7 @@ TEMPLATE_TEST_CASE("pressure and separation are each other's inverse and K is -d
                    FSTIFF_TEST_SCALARS_FROM_DOUBLE) {
     using T = TestType;
     for (const Heights heights : {Heights::gaussian, Heights::exponential}) {
-        const GreenwoodWilliamson<T> contact({T(0.832e-6), T(40e-6), T(500e6), 0}, T(112.6e9), heights);
+        const GreenwoodWilliamson<T> contact(test::sand_blasted_fine.roughness<T>(), T(112.6e9), heights);
         for (const T pressure : {T(1e-100), T(1), T(1e6), T(1e9), T(1e13)}) {
             const auto at = contact.at_pressure(pressure);
             INFO("p " << double(pressure) << " eta " << double(at.eta));

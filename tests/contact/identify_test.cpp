@@ -3,6 +3,8 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/normal.hpp"
+#include "support/paper.hpp"
 
 #include <numbers>
 #include <random>
@@ -11,30 +13,16 @@ using namespace fstiff;
 
 namespace {
 
-const ContactParameters<double> truth{.rms_height = 0.832e-6,
-                                      .peak_radius = 40e-6,
-                                      .peak_density = 500e6,
-                                      .fractal_dimension = 1.62,
+const ContactParameters<double> truth{.rms_height = test::sand_blasted_fine.rms_height,
+                                      .peak_radius = test::sand_blasted_fine.peak_radius,
+                                      .peak_density = test::sand_blasted_fine.peak_density,
+                                      .fractal_dimension = test::sand_blasted_fine.fractal_dimension,
                                       .effective_modulus = 112.6e9,
                                       .r = 0.6,
                                       .theta = 1.1};
 const Wave<double> wave{{46e6, 46e6}, 4.398e7};
 const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
 const auto hertz = [](double) { return HertzLaw<double>{}; };
-
-/// The same numbers with every standard library.
-class Noise {
-public:
-    explicit Noise(std::uint64_t seed) : random_(seed) {}
-    double operator()() {
-        const double u = (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53;
-        const double v = static_cast<double>(random_() >> 11) * 0x1p-53;
-        return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
-    }
-
-private:
-    std::mt19937_64 random_;
-};
 
 /// What the model says of \p parameters at \p count pressures from 0.5 to 50 MPa.
 template <class Law>
@@ -59,7 +47,7 @@ std::vector<int> coverage(const ContactParameters<double>& x, const std::vector<
     const auto exact = data;
     std::vector<int> hits(wanted.size());
     for (int run = 0; run < 100; ++run) {
-        Noise noise(static_cast<std::uint64_t>(1000 + run));
+        test::Normal noise(static_cast<std::uint64_t>(1000 + run));
         for (std::size_t i = 0; i < data.size(); ++i) {
             const double deviation = as ? error : error * exact[i].value;
             data[i].value = exact[i].value + deviation * noise();
@@ -138,7 +126,7 @@ TEST_CASE("covariance is that of the scatter of estimates") {
     Eigen::Matrix2d squares = Eigen::Matrix2d::Zero(), claimed = Eigen::Matrix2d::Zero();
     const int runs = 400;
     for (int run = 0; run < runs; ++run) {
-        Noise noise(static_cast<std::uint64_t>(run));
+        test::Normal noise(static_cast<std::uint64_t>(run));
         auto data = exact;
         for (auto& o : data) {
             o.error = 0.01 * o.value;
@@ -184,7 +172,7 @@ TEST_CASE("estimates do not depend on the unit of length") {
     using enum Parameter;
     for (const double unit : {1e-9, 1e9}) {
         auto data = curve(truth, fractal, 25);
-        Noise noise(3);
+        test::Normal noise(3);
         ContactParameters<double> scaled = truth;
         scaled.rms_height *= unit;
         scaled.peak_radius *= unit;

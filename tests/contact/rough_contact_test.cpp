@@ -7,10 +7,10 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/paper.hpp"
 #include "support/scalars.hpp"
 #include "support/table.hpp"
 
-#include <map>
 #include <numbers>
 #include <string>
 
@@ -21,17 +21,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
 
-struct PaperSurface {
-    Roughness<double> roughness;
-    double fractal_dimension;
-};
-
-/// Tables 1 and 2 of the paper.
-const std::map<std::string, PaperSurface> surfaces{{"sand_blasted_fine", {{0.832e-6, 40e-6, 500e6, 5.3e-6}, 1.62}},
-                                                   {"sand_blasted_coarse", {{5.13e-6, 30e-6, 230e6, 15.3e-6}, 1.58}},
-                                                   {"electrical_discharge", {{8.94e-6, 19e-6, 160e6, 48e-6}, 1.70}}};
-
-const Roughness<double>& fine = surfaces.at("sand_blasted_fine").roughness;
+const Roughness<double> fine = test::sand_blasted_fine.roughness();
 const PeakDensity<double> quarter(0, pi / 4), third = PeakDensity<double>::exponential(pi / 3);
 
 template <class Law>
@@ -45,7 +35,9 @@ RoughContact<double, Law> contact(const Law& law, const RoughContactOptions<doub
 TEST_CASE("the curves of Table 1 to 1e-10") {
     const test::Table table("table1_curves.csv");
     for (std::size_t row = 0; row < table.size(); ++row) {
-        const auto& [roughness, dimension] = surfaces.at(table.text(row, "surface"));
+        const test::PaperSurface& surface = test::paper_surface(table.text(row, "surface"));
+        const Roughness<double> roughness = surface.roughness();
+        const double dimension = surface.fractal_dimension;
         const PeakDensity<double> peaks(table.input(row, "r"), table.input(row, "theta"));
         const double pressure = table.input(row, "pressure_Pa");
         const auto same = [&](double value, const char* column) {
@@ -76,7 +68,7 @@ TEST_CASE("pressure and separation are each other's inverse, within the errors r
         CHECK(at.separation.error < 1e-11 * fine.rms_height * (1 + std::abs(at.eta)));
 #ifdef FSTIFF_TEST_LONG_DOUBLE
         // long double is the truth of double
-        const auto truth = RoughContact(Roughness<long double>{0.832e-6L, 40e-6L, 500e6L},
+        const auto truth = RoughContact(test::sand_blasted_fine.roughness<long double>(),
                                         PeakDensity<long double>(third.r(), third.theta()), HertzLaw<long double>{},
                                         static_cast<long double>(modulus))
                                .at_pressure(pressure);
@@ -183,8 +175,8 @@ TEST_CASE("interaction: the size of Delta eta and where repeated substitution wo
         double shift_at_100_MPa;
     } rows[] = {{"sand_blasted_fine", 14.90}, {"sand_blasted_coarse", 2.417}, {"electrical_discharge", 1.387}};
     for (const auto& row : rows)
-        CHECK(std::abs(1e8 * length / (modulus * surfaces.at(row.name).roughness.rms_height) / row.shift_at_100_MPa -
-                       1) < 5e-4);
+        CHECK(std::abs(1e8 * length / (modulus * test::paper_surface(row.name).rms_height) / row.shift_at_100_MPa - 1) <
+              5e-4);
     // |d Delta/d eta| = K L/E of the fine surface, theta = pi/4
     for (const auto& [pressure, slope] :
          {std::pair(1e6, 0.47), std::pair(3e6, 1.3), std::pair(1e7, 3.7), std::pair(1e8, 25.0)}) {
@@ -209,9 +201,9 @@ TEST_CASE("interaction: as printed") {
 }
 
 TEST_CASE("the curvature scale: the printed one, and the one whose peaks have the mean curvature 1/R") {
-    CHECK(test::ulps(rms_curvature(fine, third), 3 * std::sqrt(pi) / (8 * 40e-6)) <= 2);
+    CHECK(test::ulps(rms_curvature(fine, third), 3 * std::sqrt(pi) / (8 * fine.peak_radius)) <= 2);
     const double consistent = rms_curvature(fine, third, CurvatureScale::consistent);
-    CHECK(test::ulps(consistent * third.mean_curvature(), 1 / 40e-6) <= 4);
+    CHECK(test::ulps(consistent * third.mean_curvature(), 1 / fine.peak_radius) <= 4);
     // at equal eta K goes as sigma_kappa^(-1/2): lower by 0.866 and 0.830
     const auto ratio = [](const PeakDensity<double>& peaks) {
         const RoughContactOptions<double> options{.curvature = CurvatureScale::consistent};
@@ -224,8 +216,10 @@ TEST_CASE("the curvature scale: the printed one, and the one whose peaks have th
 
 TEST_CASE("the validity figures of Table 1") {
     CHECK(std::abs(plasticity_index(fine, modulus, 400e6) - 14.5) < 0.05);
-    CHECK(std::abs(plasticity_index(surfaces.at("sand_blasted_coarse").roughness, modulus, 400e6) - 42) < 0.5);
-    CHECK(std::abs(plasticity_index(surfaces.at("electrical_discharge").roughness, modulus, 400e6) - 69) < 0.5);
+    CHECK(std::abs(plasticity_index(test::paper_surface("sand_blasted_coarse").roughness(), modulus, 400e6) - 42) <
+          0.5);
+    CHECK(std::abs(plasticity_index(test::paper_surface("electrical_discharge").roughness(), modulus, 400e6) - 69) <
+          0.5);
     const double product = fine.rms_height * fine.peak_radius * fine.peak_density;
     CHECK((product < minimum_gaussian_product<double> && std::abs(product - 0.0166) < 1e-4));
     CHECK_FALSE(rms_gradient(fine, quarter).has_value());
@@ -236,10 +230,10 @@ TEST_CASE("the validity figures of Table 1") {
 }
 
 TEST_CASE("every scalar type runs the same contact") {
-    const RoughContact single(Roughness<float>{0.832e-6F, 40e-6F, 500e6F},
+    const RoughContact single(test::sand_blasted_fine.roughness<float>(),
                               PeakDensity<float>::exponential(std::numbers::pi_v<float> / 3), HertzLaw<float>{},
                               112.6e9F);
-    const RoughContact twice(Roughness<double>{0.832e-6, 40e-6, 500e6}, third, HertzLaw<double>{}, 112.6e9);
+    const RoughContact twice(fine, third, HertzLaw<double>{}, 112.6e9);
     for (const float pressure : {1e5F, 1e7F, 1e9F})
         CHECK(test::relative_error(single.at_pressure(pressure).stiffness.value,
                                    static_cast<float>(twice.at_pressure(pressure).stiffness.value)) < 2e-5F);

@@ -3,6 +3,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/paper.hpp"
 #include "support/scalars.hpp"
 
 using namespace fstiff;
@@ -11,8 +12,10 @@ using namespace fstiff;
 namespace {
 
 struct Parameters {
-    long double rms_height = 0.832e-6L, peak_radius = 40e-6L, peak_density = 500e6L, dimension = 1.62L,
-                modulus = 112.6e9L, r = 0.6L, theta = 1.1L, pressure = 3e6L;
+    long double rms_height = test::sand_blasted_fine.rms_height, peak_radius = test::sand_blasted_fine.peak_radius,
+                peak_density = test::sand_blasted_fine.peak_density,
+                dimension = test::sand_blasted_fine.fractal_dimension, modulus = 112.6e9L, r = 0.6L, theta = 1.1L,
+                pressure = 3e6L;
 };
 
 template <class Law>
@@ -99,15 +102,15 @@ TEST_CASE("double agrees with long double, also in hard regimes") {
     for (const double r : {0.0, 0.5, 0.999, 0.999999})
         for (const double theta : {0.01, 1.0, 1.57})
             for (const double pressure : {1e4, 1e8}) {
-                const auto fast =
-                    sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(r, theta),
-                                FractalLaw<double>(1.62), 112.6e9, pressure);
-                const auto truth = sensitivity(Roughness<long double>{0.832e-6L, 40e-6L, 500e6L, 0},
-                                               PeakDensity<long double>(r, theta), FractalLaw<long double>(1.62L),
-                                               112.6e9L, static_cast<long double>(pressure));
+                const auto fast = sensitivity(test::sand_blasted_fine.roughness(), PeakDensity<double>(r, theta),
+                                              FractalLaw<double>(1.62), 112.6e9, pressure);
+                const auto truth =
+                    sensitivity(test::sand_blasted_fine.roughness<long double>(), PeakDensity<long double>(r, theta),
+                                FractalLaw<long double>(1.62L), 112.6e9L, static_cast<long double>(pressure));
                 INFO("r " << r << " theta " << theta << " p " << pressure);
                 // relative to K per parameter: sums of terms that partly cancel
-                CHECK(std::abs(fast.rms_height - double(truth.rms_height)) * 0.832e-6 <= 1e-11 * fast.stiffness);
+                CHECK(std::abs(fast.rms_height - double(truth.rms_height)) * test::sand_blasted_fine.rms_height <=
+                      1e-11 * fast.stiffness);
                 CHECK(std::abs(fast.peak_density - double(truth.peak_density)) * 500e6 <= 1e-11 * fast.stiffness);
                 CHECK(std::abs(fast.r - double(truth.r)) * (1 - r) <= 1e-10 * fast.stiffness);
                 CHECK(std::abs(fast.theta - double(truth.theta)) * theta <= 1e-10 * fast.stiffness);
@@ -117,10 +120,12 @@ TEST_CASE("double agrees with long double, also in hard regimes") {
 #endif
 TEST_CASE("scaling laws: K is of degree 0 in (p, E) less one, and does not depend on the unit of length") {
     // K(lambda p, lambda E) = lambda K: p dK/dp + E dK/dE = K; lengths: sigma K_sigma + R K_R - 2 D_p K_Dp = -K
-    const auto s = sensitivity(Roughness<double>{0.832e-6, 40e-6, 500e6, 0}, PeakDensity<double>(0.6, 1.1),
+    const auto s = sensitivity(test::sand_blasted_fine.roughness(), PeakDensity<double>(0.6, 1.1),
                                FractalConsistentLaw<double>(1.62), 112.6e9, 3e6);
     CHECK(test::relative_error(3e6 * s.pressure + 112.6e9 * s.effective_modulus, s.stiffness) < 1e-13);
-    CHECK(test::relative_error(-(0.832e-6 * s.rms_height + 40e-6 * s.peak_radius - 2 * 500e6 * s.peak_density),
+    const test::PaperSurface& fine = test::sand_blasted_fine;
+    CHECK(test::relative_error(-(fine.rms_height * s.rms_height + fine.peak_radius * s.peak_radius -
+                                 2 * fine.peak_density * s.peak_density),
                                s.stiffness) < 1e-13);
 }
 

@@ -9,6 +9,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/paper.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,15 +24,8 @@ const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
 const double nominal_length = std::sqrt(195e-6);  // L = sqrt(A0)
 const PeakDensity<double> quarter(0, pi / 4), third = PeakDensity<double>::exponential(pi / 3);
 
-/// Tables 1 and 2: fine, coarse, EDM.
-struct Surface {
-    const char* name;
-    Roughness<double> roughness;
-    double fractal_dimension;
-};
-const std::array<Surface, 3> surfaces{Surface{"fine", {0.832e-6, 40e-6, 500e6, 5.3e-6}, 1.62},
-                                      Surface{"coarse", {5.13e-6, 30e-6, 230e6, 15.3e-6}, 1.58},
-                                      Surface{"EDM", {8.94e-6, 19e-6, 160e6, 48e-6}, 1.70}};
+using test::paper_surfaces;
+using Surface = test::PaperSurface;
 
 /// Whether \p value, rounded to the digit that \p unit is, reads \p quoted.
 bool reads(double value, double quoted, double unit) { return std::abs(value - quoted) <= 0.5000001 * unit; }
@@ -39,7 +33,7 @@ bool reads(double value, double quoted, double unit) { return std::abs(value - q
 double hertz_stiffness(const Surface& surface, double pressure, const PeakDensity<double>& peaks,
                        Interaction<double> interaction = {}) {
     const RoughContactOptions<double> options{.interaction = interaction};
-    return RoughContact(surface.roughness, peaks, HertzLaw<double>{}, modulus, options)
+    return RoughContact(surface.roughness(), peaks, HertzLaw<double>{}, modulus, options)
         .at_pressure(pressure, Quantity::stiffness)
         .stiffness.value;
 }
@@ -82,10 +76,10 @@ TEST_CASE("(4.11): the table of the interaction, the bulk's own stiffness, and w
         Row{1.387, {0.95, 0.70, 0.23}, {1.05, 1.46, 8.8}, {0.01, 0.01, 0.1}, 26},
     };
     const std::array<double, 3> pressures{1e6, 1e7, 1e8};
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        const Surface& surface = surfaces[i];
+    for (std::size_t i = 0; i < paper_surfaces.size(); ++i) {
+        const Surface& surface = paper_surfaces[i];
         const Row& row = rows[i];
-        const double shift = 1e8 * nominal_length / (modulus * surface.roughness.rms_height);
+        const double shift = 1e8 * nominal_length / (modulus * surface.rms_height);
         CHECK(reads(shift, row.shift, row.shift > 10 ? 0.01 : 0.001));
         for (std::size_t k = 0; k < 3; ++k) {
             const auto ratio = [&](InteractionReading reading) {
@@ -118,7 +112,7 @@ TEST_CASE("(5.1): between steel and aluminium no reflection below 0.46") {
 TEST_CASE("Table 1: sigma R D_p against the least of an isotropic Gaussian surface") {
     const std::array<double, 3> products{0.0166, 0.0354, 0.0272};
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto& r = surfaces[i].roughness;
+        const Surface& r = paper_surfaces[i];
         CHECK(reads(r.rms_height * r.peak_radius * r.peak_density, products[i], 0.0001));
     }
     CHECK(reads(0.02036 * std::sqrt(1.5), minimum_gaussian_product<double>, 0.0001));
@@ -128,9 +122,9 @@ TEST_CASE("The conclusions: fractal over Greenwood-Williamson, and the influence
     const std::array<std::pair<double, double>, 3> over_gw{{{2.47, 2.58}, {2.29, 2.35}, {2.93, 3.00}}};
     const std::array<std::pair<double, double>, 3> over_quarter{{{1.06, 1.18}, {1.05, 1.14}, {1.05, 1.14}}};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Surface& surface = surfaces[i];
+        const Surface& surface = paper_surfaces[i];
         const double f = fractal_stiffness_factor(surface.fractal_dimension);
-        const GreenwoodWilliamson<double> gw(surface.roughness, modulus);
+        const GreenwoodWilliamson<double> gw(surface.roughness(), modulus);
         std::pair<double, double> gw_range{1e9, 0}, theta_range{1e9, 0};
         const auto widen = [](std::pair<double, double>& range, double value) {
             range = {std::min(range.first, value), std::max(range.second, value)};

@@ -5,6 +5,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/half_space.hpp"
+#include "support/paper.hpp"
 
 #include <limits>
 #include <numbers>
@@ -127,16 +128,12 @@ TEST_CASE("every elastic stiffness exceeds the chord from the first touch, p/(R_
     // p(d) is convex and vanishes at d = R_p where heights are bounded; where the model's Gaussian heights go beyond
     // R_p, its p there is more than nothing and the chord is counted from that
     const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
-    const struct {
-        Roughness<double> surface;
-        double dimension;
-    } tables[] = {{{0.832e-6, 40e-6, 500e6, 5.3e-6}, 1.62},
-                  {{5.13e-6, 30e-6, 230e6, 15.3e-6}, 1.58},
-                  {{8.94e-6, 19e-6, 160e6, 48e-6}, 1.70}};
     std::size_t compared = 0;
-    for (const auto& [surface, dimension] : tables)
+    for (const test::PaperSurface& paper : test::paper_surfaces)
         for (const PeakDensity<double>& peaks :
              {PeakDensity<double>(0, std::numbers::pi / 4), PeakDensity<double>::exponential(std::numbers::pi / 3)}) {
+            const Roughness<double> surface = paper.roughness();
+            const double dimension = paper.fractal_dimension;
             const auto check = [&](const auto& contact) {
                 for (const double pressure : {1e5, 1e6, 1e7, 1e8}) {
                     const auto state = contact.at_pressure(pressure);

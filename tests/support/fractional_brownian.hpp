@@ -3,12 +3,14 @@
 // Fractional Brownian motion, whose structure function is exactly n^(2H): sums of fractional Gaussian noise made by
 // circulant embedding (Davies, Harte, Biometrika 74 (1987) 95-101). Shares nothing with the library: the transform is
 // the ten lines below, and the random numbers are the same on every platform.
+#include "support/normal.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <random>
 #include <vector>
 
 namespace test {
@@ -31,20 +33,6 @@ inline void transform(std::vector<std::complex<double>>& a) {
         a[k + size / 2] = even[k] - turned;
     }
 }
-
-/// Standard normal numbers (Box, Muller 1958).
-class Normal {
-public:
-    explicit Normal(std::uint64_t seed) : random_(seed) {}
-    double operator()() {
-        const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-        return radius * std::cos(2 * std::numbers::pi * uniform());
-    }
-
-private:
-    double uniform() { return std::ldexp(static_cast<double>(random_() >> 11), -53); }
-    std::mt19937_64 random_;
-};
 
 /// \p points heights with mean (z_(i+n) - z_i)^2 = n^(2 \p hurst). \p points must be a power of two.
 inline std::vector<double> fractional_brownian(std::size_t points, double hurst, std::uint64_t seed) {

@@ -6,6 +6,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/paper.hpp"
 
 #include <array>
 #include <numbers>
@@ -18,8 +19,11 @@ struct Row {
     double rms;
     Fractal<double> fractal;
 };
-const std::array<Row, 3> rows{Row{0.832e-6, {1.62, 1.2e-8}}, Row{5.13e-6, {1.58, 1.1e-7}},
-                              Row{8.94e-6, {1.70, 8.2e-7}}};
+Row row_of(const test::PaperSurface& surface) {
+    return {surface.rms_height, {surface.fractal_dimension, surface.fractal_roughness}};
+}
+const std::array<Row, 3> rows{row_of(test::paper_surfaces[0]), row_of(test::paper_surfaces[1]),
+                              row_of(test::paper_surfaces[2])};
 }  // namespace
 
 TEST_CASE("a sum of cosines from the longest cosine down has the rms height that was asked for") {

@@ -71,7 +71,31 @@ TEST_CASE("Cosines have the summits and curvatures of the closed form") {
     CHECK(test::relative_error(s.m2_y, slope_y * slope_y / 2 * 61 / 121) <= 1e-13);
     CHECK(test::relative_error(s.m4_y, bend_y * bend_y * 63 / 127 * 61 / 121) <= 1e-13);
     CHECK(s.m2 == (s.m2_x + s.m2_y) / 2);
+    CHECK(s.m4 == (s.m4_x + s.m4_y) / 2);
     CHECK(test::relative_error(s.rms_gradient * s.rms_gradient, s.m2_x + s.m2_y) <= 1e-15);
+}
+
+TEST_CASE("A paraboloid has the moments of the closed form, m4 and Nayak's alpha with them") {
+    // z = (p x^2 + q y^2)/2 at x/dx = -3 to 3, y/dy = -4 to 4: second differences are p and q everywhere, first ones p dx and
+    // q dy times half-odd numbers, whose mean squares are 35/12 and 21/4; i^2 has the variances 12 and 308/9
+    constexpr double p = 3e4, q = 7e4, dx = 1e-6, dy = 2e-6;
+    HeightMap<double> map{HeightMap<double>::Array(9, 7), dx, dy};
+    for (Eigen::Index j = 0; j < 9; ++j)
+        for (Eigen::Index i = 0; i < 7; ++i) {
+            const double x = dx * static_cast<double>(i - 3), y = dy * static_cast<double>(j - 4);
+            map.heights(j, i) = (p * x * x + q * y * y) / 2;
+        }
+    const double a = p * dx * dx / 2, b = q * dy * dy / 2;
+    const double m0 = a * a * 12 + b * b * 308 / 9, m4 = (p * p + q * q) / 2;
+    const double m2 = (p * p * dx * dx * 35 / 12 + q * q * dy * dy * 21 / 4) / 2;
+    const auto s = areal_statistics(map);
+    CHECK(test::relative_error(s.m0, m0) <= 1e-13);
+    CHECK(test::relative_error(s.m2, m2) <= 1e-13);
+    CHECK(test::relative_error(s.m4_x, p * p) <= 1e-13);
+    CHECK(test::relative_error(s.m4_y, q * q) <= 1e-13);
+    CHECK(test::relative_error(s.m4, m4) <= 1e-13);
+    CHECK(test::relative_error(s.nayak, m0 * m4 / (m2 * m2)) <= 1e-13);
+    CHECK(s.summits == 0);
 }
 
 TEST_CASE("Slopes along x are the structure functions of the rows, whatever is missing") {

@@ -3,6 +3,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/normal.hpp"
 
 #include <numbers>
 #include <random>
@@ -77,15 +78,14 @@ TEST_CASE("the relative error of K is least at R = 1/sqrt(3) for like media, 2.5
 }
 
 TEST_CASE("the error of K is the spread of K from scattered R") {
-    std::mt19937_64 random(5);
-    std::normal_distribution<double> normal;
+    test::Normal normal(5);
     const Impedances<double> media{46e6, 17e6};
     const double omega = 4.4e7, r = 0.8, error = 0.002;
     double sum = 0, squares = 0;
     const int count = 20000;
     const auto k = measured_stiffness(r, error, media, omega);
     for (int i = 0; i < count; ++i) {
-        const double x = stiffness_from_reflection(r + error * normal(random), media, omega) / k.value - 1;
+        const double x = stiffness_from_reflection(r + error * normal(), media, omega) / k.value - 1;
         sum += x;
         squares += x * x;
     }
