@@ -145,6 +145,11 @@ Identification<double> identify(const Work& work, const Fit& fit, const std::vec
     }
 }
 
+bool is_bounded(FitParameter parameter) {
+    return parameter == FitParameter::fractal_dimension || parameter == FitParameter::r ||
+           parameter == FitParameter::theta;
+}
+
 void add_warnings(Work& work) {
     for (const Fit& fit : work.fits) {
         const auto& found = fit.found;
@@ -173,21 +178,17 @@ void add_warnings(Work& work) {
             work.warnings.push_back(where + "chi^2/dof = " + rounded(found.chi_squared / dof, 3) +
                                     ": the model does not describe the data within their errors, and the standard "
                                     "errors are too small");
-        if (found.covariance.size() == 0)
+        if (found.covariance.size() == 0 && found.status != FitStatus::at_bound)
             work.warnings.push_back(where +
                                     "no standard errors: as many parameters as points, and no column of errors");
         for (const auto& p : found.parameters) {
             const std::string name(naming_of(p.parameter).name);
-            const bool between = p.parameter == FitParameter::fractal_dimension || p.parameter == FitParameter::r ||
-                                 p.parameter == FitParameter::theta;
-            const double lowest = p.parameter == FitParameter::fractal_dimension ? 1 : 0;
-            const double highest = p.parameter == FitParameter::fractal_dimension ? 2
-                                   : p.parameter == FitParameter::r               ? 1
-                                                                                  : std::numbers::pi / 2;
-            if (between && !(p.value > lowest + 1e-6 && p.value < highest - 1e-6)) {
-                work.warnings.push_back(where + name + " came to the end of its range: no value of it fits the data");
+            if (p.at_bound) {
+                work.warnings.push_back(
+                    where + name +
+                    " came to the end of its range: no value of it fits the data, and no errors are known beside it");
                 work.status = doubtful_result;
-            } else if (!between && p.parameter != FitParameter::offset && found.covariance.size() > 0 &&
+            } else if (!is_bounded(p.parameter) && p.parameter != FitParameter::offset && found.covariance.size() > 0 &&
                        !(p.high < 100 * p.low)) {
                 work.warnings.push_back(where + "the data say next to nothing of " + name +
                                         ": the ends of its interval are a factor of 100 or more apart");
@@ -266,7 +267,17 @@ Work work_of(const Options& options) {
 Json finite_json(double value) { return std::isfinite(value) ? json_number(value) : Json(nullptr); }
 
 std::string_view status_name(FitStatus status) {
-    return status == FitStatus::converged ? "converged" : status == FitStatus::singular ? "singular" : "not_converged";
+    switch (status) {
+        case FitStatus::converged:
+            return "converged";
+        case FitStatus::singular:
+            return "singular";
+        case FitStatus::at_bound:
+            return "at_bound";
+        case FitStatus::not_converged:
+            break;
+    }
+    return "not_converged";
 }
 
 /// Measured value, model and residual are in these units.
@@ -299,7 +310,9 @@ std::string table(const Work& work) {
     for (const Fit& fit : work.fits) {
         const auto& found = fit.found;
         text += "\n" + title(fit) + ": " +
-                (found.status == FitStatus::not_converged ? "not converged" : std::string(status_name(found.status))) +
+                (found.status == FitStatus::not_converged ? "not converged"
+                 : found.status == FitStatus::at_bound    ? "a parameter at the end of its range"
+                                                          : std::string(status_name(found.status))) +
                 "\n";
         const bool has_errors = found.covariance.size() > 0;
         TextTable parameters({"parameter", "start", "estimate", "standard error", "95 % from", "to"});
@@ -424,6 +437,7 @@ std::string json(const Work& work) {
                 one["looseness"] = json_number(p.looseness);
             else
                 one["value"] = json_number(p.value);
+            if (p.at_bound) one["at_bound"] = true;
             if (found.covariance.size() > 0) {
                 one["standard_error"] = finite_json(p.standard_error);
                 one["interval"] = {{"level", 0.95}, {"low", finite_json(p.low)}, {"high", finite_json(p.high)}};

@@ -16,7 +16,8 @@
 ///
 ///     const auto law = fstiff::ContactLaw<double>::compile(contact, {.pressure_min = 1e5, .pressure_max = 1e8});
 ///     const double K = law.stiffness(3e6);
-///     const auto [p, stiffness, slope] = law.at_gap(1.2e-6);
+///     const auto [p, stiffness] = law.at_gap(1.2e-6);
+///     const auto [same_p, slope] = law.tangent_at_gap(1.2e-6);
 ///
 /// Outside the range, as OutsideRange says:
 ///
@@ -92,7 +93,10 @@ public:
     struct AtGap {
         T pressure;   ///< [Pa]
         T stiffness;  ///< K [Pa/m]
-        T slope;      ///< -dp/dgap [Pa/m] of the returned p
+    };
+    struct Tangent {
+        T pressure;  ///< [Pa]
+        T slope;     ///< -dp/dgap [Pa/m] of the returned p
     };
     struct AtPressure {
         T gap;              ///< [m]
@@ -140,17 +144,28 @@ public:
         return {gap(pressure), stiffness_.value(pressure), stiffness_.derivative(pressure)};
     }
 
-    /// p [Pa], K [Pa/m] and -dp/dgap [Pa/m] at the gap \p gap [m]. \throws domain_error outside gaps() under
-    /// OutsideRange::refuse, for -infinity under extrapolate, for NaN, and of an empty law.
+    /// p [Pa] and K [Pa/m] at the gap \p gap [m]. \throws domain_error outside gaps() under OutsideRange::refuse, for
+    /// -infinity under extrapolate, for NaN, and of an empty law.
     [[nodiscard]] AtGap at_gap(T gap) const {
-        if (!by_gap_.contains(gap)) [[unlikely]]
-            return outside_gap(gap);
+        if (!by_gap_.contains(gap)) [[unlikely]] {
+            const Whole at = outside_gap(gap);
+            return {at.pressure, at.stiffness};
+        }
         const auto [pressure, derivative] = by_gap_(gap);
-        return {pressure, derivative * stiffness_scale_, derivative * slope_scale_};
+        return {pressure, derivative * stiffness_scale_};
+    }
+    /// p [Pa] and -dp/dgap [Pa/m], which is K only where tangent_is_exact(). \throws as at_gap.
+    [[nodiscard]] Tangent tangent_at_gap(T gap) const {
+        if (!by_gap_.contains(gap)) [[unlikely]] {
+            const Whole at = outside_gap(gap);
+            return {at.pressure, at.slope};
+        }
+        const auto [pressure, derivative] = by_gap_(gap);
+        return {pressure, derivative * slope_scale_};
     }
     [[nodiscard]] T pressure_at_gap(T gap) const { return at_gap(gap).pressure; }
     [[nodiscard]] T stiffness_at_gap(T gap) const { return at_gap(gap).stiffness; }
-    [[nodiscard]] T slope_at_gap(T gap) const { return at_gap(gap).slope; }
+    [[nodiscard]] T slope_at_gap(T gap) const { return tangent_at_gap(gap).slope; }
 
     /// stiffness() of a whole array of pressures, equal to it within rounding and relative_error(); \p out has the size of
     /// \p pressures and may be the same array. \throws as stiffness, at the first element that is to be refused.
@@ -166,12 +181,12 @@ public:
     /// \p gaps. \throws as at_gap, at the first element that is to be refused.
     void at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>> pressures,
                 Eigen::Ref<Eigen::ArrayX<T>> stiffnesses) const {
-        at_gap(gaps, pressures, stiffnesses, stiffness_scale_, &AtGap::stiffness);
+        at_gap(gaps, pressures, stiffnesses, stiffness_scale_, &Whole::stiffness);
     }
-    /// The same with -dp/dgap in place of K: what a solver needs of a law whose K is not the tangent.
-    void slope_at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>> pressures,
-                      Eigen::Ref<Eigen::ArrayX<T>> slopes) const {
-        at_gap(gaps, pressures, slopes, slope_scale_, &AtGap::slope);
+    /// The same of tangent_at_gap().
+    void tangent_at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>> pressures,
+                        Eigen::Ref<Eigen::ArrayX<T>> slopes) const {
+        at_gap(gaps, pressures, slopes, slope_scale_, &Whole::slope);
     }
 
     /// The largest relative error of p, K and (over the rms height) gap, measured when the law was compiled.
@@ -205,6 +220,9 @@ private:
     struct Exact {
         T gap, pressure, stiffness;
     };
+    struct Whole {
+        T pressure, stiffness, slope;
+    };
 
     /// Never a NaN: that becomes \p low.
     [[nodiscard]] static T within(T x, T low, T high) noexcept { return x > low ? (x < high ? x : high) : low; }
@@ -218,9 +236,13 @@ private:
     }
 
     AtPressure outside_pressure(T pressure, bool with_slope) const;
-    AtGap outside_gap(T gap) const;
+    Whole outside_gap(T gap) const;
     AtPressure continued_pressure(T pressure) const;
-    AtGap continued_gap(T gap) const;
+    Whole continued_gap(T gap) const;
+    Whole inside_gap(T gap) const {
+        const auto [pressure, derivative] = by_gap_(gap);
+        return {pressure, derivative * stiffness_scale_, derivative * slope_scale_};
+    }
     void require_filled() const {
         if (empty()) throw domain_error("contact law: is empty; must be compiled or read from text to be evaluated");
     }
@@ -232,14 +254,14 @@ private:
     }
 
     void at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>>& pressures,
-                Eigen::Ref<Eigen::ArrayX<T>>& slopes, T scale, T AtGap::*wanted) const {
+                Eigen::Ref<Eigen::ArrayX<T>>& slopes, T scale, T Whole::*wanted) const {
         require_same_size(gaps.size(), pressures.size());
         require_same_size(gaps.size(), slopes.size());
         batch(
             by_gap_, gaps, std::array{pressures.data(), slopes.data()},
             [scale](const auto& pieces, const T* gap, const auto& to) { pieces.four_values(gap, scale, to[0], to[1]); },
             [this, wanted](T gap) {
-                const AtGap at = at_gap(gap);
+                const Whole at = by_gap_.contains(gap) ? inside_gap(gap) : outside_gap(gap);
                 return std::array{at.pressure, at.*wanted};
             });
     }
@@ -322,12 +344,12 @@ requires(std::same_as<T, float> || std::same_as<T, double>) auto ContactLaw<T>::
 }
 
 template <Real T>
-requires(std::same_as<T, float> || std::same_as<T, double>) auto ContactLaw<T>::outside_gap(T gap) const -> AtGap {
+requires(std::same_as<T, float> || std::same_as<T, double>) auto ContactLaw<T>::outside_gap(T gap) const -> Whole {
     require_filled();
     if (!detail::is_nan(gap)) {
         if (outside_ == OutsideRange::extrapolate) return continued_gap(gap);
         if (outside_ == OutsideRange::clamp) {
-            const AtGap end = at_gap(within(gap, by_gap_.begin, by_gap_.end));
+            const Whole end = inside_gap(within(gap, by_gap_.begin, by_gap_.end));
             return {end.pressure, end.stiffness, T(0)};
         }
     }
@@ -355,14 +377,14 @@ requires(std::same_as<T, float> || std::same_as<T, double>) auto ContactLaw<T>::
 }
 
 template <Real T>
-requires(std::same_as<T, float> || std::same_as<T, double>) auto ContactLaw<T>::continued_gap(T gap) const -> AtGap {
+requires(std::same_as<T, float> || std::same_as<T, double>) auto ContactLaw<T>::continued_gap(T gap) const -> Whole {
     if (gap > by_gap_.end) {
-        const AtGap end = at_gap(by_gap_.end);
+        const Whole end = inside_gap(by_gap_.end);
         const T share = std::exp(-(gap - by_gap_.end) * (end.slope / end.pressure));
         return {end.pressure * share, end.stiffness * share, end.slope * share};
     }
     require(gap >= std::numeric_limits<T>::lowest(), "gap", gap, "greater than -infinity (m)");
-    const AtGap end = at_gap(by_gap_.begin);
+    const Whole end = inside_gap(by_gap_.begin);
     const T less = by_gap_.begin - gap, bend = stiffness_.derivative(pressure_max_) * end.slope;  // dK/d less
     const T more_slope = slope_of(bend * less);
     return {end.pressure + less * (end.slope + more_slope / 2), end.stiffness + bend * less, end.slope + more_slope};
