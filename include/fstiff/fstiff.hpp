@@ -71,7 +71,10 @@
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/identify.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/law_compiler.hpp>
 #include <fstiff/contact/law_sums.hpp>
+#include <fstiff/contact/law_tables.hpp>
+#include <fstiff/contact/law_text.hpp>
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/peak_nodes.hpp>

@@ -195,7 +195,7 @@ TEST_CASE("K rises with p, p and K fall with the gap, over every seam") {
 TEST_CASE("outside the range: refuse, clamp or evaluate, as asked for") {
     const auto contact = hertz();
     const Law refuse = Law::compile(contact, {1e5, 1e8});
-    const auto [near, far] = refuse.gaps();
+    const double near = refuse.gaps()[0], far = refuse.gaps()[1];
     // the value and the bounds with the digits that tell them apart
     CHECK(test::refusal([&] { static_cast<void>(refuse.at_gap(std::nextafter(far, 1.0))); }) ==
           "gap = " + shortest_text(std::nextafter(far, 1.0)) + ": must be between " + shortest_text(near) + " and " +

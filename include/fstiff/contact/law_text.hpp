@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// A compiled law as text, every number in hexadecimal, so that it comes back bit for bit.
+///
+///     fstiff contact law 3 8                            version of the form, bytes of a number
+///     pieces  policy  evaluations                       of the table by gap; OutsideRange
+///     p_min p_max gap_min gap_max K/slope error         then eight coefficients a line: p(gap), K(p), gap(p)
+///
+/// Units       SI
+/// Valid       a law that is not empty, with a policy other than exact; lines may end in LF or CRLF
+
+#include <fstiff/contact/law_tables.hpp>
+#include <fstiff/core/error.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace fstiff::detail {
+
+template <ReadableReal T>
+[[nodiscard]] std::string law_text(const LawTables<T>& law) {
+    std::string text = "fstiff contact law 3 " + std::to_string(sizeof(T)) + '\n';
+    text += std::to_string(law.by_gap.rows.cols()) + ' ' + std::to_string(static_cast<int>(law.outside)) + ' ' +
+            std::to_string(law.evaluations) + '\n';
+    const auto add = [&text](const T* numbers, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) text += hexadecimal_text(numbers[i]) + (i + 1 < count ? ' ' : '\n');
+    };
+    const T head[] = {law.pressure_min, law.pressure_max,         law.by_gap.begin,
+                      law.by_gap.end,   law.stiffness_over_slope, law.relative_error};
+    add(head, std::size(head));
+    for (const auto* rows : {&law.by_gap.rows, &law.stiffness.rows, &law.gap.rows})
+        for (Eigen::Index i = 0; i < rows->cols(); ++i) add(rows->col(i).data(), Row::terms);
+    return text;
+}
+
+/// \throws domain_error for text that law_text did not write.
+template <ReadableReal T>
+[[nodiscard]] LawTables<T> read_law_text(std::string_view text) {
+    const std::string head = "fstiff contact law 3 " + std::to_string(sizeof(T));
+    const auto wrong = [](const char* what) {
+        return domain_error(std::string("contact law text: ") + what +
+                            ": must be what to_text wrote for this scalar type");
+    };
+    if (const auto line = text.substr(0, text.find('\n')); line != head && line != head + '\r')
+        throw wrong("begins with something else");
+    const char* at = text.data() + head.size();
+    const char* const end = text.data() + text.size();
+    const auto skip = [&] {
+        while (at != end && (*at == ' ' || *at == '\n' || *at == '\r')) ++at;
+    };
+    const auto number = [&](auto value) {
+        skip();
+        std::from_chars_result read{};
+        if constexpr (std::is_floating_point_v<decltype(value)>)
+            read = read_hexadecimal(at, end, value);
+        else
+            read = std::from_chars(at, end, value);
+        const auto [next, error] = read;
+        if (error != std::errc{}) throw wrong("ends early or holds no number");
+        if constexpr (std::is_floating_point_v<decltype(value)>)
+            if (!std::isfinite(value)) throw wrong("holds a number that is not finite");
+        at = next;
+        return value;
+    };
+    LawTables<T> law;
+    const auto gap_pieces = number(Eigen::Index{});
+    law.outside = static_cast<OutsideRange>(number(int{}));
+    if (law.outside != OutsideRange::refuse && law.outside != OutsideRange::clamp &&
+        law.outside != OutsideRange::extrapolate)
+        throw wrong("holds an unknown policy");
+    law.evaluations = number(int{});
+    T gap_min{}, gap_max{};
+    for (T* x :
+         {&law.pressure_min, &law.pressure_max, &gap_min, &gap_max, &law.stiffness_over_slope, &law.relative_error})
+        *x = number(T{});
+    if (!(law.pressure_min >= std::numeric_limits<T>::min() && law.pressure_max > law.pressure_min &&
+          gap_max > gap_min && law.stiffness_over_slope > 0))
+        throw wrong("contradicts itself");
+    // each number takes two characters or more: a size that the text cannot hold is refused before it is allocated
+    const auto size = static_cast<Eigen::Index>(text.size());
+    const Eigen::Index pressure_pieces = BinaryPieces<T>::pieces(law.pressure_min, law.pressure_max);
+    if (gap_pieces < 1 || gap_pieces > size || pressure_pieces > size) throw wrong("holds impossible sizes");
+    law.by_gap = UniformPieces<T>(gap_min, gap_max, gap_pieces);
+    if (!(law.by_gap.pieces_per_length > 0 && std::isfinite(law.by_gap.pieces_per_length)))
+        throw wrong("contradicts itself");
+    law.stiffness = law.gap = BinaryPieces<T>(law.pressure_min, law.pressure_max);
+    for (auto* rows : {&law.by_gap.rows, &law.stiffness.rows, &law.gap.rows})
+        for (T& coefficient : rows->reshaped()) coefficient = number(T{});
+    skip();
+    if (at != end) throw wrong("goes on after its end");
+    law.set_scales();
+    return law;
+}
+
+}  // namespace fstiff::detail
