@@ -150,7 +150,8 @@ std::string sentence(const FitFinding<double>& finding) {
         case FitConcern::no_errors:
             return "no standard errors: as many parameters as points, and no column of errors";
         case FitConcern::at_end:
-            return names + " came to the end of its range: no value of it fits the data";
+            return names +
+                   " came to the end of its range: no value of it fits the data, and no errors are known beside it";
         case FitConcern::unresolved:
             return "the data say next to nothing of " + names +
                    ": the ends of its interval are a factor of 100 or more apart";
@@ -257,7 +258,9 @@ std::string table(const Work& work) {
     for (const Fit& fit : work.fits) {
         const auto& found = fit.found;
         text += "\n" + title(fit) + ": " +
-                (found.status == FitStatus::not_converged ? "not converged" : std::string(name_of(found.status))) +
+                (found.status == FitStatus::not_converged ? "not converged"
+                 : found.status == FitStatus::at_bound    ? "a parameter at the end of its range"
+                                                          : std::string(name_of(found.status))) +
                 "\n";
         const bool has_errors = found.covariance.size() > 0;
         TextTable parameters({"parameter", "start", "estimate", "standard error", "95 % from", "to"});
@@ -382,6 +385,7 @@ std::string json(const Work& work) {
                 one["looseness"] = json_number(p.looseness);
             else
                 one["value"] = json_number(p.value);
+            if (p.at_bound) one["at_bound"] = true;
             if (found.covariance.size() > 0) {
                 one["standard_error"] = finite_json(p.standard_error);
                 one["interval"] = {{"level", 0.95}, {"low", finite_json(p.low)}, {"high", finite_json(p.high)}};

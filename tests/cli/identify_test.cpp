@@ -172,6 +172,10 @@ TEST_CASE("identify says when a parameter runs out of its range, or is hardly kn
     const auto hertz = identify(folder, scene("0.832 um", "500 /mm^2", "\"fractal\""),
                                 measured("stiffness_Pa_per_m", 0.02), "--fit D", 4);
     CHECK(test::contains(hertz["warnings"].dump(), "D came to the end of its range"));
+    CHECK(!test::contains(hertz["warnings"].dump(), "as many parameters as points"));
+    CHECK(hertz["fits"][0]["status"] == "at_bound");
+    CHECK(hertz["fits"][0]["parameters"][0]["at_bound"] == true);
+    CHECK(!hertz["fits"][0]["parameters"][0].contains("standard_error"));
     const auto vague = identify(folder, scene(), "p [MPa],K [GPa/um],error [GPa/um]\n1,0.004,1\n2,0.008,1\n3,0.01,1\n",
                                 "--fit sigma,Dp");
     CHECK(test::contains(vague["warnings"].dump(), "next to nothing of sigma"));

@@ -13,8 +13,8 @@ namespace {
 Identification<double> good() {
     Identification<double> fit;
     fit.status = FitStatus::converged;
-    fit.parameters = {{Parameter::rms_height, 1e-6, 1e-8, 0.98e-6, 1.02e-6, 0},
-                      {Parameter::fractal_dimension, 1.5, 0.01, 1.48, 1.52, 0}};
+    fit.parameters = {{Parameter::rms_height, 1e-6, 1e-8, 0.98e-6, 1.02e-6, 0, false},
+                      {Parameter::fractal_dimension, 1.5, 0.01, 1.48, 1.52, 0, false}};
     fit.covariance = fit.correlation = Eigen::Matrix2d::Identity();
     fit.degrees_of_freedom = 10;
     fit.chi_squared = 10;
@@ -57,6 +57,7 @@ TEST_CASE("Each concern of a fit is found by itself, with its parameters and its
     for (const double end : {1 + 1e-7, 2 - 1e-7}) {
         fit = good();
         fit.parameters[1].value = end;
+        fit.parameters[1].at_bound = true;
         REQUIRE(words(fit) == Concerns{FitConcern::at_end});
         CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::fractal_dimension});
     }

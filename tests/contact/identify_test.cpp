@@ -168,6 +168,57 @@ TEST_CASE("parameters that K(p) holds in combination only are called singular, b
     CHECK(identify(data, {fractal_dimension}, truth, hertz).status == FitStatus::singular);
 }
 
+TEST_CASE("a fit that runs to the end of a range says at_bound, and one that only noise tells apart says singular") {
+    using enum Parameter;
+    // sigma, D_p and theta of 12 points with 1 % of noise: too many, whatever the noise makes of them
+    ContactParameters<double> start = truth;
+    start.rms_height *= 0.8;
+    start.peak_density *= 0.8;
+    start.theta = 0.9;
+    const auto exact = curve(truth, hertz, 12);
+    int at_bound = 0, singular = 0;
+    for (std::uint64_t run = 0; run < 60; ++run) {
+        test::Normal noise(run);
+        auto data = exact;
+        for (auto& o : data) {
+            o.error = 0.01 * o.value;
+            o.value += o.error * noise();
+        }
+        const auto fit = identify(data, {rms_height, peak_density, theta}, start, hertz);
+        const auto& angle = fit.parameters[2];
+        CAPTURE(run, angle.value, angle.standard_error, fit.evaluations);
+        if (fit.status == FitStatus::at_bound) {
+            ++at_bound;
+            CHECK(angle.at_bound);
+            CHECK_FALSE(fit.parameters[0].at_bound);
+            CHECK(std::min(angle.value, std::numbers::pi / 2 - angle.value) < 0.01);
+            CHECK(fit.covariance.size() == 0);
+            CHECK(angle.standard_error == 0);
+            CHECK(fit.model.size() == 12);
+        } else if (fit.status == FitStatus::singular) {
+            ++singular;
+            CHECK(angle.looseness > 0.3);
+            CHECK(fit.covariance.size() == 0);
+        } else {
+            CHECK(fit.status == FitStatus::converged);
+            CHECK(angle.high - angle.low < 1.5707);  // the standard error is 4.6 at most in ln x/(pi/2 - x)
+            CHECK(fit.parameters[1].high < 1e7 * fit.parameters[1].low);
+        }
+    }
+    CHECK(at_bound > 5);
+    CHECK(singular > 5);
+    // the stiffness of a fractal law is 4/3 of Hertz's or more, so that D goes to its end
+    auto stiff = curve(truth, hertz, 12), vague = curve(truth, fractal, 12);
+    for (auto& o : stiff) o.error = 0.01 * o.value;
+    const auto least = identify(stiff, {fractal_dimension}, truth, fractal);
+    CHECK(least.status == FitStatus::at_bound);
+    CHECK(least.parameters[0].at_bound);
+    CHECK(least.parameters[0].value < 1.001);
+    // errors far larger than the values: each parameter alone is not known, which is no combination of them
+    for (auto& o : vague) o.error = 100 * o.value;
+    CHECK(identify(vague, {rms_height, peak_density}, truth, fractal).status == FitStatus::converged);
+}
+
 TEST_CASE("estimates do not depend on the unit of length") {
     using enum Parameter;
     for (const double unit : {1e-9, 1e9}) {
@@ -223,7 +274,16 @@ TEST_CASE("identify refuses data and starting values that no model has") {
     start.offset = -1e6;
     refused({rms_height, offset}, start, "starting values");
     data[1].error = 1;
-    refused({rms_height}, truth, "error = 0");
+    refused({rms_height}, truth, "data[0].error = 0");
+    // neither is a way to say that the errors are not known
+    for (auto& o : data) o.error = std::nan("");
+    refused({rms_height}, truth, "data[0].error = nan: must be finite and greater than 0, or 0 in every point");
+    for (auto& o : data) o.error = -1;
+    refused({rms_height}, truth, "data[0].error = -1");
+    data[0].error = data[1].error = 1;
+    refused({rms_height}, truth, "data[2].error = -1");
     data[1] = {-1, 1, 0};
-    refused({rms_height}, truth, "pressure = -1");
+    refused({rms_height}, truth, "data[1].pressure = -1");
+    data[1] = {1e6, std::nan(""), 1};
+    refused({rms_height}, truth, "data[1].stiffness = nan");
 }

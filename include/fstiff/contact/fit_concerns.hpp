@@ -67,14 +67,11 @@ template <Real T>
     if (fit.errors_known && freedom > 0 && fit.chi_squared > freedom + 3 * std::sqrt(2 * freedom))
         findings.push_back({.concern = FitConcern::misfit, .value = fit.chi_squared / freedom});
     const bool has_errors = fit.covariance.size() > 0;
-    if (!has_errors) findings.push_back({.concern = FitConcern::no_errors});
+    if (!has_errors && fit.status != FitStatus::at_bound) findings.push_back({.concern = FitConcern::no_errors});
     for (const auto& one : fit.parameters) {
-        const ParameterRow& row = row_of(one.parameter);
-        const auto low = static_cast<T>(row.low.value), high = static_cast<T>(row.high.value);
-        constexpr T near = T(1e-6);
-        if (row.variation == Variation::between && !(one.value > low + near && one.value < high - near))
+        if (one.at_bound)
             findings.push_back({FitConcern::at_end, {one.parameter}, T(0)});
-        else if (row.variation == Variation::log && has_errors && !(one.high < 100 * one.low))
+        else if (row_of(one.parameter).variation == Variation::log && has_errors && !(one.high < 100 * one.low))
             findings.push_back({FitConcern::unresolved, {one.parameter}, one.high / one.low});
     }
     for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i)

@@ -13,7 +13,11 @@
 ///
 /// What a curve can tell: K(p) = B g(p/A) with A = E D_p sigma^(3/2) R^(1/2) a and B = E D_p sigma^(1/2) R^(1/2) b, where g
 /// depends on r and theta, a and b on D. So E, D_p and R enter in the product E D_p sqrt(R) alone, and of
-/// sigma, that product and D no more than two can be found. Asked for more, the fit says singular and which.
+/// sigma, that product and D no more than two can be found. Asked for more, the fit says singular and which; and also where
+/// the noise is all that tells parameters apart: one that the data hold to a factor of 100 alone, but not beside the others.
+///
+/// At an end of the range of D, r or theta the fitted variable is infinite, and nothing there is a minimum: a fit that would
+/// go beyond it, or is there within its error, says at_bound. Standard errors have no meaning then.
 ///
 /// Reference   this project; the derivatives as in their headers
 /// Units       SI
@@ -87,8 +91,9 @@ template <Real T>
 struct IdentifiedParameter {
     Parameter parameter{};
     T value{}, standard_error{};
-    T low{}, high{};  ///< of the 95 % interval
-    T looseness = 0;  ///< when singular: its share in the combination that the data do not see, of the largest
+    T low{}, high{};        ///< of the 95 % interval
+    T looseness = 0;        ///< when singular: its share in the combination that the data do not see, of the largest
+    bool at_bound = false;  ///< came to the end of its range
 };
 
 template <Real T>
@@ -96,8 +101,8 @@ struct Identification {
     FitStatus status{};
     std::vector<IdentifiedParameter<T>> parameters;                ///< in the order asked for
     ContactParameters<T> all{};                                    ///< fitted and fixed
-    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular
-    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation;  ///< empty when singular
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular or at_bound
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation;  ///< empty when singular or at_bound
     std::vector<T> model;                                          ///< at each observation
     std::vector<T> residuals;                                      ///< (model - value)/error
     T chi_squared{};
@@ -132,6 +137,60 @@ T slope_of(const Sensitivity<T>& s, Parameter parameter) {
     return slopes[index_of(parameter)];
 }
 
+/// \throws domain_error naming the first point that no model has.
+template <Real T>
+void require_observations(const std::vector<Observation<T>>& data, bool is_reflection, bool errors_known) {
+    const auto check = [](bool satisfied, std::size_t point, std::string_view name, T value, std::string_view allowed) {
+        if (!satisfied) refuse("data[" + std::to_string(point) + "]." + std::string(name), value, allowed);
+    };
+    constexpr std::string_view positive = "finite and greater than 0";
+    const auto is_positive = [](T x) { return x > 0 && x <= std::numeric_limits<T>::max(); };
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        const auto& o = data[i];
+        check(is_positive(o.pressure), i, "pressure", o.pressure, positive);
+        check(is_positive(o.value), i, is_reflection ? "reflection" : "stiffness", o.value, positive);
+        // R a little above 1 is what noise makes of light loads; left out, it would bias the rest
+        check(!is_reflection || o.value < 2, i, "reflection", o.value, "at most 1, but for noise");
+        check(!errors_known || is_positive(o.error), i, "error", o.error,
+              "finite and greater than 0, or 0 in every point when it is not known");
+    }
+}
+
+/// A standard error above ln 100 of the logarithm that is fitted, which is a factor of 100 or nearly the whole range, tells
+/// nothing.
+template <Real T>
+inline constexpr T useless_error = T(4.6);
+
+/// Whether the value \p x is at an end of the range of its parameter: as good as there, or there within its error, or a search that
+/// knew no end would leave the range. \p step is that of Gauss and Newton, \p deviation the standard error, both of the
+/// variable and 0 unless the search came to rest.
+template <Real T>
+bool is_at_bound(Parameter parameter, T x, T step, T deviation) {
+    const ParameterRow& row = row_of(parameter);
+    if (row.variation != Variation::between) return false;
+    const ParameterScale<T> chart(parameter);
+    const auto low = static_cast<T>(row.low.value), high = static_cast<T>(row.high.value);
+    const T range = high - low, close = T(1e-6) * range, moved = x + chart.slope(x) * step;
+    return !(x - low > close && high - x > close) || !(moved > low && moved < high) ||
+           (deviation > useless_error<T> && chart.slope(x) * deviation < T(0.1) * range);
+}
+
+/// The parameter that the data do not hold, though they would if it were alone or it has the whole of its range to be in: that
+/// of the largest \p deviation; -1 when there is none.
+template <Real T, class Vector, class Matrix>
+Eigen::Index lost_parameter(const std::vector<Parameter>& wanted, const Vector& deviation, const Matrix& jacobian,
+                            T scale) {
+    Eigen::Index lost = -1;
+    for (Eigen::Index i = 0; i < deviation.size(); ++i) {
+        const Variation kind = row_of(wanted[static_cast<std::size_t>(i)]).variation;
+        const bool alone = scale <= useless_error<T> * jacobian.col(i).norm();
+        if ((kind == Variation::between || (kind == Variation::log && alone)) &&
+            deviation(i) > (lost < 0 ? useless_error<T> : deviation(lost)))
+            lost = i;
+    }
+    return lost;
+}
+
 }  // namespace detail
 
 /// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as
@@ -143,15 +202,9 @@ template <Real T, class MakeLaw>
                                          const IdentifyOptions<T>& options = {}) {
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
-    const auto with_error = std::count_if(data.begin(), data.end(), [](const auto& o) { return o.error > 0; });
-    const bool known = with_error > 0;
-    for (const auto& o : data) {
-        require_positive("pressure", o.pressure);
-        require_positive(options.wave ? "reflection" : "stiffness", o.value);
-        // R a little above 1 is what noise makes of light loads; left out, it would bias the rest
-        if (options.wave) require(o.value < 2, "reflection", o.value, "at most 1, but for noise");
-        if (known) require_positive("error", o.error);
-    }
+    // an error that is NaN or negative is no way to say that it is not known
+    const bool known = std::any_of(data.begin(), data.end(), [](const auto& o) { return o.error != 0; });
+    detail::require_observations(data, options.wave.has_value(), known);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const T x = start[wanted[i]];
         require(ParameterScale<T>(wanted[i]).inside(x), name_of(wanted[i]), x, row_of(wanted[i]).starting_range());
@@ -209,16 +262,13 @@ template <Real T, class MakeLaw>
         const Parameter p = wanted[static_cast<std::size_t>(i)];
         u(i) = ParameterScale<T>(p).variable(start[p]);
     }
-    const LeastSquaresFit<T> fit = least_squares<T>(u, points, evaluate, options.search);
+    LeastSquaresFit<T> fit = least_squares<T>(u, points, evaluate, options.search);
 
-    out.status = fit.status;
     out.evaluations = fit.evaluations;
     out.all = parameters_at(fit.parameters);
-    {
-        Vector f(points);
-        Matrix jacobian(points, count);
-        static_cast<void>(evaluate(fit.parameters, f, jacobian));  // the model at the end, not at the last trial
-    }
+    Vector residuals(points);
+    Matrix jacobian(points, count);
+    static_cast<void>(evaluate(fit.parameters, residuals, jacobian));  // at the end, not at the last trial
     out.model = model;
     out.residuals.assign(fit.residuals.data(), fit.residuals.data() + points);
     out.degrees_of_freedom = static_cast<int>(points - count);
@@ -230,15 +280,36 @@ template <Real T, class MakeLaw>
             for (T& residual : out.residuals) residual /= scale;
         out.chi_squared = scale > 0 ? static_cast<T>(out.degrees_of_freedom) : T(0);
     }
+    Vector step = Vector::Zero(count), deviation = step;
+    if (fit.covariance.size() > 0) deviation = fit.covariance.diagonal().cwiseSqrt() * scale;
+    const bool at_rest = fit.status == FitStatus::converged;
+    if (at_rest) step = -(fit.covariance * (jacobian.transpose() * residuals));
+    std::vector<bool> at_bound(wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const auto index = static_cast<Eigen::Index>(i);
+        at_bound[i] =
+            detail::is_at_bound(wanted[i], out.all[wanted[i]], step(index), at_rest ? deviation(index) : T(0));
+    }
+    const Eigen::Index lost = at_rest ? detail::lost_parameter(wanted, deviation, jacobian, scale) : -1;
+    const bool ended = std::count(at_bound.begin(), at_bound.end(), true) > 0;
+    if (ended || lost >= 0) {
+        fit.status = ended ? FitStatus::at_bound : FitStatus::singular;
+        if (ended)
+            fit.loose.resize(0);
+        else
+            fit.loose = fit.covariance.col(lost).cwiseProduct(jacobian.colwise().norm().transpose());
+        fit.covariance.resize(0, 0);
+    }
+    out.status = fit.status;
     const bool has_errors = fit.covariance.size() > 0 && (known || out.degrees_of_freedom > 0);
     const T factor = interval_factor<T>(known ? 0 : out.degrees_of_freedom);
     if (has_errors) {
         out.covariance = fit.covariance * (scale * scale);
         out.correlation = fit.covariance;
-        const Vector deviation = fit.covariance.diagonal().cwiseSqrt();
+        const Vector root = fit.covariance.diagonal().cwiseSqrt();
         for (Eigen::Index i = 0; i < count; ++i)
             for (Eigen::Index k = 0; k < count; ++k)
-                out.correlation(i, k) = i == k ? T(1) : fit.covariance(i, k) / (deviation(i) * deviation(k));
+                out.correlation(i, k) = i == k ? T(1) : fit.covariance(i, k) / (root(i) * root(k));
     }
     const T largest = fit.loose.size() > 0 ? fit.loose.cwiseAbs().maxCoeff() : T(1);
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -246,13 +317,13 @@ template <Real T, class MakeLaw>
         const ParameterScale<T> fitted(p);
         IdentifiedParameter<T> found;
         found.parameter = p;
+        found.at_bound = at_bound[static_cast<std::size_t>(i)];
         found.value = found.low = found.high = out.all[p];
         if (fit.loose.size() > 0) found.looseness = std::abs(fit.loose(i)) / largest;
         if (has_errors) {
-            const T deviation = scale * std::sqrt(fit.covariance(i, i));
-            found.standard_error = deviation * fitted.slope(found.value);
-            found.low = fitted.value(fit.parameters(i) - factor * deviation);
-            found.high = fitted.value(fit.parameters(i) + factor * deviation);
+            found.standard_error = deviation(i) * fitted.slope(found.value);
+            found.low = fitted.value(fit.parameters(i) - factor * deviation(i));
+            found.high = fitted.value(fit.parameters(i) + factor * deviation(i));
         }
         out.parameters.push_back(found);
     }

@@ -35,6 +35,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <type_traits>
 
 namespace fstiff {
 
@@ -105,10 +106,14 @@ public:
     /// give the pressure (eta_old). \throws domain_error for a separation outside its range.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
         const T eta = separation / scales_.rms_height;
-        if (!(eta >= detail::lowest_eta && eta <= T(1e6)))
+        if (!(eta >= detail::lowest_eta && eta <= T(1e6))) {
+            using Shown =
+                std::conditional_t<std::is_same_v<T, long double>, double, T>;  // no shortest text of the other
+            const auto rms = static_cast<Shown>(scales_.rms_height);
             detail::refuse("separation", separation,
-                           "between " + shortest_text(detail::lowest_eta * scales_.rms_height) + " and " +
-                               shortest_text(T(1e6) * scales_.rms_height) + " m, -1000 and 1e6 rms heights");
+                           "between " + shortest_text(static_cast<Shown>(detail::lowest_eta) * rms) + " and " +
+                               shortest_text(Shown(1e6) * rms) + " m, -1000 and 1e6 rms heights");
+        }
         switch (options_.interaction.reading) {
             case InteractionReading::effective_separation: {
                 ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);

@@ -29,7 +29,7 @@ namespace fstiff {
 
 /// sigma, R and D_p of a surface as SurfaceSampler draws it, in the order of Parameter.
 template <Real T>
-[[nodiscard]] Roughness<T> roughness_of(const std::array<T, parameter_count>& drawn) {
+[[nodiscard]] Roughness<T> roughness_of(const std::array<T, surface_parameter_count>& drawn) {
     const auto at = [&](Parameter which) { return drawn[static_cast<std::size_t>(which)]; };
     return {at(Parameter::rms_height), at(Parameter::peak_radius), at(Parameter::peak_density), T(0)};
 }
@@ -42,7 +42,7 @@ template <Real T, class Pressures, class ContactOf>
                                                          const ContactOf& contact_of, const BandOptions& options = {}) {
     return sampled_band(
         surface,
-        [&](const std::array<T, parameter_count>& drawn) {
+        [&](const std::array<T, surface_parameter_count>& drawn) {
             std::vector<T> stiffness;
             for (const auto& point : curve_at_pressures(contact_of(drawn), pressures, Quantity::stiffness))
                 stiffness.push_back(point.state.stiffness.value);
@@ -64,7 +64,7 @@ template <Real T, class Pressures, class LawOf>
         throw domain_error("r and theta of the surface are not known: must be known for the density of its peaks");
     return stiffness_band(
         surface, pressures,
-        [&](const std::array<T, parameter_count>& drawn) {
+        [&](const std::array<T, surface_parameter_count>& drawn) {
             return RoughContact(roughness_of(drawn),
                                 PeakDensity<T>(drawn[place(Parameter::r)], drawn[place(Parameter::theta)]),
                                 law_of(drawn[place(Parameter::fractal_dimension)]), effective_modulus, contact);

@@ -124,6 +124,16 @@ public:
         return value;
     }
 
+    /// Largest difference of two sections where they meet, over the value there: the ends are where a derivative is worst.
+    [[nodiscard]] T relative_jump() const {
+        T largest = 0;
+        for (std::size_t i = 1; i < sections_.size(); ++i) {
+            const T x = sections_[i - 1].end(), right = sections_[i](x);
+            largest = std::max(largest, std::abs((sections_[i - 1](x) - right) / right));
+        }
+        return largest;
+    }
+
     [[nodiscard]] ChebyshevSections derivative() const {
         ChebyshevSections out = *this;
         for (auto& section : out.sections_) section = section.derivative();

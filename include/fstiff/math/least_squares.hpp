@@ -32,14 +32,17 @@ namespace fstiff {
 template <Real T>
 struct LeastSquaresOptions {
     int most_steps = 200;
-    T tolerance = T(1e-7);       ///< a step below this times the standard errors ends the search
-    T nothing = T(1e-11);        ///< a change of the residuals that counts as none
-    T singular_value = T(1e-7);  ///< least singular value of the scaled J, over the largest, that counts as a direction
+    T tolerance = T(1e-7);  ///< a step below this times the standard errors ends the search
+    T nothing = T(1e-11);   ///< a change of the residuals that counts as none
+    /// Least singular value of the scaled J, over the largest, that counts as a direction: well above the rounding of J, which
+    /// would otherwise pass for knowledge.
+    T singular_value = std::max(T(1e-7), T(1e4) * std::numeric_limits<T>::epsilon());
 };
 
 enum class FitStatus {
     converged,
-    singular,      ///< a combination of the parameters leaves the residuals as they are: no covariance
+    singular,  ///< a combination of the parameters leaves the residuals as they are: no covariance
+    at_bound,  ///< a parameter came to the end of its range, which only a caller knows (contact/identify): no covariance
     not_converged  ///< steps used up, or no step made the residuals smaller before the end was reached
 };
 template <>
@@ -47,6 +50,7 @@ inline constexpr auto names<FitStatus> = name_list<FitStatus>({
     {FitStatus::converged, "converged"},
     {FitStatus::singular, "singular"},
     {FitStatus::not_converged, "not_converged"},
+    {FitStatus::at_bound, "at_bound"},
 });
 
 template <Real T>

@@ -122,12 +122,12 @@ struct BinaryPieces {
     static constexpr Bits<T> rest = (Bits<T>(1) << shift) - 1;  ///< the bits within a piece
     static constexpr T half = T(1) / (2 << bits_of_piece);      ///< s is within -half and half
 
-    Bits<T> low = 0, span = 0, first = 0;
+    Bits<T> low = 0, count = 0, first = 0;  ///< count: of the numbers from low to high; 0 of an empty table
     Eigen::Array<T, Row::terms, Eigen::Dynamic> rows;
 
     BinaryPieces() = default;
     BinaryPieces(T from, T to)
-        : low(bits_of(from)), span(bits_of(to) - low), first(low >> shift), rows(Row::terms, pieces(from, to)) {}
+        : low(bits_of(from)), count(bits_of(to) - low + 1), first(low >> shift), rows(Row::terms, pieces(from, to)) {}
 
     [[nodiscard]] static Eigen::Index pieces(T from, T to) {
         return static_cast<Eigen::Index>((bits_of(to) >> shift) - (bits_of(from) >> shift)) + 1;
@@ -138,7 +138,7 @@ struct BinaryPieces {
     }
 
     [[nodiscard]] T lowest() const noexcept { return std::bit_cast<T>(low); }
-    [[nodiscard]] bool contains(T x) const noexcept { return bits_of(x) - low <= span; }
+    [[nodiscard]] bool contains(T x) const noexcept { return bits_of(x) - low < count; }
     [[nodiscard]] T value(T x) const noexcept { return Row::value(row(x), s(x)); }
     [[nodiscard]] T derivative(T x) const noexcept {
         constexpr Bits<T> exponent = bits_of(std::numeric_limits<T>::infinity());
@@ -164,7 +164,9 @@ private:
 
 template <Real T>
 struct UniformPieces {
-    T begin{}, end{}, length{}, pieces_per_length{};
+    /// An empty table contains nothing: the difference to a NaN is none.
+    T begin = std::numeric_limits<T>::quiet_NaN(), end = begin;
+    T length{}, pieces_per_length{};
     Eigen::Array<T, Row::terms, Eigen::Dynamic> rows;
 
     UniformPieces() = default;
