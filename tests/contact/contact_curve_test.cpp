@@ -89,3 +89,18 @@ TEST_CASE("What is no pressure or separation is refused before anything is compu
     CHECK(test::refusal([&] { (void)curve_at_separations(contact, std::vector{nan}); }) ==
           "separation = nan: must be finite (m)");
 }
+
+TEST_CASE("A state is in range while twice each of its numbers is") {
+    const auto with = [](Estimate<double> ContactState<double>::*which, double value, double error) {
+        ContactState<double> state;
+        (state.*which).value = value, (state.*which).error = error;
+        return in_range(state);
+    };
+    constexpr double most = std::numeric_limits<double>::max();
+    using State = ContactState<double>;
+    for (const auto which : {&State::separation, &State::pressure, &State::stiffness, &State::real_area_fraction,
+                             &State::contact_density, &State::loading_stiffness}) {
+        CHECK((with(which, most / 2, most / 2) && with(which, -most / 2, 0)));
+        CHECK((!with(which, most, 0) && !with(which, 0, most) && !with(which, std::nan(""), 0)));
+    }
+}

@@ -57,8 +57,8 @@ struct ContactPoint {
 /// Whether every value and error of \p state is a number that may be doubled: the tangential stiffness is up to 4/3 of K.
 template <Real T>
 [[nodiscard]] bool in_range(const ContactState<T>& state) {
-    for (const Estimate<T>* one :
-         {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction, &state.contact_density})
+    for (const Estimate<T>* one : {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction,
+                                   &state.contact_density, &state.loading_stiffness})
         if (!std::isfinite(2 * one->value) || !std::isfinite(2 * one->error)) return false;
     return true;
 }

@@ -8,11 +8,11 @@
 /// Under the pressure p the plane between the peaks sinks by p L/E, so that the peaks meet at an effective separation that is
 /// larger than the nominal one: eta_nominal = eta_effective - Delta(eta_effective). With eta_old read as effective and eta_new
 /// as nominal the printed formula is this, explicit at a given pressure. Then 1/K = 1/K_effective + L/E: the compliance of
-/// the bulk under a patch of size L is added, and K <= E/L whatever the interface.
+/// the bulk under a patch of size L is added, and K <= E/L whatever the interface. Also in use is L = 1/sqrt(D_p), the spacing
+/// of the peaks.
 ///
 /// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729-734; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014),
 ///             eq. (4.11); the readings are discussed in docs/errata.md.
-///             L = 1/sqrt(D_p), the spacing of the peaks, is the other length that is in use.
 /// Units       L [m]
 /// Valid       L > 0 for every reading but none
 
