@@ -139,7 +139,7 @@ TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {
     CHECK(test::relative_error(contact.at_separation(back.separation.value).pressure.value, 5e6) < 1e-12);
 }
 
-TEST_CASE("-dp/dd of a law with a kink is the slope of its pressure") {
+TEST_CASE("the loading stiffness of a law with a kink is the slope of its pressure") {
     const auto check = [](const auto& contact) {
         for (const double eta : {0.2, 1.5, 3.0}) {  // exponential heights begin at 0
             const double d = eta * fine.rms_height;
@@ -182,10 +182,15 @@ TEST_CASE("interaction is in series with every law, and with peaks of one radius
         }
     };
     const PeakDensity<double> peaks(0.5, 1);
-    check(RoughContact(fine, peaks, FractalLaw<double>(1.62), modulus),
-          RoughContact(fine, peaks, FractalLaw<double>(1.62), modulus, interacting));
+    check(RoughContact(fine, peaks, FractalConsistentLaw<double>(1.62), modulus),
+          RoughContact(fine, peaks, FractalConsistentLaw<double>(1.62), modulus, interacting));
     check(GreenwoodWilliamson<double>(fine, modulus),
           GreenwoodWilliamson<double>(fine, modulus, Heights::gaussian, interacting));
     check(RoughContact(fine, peaks, PlasticByUser{0.01}, modulus),
           RoughContact(fine, peaks, PlasticByUser{0.01}, modulus, interacting));
+    // the printed law keeps K = f (-dp/dd), bulk included
+    const RoughContact printed(fine, peaks, FractalLaw<double>(1.62), modulus, interacting);
+    const auto at = printed.at_pressure(1e8);
+    CHECK(test::relative_error(at.stiffness.value, fractal_stiffness_factor(1.62) * at.loading_stiffness.value) <
+          1e-14);
 }

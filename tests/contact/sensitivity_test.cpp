@@ -133,8 +133,8 @@ TEST_CASE("with interaction the derivatives are those of the bulk in series") {
     const Roughness<double> surface{0.832e-6, 40e-6, 500e6, 0};
     const Interaction<double> bulk{InteractionReading::effective_separation, 1e-4};
     const double pressure = 3e6, modulus = 112.6e9;
-    const auto stiffness = [&](const Roughness<double>& s, double r, double p, double e) {
-        return RoughContact(s, PeakDensity<double>(r, 1.1), FractalLaw<double>(1.62), e, {.interaction = bulk})
+    const auto stiffness = [&](const Roughness<double>& s, double r, double p, double e, double dimension = 1.62) {
+        return RoughContact(s, PeakDensity<double>(r, 1.1), FractalLaw<double>(dimension), e, {.interaction = bulk})
             .at_pressure(p)
             .stiffness.value;
     };
@@ -156,6 +156,9 @@ TEST_CASE("with interaction the derivatives are those of the bulk in series") {
                                slope(pressure, [&](double p) { return stiffness(surface, 0.6, p, modulus); })) < 1e-9);
     CHECK(test::relative_error(found.effective_modulus,
                                slope(modulus, [&](double e) { return stiffness(surface, 0.6, pressure, e); })) < 1e-9);
+    CHECK(test::relative_error(found.fractal_dimension, slope(1.62, [&](double dimension) {
+                                   return stiffness(surface, 0.6, pressure, modulus, dimension);
+                               })) < 1e-9);
     CHECK(test::relative_error(found.r,
                                slope(0.6, [&](double r) { return stiffness(surface, r, pressure, modulus); })) < 1e-8);
 }

@@ -223,18 +223,21 @@ private:
                 with_eta(j.loading)};
     }
 
-    /// Adds the bulk's compliance L/E in series with both: the planes approach by p L/E more, and 1/K is larger by L/E.
+    /// Adds the bulk's compliance L/E in series: the planes approach by p L/E more, and -dp/dd is smaller by 1 + (-dp/dd) L/E.
+    /// A K that is a constant times it (of FractalLaw, whose factor thus multiplies the bulk too) shrinks with it; any other K
+    /// is itself in series with the bulk.
     ContactState<T> compliant(ContactState<T> state, Quantity wanted) const {
         const T sink = state.pressure.value * bulk_compliance_;
         state.separation.value -= sink;
         state.separation.error +=
             state.pressure.error * bulk_compliance_ + 2 * std::numeric_limits<T>::epsilon() * sink;
-        const auto in_series = [&](Quantity quantity, Estimate<T>& k) {
-            const T share = 1 / (1 + k.value * bulk_compliance_);
+        const auto in_series = [&](Quantity quantity, Estimate<T>& k, T with) {
+            const T share = 1 / (1 + with * bulk_compliance_);
             k = has(wanted, quantity) ? Estimate<T>{k.value * share, k.error * share, k.evaluations} : Estimate<T>{};
         };
-        in_series(Quantity::stiffness, state.stiffness);
-        in_series(Quantity::loading_stiffness, state.loading_stiffness);
+        const T slope = state.loading_stiffness.value;
+        in_series(Quantity::stiffness, state.stiffness, stiffness_follows_slope ? slope : state.stiffness.value);
+        in_series(Quantity::loading_stiffness, state.loading_stiffness, slope);
         return state;
     }
 

@@ -115,7 +115,7 @@ LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
 
 }  // namespace detail
 
-/// K and its derivatives at the nominal pressure \p pressure [Pa]; with \p interaction the bulk is in series, 1/K' = 1/K + L/E.
+/// K and its derivatives at the nominal pressure \p pressure [Pa]; with \p interaction the bulk is in series as in RoughContact.
 /// Does not allocate. \throws domain_error as RoughContact and its at_pressure, and for the reading as_printed.
 template <Real T, PowerLaw Law>
 [[nodiscard]] Sensitivity<T> sensitivity(const Roughness<T>& surface, const PeakDensity<T>& peaks, const Law& law,
@@ -148,12 +148,16 @@ template <Real T, PowerLaw Law>
     out.r = at_constant_pressure(j.load.r, j.stiffness.r);
     out.theta = at_constant_pressure(j.load.theta - curvature / 2, j.stiffness.theta - curvature / 2);
     if (interaction.reading == InteractionReading::effective_separation) {
-        const T compliance = interaction.length / effective_modulus, share = 1 / (1 + k * compliance);  // K'/K
+        // 1/K' = 1/K + L/(E rho), rho = K over -dp/dd without interaction (RoughContact), which depends on D alone
+        const T compliance = interaction.length / (effective_modulus * contact.stiffness_over_slope());
+        const T share = 1 / (1 + k * compliance);  // K'/K
         for (T* slope : {&out.pressure, &out.rms_height, &out.peak_radius, &out.peak_density, &out.fractal_dimension,
                          &out.effective_modulus, &out.r, &out.theta})
             *slope *= share * share;
         out.stiffness = k * share;
-        out.effective_modulus += out.stiffness * out.stiffness * compliance / effective_modulus;
+        const T of_bulk = out.stiffness * out.stiffness * compliance;
+        out.effective_modulus += of_bulk / effective_modulus;
+        out.fractal_dimension += of_bulk * (law.log_stiffness_slope() - law.log_load_slope());
     }
     return out;
 }
