@@ -158,7 +158,7 @@ TEST_CASE("with interaction the derivatives are those of the bulk in series") {
                                slope(modulus, [&](double e) { return stiffness(surface, 0.6, pressure, e); })) < 1e-9);
     CHECK(test::relative_error(found.fractal_dimension, slope(1.62, [&](double dimension) {
                                    return stiffness(surface, 0.6, pressure, modulus, dimension);
-                               })) < 1e-9);
+                               })) < 1e-8);  // the factor has a pole at 2: h^4 f^(5)/30 is 3e-9
     CHECK(test::relative_error(found.r,
                                slope(0.6, [&](double r) { return stiffness(surface, r, pressure, modulus); })) < 1e-8);
 }
