@@ -252,7 +252,7 @@ Whole all_at(const Law& law, double gap) {
 
 }  // namespace
 
-TEST_CASE("-dp/dgap is given for every law, K is a multiple of it, and at_pressure gives three values at once") {
+TEST_CASE("the slope -dp/dgap is given for every law, K is a multiple of it, and at_pressure gives three values at once") {
     for_laws({1e5, 1e8}, [](const Law& law) {
         const double f = law.tangent_is_exact() ? 1 : fractal_stiffness_factor(1.62);
         const auto [near, far] = law.gaps();
