@@ -11,6 +11,8 @@
 
 #include "problems.hpp"
 
+#include "support/panels.hpp"
+
 #include <cstdio>
 #include <numbers>
 #include <string>
@@ -118,19 +120,6 @@ Values kernel(const Problem& p, double tolerance) {
 }
 inline const Which load{1};
 
-/// int_from^to f by Gauss-Legendre panels of 20 points in u, x = from + (to - from) u^2: takes a root at the lower end.
-template <class F>
-double panels(double from, double to, int count, const F& f) {
-    const auto& rule = fstiff::GaussLegendre<double, 20>::get();
-    double sum = 0;
-    for (int panel = 0; panel < count; ++panel)
-        for (std::size_t i = 0; i < 20; ++i) {
-            const double u = (panel + (1 + rule.node[i]) / 2) / count;
-            sum += rule.weight[i] / count * u * f(from + (to - from) * u * u);
-        }
-    return sum * (to - from);
-}
-
 /// The integral of \p Law over the peaks, without exp(-eta^2/2) for eta > 0: nested panels that are split at the kink, slow,
 /// and independent of fstiff but for the nodes; 1e-13 on the plain grid.
 template <class Law>
@@ -145,9 +134,9 @@ double reference(double r, double theta, double eta, const Law& law) {
             const double z = (eta + excess - r * t) / c;
             return law(excess, t) * std::exp((floor * floor - t * t - z * z) / 2);
         };
-        return std::erf(k * t) * (panels(0, kink, 4, at) + (kink < end ? panels(kink, end, 6, at) : 0.0));
+        return std::erf(k * t) * (test::panels(0, kink, 4, at) + (kink < end ? test::panels(kink, end, 6, at) : 0.0));
     };
-    return panels(0, t_end, 16, row) / (2 * theta * c);
+    return test::panels(0, t_end, 16, row) / (2 * theta * c);
 }
 
 /// The plain grid with the true integrals of \p Law.

@@ -44,6 +44,14 @@ struct PlasticByUser {
     auto area(const auto& omega, const auto& radius) const { return area_factor() * radius * omega; }
 };
 
+/// No physics: at omega^0 the number of peaks, the slope of the load and the stiffness have three powers of R.
+struct ThreePowers {
+    static constexpr HalfPowers load_powers{2, 1}, stiffness_powers{0, 2}, area_powers{2, 2};
+    static constexpr double load_factor() { return 2; }
+    static constexpr double stiffness_factor() { return 3; }
+    static constexpr double area_factor() { return 5; }
+};
+
 /// Hertz up to omega_c = 0.002 R, beyond it the load goes on as a line and the stiffness as the root of the area.
 struct YieldByUser {
     double critical(double radius) const { return 0.002 * radius; }
@@ -137,6 +145,19 @@ TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {
     }
     const auto back = contact.at_pressure(5e6);
     CHECK(test::relative_error(contact.at_separation(back.separation.value).pressure.value, 5e6) < 1e-12);
+}
+
+TEST_CASE("three powers of R at one power of omega take three passes") {
+    const PeakDensity<double> peaks(0.5, 1);
+    const double eta = 0.7, curvature = rms_curvature(fine, peaks);
+    const auto at = RoughContact(fine, peaks, ThreePowers{}, modulus).at_separation(eta * fine.rms_height);
+    const auto j = [&](double a, double b) { return fine.peak_density * contact_integral(a, b, peaks, eta).value; };
+    CHECK(test::relative_error(at.contact_density.value, j(0, 0)) < 1e-14);
+    CHECK(test::relative_error(at.loading_stiffness.value, 2 * modulus * j(0, -0.5) / std::sqrt(curvature)) < 1e-14);
+    CHECK(test::relative_error(at.stiffness.value, 3 * modulus * j(0, -1) / curvature) < 1e-14);
+    CHECK(test::relative_error(at.pressure.value, 2 * modulus * fine.rms_height * j(1, -0.5) / std::sqrt(curvature)) <
+          1e-14);
+    CHECK(test::relative_error(at.real_area_fraction.value, 5 * fine.rms_height * j(1, -1) / curvature) < 1e-14);
 }
 
 TEST_CASE("the loading stiffness of a law with a kink is the slope of its pressure") {

@@ -6,6 +6,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/panels.hpp"
 #include "support/scalars.hpp"
 #include "support/table.hpp"
 
@@ -184,19 +185,6 @@ struct Vectorised : Law {
     }
 };
 
-/// int_from^to f by panels of 20 Gauss-Legendre points in u, x = from + (to - from) u^2.
-template <class F>
-double panels(double from, double to, int count, const F& f) {
-    const auto& rule = fstiff::GaussLegendre<double, 20>::get();
-    double sum = 0;
-    for (int panel = 0; panel < count; ++panel)
-        for (std::size_t i = 0; i < 20; ++i) {
-            const double u = (panel + (1 + rule.node[i]) / 2) / count;
-            sum += rule.weight[i] / count * u * f(from + (to - from) * u * u);
-        }
-    return sum * (to - from);
-}
-
 /// The integral without exp(-eta^2/2) for eta > 0: panels split at the kinks and graded towards 0 in both directions.
 template <class Law>
 double by_panels(const Law& law, double r, double theta, double eta) {
@@ -221,7 +209,7 @@ double by_panels(const Law& law, double r, double theta, double eta) {
             while (from < end) {
                 double to = std::min(end, from + 3 * feature);
                 if (from > 0) to = std::min(to, std::max(6 * from, from + feature / 1000));
-                sum += panels(from, to, 2, integrand);
+                sum += test::panels(from, to, 2, integrand);
                 from = to;
             }
         }
@@ -229,10 +217,10 @@ double by_panels(const Law& law, double r, double theta, double eta) {
     };
     double begin = std::max(0.0, r * eta - reach * c), sum = 0;
     const double end = r * (r * eta + reach * c) <= eta ? r * eta + reach * c : std::sqrt(floor * floor + 2 * depth);
-    if (begin == 0) sum = panels(0, begin = 0.01, 3, row);
+    if (begin == 0) sum = test::panels(0, begin = 0.01, 3, row);
     for (double t = begin; t < end;) {
         const double to = std::min({end, 1.4 * t, t + c / 2});
-        sum += panels(t, to, 1, row);
+        sum += test::panels(t, to, 1, row);
         t = to;
     }
     return sum / (2 * theta * c);

@@ -110,6 +110,13 @@ TEST_CASE("double agrees with long double at random points and at the seams") {
     }
 }
 
+TEST_CASE("a long double that rounds to the end of the pieces is beyond it") {
+    for (const long double end : {30.0L, -30.0L}) {
+        const long double inside = std::nextafter(end, 0.0L);
+        CHECK(test::ulps(detail::scaled_moment<1>(inside), detail::scaled_moment<1>(end)) <= 200);
+        CHECK(test::ulps(detail::scaled_moment<5>(inside), detail::scaled_moment<5>(end)) <= 200);
+    }
+}
 #endif
 TEMPLATE_TEST_CASE("erf on lanes agrees with std::erf", "", FSTIFF_TEST_SCALARS_FROM_DOUBLE) {
     using T = TestType;

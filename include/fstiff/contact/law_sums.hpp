@@ -123,27 +123,26 @@ public:
     LawIntegrator(const Law& law, const PeakDensity<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
                   T tolerance)
         : terms_(power_terms(law, scales)) {
-        std::array<PowerSet, 2> sets;
-        for (PowerSet& set : sets) set.fill(absent);
+        constexpr PowerSet nothing{absent, absent, absent, absent};
+        std::array<PowerSet, passes> sets;
+        sets.fill(nothing);
         for (std::size_t i = 0; i < terms_.size(); ++i) {
-            const auto [omega, radius] = terms_[i].powers;
-            pass_[i] = none;
+            pass_[i] = passes;
             if (!has(wanted, terms_[i].quantity)) continue;
+            const auto omega = static_cast<std::size_t>(terms_[i].powers.omega);
+            const int radius = terms_[i].powers.radius;
             pass_[i] = 0;
-            while (sets[pass_[i]][static_cast<std::size_t>(omega)] != absent &&
-                   sets[pass_[i]][static_cast<std::size_t>(omega)] != radius)
-                ++pass_[i];
-            sets[pass_[i]][static_cast<std::size_t>(omega)] = radius;
+            while (sets[pass_[i]][omega] != absent && sets[pass_[i]][omega] != radius) ++pass_[i];
+            sets[pass_[i]][omega] = radius;
         }
-        for (const PowerSet& set : sets)
-            if (set != PowerSet{absent, absent, absent, absent} || integrators_.empty())
-                integrators_.emplace(set, peaks, tolerance);
+        for (std::size_t pass = 0; pass < passes; ++pass)
+            if (pass == 0 || sets[pass] != nothing) integrators_[pass].emplace(sets[pass], peaks, tolerance);
     }
 
     LawSums<T> operator()(T eta) {
         LawSums<T> out;
-        for (std::size_t pass = 0; pass < integrators_.size(); ++pass) {
-            const ScaledIntegrals<T> j = integrators_[pass](eta);
+        for (std::size_t pass = 0; pass < passes && integrators_[pass]; ++pass) {
+            const ScaledIntegrals<T> j = (*integrators_[pass])(eta);
             out.log_scale = j.log_scale;
             for (std::size_t i = 0; i < terms_.size(); ++i)
                 if (pass_[i] == pass)
@@ -154,23 +153,10 @@ public:
     }
 
 private:
-    /// One or two, without the heap.
-    struct Integrators {
-        std::array<std::optional<PeakIntegrator<T>>, 2> all;
-        std::size_t count = 0;
-        [[nodiscard]] bool empty() const { return count == 0; }
-        [[nodiscard]] std::size_t size() const { return count; }
-        template <class... Args>
-        void emplace(const Args&... args) {
-            all[count++].emplace(args...);
-        }
-        PeakIntegrator<T>& operator[](std::size_t i) { return *all[i]; }
-    };
-
-    static constexpr std::size_t none = 2;
+    static constexpr std::size_t passes = 3;  ///< as many as powers of R, all of which one power of omega may have
     std::array<PowerTerm<T>, 5> terms_;
-    std::array<std::size_t, 5> pass_{};
-    Integrators integrators_;
+    std::array<std::size_t, 5> pass_{};  ///< of each term; `passes` where it is not wanted
+    std::array<std::optional<PeakIntegrator<T>>, passes> integrators_;
 };
 
 /// A power law over peaks of one radius: closed.

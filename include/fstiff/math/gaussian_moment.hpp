@@ -37,7 +37,13 @@ namespace detail {
 /// The pieces of the tables: eighths of the octaves of |x| + 2 for |x| < moment_far, and one beyond; then the same for x < 0.
 inline constexpr int moment_far = 30, pieces_a_side = 33;
 
-/// Where a number of size below moment_far lies: found from the bits of |x| + 2, without a branch.
+/// Whether |x| < moment_far, as its pieces see it: a long double just below counts as the double that it rounds to.
+template <Real T>
+EIGEN_ALWAYS_INLINE bool is_near(T x) {
+    return static_cast<double>(std::abs(x)) < moment_far;
+}
+
+/// Where a number that is_near lies: found from the bits of |x| + 2, without a branch.
 template <Real T>
 struct NearPiece {
     static_assert(std::numeric_limits<T>::digits <= 64, "the tables of fstiff hold 64 binary digits");
@@ -92,7 +98,7 @@ EIGEN_DONT_INLINE Lanes<T, 4> far_moments(T x) {
 /// first \p terms of each polynomial, an even number; MomentTable::cut[terms] bounds the relative error of leaving out others.
 template <int terms, Real T>
 EIGEN_ALWAYS_INLINE void scaled_moments(const T* x, std::array<Lanes<T, 4>, 8>& out) {
-    if (std::max(std::abs(x[0]), std::abs(x[7])) < moment_far) {
+    if (is_near(x[0]) && is_near(x[7])) {
         T s[8];
         std::int64_t piece[8];
         for (int i = 0; i < 8; ++i) {
@@ -102,11 +108,12 @@ EIGEN_ALWAYS_INLINE void scaled_moments(const T* x, std::array<Lanes<T, 4>, 8>& 
         }
         for (int i = 0; i < 8; ++i) out[static_cast<std::size_t>(i)] = moment_polynomials<terms>(piece[i], s[i]);
     } else {
-        for (int i = 0; i < 8; ++i) {
-            const NearPiece<T> at(std::abs(x[i]) < moment_far ? x[i] : T(0));
-            out[static_cast<std::size_t>(i)] =
-                std::abs(x[i]) < moment_far ? moment_polynomials<terms>(at.piece, at.s) : far_moments(x[i]);
-        }
+        const auto at_one = [](T one) {
+            if (!is_near(one)) return far_moments(one);
+            const NearPiece<T> at(one);
+            return moment_polynomials<terms>(at.piece, at.s);
+        };
+        for (int i = 0; i < 8; ++i) out[static_cast<std::size_t>(i)] = at_one(x[i]);
     }
 }
 
@@ -125,11 +132,11 @@ T scaled_moment(T x) {
             for (int n = 0; n < Table::terms; ++n) value = value * s + *(c -= stride);
             return value;
         };
-        const T size = std::abs(x);
-        if (size < moment_far) {
+        if (is_near(x)) {
             const NearPiece<T> at(x);
             return sum(at.piece, at.s);
         }
+        const T size = std::abs(x);
         const T inverse_square = 1 / size / size, root = std::sqrt(size);
         return x > 0 ? sum(pieces_a_side - 1, inverse_square) * half_power<-TwiceA - 2>(size, root)
                      : sum(2 * pieces_a_side - 1, inverse_square) * half_power<TwiceA>(size, root);
