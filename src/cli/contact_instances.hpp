@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The contact integrals are compiled once, in contact_instances.cpp.
+// The kernel of the contact integrals is compiled once, in contact_instances.cpp, as the build type says.
 
 #include <fstiff/contact/contact_integrals.hpp>
 
@@ -10,9 +10,8 @@
 
 namespace fstiff {
 
-FSTIFF_CLI_INSTANCE class ContactIntegrator<double>;
-FSTIFF_CLI_INSTANCE ContactIntegrals<double> scaled_contact_integrals(const PeakDensity<double>&, double, Quantity,
-                                                                      const IntegralOptions<double>&);
+FSTIFF_CLI_INSTANCE double detail::visit_nodes(const detail::PeakProblem<double>&, double,
+                                               detail::PeakAccumulator<double>&);
 FSTIFF_CLI_INSTANCE Estimate<double> contact_integral(double, double, const PeakDensity<double>&, double,
                                                       const IntegralOptions<double>&);
 
