@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The law for all loads: peaks where few of them carry, Persson's theory where they are crowded.
+///
+///     K = (K_peaks^5 + K_persson^5)^(1/5)         at equal pressure
+///     d = int_p^(2 E g) dp'/K(p')                 separation of the mean planes; at 2 E g all is in contact
+///     real area and number of contacts            of the peaks, at the same pressure
+///
+/// Each of the two is below the truth where it fails, so that the larger one counts; the exponent is fitted to boundary
+/// elements, 4 to 8 do nearly as well. Both must be of the same surface. Interaction between the peaks is what Persson's
+/// theory adds: the contact of the peaks is taken without it.
+///
+/// d is integrated in ln p over panels one e-fold wide by 16 Gauss-Legendre points, from 2 E g down, once when the contact is
+/// made; a pressure then costs the rest of one panel.
+///
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (4.9);
+///             the exponent: docs/validation.md.
+/// Units       SI
+/// Valid       pressures within the reach of both; separations above 0
+/// Accuracy    K that of its parts, separation 1e-11 of the rms height (tests/contact/hybrid_contact_test.cpp). Against boundary
+///             elements of Gaussian isotropic surfaces, p/(E g) >= 0.003: within 10 % at 86 of 100 points, 15 % at 98
+///             (docs/validation.md)
+
+#include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/contact/persson_contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace fstiff {
+
+/// \p Peaks is a contact of independent peaks: RoughContact with any law, or SummitContact.
+template <Real T, Contact<T> Peaks>
+class HybridContact {
+public:
+    /// \throws domain_error when \p peaks has an interaction, or does not reach 2 E g.
+    HybridContact(Peaks peaks, PerssonContact<T> crowded) : peaks_(std::move(peaks)), crowded_(std::move(crowded)) {
+        if (peaks_.interaction().reading != InteractionReading::none)
+            throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
+        knots_.reserve(panels + 1);
+        knots_.push_back(T(0));
+        for (int i = 0; i < panels; ++i) knots_.push_back(knots_.back() + panel(log_end() - i - 1, log_end() - i));
+    }
+
+    /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
+    [[nodiscard]] T stiffness(T pressure) const {
+        return joined(peaks_.at_pressure(pressure, Quantity::stiffness).stiffness.value, crowded_.stiffness(pressure));
+    }
+
+    /// The contact under the nominal pressure \p pressure [Pa].
+    /// \throws domain_error unless it is positive and within the reach of both laws.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        const bool stiff = has(wanted, Quantity::stiffness | Quantity::loading_stiffness);
+        const Quantity of_peaks = stiff ? wanted | Quantity::stiffness : wanted;
+        ContactState<T> state = peaks_.at_pressure(pressure, of_peaks);
+        if (stiff) {
+            const T share = state.stiffness.error / state.stiffness.value;
+            const int evaluations = state.stiffness.evaluations;
+            const T K = joined(state.stiffness.value, crowded_.stiffness(pressure));
+            state.stiffness = state.loading_stiffness = {K, (share + 80 * std::numeric_limits<T>::epsilon()) * K, evaluations};
+        }
+        if (!has(wanted, Quantity::stiffness)) state.stiffness = {};
+        if (!has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = {};
+        state.separation = separation(pressure);
+        state.eta = state.separation.value / rms_height();
+        return state;
+    }
+
+    /// The contact at the separation \p separation [m] of the mean planes.
+    /// \throws domain_error unless it is positive and its pressure within reach.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+        const LogSlope<T> p = log_pressure(separation / rms_height());
+        const T pressure = std::exp(p.log);
+        ContactState<T> state = at_pressure(pressure, wanted);
+        for (Estimate<T>* e :
+             {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction, &state.contact_density})
+            e->error += 2 * p.error * e->value;
+        state.pressure = has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
+        state.separation = {separation, 0, 0};
+        state.eta = separation / rms_height();
+        return state;
+    }
+
+    /// Separation [m] of the mean planes under \p pressure [Pa]; 0 from 2 E g on. \throws domain_error as at_pressure.
+    [[nodiscard]] Estimate<T> separation(T pressure) const {
+        require_positive("pressure", pressure);
+        const T above = log_end() - std::log(pressure);
+        if (above <= 0) return {T(0), rms_height() * std::numeric_limits<T>::epsilon(), 0};
+        const auto whole = static_cast<std::size_t>(above);
+        T d = knots_[std::min(whole, knots_.size() - 1)];
+        for (std::size_t i = knots_.size() - 1; i < whole; ++i) d += panel(log_end() - T(i + 1), log_end() - T(i));
+        d += panel(std::log(pressure), log_end() - T(whole));
+        return {d, (T(1e-11) + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
+    }
+
+    /// log(p/Pa) and its slope against eta, the separation over the rms height.
+    /// \throws domain_error unless 0 < eta and its pressure is within reach.
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
+        const T d = eta * rms_height();
+        const auto beyond = std::upper_bound(knots_.begin(), knots_.end(), d) - knots_.begin();
+        const T high = log_end() - T(beyond - 1), low = high - (beyond < std::ssize(knots_) ? T(1) : T(500));
+        const auto residual = [&](T log_p) {
+            const T p = std::exp(log_p);
+            return std::pair(separation(p).value - d, -p / stiffness(p));
+        };
+        const auto found = newton_bracketed(residual, low, high, high - T(0.5), 16 * std::numeric_limits<T>::epsilon() * (1 + std::abs(high)));
+        require(found.converged(), "eta", eta, "within the reach of the laws");
+        const T p = std::exp(found.root), per_height = stiffness(p) / p;
+        return {found.root, -per_height * rms_height(), found.error + separation(p).error * per_height};
+    }
+
+    [[nodiscard]] T rms_height() const { return crowded_.rms_height(); }
+    [[nodiscard]] const Peaks& peaks() const { return peaks_; }
+    [[nodiscard]] const PerssonContact<T>& crowded() const { return crowded_; }
+    [[nodiscard]] Interaction<T> interaction() const { return {}; }
+    [[nodiscard]] T bulk_compliance() const { return T(0); }
+    /// K is -dp/dd.
+    [[nodiscard]] T stiffness_over_slope() const { return T(1); }
+
+private:
+    static constexpr int panels = 24;  ///< e-folds of pressure below 2 E g: 4e-11 of it
+
+    [[nodiscard]] T log_end() const { return std::log(2 * crowded_.effective_modulus() * crowded_.rms_gradient()); }
+
+    /// (a^5 + b^5)^(1/5), without overflow.
+    static T joined(T a, T b) {
+        const T most = std::max(a, b), ratio = std::min(a, b) / most, square = ratio * ratio;
+        return most * std::exp(std::log1p(square * square * ratio) / 5);
+    }
+
+    /// int p/K d ln p
+    [[nodiscard]] T panel(T from, T to) const {
+        const auto& rule = GaussLegendre<T, 16>::get();
+        T sum = 0;
+        for (std::size_t i = 0; i < 16; ++i) {
+            const T p = std::exp((from + to) / 2 + (to - from) / 2 * rule.node[i]);
+            sum += rule.weight[i] * p / stiffness(p);
+        }
+        return (to - from) / 2 * sum;
+    }
+
+    Peaks peaks_;
+    PerssonContact<T> crowded_;
+    std::vector<T> knots_;  ///< separations at 2 E g, and one e-fold of pressure below each other
+};
+
+}  // namespace fstiff

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Persson's stiffness of a rough contact, from the spectrum of the roughness: the law of crowded contacts.
+///
+///     1/K = sqrt(2/pi)/p int_0^g f(p/(E G)) dG/q(G),     f(x) = [gamma + 3 (1-gamma) P^2] exp(-2 x^2),  P = erf(sqrt(2) x)
+///     d   = sqrt(2/pi) int_0^g W(sqrt(2) p/(E G)) dG/q,  W(y) = int_y^inf [gamma + 3 (1-gamma) erf(s)^2] exp(-s^2) ds/s
+///     A/A0 = erf(sqrt(2) p/(E g))
+///
+/// G(q) is the rms gradient of all waves up to q (surface/roughness_spectrum.hpp), g that of all. K = p/u0 for light loads,
+/// with u0 = sqrt(2/pi) gamma int dG/q = 0.4 to 0.65 rms heights; it is K of p directly, and only p of a separation is
+/// searched for. The number of contacts is not known to this theory: it is 0 in every state.
+///
+/// In u = ln G the integrand f varies over a few units, the spectrum dG/q however it may. So f is interpolated in panels one
+/// octave of G wide at 16 Legendre points, and the spectrum is integrated against the interpolant once, when the contact is
+/// made: a pressure costs 16 values of f an octave, whether the spectrum is a band or 700 shells of a map. Panels in which
+/// p/(E G) > 6 give nothing. Above p = E g/2, where f falls within much less than an octave, the spectrum is integrated anew.
+///
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502 (K = -dp/dd from the elastic energy); Yang, Persson, J. Phys.
+///             Condens. Matter 20 (2008) 215214 (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45).
+/// Units       SI: m, Pa, Pa/m
+/// Valid       0 < gamma <= 1 (in use: 0.40 to 0.50); pressures up to 18 E g (beyond all is in contact); isotropic surfaces with
+///             Gaussian heights. K is too small where few peaks carry: 0.65 of boundary elements at p/(E g) = 0.002, 0.4 at 1e-4
+///             (contact/hybrid_contact.hpp takes the peaks there)
+/// Accuracy    K to 1e-13, separation to 1e-13 of the rms height, both in double (tests/contact/persson_contact_test.cpp)
+
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/quantity.hpp>
+#include <fstiff/math/error_function.hpp>
+#include <fstiff/math/gauss_legendre.hpp>
+#include <fstiff/surface/roughness_spectrum.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace fstiff {
+
+namespace detail {
+
+/// The measure dG/q of a spectrum in pieces: q(G) = (low + rate (G^2 - from^2))^power, smooth within each piece.
+template <class S>
+struct GradientPiece {
+    S from, to;  ///< G
+    S low, rate, power;
+    /// 1/q at G.
+    S inverse_q(S G) const {
+        return power == 0 ? std::exp(-low - rate * (G - from) * (G + from))  // H = 1: q = exp(low + rate (...))
+                          : std::pow(low + rate * (G - from) * (G + from), -power);
+    }
+};
+
+template <class S, Real T>
+std::vector<GradientPiece<S>> gradient_pieces(const BandSpectrum<T>& band) {
+    band.validate();
+    const S C0 = band.C0, H = band.hurst, q1 = band.q1, qr = band.q_rolloff, q2 = band.q2, pi = numbers::pi_v<S>;
+    std::vector<GradientPiece<S>> pieces;
+    S from = 0;
+    if (qr > q1) {  // G^2 = (pi/2) C (q^4 - q1^4)
+        const S C = C0 * std::pow(qr, -2 - 2 * H), unit = pi / 2 * C;
+        const S to = std::sqrt(unit) * qr * qr * std::sqrt(-std::expm1(4 * std::log(q1 / qr)));
+        pieces.push_back({S(0), to, q1 * q1 * q1 * q1, 1 / unit, S(0.25)});
+        from = to;
+    }
+    // G^2 = from^2 + 2 pi C0 (q^a - qr^a)/a with a = 2 - 2H; ln(q/qr) for a = 0
+    const S a = 2 - 2 * H, ratio = std::log(q2 / qr);
+    const S rise = 2 * pi * C0 * std::pow(qr, a) * power_integral(a, ratio);
+    const S to = std::sqrt(from * from + rise);
+    if (a * ratio < S(1e-8))  // the power is 1/a: as if a = 0, to 1e-8 a ratio
+        pieces.push_back({from, to, std::log(qr), ratio / rise, S(0)});
+    else
+        pieces.push_back({from, to, std::pow(qr, a), a / (2 * pi * C0), 1 / a});
+    return pieces;
+}
+
+template <class S, Real T>
+std::vector<GradientPiece<S>> gradient_pieces(const SpectrumShells<T>& spectrum) {
+    spectrum.validate();
+    std::vector<GradientPiece<S>> pieces;
+    S square = 0;
+    for (const auto& shell : spectrum.shells) {
+        const S from = std::sqrt(square);
+        square += static_cast<S>(shell.q2_h2);
+        pieces.push_back({from, std::sqrt(square), static_cast<S>(shell.q2_h2 / shell.q_h2), S(0), S(1)});
+    }
+    return pieces;
+}
+
+/// [gamma + 3 (1-gamma) erf(s)^2] exp(-s^2)
+template <class S>
+S persson_kernel(S s, S gamma) {
+    const S P = std::erf(s);
+    return (gamma + 3 * (1 - gamma) * P * P) * std::exp(-s * s);
+}
+
+/// W(y), y > 0, to 1e-15 of max(1, W).
+template <class S>
+S persson_distance(S y, S gamma) {
+    const auto& rule = GaussLegendre<S, 32>::get();
+    const auto integral = [&rule](S a, S b, const auto& f) {
+        S sum = 0;
+        for (std::size_t i = 0; i < 32; ++i) sum += rule.weight[i] * f((a + b) / 2 + (b - a) / 2 * rule.node[i]);
+        return (b - a) / 2 * sum;
+    };
+    const auto whole = [gamma](S s) { return persson_kernel(s, gamma) / s; };
+    if (y >= 1) return integral(y, y + std::min(S(6), 45 / y), whole);
+    const auto without_pole = [gamma](S s) { return (persson_kernel(s, gamma) - gamma) / s; };
+    return integral(S(1), S(7), whole) + integral(y, S(1), without_pole) - gamma * std::log(y);
+}
+
+}  // namespace detail
+
+/// K and what it depends on, at one pressure.
+template <Real T>
+struct PerssonStiffness {
+    T stiffness;  ///< K [Pa/m]
+    T slope;      ///< dK/dp [1/m]
+};
+
+template <Real T = double>
+class PerssonContact {
+    using S = detail::Tabulated<T>;
+
+public:
+    /// Of a spectrum (BandSpectrum or SpectrumShells) and the effective modulus [Pa].
+    /// \throws domain_error naming the parameter that is out of range.
+    template <class Spectrum>
+    PerssonContact(const Spectrum& spectrum, T effective_modulus, T gamma = T(0.45))
+        : modulus_(effective_modulus), gamma_(gamma), pieces_(detail::gradient_pieces<S>(spectrum)) {
+        require_positive("effective_modulus", effective_modulus);
+        require(gamma > 0 && gamma <= 1, "gamma", gamma, "greater than 0 and at most 1");
+        if constexpr (requires { spectrum.rms_height(); })
+            rms_height_ = spectrum.rms_height();
+        else
+            rms_height_ = spectrum.rms_height;
+        gradient_ = pieces_.back().to;
+        make_panels();
+    }
+
+    /// The contact under the nominal pressure \p pressure [Pa].
+    /// \throws domain_error unless it is positive and at most 18 E g.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        require_reach(pressure);
+        ContactState<T> state;
+        state.pressure = {pressure, 0, 0};
+        if (has(wanted, Quantity::stiffness | Quantity::loading_stiffness)) {
+            const T K = stiffness(pressure);
+            state.stiffness = {K, error_of_K * K, nodes()};
+            if (has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = state.stiffness;
+            if (!has(wanted, Quantity::stiffness)) state.stiffness = {};
+        }
+        state.separation = separation(pressure);
+        state.eta = state.separation.value / rms_height_;
+        if (has(wanted, Quantity::real_area)) {
+            const T share = real_area_fraction(pressure);
+            state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
+        }
+        return state;
+    }
+
+    /// The contact at the separation \p separation [m] of the mean planes.
+    /// \throws domain_error unless it is positive and its pressure is within reach.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+        const auto p = log_pressure(separation / rms_height_);
+        const T pressure = std::exp(p.log);
+        ContactState<T> state = at_pressure(pressure, wanted);
+        const auto widen = [&](Estimate<T>& e) { e.error += 2 * p.error * e.value; };
+        widen(state.stiffness), widen(state.loading_stiffness), widen(state.real_area_fraction);
+        state.pressure = has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, nodes()} : Estimate<T>{};
+        state.separation = {separation, 0, 0};
+        state.eta = separation / rms_height_;
+        return state;
+    }
+
+    /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
+    [[nodiscard]] T stiffness(T pressure) const {
+        require_reach(pressure);
+        return static_cast<T>(static_cast<S>(pressure) / (root_2_over_pi() * sums(pressure).value));
+    }
+
+    /// K [Pa/m] and dK/dp [1/m]. \throws domain_error as at_pressure.
+    [[nodiscard]] PerssonStiffness<T> stiffness_and_slope(T pressure) const {
+        require_reach(pressure);
+        const Sums j = sums(pressure);
+        const S K = static_cast<S>(pressure) / (root_2_over_pi() * j.value);
+        return {static_cast<T>(K), static_cast<T>(K / static_cast<S>(pressure) * (1 - j.log_slope))};
+    }
+
+    /// The separation of the mean planes under \p pressure [Pa]: above 0 at every pressure.
+    /// \throws domain_error as at_pressure.
+    [[nodiscard]] Estimate<T> separation(T pressure) const {
+        require_reach(pressure);
+        const S x = static_cast<S>(pressure) / static_cast<S>(modulus_), root_2 = std::sqrt(S(2));
+        S sum = 0;
+        int evaluations = 0;
+        if (2 * x > gradient_) {
+            directly(x, [&](S G, S weight) { sum += weight * detail::persson_distance(root_2 * x / G, S(gamma_)); });
+        } else {
+            for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last_x; ++i, evaluations += 32)
+                sum += weight_[i] * detail::persson_distance(root_2 * x * inverse_[i], S(gamma_));
+        }
+        const T d = static_cast<T>(root_2_over_pi() * sum);
+        // W below y = 1 is as good as a number of size 1
+        return {d, 64 * std::numeric_limits<T>::epsilon() * (d + (x < gradient_ ? rms_height_ : T(0))), evaluations};
+    }
+
+    /// A/A0 = erf(sqrt(2) p/(E g)).
+    [[nodiscard]] T real_area_fraction(T pressure) const {
+        return std::erf(std::sqrt(T(2)) * pressure / (modulus_ * rms_gradient()));
+    }
+
+    /// log(p/Pa) and its slope against eta, the separation over the rms height.
+    /// \throws domain_error unless the pressure of \p eta is within reach.
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        const T d = eta * rms_height_, full = largest_pressure();
+        require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
+        const T low = std::log(full * std::numeric_limits<T>::epsilon()) - 60, high = std::log(full);
+        // d = u0 ln(p0/p) for light loads, from the pressure E g
+        const T at_one = std::log(modulus_ * rms_gradient());
+        const auto residual = [&](T log_p) {
+            const T p = std::exp(log_p);
+            return std::pair(separation(p).value - d, -p / stiffness(p));
+        };
+        const auto found = newton_bracketed(residual, low, high, at_one - d / light_load_length() - T(0.5),
+                                            8 * std::numeric_limits<T>::epsilon() * (1 + std::abs(at_one)));
+        require(found.converged(), "eta", eta, "within the reach of the model: pressures up to 18 E g, and not 1e-42 of that");
+        const T p = std::exp(found.root), slope = -stiffness(p) / p * rms_height_;
+        return {found.root, slope, found.error + separation(p).error * stiffness(p) / p};
+    }
+
+    [[nodiscard]] T rms_height() const { return rms_height_; }
+    /// g, of all waves of the spectrum.
+    [[nodiscard]] T rms_gradient() const { return static_cast<T>(gradient_); }
+    [[nodiscard]] T effective_modulus() const { return modulus_; }
+    [[nodiscard]] T gamma() const { return gamma_; }
+    /// u0 = sqrt(2/pi) gamma int dG/q [m]: K = p/u0 for light loads.
+    [[nodiscard]] T light_load_length() const { return light_load_length_; }
+    /// 18 E g [Pa]: beyond exp(2 (p/E g)^2) leaves the range of numbers, and all is in contact from about 2 E g on.
+    [[nodiscard]] T largest_pressure() const { return 18 * modulus_ * rms_gradient(); }
+    /// The asperities of this theory feel one another already.
+    [[nodiscard]] Interaction<T> interaction() const { return {}; }
+    [[nodiscard]] T bulk_compliance() const { return T(0); }
+    /// K is -dp/dd.
+    [[nodiscard]] T stiffness_over_slope() const { return T(1); }
+
+private:
+    static constexpr std::size_t points = 16;  ///< a panel
+    static constexpr int panels = 60;          ///< octaves of G below g
+    static constexpr S last_x = 6;             ///< f(6) = 1e-31
+    static constexpr T error_of_K = 64 * std::numeric_limits<T>::epsilon();
+
+    static S root_2_over_pi() { return std::sqrt(2 / numbers::pi_v<S>); }
+    [[nodiscard]] int nodes() const { return static_cast<int>(inverse_.size()); }
+
+    void require_reach(T pressure) const {
+        require_positive("pressure", pressure);
+        if (!(pressure <= largest_pressure())) [[unlikely]]
+            require(false, "pressure", pressure, "at most 18 E g: all is in full contact there (Pa)");
+    }
+
+    /// Integrates the spectrum against the Lagrange polynomials of each panel.
+    void make_panels() {
+        const auto& rule = GaussLegendre<S, points>::get();
+        const S log_2 = std::log(S(2));
+        std::array<S, points> scale;  // of the Lagrange polynomials
+        for (std::size_t j = 0; j < points; ++j) {
+            scale[j] = 1;
+            for (std::size_t k = 0; k < points; ++k)
+                if (k != j) scale[j] /= rule.node[j] - rule.node[k];
+        }
+        weight_.assign(points * panels, S(0));
+        inverse_.resize(points * panels);
+        S total = 0;
+        for (std::size_t panel = 0; panel < panels; ++panel) {
+            const S top = std::ldexp(gradient_, -static_cast<int>(panel)), bottom = top / 2;
+            for (std::size_t j = 0; j < points; ++j)  // G falls, so that x = p/(E G) ascends
+                inverse_[panel * points + j] = std::exp2((1 + rule.node[j]) / 2) / top;
+            for (const auto& piece : pieces_) {
+                const S from = std::max(piece.from, bottom), to = std::min(piece.to, top);
+                if (!(from < to)) continue;
+                for (std::size_t i = 0; i < points; ++i) {
+                    const S u = (1 + rule.node[i]) / 2 * std::log(to / from), G = from * std::exp(u);
+                    const S mass = rule.weight[i] / 2 * std::log(to / from) * G * piece.inverse_q(G);
+                    const S t = 2 * std::log(top / G) / log_2 - 1;
+                    total += mass;
+                    for (std::size_t j = 0; j < points; ++j) {
+                        S lagrange = scale[j];
+                        for (std::size_t k = 0; k < points; ++k)
+                            if (k != j) lagrange *= t - rule.node[k];
+                        weight_[panel * points + j] += mass * lagrange;
+                    }
+                }
+            }
+        }
+        light_load_length_ = static_cast<T>(root_2_over_pi() * static_cast<S>(gamma_) * total);
+    }
+
+    /// sink(G, weight) over the spectrum in panels of its own, short where exp(-2 (x/G)^2) falls quickly, from the top down.
+    template <class Sink>
+    void directly(S x, const Sink& sink) const {
+        const auto& rule = GaussLegendre<S, points>::get();
+        for (auto piece = pieces_.rbegin(); piece != pieces_.rend(); ++piece)
+            for (S to = piece->to; to > piece->from && x / to < x / gradient_ + last_x;) {
+                const S ratio = x / to, length = std::min(S(0.5), 1 / (1 + ratio * ratio));
+                const S from = std::max(piece->from, to * std::exp(-length));
+                for (std::size_t i = 0; i < points; ++i) {
+                    const S G = (from + to) / 2 + (to - from) / 2 * rule.node[i];
+                    sink(G, rule.weight[i] * (to - from) / 2 * piece->inverse_q(G));
+                }
+                to = from;
+            }
+    }
+
+    struct Sums {
+        S value;      ///< int f(p/(E G)) dG/q [m]
+        S log_slope;  ///< d ln value/d ln p
+    };
+
+    [[nodiscard]] Sums sums(T pressure) const {
+        const S x = static_cast<S>(pressure) / static_cast<S>(modulus_), gamma = static_cast<S>(gamma_);
+        const S root_2 = std::sqrt(S(2)), three = 3 * (1 - gamma);
+        const S dP = 2 * root_2 / std::sqrt(numbers::pi_v<S>);  // dP/dx = dP exp(-2 x^2)
+        S value = 0, slope = 0;
+        if (2 * x > gradient_) {
+            directly(x, [&](S G, S weight) {
+                const S y = x / G, P = std::erf(root_2 * y), fall = std::exp(-2 * y * y);
+                const S bracket = gamma + three * P * P;
+                value += weight * bracket * fall;
+                slope += weight * y * fall * (2 * three * P * dP * fall - 4 * y * bracket);
+            });
+            return {value, slope / value};
+        }
+        using V = detail::Lanes<S, 8>;
+        const auto erf = detail::ErfPolynomials<S>::for_tolerance(0);
+        V values = V::all(S(0)), slopes = V::all(S(0));
+        for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last_x; i += 8) {
+            const V y = V::all(x) * V::load(&inverse_[i]), weight = V::load(&weight_[i]);
+            const V fall = exp(V::all(S(-2)) * y * y);
+            const V P = detail::erf_ascending(V::all(root_2) * y, root_2 * x * inverse_[i],
+                                              root_2 * x * inverse_[i + 7], erf);
+            const V bracket = multiply_add(V::all(three) * P, P, V::all(gamma));
+            const V change = multiply_add(V::all(2 * three * dP) * P, fall, V::all(S(-4)) * y * bracket);
+            values = multiply_add(weight * fall, bracket, values);
+            slopes = multiply_add(weight * fall * y, change, slopes);
+        }
+        alignas(64) std::array<S, 8> v, s;
+        values.store(v.data());
+        slopes.store(s.data());
+        for (std::size_t i = 0; i < 8; ++i) value += v[i], slope += s[i];
+        return {value, slope / value};
+    }
+
+    T modulus_, gamma_, rms_height_{}, light_load_length_{};
+    S gradient_{};
+    std::vector<detail::GradientPiece<S>> pieces_;
+    std::vector<S> inverse_, weight_;  ///< 1/G and the weights of f, panel by panel from the top
+};
+
+}  // namespace fstiff

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The truth of one map: its contact with a flat, solved by boundary elements on the map itself.
+///
+///     g = u[p] - h + d >= 0,   p >= 0,   p g = 0 at every point,   mean p = the nominal pressure
+///     u[p] of an elastic half space that repeats the map, or mirrors it at its edges (halfspace/surface_compliance.hpp)
+///
+/// is a quadratic programme and is solved by conjugate gradients (Polonsky, Keer). The stiffness needs no difference of two
+/// solutions: the points in contact are held together and moved by one unit,
+///
+///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1
+///
+/// which is -dp/dd where the set of contacts changes smoothly, and what a wave sees that moves the faces by less than a
+/// nanometre. With a hardness H the pressure is cut there (p <= H; g < 0 is plastic flow where p = H), and the stiffness is that
+/// of unloading.
+///
+/// Reference   Polonsky, Keer, Wear 231 (1999) 206; Stanley, Kato, J. Tribol. 119 (1997) 481; the cut at H: Almqvist et al.,
+///             J. Mech. Phys. Solids 55 (2007) 1.
+/// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
+/// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
+/// Accuracy    of the equations on the grid: tolerance, 1e-8 by default. Of the surface: a contact needs several points, and
+///             solving on a coarser grid too tells the rest (halfspace/truth.hpp). Against the wave of Westergaard and another code:
+///             tests/halfspace/boundary_elements_test.cpp
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/progress.hpp>
+#include <fstiff/halfspace/surface_compliance.hpp>
+#include <fstiff/topography/height_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace fstiff {
+
+template <Real T = double>
+struct BoundaryElementOptions {
+    Edges edges = Edges::mirrored;
+    T hardness{};              ///< H [Pa] at which pressures are cut; 0: elastic
+    T tolerance = T(1e-8);     ///< change of the pressures over their sum at which the solution counts as found
+    int max_iterations = 2000;
+    ProgressHook progress{};   ///< called once an iteration, with max_iterations as the end
+};
+
+/// One solution.
+template <Real T = double>
+struct BoundaryElementState {
+    T pressure{};              ///< nominal [Pa]
+    T stiffness{};             ///< K of the contact held together [Pa/m]; infinite where all points touch
+    T contact_fraction{};      ///< share of the points in contact
+    T mean_gap{};              ///< mean distance of the two faces, the separation of their mean planes [m]
+    T max_pressure{};          ///< [Pa]
+    Eigen::Index spots{};      ///< contacts, joined through edges and corners
+    T residual{};              ///< what the last iteration changed of the pressures, over their sum
+    int iterations{};
+    bool converged = false;    ///< residual and that of the stiffness are below the tolerance
+};
+
+template <Real T = double>
+class BoundaryElements {
+    using Field = GridField<T>;
+
+public:
+    /// Of the surface \p map against a smooth flat. \throws domain_error for missing points and what HeightMap::validate says.
+    BoundaryElements(const HeightMap<T>& map, T effective_modulus, const BoundaryElementOptions<T>& options = {});
+
+    /// The contact under \p pressure [Pa], from the last solution, which is the faster the closer it was.
+    /// \throws domain_error unless 0 < pressure, < H.
+    [[nodiscard]] BoundaryElementState<T> at_pressure(T pressure);
+
+    /// Pressures of the last solution [Pa], mirrored rows and columns left out.
+    [[nodiscard]] Field pressures() const { return p_ * modulus_; }
+
+private:
+    struct Found {
+        T value;  ///< of u on the contact
+        T residual;
+        int iterations;
+    };
+    /// Conjugate gradients for p at the mean \p nominal (over E).
+    Found solve(T nominal);
+    /// Conjugate gradients for t on the contact: value is 1/K.
+    [[nodiscard]] Found held() const;
+    [[nodiscard]] Eigen::Index count_spots() const;
+
+    T modulus_;
+    BoundaryElementOptions<T> options_;
+    Field height_, p_, u_;  ///< [m]; pressure over E; deflection [m]
+    mutable SurfaceCompliance<T> compliance_;
+};
+
+template <Real T>
+BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, T effective_modulus,
+                                      const BoundaryElementOptions<T>& options)
+    : modulus_(effective_modulus),
+      options_(options),
+      height_(map.heights),
+      compliance_(map.rows(), map.columns(), map.dx, map.dy, options.edges) {
+    map.validate();
+    require_positive("effective_modulus", effective_modulus);
+    if (options.hardness != T(0)) require_positive("hardness", options.hardness);
+    if (map.present() != map.size())
+        throw domain_error("map with " + std::to_string(map.size() - map.present()) +
+                           " missing points: must be filled before boundary elements");
+    height_ -= height_.mean();
+}
+
+template <Real T>
+BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
+    require_positive("pressure", pressure);
+    if (options_.hardness > 0)
+        require(pressure < options_.hardness, "pressure", pressure, "less than the hardness (Pa)");
+    const Found found = solve(pressure / modulus_);
+    BoundaryElementState<T> state;
+    state.pressure = pressure;
+    const auto contact = p_ > T(0);
+    const Eigen::Index count = contact.count();
+    state.contact_fraction = T(count) / T(p_.size());
+    state.max_pressure = p_.maxCoeff() * modulus_;
+    state.mean_gap = -found.value;  // the mean of u and h is 0
+    state.residual = found.residual;
+    state.iterations = found.iterations;
+    state.converged = found.residual <= options_.tolerance;
+    state.spots = count_spots();
+    if (count == p_.size()) {
+        state.stiffness = std::numeric_limits<T>::infinity();
+    } else {
+        const Found unit = held();
+        state.stiffness = modulus_ / unit.value;
+        state.iterations += unit.iterations;
+        state.converged = state.converged && unit.residual <= std::max(options_.tolerance, T(1e-6));
+    }
+    return state;
+}
+
+template <Real T>
+typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal) {
+    const T size = T(height_.size()), hard = options_.hardness > 0 ? options_.hardness / modulus_
+                                                                  : std::numeric_limits<T>::infinity();
+    if (p_.size() == 0) {
+        p_ = Field::Constant(height_.rows(), height_.cols(), nominal);
+    } else {
+        p_ *= nominal / p_.mean();
+    }
+    p_ = p_.min(hard);
+    Field direction = Field::Zero(p_.rows(), p_.cols()), response, gap;
+    u_ = p_;
+    compliance_(u_);
+    T last_norm = 1, level = 0, change = std::numeric_limits<T>::infinity();
+    bool conjugate = false;
+    int iteration = 0;
+    for (; iteration < options_.max_iterations; ++iteration) {
+        if (options_.progress)
+            options_.progress("boundary elements", static_cast<std::size_t>(iteration),
+                              static_cast<std::size_t>(options_.max_iterations));
+        const auto free = (p_ > T(0) && p_ < hard).template cast<T>();
+        const T count = std::max(T(1), free.sum());
+        gap = u_ - height_;
+        level = (gap * free).sum() / count;
+        if (change <= options_.tolerance) break;
+        gap -= level;
+        const T norm = (gap.square() * free).sum();
+        direction = (gap + (conjugate ? norm / last_norm : T(0)) * direction) * free;
+        last_norm = norm;
+        response = direction;
+        compliance_(response);
+        const T mean = (response * free).sum() / count;
+        const T curvature = ((response - mean) * direction).sum();
+        if (!(curvature > 0)) {  // nothing left to change: all of one height, or a single point
+            change = 0;
+            break;
+        }
+        const T step = (gap * direction).sum() / curvature;
+        Field next = (p_ - step * direction).max(T(0)).min(hard);
+        const auto wanting = (next <= T(0) && gap < T(0)).eval();  // open points that lie within the other face
+        const auto yielding = (next >= hard && gap > T(0)).eval();  // cut ones that have come apart
+        const bool moved = ((p_ - step * direction) < T(0) && free > T(0)).any() ||
+                           ((p_ - step * direction) > hard && free > T(0)).any() || wanting.any() || yielding.any();
+        next = (wanting || yielding).select((next - step * gap).max(T(0)), next).min(hard);
+        conjugate = !(wanting.any() || yielding.any());
+        next *= nominal * size / next.sum();
+        next = next.min(hard);
+        change = (next - p_).abs().sum() / (nominal * size);
+        if (moved) {
+            u_ = next;
+            compliance_(u_);
+        } else {
+            const T scale = next.sum() / (p_ - step * direction).sum();
+            u_ = (u_ - step * response) * scale;
+        }
+        p_.swap(next);
+    }
+    return {level, change, iteration};
+}
+
+template <Real T>
+typename BoundaryElements<T>::Found BoundaryElements<T>::held() const {
+    const auto on = (p_ > T(0)).template cast<T>().eval();
+    const T count = on.sum(), size = T(on.size());
+    // t = size/count on the contact has the mean 1; corrections of mean 0 take u to one value there
+    Field t = p_ / p_.mean(), u = t, direction = Field::Zero(t.rows(), t.cols()), response;
+    compliance_(u);
+    T last_norm = 0, level = 0, share = 1;
+    int iteration = 0;
+    for (; iteration < options_.max_iterations; ++iteration) {
+        level = (u * on).sum() / count;
+        const Field residual = (u - level) * on;
+        const T norm = residual.square().sum();
+        share = std::sqrt(norm / count) / level;
+        if (share <= T(1e-6) * std::sqrt(std::min(T(1), size / count / 100)) || norm == 0) break;
+        direction = residual + (iteration > 0 ? norm / last_norm : T(0)) * direction;
+        last_norm = norm;
+        response = direction;
+        compliance_(response);
+        const T curvature = (response * direction).sum();
+        if (!(curvature > 0)) break;
+        const T step = norm / curvature;
+        t -= step * direction;
+        u -= step * response;
+    }
+    return {level, share, iteration};
+}
+
+template <Real T>
+Eigen::Index BoundaryElements<T>::count_spots() const {
+    const Eigen::Index rows = p_.rows(), columns = p_.cols();
+    const bool round = options_.edges == Edges::periodic;
+    std::vector<char> seen(static_cast<std::size_t>(p_.size()), 0);
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> open;
+    Eigen::Index spots = 0;
+    const auto visit = [&](Eigen::Index j, Eigen::Index i) {
+        if (round) {
+            j = (j + rows) % rows;
+            i = (i + columns) % columns;
+        } else if (j < 0 || i < 0 || j >= rows || i >= columns) {
+            return false;
+        }
+        char& mark = seen[static_cast<std::size_t>(j * columns + i)];
+        if (mark != 0 || !(p_(j, i) > 0)) return false;
+        mark = 1;
+        open.emplace_back(j, i);
+        return true;
+    };
+    for (Eigen::Index j = 0; j < rows; ++j)
+        for (Eigen::Index i = 0; i < columns; ++i) {
+            if (visit(j, i)) ++spots;
+            while (!open.empty()) {
+                const auto [y, x] = open.back();
+                open.pop_back();
+                for (Eigen::Index dy = -1; dy <= 1; ++dy)
+                    for (Eigen::Index dx = -1; dx <= 1; ++dx) visit(y + dy, x + dx);
+            }
+        }
+    return spots;
+}
+
+}  // namespace fstiff

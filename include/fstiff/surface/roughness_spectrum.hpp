@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Two-dimensional roughness spectra of isotropic surfaces: a band that obeys a power law, and shells measured on a map.
+///
+///     sigma^2 = 2 pi int q C dq      G(q)^2 = 2 pi int_q1^q q'^3 C dq'      G(q2) = g, the rms gradient
+///     m0 = sigma^2      m2 = g^2/2      m4 = (3/4) pi int q^5 C dq          the moments of a profile of the surface
+///     C(q) = C0 q_rolloff^(-2-2H)  from q1 to q_rolloff,   C0 q^(-2-2H)  from there to q2
+///
+/// The band that has three given moments and a Hurst exponent, with q_rolloff = q1 and F(s) = (q2^s - q1^s)/s:
+///
+///     m0 = 2 pi C0 F(-2H)   m2 = pi C0 F(2-2H)   m4 = (3/4) pi C0 F(4-2H)   alpha = m0 m4/m2^2 fixes q2/q1 alone
+///
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398 (moments, alpha); Persson et al., J. Phys. Condens. Matter 17 (2005) R1
+///             (spectrum, Hurst exponent).
+/// Units       q [rad/m], C0 such that C is in m^4, m0 [m^2], m2 dimensionless, m4 [1/m^2]
+/// Valid       0 < H <= 1, 0 < q1 <= q_rolloff < q2; alpha > 3/2, below which no isotropic surface is
+/// Accuracy    1e-13 relative in double (tests/surface/roughness_spectrum_test.cpp)
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/math/root.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace fstiff {
+
+namespace detail {
+
+/// int_1^x q^(s-1) dq = (x^s - 1)/s with log_x = ln x.
+template <Real T>
+[[nodiscard]] T power_integral(T s, T log_x) {
+    return std::abs(s * log_x) < std::numeric_limits<T>::min() ? log_x : std::expm1(s * log_x) / s;
+}
+
+/// d ln/d ln x of it: x^s/power_integral.
+template <Real T>
+[[nodiscard]] T power_integral_slope(T s, T log_x) {
+    return std::exp(s * log_x) / power_integral(s, log_x);
+}
+
+}  // namespace detail
+
+/// C(q) = C0 q^(-2-2H) from q_rolloff to q2, constant from q1 to q_rolloff.
+template <Real T = double>
+struct BandSpectrum {
+    T C0{};         ///< [m^(2-2H)]
+    T hurst{};      ///< H
+    T q1{};         ///< least wave number [rad/m]
+    T q_rolloff{};  ///< where the power law begins; q1 where there is no flat part [rad/m]
+    T q2{};         ///< greatest wave number [rad/m]
+
+    /// \throws domain_error naming the parameter that is out of range.
+    void validate() const {
+        require_positive("C0", C0);
+        require(hurst > 0 && hurst <= 1, "hurst", hurst, "greater than 0 and at most 1");
+        require_positive("q1", q1);
+        require(q_rolloff >= q1 && q_rolloff <= std::numeric_limits<T>::max(), "q_rolloff", q_rolloff, "q1 or more");
+        require(q2 > q_rolloff && q2 <= std::numeric_limits<T>::max(), "q2", q2, "greater than q1 and q_rolloff");
+    }
+
+    /// int q^n C dq over the band.
+    [[nodiscard]] T integral(int n) const {
+        const T s = T(n) - 1 - 2 * hurst, begin = std::pow(q_rolloff, s);
+        const T flat = begin * -std::expm1(T(n + 1) * std::log(q1 / q_rolloff)) / T(n + 1);
+        return C0 * (flat + begin * detail::power_integral(s, std::log(q2 / q_rolloff)));
+    }
+    [[nodiscard]] T m0() const { return 2 * numbers::pi_v<T> * integral(1); }
+    [[nodiscard]] T m2() const { return numbers::pi_v<T> * integral(3); }
+    [[nodiscard]] T m4() const { return numbers::pi_v<T> * T(0.75) * integral(5); }
+    [[nodiscard]] T rms_height() const { return std::sqrt(m0()); }
+    [[nodiscard]] T rms_gradient() const { return std::sqrt(2 * m2()); }
+};
+
+/// A spectrum in shells of |q|: what the modes of a map between two wave numbers add up to. In ascending order of |q|.
+template <Real T = double>
+struct SpectrumShells {
+    struct Shell {
+        T q2_h2{};  ///< sum of q^2 |h_q|^2, dimensionless
+        T q_h2{};   ///< sum of q |h_q|^2 [m]
+    };
+    std::vector<Shell> shells;
+    T rms_height{};  ///< root of the sum of |h_q|^2 [m]
+
+    /// \throws domain_error for no shells, or one whose sums are not positive and finite.
+    void validate() const {
+        if (shells.empty()) throw domain_error("shells of a spectrum = 0: must be at least 1");
+        require_positive("rms_height", rms_height);
+        for (const Shell& shell : shells) {
+            require_positive("q2_h2 of a shell", shell.q2_h2);
+            require_positive("q_h2 of a shell", shell.q_h2);
+        }
+    }
+    [[nodiscard]] T rms_gradient() const {
+        T sum = 0;
+        for (const Shell& shell : shells) sum += shell.q2_h2;
+        return std::sqrt(sum);
+    }
+};
+
+/// Moments of a profile of an isotropic surface.
+template <Real T = double>
+struct SurfaceMoments {
+    T m0{};  ///< sigma^2 [m^2]
+    T m2{};  ///< half the square of the surface's rms gradient
+    T m4{};  ///< [1/m^2]
+
+    /// Nayak's alpha = m0 m4/m2^2.
+    [[nodiscard]] T bandwidth() const { return (m0 / m2) * (m4 / m2); }
+};
+
+/// Of the mean peak radius R [m] and the density of peaks D_p [1/m^2] of a surface of the rms height \p rms_height [m]:
+/// m4 = sigma_kappa^2 with eq. (4.10) of the reference paper, m2 = m4/(6 pi sqrt(3) D_p), as Nayak (1971) has both.
+/// \throws domain_error unless all are finite and positive.
+template <Real T>
+[[nodiscard]] SurfaceMoments<T> moments_of_peaks(T rms_height, T peak_radius, T peak_density) {
+    require_positive("rms_height", rms_height);
+    require_positive("peak_radius", peak_radius);
+    require_positive("peak_density", peak_density);
+    const T curvature = 3 * std::sqrt(numbers::pi_v<T>) / (8 * peak_radius);
+    const T m4 = curvature * curvature;
+    return {rms_height * rms_height, m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * peak_density), m4};
+}
+
+/// Of the rms gradient g of the surface and Nayak's alpha: m2 = g^2/2, m4 = alpha m2^2/m0.
+/// \throws domain_error unless all are finite and positive.
+template <Real T>
+[[nodiscard]] SurfaceMoments<T> moments_of_gradient(T rms_height, T rms_gradient, T alpha) {
+    require_positive("rms_height", rms_height);
+    require_positive("rms_gradient", rms_gradient);
+    require_positive("alpha", alpha);
+    const T m0 = rms_height * rms_height, m2 = rms_gradient * rms_gradient / 2;
+    return {m0, m2, alpha * (m2 / m0) * m2};
+}
+
+/// R [m] of (4.10) and D_p [1/m^2] of Nayak's peaks: the inverse of moments_of_peaks.
+template <Real T>
+[[nodiscard]] T peak_radius_of(const SurfaceMoments<T>& moments) {
+    return 3 * std::sqrt(numbers::pi_v<T>) / (8 * std::sqrt(moments.m4));
+}
+template <Real T>
+[[nodiscard]] T peak_density_of(const SurfaceMoments<T>& moments) {
+    return moments.m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * moments.m2);
+}
+
+/// The band without a flat part that has the moments \p moments and the Hurst exponent \p hurst.
+/// \throws domain_error unless 0 < H <= 1 and alpha > 3/2, with ln(q2/q1) between 0.001 and 60.
+template <Real T>
+[[nodiscard]] BandSpectrum<T> band_of_moments(const SurfaceMoments<T>& moments, std::type_identity_t<T> hurst) {
+    require(hurst > 0 && hurst <= 1, "hurst", hurst, "greater than 0 and at most 1");
+    require_positive("m0", moments.m0);
+    require_positive("m2", moments.m2);
+    require_positive("m4", moments.m4);
+    const T alpha = moments.bandwidth(), low = T(1e-3), high = 60;
+    const auto log_alpha = [hurst](T log_ratio) {
+        const auto F = [&](T s) { return detail::power_integral(s, log_ratio); };
+        const auto slope = [&](T s) { return detail::power_integral_slope(s, log_ratio); };
+        const T zero = -2 * hurst, two = 2 - 2 * hurst, four = 4 - 2 * hurst;
+        return std::pair(std::log(T(1.5)) + std::log(F(zero) / F(two)) + std::log(F(four) / F(two)),
+                         slope(zero) + slope(four) - 2 * slope(two));
+    };
+    require(alpha > T(1.5), "Nayak's alpha = m0 m4/m2^2", alpha,
+            "greater than 1.5, which every isotropic surface exceeds (rms_gradient states m2 in another way)");
+    const T target = std::log(alpha);
+    const auto found = newton_bracketed(
+        [&](T x) {
+            const auto [value, slope] = log_alpha(x);
+            return std::pair(value - target, slope);
+        },
+        low, high, std::clamp(std::log(alpha), low, high), 4 * std::numeric_limits<T>::epsilon());
+    require(found.converged(), "Nayak's alpha = m0 m4/m2^2", alpha,
+            "that of a band with ln(q2/q1) between 0.001 and 60 at this Hurst exponent");
+    const T log_ratio = found.root;
+    const T F0 = detail::power_integral(-2 * hurst, log_ratio), F2 = detail::power_integral(2 - 2 * hurst, log_ratio);
+    BandSpectrum<T> band;
+    band.hurst = hurst;
+    band.q1 = band.q_rolloff = std::sqrt(2 * moments.m2 / moments.m0 * (F0 / F2));
+    band.q2 = band.q1 * std::exp(log_ratio);
+    band.C0 = moments.m0 / (2 * numbers::pi_v<T> * F0) * std::pow(band.q1, 2 * hurst);
+    return band;
+}
+
+}  // namespace fstiff
