@@ -13,7 +13,7 @@
 ///
 /// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481 (repeating half space by transforms); Makhoul, IEEE Trans. Acoust. Speech
 ///             Signal Process. 28 (1980) 27 (cosine transform).
-/// Units       lengths [m], pressure in units of E: u [m] = operator()(p/E)
+/// Units       lengths [m], pressure in units of E: u [m] = deflect(p/E)
 /// Valid       2 points a side at least; sides that are products of 2, 3 and 5 are fast, others take a transform of 2N or more
 /// Accuracy    1e-14 relative to the largest deflection in double (tests/halfspace/surface_compliance_test.cpp)
 
@@ -113,30 +113,35 @@ public:
         require_positive("dx", dx);
         require_positive("dy", dy);
         const T unit_x = 2 * numbers::pi_v<T> / (dx * T(columns)), unit_y = 2 * numbers::pi_v<T> / (dy * T(rows));
-        response_.resize(columns, rows);
+        compliance_.resize(columns, rows);
         for (Eigen::Index i = 0; i < columns; ++i)
             for (Eigen::Index j = 0; j < rows; ++j)
-                response_(i, j) = 2 / std::hypot(unit_x * along_x_.wave_number(static_cast<std::size_t>(i)),
-                                                 unit_y * along_y_.wave_number(static_cast<std::size_t>(j)));
-        response_(0, 0) = 0;
+                compliance_(i, j) = 2 / std::hypot(unit_x * along_x_.wave_number(static_cast<std::size_t>(i)),
+                                                   unit_y * along_y_.wave_number(static_cast<std::size_t>(j)));
+        stiffness_ = 1 / compliance_;
+        compliance_(0, 0) = stiffness_(0, 0) = 0;
     }
 
     /// \p field becomes the deflection [m] under it, taken as pressure over E. Its mean becomes 0.
-    void operator()(GridField<T>& field) {
+    void deflect(GridField<T>& field) { multiply(field, compliance_); }
+    /// \p field becomes the pressure over E that deflects all points by it [m], its mean left out: the inverse of deflect().
+    void press(GridField<T>& field) { multiply(field, stiffness_); }
+
+private:
+    void multiply(GridField<T>& field, const GridField<T>& factors) {
         for (Eigen::Index j = 0; j < field.rows(); ++j) along_x_.forward(&field(j, 0));
         turned_ = field.transpose();
         for (Eigen::Index i = 0; i < turned_.rows(); ++i) {
             along_y_.forward(&turned_(i, 0));
-            turned_.row(i) *= response_.row(i);
+            turned_.row(i) *= factors.row(i);
             along_y_.inverse(&turned_(i, 0));
         }
         field = turned_.transpose();
         for (Eigen::Index j = 0; j < field.rows(); ++j) along_x_.inverse(&field(j, 0));
     }
 
-private:
     detail::LineTransform<T> along_x_, along_y_;
-    GridField<T> response_, turned_;  ///< columns by rows
+    GridField<T> compliance_, stiffness_, turned_;  ///< columns by rows
 };
 
 }  // namespace fstiff
