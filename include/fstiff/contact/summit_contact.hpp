@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The contact of a map's own summits: a sum over them in place of the integral over a distribution.
+///
+///     p = E/A0 sum (4/3) sqrt(R_i) (z_i - d)^(3/2)      K = E/A0 sum 2 sqrt(R_i (z_i - d))
+///     A/A0 = pi/A0 sum R_i (z_i - d)                    n = number of z_i > d, over A0
+///
+/// Skewed and peaky surfaces are taken as they are, and no peak is higher than those that were measured. What is missing is that
+/// neighbours push each other down: contact/hybrid_contact.hpp adds it.
+///
+/// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014),
+///             eq. (3.7) for one asperity.
+/// Units       SI
+/// Valid       separations below the highest summit; pressures > 0
+/// Accuracy    of the sums 1e-14; of a surface few summits carry at light loads, and the next map of it has others
+///             (tests/contact/summit_contact_test.cpp)
+
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/math/root.hpp>
+#include <fstiff/topography/summits.hpp>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fstiff {
+
+template <Real T = double>
+class SummitContact {
+    using Values = Eigen::Array<T, Eigen::Dynamic, 1>;
+
+public:
+    /// \throws domain_error for no summits and a modulus that is not finite and positive.
+    SummitContact(const Summits<T>& of, T effective_modulus)
+        : modulus_(effective_modulus), area_(of.area), rms_height_(of.rms_height) {
+        require_positive("effective_modulus", effective_modulus);
+        require_positive("rms_height", of.rms_height);
+        require(!of.summits.empty(), "summits", of.summits.size(), "at least 1");
+        height_.resize(std::ssize(of.summits));
+        radius_.resize(std::ssize(of.summits));
+        for (Eigen::Index i = 0; i < height_.size(); ++i) {
+            height_[i] = of.summits[static_cast<std::size_t>(i)].height;
+            radius_[i] = of.summits[static_cast<std::size_t>(i)].radius();
+        }
+    }
+
+    /// \throws domain_error for a separation at which no summit touches.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+        if (!(separation < height_[0]))
+            detail::refuse("separation", separation, "less than the height of the highest summit (m)");
+        return state(separation, 0, wanted);
+    }
+
+    /// \throws domain_error unless the pressure [Pa] is finite and positive.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        require_positive("pressure", pressure);
+        // p^(2/3) is nearly linear in d
+        const T target = std::cbrt(pressure) * std::cbrt(pressure), top = height_[0];
+        const T single = std::cbrt(T(0.75) * pressure * area_ / modulus_ / std::sqrt(radius_[0]));
+        T low = top - single * single;  // the highest alone would carry it there, so that all together do
+        const auto residual = [&](T d) {
+            const Sums j = sums(d);
+            const T root = std::cbrt(j.load);
+            return std::pair(root * root - target, -2 * j.stiffness / (3 * std::max(root, std::numeric_limits<T>::min())));
+        };
+        const auto found = newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
+                                            4 * std::numeric_limits<T>::epsilon() * (std::abs(top) + rms_height_));
+        require(found.converged(), "pressure", pressure, "within the range of numbers for the scales of this map");
+        ContactState<T> at = state(found.root, found.error, wanted);
+        at.pressure = {pressure, 0, static_cast<int>(at.pressure.evaluations)};
+        return at;
+    }
+
+    /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error as at_separation.
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        if (!(eta * rms_height_ < height_[0]))
+            detail::refuse("eta", eta, "less than the height of the highest summit over the rms height");
+        const Sums j = sums(eta * rms_height_);
+        return {std::log(j.load), -j.stiffness / j.load * rms_height_, rounding};
+    }
+
+    [[nodiscard]] T rms_height() const { return rms_height_; }
+    [[nodiscard]] Eigen::Index summits() const { return height_.size(); }
+    /// Area that the summits stand on [m^2].
+    [[nodiscard]] T area() const { return area_; }
+    [[nodiscard]] Interaction<T> interaction() const { return {}; }
+    [[nodiscard]] T bulk_compliance() const { return T(0); }
+    /// K is -dp/dd.
+    [[nodiscard]] T stiffness_over_slope() const { return T(1); }
+
+private:
+    static constexpr T rounding = 64 * std::numeric_limits<T>::epsilon();
+
+    struct Sums {
+        T load, stiffness, area, count;
+    };
+
+    [[nodiscard]] Sums sums(T d) const {
+        const auto touching = std::partition_point(height_.begin(), height_.end(), [d](T z) { return z > d; });
+        const Eigen::Index n = touching - height_.begin();
+        if (n == 0) return {0, 0, 0, 0};
+        const Values omega = height_.head(n) - d, half = (radius_.head(n) * omega).sqrt();
+        const T per_area = 1 / area_;
+        return {T(4) / 3 * modulus_ * per_area * (half * omega).sum(), 2 * modulus_ * per_area * half.sum(),
+                numbers::pi_v<T> * per_area * half.square().sum(), per_area * T(n)};
+    }
+
+    [[nodiscard]] ContactState<T> state(T d, T error, Quantity wanted) const {
+        const Sums j = sums(d);
+        const T relative = rounding + error * j.stiffness / j.load;
+        const auto given = [&](Quantity quantity, T value) {
+            return has(wanted, quantity) ? Estimate<T>{value, relative * value, static_cast<int>(height_.size())}
+                                         : Estimate<T>{};
+        };
+        ContactState<T> at;
+        at.eta = d / rms_height_;
+        at.separation = {d, error, 0};
+        at.pressure = given(Quantity::pressure, j.load);
+        at.stiffness = given(Quantity::stiffness, j.stiffness);
+        at.loading_stiffness = given(Quantity::loading_stiffness, j.stiffness);
+        at.real_area_fraction = given(Quantity::real_area, j.area);
+        at.contact_density = given(Quantity::contacts, j.count);
+        return at;
+    }
+
+    T modulus_, area_, rms_height_;
+    Values height_, radius_;  ///< the highest first
+};
+
+}  // namespace fstiff

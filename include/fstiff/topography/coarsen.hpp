@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// A map on a coarser grid: each new cell has the mean height of the area that it covers.
+///
+/// Units       as the map
+/// Valid       maps without missing points; no more cells than there are
+/// Accuracy    the mean height is kept to 1e-14 of the largest (tests/topography/coarsen_test.cpp)
+
+#include <fstiff/topography/height_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace fstiff {
+
+namespace detail {
+
+/// The share of each of \p from cells of a line in each of \p to longer ones; rows sum to 1.
+template <Real T>
+Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> cell_shares(Eigen::Index from, Eigen::Index to) {
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> share =
+        Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>::Zero(to, from);
+    const T length = T(from) / T(to);
+    for (Eigen::Index j = 0; j < to; ++j) {
+        const T begin = T(j) * length, end = T(j + 1) * length;
+        for (auto i = static_cast<Eigen::Index>(begin); i < from && T(i) < end; ++i)
+            share(j, i) = std::max(T(0), std::min(end, T(i + 1)) - std::max(begin, T(i))) / length;
+    }
+    return share;
+}
+
+}  // namespace detail
+
+/// \p map on \p columns by \p rows cells over the same area.
+/// \throws domain_error for missing points, less than 1 cell and more than there are.
+template <Real T>
+[[nodiscard]] HeightMap<T> coarsened(const HeightMap<T>& map, Eigen::Index columns, Eigen::Index rows) {
+    require(columns >= 1 && columns <= map.columns(), "columns", columns, "from 1 to those of the map");
+    require(rows >= 1 && rows <= map.rows(), "rows", rows, "from 1 to those of the map");
+    if (map.present() != map.size())
+        throw domain_error("map with " + std::to_string(map.size() - map.present()) +
+                           " missing points: must be filled before it is made coarser");
+    HeightMap<T> coarse;
+    coarse.dx = map.dx * T(map.columns()) / T(columns);
+    coarse.dy = map.dy * T(map.rows()) / T(rows);
+    coarse.heights = (detail::cell_shares<T>(map.rows(), rows) * map.heights.matrix() *
+                      detail::cell_shares<T>(map.columns(), columns).transpose())
+                         .array();
+    return coarse;
+}
+
+/// \p map with \p points along its longer side (as it is where it has no more), cells as square as they were.
+template <Real T>
+[[nodiscard]] HeightMap<T> coarsened(const HeightMap<T>& map, Eigen::Index points) {
+    require(points >= 1, "points", points, "at least 1");
+    const Eigen::Index longer = std::max(map.columns(), map.rows());
+    if (longer <= points) return map;
+    const auto side = [&](Eigen::Index n) {
+        return std::max(Eigen::Index(1), static_cast<Eigen::Index>(std::lround(double(n) * double(points) / double(longer))));
+    };
+    return coarsened(map, side(map.columns()), side(map.rows()));
+}
+
+}  // namespace fstiff

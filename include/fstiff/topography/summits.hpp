@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The summits of a map one by one: where each stands, how high, and how it is curved.
+///
+///     summit      higher than all its eight neighbours
+///     curvature   -d2z/dx2, -d2z/dy2 by three points; both are positive at a summit
+///
+/// A point at the border or beside a missing one is no summit, and is not counted in the area. Of a plateau no point is a summit.
+///
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; the same rule as areal_statistics.hpp.
+/// Units       heights above the mean plane and places [m], curvatures [1/m], area [m^2]
+/// Valid       maps of 3 x 3 points at least; remove the form first
+/// Accuracy    rounding; what three points lose of a curvature is (pi/samples of its wave)^2/3 (tests/topography/summits_test.cpp)
+
+#include <fstiff/topography/height_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace fstiff {
+
+template <Real T = double>
+struct Summit {
+    T height;                  ///< above the mean of the map [m]
+    T curvature_x, curvature_y;  ///< [1/m]
+    T x, y;                    ///< from the first point [m]
+
+    /// R of the sphere of the same mean curvature [m].
+    [[nodiscard]] T radius() const { return 2 / (curvature_x + curvature_y); }
+};
+
+template <Real T = double>
+struct Summits {
+    std::vector<Summit<T>> summits;  ///< the highest first
+    T area{};                        ///< of the points that can be summits [m^2]
+    T rms_height{};                  ///< of the map [m]
+};
+
+/// \throws domain_error for a map out of range.
+template <Real T>
+[[nodiscard]] Summits<T> summits_of(const HeightMap<T>& map) {
+    map.validate();
+    using Index = Eigen::Index;
+    const auto& z = map.heights;
+    T sum = 0, squares = 0, datum = 0;
+    for (Index k = 0; k < z.size(); ++k)
+        if (!std::isnan(z.data()[k])) datum = z.data()[k];
+    const auto present = static_cast<T>(map.present());
+    for (Index k = 0; k < z.size(); ++k)
+        if (!std::isnan(z.data()[k])) sum += z.data()[k] - datum;
+    const T mean = datum + sum / present;
+    for (Index k = 0; k < z.size(); ++k)
+        if (!std::isnan(z.data()[k])) squares += (z.data()[k] - mean) * (z.data()[k] - mean);
+    Summits<T> found;
+    found.rms_height = std::sqrt(squares / present);
+    std::size_t inner = 0;
+    for (Index j = 1; j + 1 < z.rows(); ++j)
+        for (Index i = 1; i + 1 < z.cols(); ++i) {
+            const auto patch = z.template block<3, 3>(j - 1, i - 1);
+            if (patch.isNaN().any()) continue;
+            ++inner;
+            const T here = z(j, i);
+            if ((patch >= here).count() != 1) continue;  // itself
+            found.summits.push_back({here - mean,
+                                     ((here - z(j, i - 1)) + (here - z(j, i + 1))) / map.dx / map.dx,
+                                     ((here - z(j - 1, i)) + (here - z(j + 1, i))) / map.dy / map.dy,
+                                     T(i) * map.dx, T(j) * map.dy});
+        }
+    found.area = static_cast<T>(inner) * map.dx * map.dy;
+    std::sort(found.summits.begin(), found.summits.end(),
+              [](const Summit<T>& a, const Summit<T>& b) { return a.height > b.height; });
+    return found;
+}
+
+}  // namespace fstiff
