@@ -16,7 +16,7 @@
 /// of unloading.
 ///
 /// Reference   Polonsky, Keer, Wear 231 (1999) 206; Stanley, Kato, J. Tribol. 119 (1997) 481; the cut at H: Almqvist et al.,
-///             J. Mech. Phys. Solids 55 (2007) 1.
+///             J. Mech. Phys. Solids 55 (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
 /// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
 /// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
 /// Accuracy    of the equations on the grid: tolerance, 1e-8 by default. Of the surface: a contact needs several points, and
@@ -81,6 +81,10 @@ private:
     };
     /// Conjugate gradients for p at the mean \p nominal (over E).
     Found solve(T nominal);
+    /// The same with p <= H, by projected gradients with the step of Barzilai and Borwein: most points in contact are bound then.
+    Found solve_cut(T nominal);
+    /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
+    static void project(Field& p, T nominal, T hard);
     /// Conjugate gradients for t on the contact: value is 1/K.
     [[nodiscard]] Found held() const;
     /// The pressures that would close \p gap were all points \p free ones (1, others 0), of mean 0 on these: the operator is
@@ -92,11 +96,18 @@ private:
         return (pull - mean) * free;
     }
     [[nodiscard]] Eigen::Index count_spots() const;
+    void tell(int iteration) const {
+        if (options_.progress)
+            options_.progress("boundary elements", static_cast<std::size_t>(iteration),
+                              static_cast<std::size_t>(options_.max_iterations));
+    }
 
     /// Scatter of u on the contact over its value. K is stationary: its error is the square of this.
     static constexpr T held_tolerance = T(1e-6);
 
     T modulus_;
+    T softest_;  ///< pressure over E and deflection of the longest wave [1/m]: what a released point is given for its gap, since
+                 ///< many are released together
     BoundaryElementOptions<T> options_;
     Field height_, p_, u_;  ///< [m]; pressure over E; deflection [m]
     mutable SurfaceCompliance<T> compliance_;
@@ -106,6 +117,7 @@ template <Real T>
 BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, T effective_modulus,
                                       const BoundaryElementOptions<T>& options)
     : modulus_(effective_modulus),
+      softest_(numbers::pi_v<T> / std::max(map.dx * T(map.columns()), map.dy * T(map.rows()))),
       options_(options),
       height_(map.heights),
       compliance_(map.rows(), map.columns(), map.dx, map.dy, options.edges) {
@@ -123,7 +135,12 @@ BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
     require_positive("pressure", pressure);
     if (options_.hardness > 0)
         require(pressure < options_.hardness, "pressure", pressure, "less than the hardness (Pa)");
-    const Found found = solve(pressure / modulus_);
+    const T nominal = pressure / modulus_;
+    if (p_.size() == 0) p_ = Field::Ones(height_.rows(), height_.cols());
+    p_ *= nominal / p_.mean();
+    u_ = p_;
+    compliance_.deflect(u_);
+    const Found found = options_.hardness > 0 ? solve_cut(nominal) : solve(nominal);
     BoundaryElementState<T> state;
     state.pressure = pressure;
     const auto contact = p_ > T(0);
@@ -148,63 +165,96 @@ BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
 
 template <Real T>
 typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal) {
-    const T size = T(height_.size()), hard = options_.hardness > 0 ? options_.hardness / modulus_
-                                                                  : std::numeric_limits<T>::infinity();
-    if (p_.size() == 0) {
-        p_ = Field::Constant(height_.rows(), height_.cols(), nominal);
-    } else {
-        p_ *= nominal / p_.mean();
-    }
-    p_ = p_.min(hard);
     Field direction = Field::Zero(p_.rows(), p_.cols()), response, gap;
-    u_ = p_;
-    compliance_.deflect(u_);
     T last_norm = 1, level = 0, change = std::numeric_limits<T>::infinity();
     bool conjugate = false;
     int iteration = 0;
     for (; iteration < options_.max_iterations; ++iteration) {
-        if (options_.progress)
-            options_.progress("boundary elements", static_cast<std::size_t>(iteration),
-                              static_cast<std::size_t>(options_.max_iterations));
-        const Field free = (p_ > T(0) && p_ < hard).template cast<T>();
-        const T count = std::max(T(1), free.sum());
+        tell(iteration);
         gap = u_ - height_;
-        level = (gap * free).sum() / count;
+        const Field on = (p_ > T(0)).template cast<T>();
+        const T count = on.sum();
+        level = (gap * on).sum() / count;
         if (change <= options_.tolerance) break;
         gap -= level;
-        const Field pull = preconditioned(gap, free, count);
+        const Field pull = preconditioned(gap, on, count);
         const T norm = (gap * pull).sum();
-        direction = (pull + (conjugate ? norm / last_norm : T(0)) * direction) * free;
+        direction = (pull + (conjugate ? norm / last_norm : T(0)) * direction) * on;
+        direction = (direction - direction.sum() / count) * on;  // points that left had a share
         last_norm = norm;
         response = direction;
         compliance_.deflect(response);
-        const T mean = (response * free).sum() / count;
-        const T curvature = ((response - mean) * direction).sum();
-        if (!(curvature > 0)) {  // nothing left to change: all of one height, or a single point
-            change = 0;
-            break;
-        }
-        const T step = (gap * direction).sum() / curvature;
-        Field next = (p_ - step * direction).max(T(0)).min(hard);
-        const auto wanting = (next <= T(0) && gap < T(0)).eval();  // open points that lie within the other face
-        const auto yielding = (next >= hard && gap > T(0)).eval();  // cut ones that have come apart
-        const bool moved = ((p_ - step * direction) < T(0) && free > T(0)).any() ||
-                           ((p_ - step * direction) > hard && free > T(0)).any() || wanting.any() || yielding.any();
-        next = (wanting || yielding).select((next - step * gap).max(T(0)), next).min(hard);
-        conjugate = !(wanting.any() || yielding.any());
-        next *= nominal * size / next.sum();
-        next = next.min(hard);
-        change = (next - p_).abs().sum() / (nominal * size);
-        if (moved) {
+        const T curvature = (response * direction).sum();
+        const T step = curvature > 0 ? (gap * direction).sum() / curvature : T(0);
+        Field next = p_ - step * direction;
+        const auto touching = (p_ <= T(0) && gap < T(0)).eval();  // open points that lie within the other face
+        conjugate = !touching.any();
+        if (!conjugate || (next < T(0)).any()) {
+            next = touching.select(-softest_ * gap, next.max(T(0)));
+            next *= nominal / next.mean();
             u_ = next;
             compliance_.deflect(u_);
         } else {
-            const T scale = next.sum() / (p_ - step * direction).sum();
-            u_ = (u_ - step * response) * scale;
+            u_ -= step * response;
         }
+        change = (next - p_).abs().mean() / nominal;
         p_.swap(next);
     }
     return {level, change, iteration};
+}
+
+template <Real T>
+typename BoundaryElements<T>::Found BoundaryElements<T>::solve_cut(T nominal) {
+    const T hard = options_.hardness / modulus_;
+    project(p_, nominal, hard);
+    u_ = p_;
+    compliance_.deflect(u_);
+    Field gap = u_ - height_, direction, response;
+    T step = softest_, change = std::numeric_limits<T>::infinity();
+    int iteration = 0;
+    for (; iteration < options_.max_iterations && change > options_.tolerance; ++iteration) {
+        tell(iteration);
+        gap -= (p_ > T(0)).select(gap, T(0)).sum() / T((p_ > T(0)).count());  // any constant: digits are kept next to 0
+        direction = p_ - step * gap;
+        project(direction, nominal, hard);
+        direction -= p_;
+        change = direction.abs().mean() / nominal;
+        response = direction;
+        compliance_.deflect(response);
+        const T curvature = (direction * response).sum();
+        if (!(curvature > 0)) break;
+        const T along = std::min(T(1), -(gap * direction).sum() / curvature);
+        p_ += along * direction;
+        gap += along * response;
+        step = direction.square().sum() / curvature;
+    }
+    u_ = p_;
+    compliance_.deflect(u_);
+    gap = u_ - height_;
+    // between the points that are cut and those that are open
+    T inside = -std::numeric_limits<T>::infinity(), outside = std::numeric_limits<T>::infinity();
+    for (Eigen::Index k = 0; k < gap.size(); ++k) {
+        T& bound = p_.data()[k] > T(0) ? inside : outside;
+        bound = p_.data()[k] > T(0) ? std::max(bound, gap.data()[k]) : std::min(bound, gap.data()[k]);
+    }
+    return {(inside + std::max(inside, outside)) / 2, change, iteration};
+}
+
+template <Real T>
+void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
+    T low = p.minCoeff() - hard, high = p.maxCoeff(), shift = 0;  // with these means of H and 0
+    for (int i = 0; i < 100; ++i) {
+        const Field cut = (p - shift).max(T(0)).min(hard);
+        const T excess = cut.mean() - nominal;
+        const T slope = T((cut > T(0) && cut < hard).count()) / T(p.size());
+        if (std::abs(excess) <= 4 * std::numeric_limits<T>::epsilon() * nominal || i == 99) {
+            p = cut;
+            return;
+        }
+        (excess > 0 ? low : high) = shift;
+        shift += excess / slope;
+        if (!(shift > low && shift < high)) shift = (low + high) / 2;
+    }
 }
 
 template <Real T>

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem.csv.
+#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/table.hpp"
+
+#include <map>
+
+using namespace fstiff;
+
+namespace {
+
+using Hybrid = HybridContact<double, RoughContact<double, HertzLaw<double>>>;
+
+Hybrid hybrid_at(const test::Table& table, std::size_t row) {
+    const auto at = [&](const char* column) { return table.input(row, column); };
+    const Roughness<double> surface{at("rms_height"), at("peak_radius"), at("peak_density")};
+    const SurfaceMoments<double> moments{at("m0"), at("m2"), at("m4")};
+    const double E = at("effective_modulus");
+    return {RoughContact(surface, PeakDensity<double>(at("r"), at("theta")), HertzLaw<double>{}, E),
+            PerssonContact<double>(band_of_moments(moments, at("hurst")), E)};
+}
+
+}  // namespace
+
+TEST_CASE("K of the hybrid law: the table to 1e-11") {
+    const test::Table table("hybrid.csv");
+    REQUIRE(table.size() == 10);
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const Hybrid contact = hybrid_at(table, row);
+        const double p = table.input(row, "pressure"), truth = table.input(row, "stiffness_hybrid");
+        CAPTURE(row, p);
+        const auto state = contact.at_pressure(p);
+        CHECK(test::relative_error(contact.stiffness(p), truth) < 1e-11);
+        CHECK(std::abs(state.stiffness.value - truth) <= state.stiffness.error);
+        CHECK(test::relative_error(contact.peaks().at_pressure(p).stiffness.value,
+                                   table.input(row, "stiffness_hertz")) < 1e-11);
+        CHECK(test::relative_error(contact.crowded().stiffness(p), table.input(row, "stiffness_persson")) < 1e-11);
+    }
+}
+
+TEST_CASE("the separation of the hybrid law is the integral of 1/K, and is undone") {
+    const test::Table table("hybrid.csv");
+    for (const std::size_t row : {std::size_t(0), std::size_t(4), std::size_t(7)}) {
+        const Hybrid contact = hybrid_at(table, row);
+        const double full = 2 * contact.crowded().effective_modulus() * contact.crowded().rms_gradient();
+        for (const double p : {full * 1e-11, full * 1e-6, full * 1e-3, full * 0.2, full * 0.99}) {
+            // Simpson's rule in ln p in 4000 steps
+            const double from = std::log(p), to = std::log(full), step = (to - from) / 4000;
+            double sum = 0;
+            for (int i = 0; i <= 4000; ++i) {
+                const double x = std::exp(from + i * step);
+                sum += (i == 0 || i == 4000 ? 1 : i % 2 == 1 ? 4 : 2) * x / contact.stiffness(x);
+            }
+            const double d = sum * step / 3;
+            const auto state = contact.at_pressure(p);
+            CAPTURE(row, p);
+            CHECK(std::abs(state.separation.value - d) < 1e-11 * contact.rms_height() + state.separation.error);
+            CHECK(state.separation.error < 1e-10 * contact.rms_height());
+            const auto back = contact.at_separation(state.separation.value);
+            CHECK(std::abs(back.pressure.value - p) <= back.pressure.error);
+            CHECK(test::relative_error(back.pressure.value, p) < 1e-9);
+        }
+        CHECK(contact.at_pressure(1.5 * full).separation.value == 0);
+    }
+}
+
+TEST_CASE("the hybrid law of three moments against boundary elements") {
+    const test::Table bem("bem.csv"), surfaces("bem_surfaces.csv");
+    std::map<std::string, std::size_t> at;
+    for (std::size_t row = 0; row < surfaces.size(); ++row) at[surfaces.text(row, "family")] = row;
+    int points = 0, ten = 0, fifteen = 0;
+    double worst = 0;
+    for (std::size_t row = 0; row < bem.size(); ++row) {
+        if (bem.input(row, "p_star") < 0.003) continue;
+        const std::size_t family = at.at(bem.text(row, "family"));
+        const auto of = [&](const char* column) { return surfaces.input(family, column); };
+        const SurfaceMoments<double> moments{bem.input(row, "m0"), bem.input(row, "m2"), bem.input(row, "m4")};
+        const Roughness<double> surface{std::sqrt(moments.m0), 1 / of("mean_summit_curvature_times_L"),
+                                        of("summit_density_8_times_L2")};
+        const Hybrid contact(RoughContact(surface, PeakDensity<double>(of("r"), of("theta")), HertzLaw<double>{}, 1.0),
+                             PerssonContact<double>(band_of_moments(moments, of("hurst")), 1.0));
+        const double ratio = contact.stiffness(bem.input(row, "p_over_E")) / bem.input(row, "stiffness_times_L_over_E");
+        const double off = std::abs(ratio - 1);
+        ++points;
+        ten += off <= 0.10;
+        fifteen += off <= 0.15;
+        worst = std::max(worst, off);
+    }
+    CAPTURE(points, ten, fifteen, worst);
+    CHECK(points == 105);  // one surface in ten is off by 10 % or more, at light loads with few contacts
+    CHECK(ten >= 90);
+    CHECK(fifteen >= 102);
+    CHECK(worst < 0.234);
+}

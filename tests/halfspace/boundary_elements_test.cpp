@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth: tests/data/bem_maps.csv, by another code, on three maps (tests/data/bem_map_*.f32); the wave of Westergaard, closed.
+#include <fstiff/halfspace/boundary_elements.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/table.hpp"
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+using namespace fstiff;
+
+namespace {
+
+HeightMap<double> map_named(const std::string& name) {
+    std::array<float, 65536> heights;
+    std::ifstream file(FSTIFF_TEST_DATA "/bem_map_" + name + ".f32", std::ios::binary);
+    if (!file.read(reinterpret_cast<char*>(heights.data()), sizeof heights)) throw std::runtime_error("no map " + name);
+    HeightMap<double> map;
+    map.dx = map.dy = 1.0 / 256;
+    map.heights = Eigen::Map<const Eigen::Array<float, 256, 256, Eigen::RowMajor>>(heights.data()).cast<double>();
+    return map;
+}
+
+/// \p cells of one period 1 along x of the amplitude 1e-3, the same all along y.
+HeightMap<double> wave(Eigen::Index cells) {
+    HeightMap<double> map;
+    map.dx = map.dy = 1.0 / static_cast<double>(cells);
+    map.heights.resize(4, cells);
+    for (Eigen::Index i = 0; i < cells; ++i)
+        map.heights.col(i) = 1e-3 * std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) * map.dx);
+    return map;
+}
+
+}  // namespace
+
+TEST_CASE("boundary elements of three maps are those of another code") {
+    const test::Table table("bem_maps.csv");
+    for (std::size_t row = 0; row < table.size(); row += 2) {
+        const HeightMap<double> map = map_named(table.text(row, "map"));
+        BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic});
+        const auto state = solver.at_pressure(table.input(row, "p_over_E"));
+        CAPTURE(table.text(row, "map"), table.input(row, "p_star"), state.iterations);
+        CHECK(state.converged);
+        // both solved to 1e-8 or better
+        CHECK(test::relative_error(state.stiffness, table.input(row, "stiffness_times_L_over_E")) < 1e-6);
+        CHECK(test::relative_error(state.contact_fraction, table.input(row, "contact_fraction")) < 1e-8);
+        CHECK(test::relative_error(state.mean_gap, table.input(row, "mean_gap_over_L")) < 1e-6);
+        CHECK(test::relative_error(state.max_pressure, table.input(row, "largest_pressure_over_E")) < 1e-6);
+        CHECK(test::relative_error(solver.pressures().mean(), state.pressure) < 1e-12);
+    }
+}
+
+TEST_CASE("a wave is Westergaard's, the better the finer the grid") {
+    // p = p1 sin^2(pi a), p1 = pi E amplitude; held together 1/K = 2/(pi E) ln(1/sin(pi a)), that of collinear cracks
+    const double p1 = std::numbers::pi * 1e-3;
+    for (const double share : {0.1, 0.5, 0.9}) {
+        const double a = std::asin(std::sqrt(share)) / std::numbers::pi;
+        const double K = std::numbers::pi / 2 / -std::log(std::sin(std::numbers::pi * a));
+        double last = 1;
+        for (const Eigen::Index cells : {64, 256, 1024}) {
+            BoundaryElements<double> solver(wave(cells), 1.0, {.edges = Edges::periodic});
+            const auto state = solver.at_pressure(share * p1);
+            const double off = test::relative_error(state.stiffness, K);
+            CAPTURE(share, cells, off, state.contact_fraction, 2 * a);
+            CHECK(state.converged);
+            CHECK(std::abs(state.contact_fraction - 2 * a) <= 2.01 / static_cast<double>(cells));  // a point at each edge
+            CHECK(off < 6.0 / static_cast<double>(cells) / std::min(1 - share, share));
+            last = off;
+        }
+        CHECK(last < 0.02);
+    }
+}
+
+TEST_CASE("a map mirrored by the solver is the map mirrored by hand") {
+    const HeightMap<double> map = map_named("skewed");
+    HeightMap<double> part, whole;
+    part.dx = part.dy = whole.dx = whole.dy = map.dx;
+    part.heights = map.heights.block(0, 0, 40, 60);
+    whole.heights.resize(80, 120);
+    whole.heights << part.heights, part.heights.rowwise().reverse(), part.heights.colwise().reverse(), part.heights.reverse();
+    BoundaryElements<double> mirrored(part, 1.0), repeated(whole, 1.0, {.edges = Edges::periodic});
+    const auto a = mirrored.at_pressure(1e-3), b = repeated.at_pressure(1e-3);
+    CHECK(a.contact_fraction == b.contact_fraction);
+    CHECK(test::relative_error(a.stiffness, b.stiffness) < 1e-6);
+    CHECK(test::relative_error(a.mean_gap, b.mean_gap) < 1e-6);
+}
+
+TEST_CASE("the stiffness held together is the slope of the pressure, of elastic contacts") {
+    const HeightMap<double> map = map_named("gaussian");
+    BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic, .tolerance = 1e-10});
+    const double p = 1e-3;
+    const auto low = solver.at_pressure(0.99 * p), high = solver.at_pressure(1.01 * p), middle = solver.at_pressure(p);
+    const double slope = 0.02 * p / (low.mean_gap - high.mean_gap);
+    CHECK(test::relative_error(middle.stiffness, slope) < 5e-3);  // points join the contact one at a time
+}
+
+TEST_CASE("pressures cut at the hardness: area p/H in the limit, and a stiffer contact") {
+    const HeightMap<double> map = map_named("gaussian");  // gradient 0.1
+    BoundaryElements<double> elastic(map, 1.0, {.edges = Edges::periodic});
+    const double H = 0.0015;  // H/(E g) = 0.015
+    BoundaryElements<double> plastic(map, 1.0, {.edges = Edges::periodic, .hardness = H});
+    const auto hard = elastic.at_pressure(0.03 * H), soft = plastic.at_pressure(0.03 * H);
+    CHECK(soft.converged);
+    CHECK(soft.max_pressure <= H * (1 + 1e-12));
+    // theory: 1.01 to 1.02 of p/H at this hardness; a point is 1.5e-5 of the area
+    CHECK(soft.contact_fraction / 0.03 > 1.0);
+    CHECK(soft.contact_fraction / 0.03 < 1.03);
+    CHECK(soft.stiffness / hard.stiffness > 10);
+    CHECK(test::refusal([&] { (void)plastic.at_pressure(H); }).find("less than the hardness") != std::string::npos);
+}
+
+TEST_CASE("maps that boundary elements do not take") {
+    HeightMap<double> map = wave(64);
+    map.heights(1, 7) = std::nan("");
+    CHECK(test::refusal([&] { BoundaryElements<double>(map, 1.0); }).find("1 missing points") != std::string::npos);
+    CHECK(test::refusal([&] { BoundaryElements<double>(wave(64), 0.0); }).find("effective_modulus") == 0);
+    BoundaryElements<double> solver(wave(64), 1.0);
+    for (const double p : {0.0, -1.0, std::nan("")})
+        CHECK(test::refusal([&] { (void)solver.at_pressure(p); }).find("pressure") == 0);
+    CHECK(std::isinf(solver.at_pressure(1.0).stiffness));  // all in contact
+}

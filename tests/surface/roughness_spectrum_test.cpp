@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth: moments of bands in tests/data/persson.csv (20 digits), bands of moments in tests/data/hybrid.csv (15 digits).
+#include <fstiff/surface/roughness_spectrum.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/table.hpp"
+
+using namespace fstiff;
+
+TEST_CASE("moments of a band: the table to 1e-13") {
+    const test::Table table("persson.csv");
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const auto at = [&](const char* column) { return table.input(row, column); };
+        const BandSpectrum<double> band{at("C0"), at("hurst"), at("q1"), at("q_rolloff"), at("q2")};
+        CAPTURE(row);
+        CHECK(test::relative_error(band.m0(), at("m0")) < 1e-13);
+        CHECK(test::relative_error(band.m2(), at("m2")) < 1e-13);
+        CHECK(test::relative_error(band.m4(), at("m4")) < 1e-13);
+        CHECK(test::relative_error(band.rms_gradient() * band.rms_gradient(), 2 * band.m2()) < 1e-14);
+    }
+}
+
+TEST_CASE("a band has the moments that it was made of") {
+    const test::Table table("hybrid.csv");
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const auto at = [&](const char* column) { return table.input(row, column); };
+        const SurfaceMoments<double> moments{at("m0"), at("m2"), at("m4")};
+        const auto band = band_of_moments(moments, at("hurst"));
+        CAPTURE(row);
+        CHECK(test::relative_error(band.C0, at("C0")) < 1e-13);
+        CHECK(test::relative_error(band.q1, at("q1")) < 1e-13);
+        CHECK(test::relative_error(band.q2, at("q2")) < 1e-13);
+        CHECK(test::relative_error(band.m0(), moments.m0) < 1e-13);
+        CHECK(test::relative_error(band.m2(), moments.m2) < 1e-13);
+        CHECK(test::relative_error(band.m4(), moments.m4) < 1e-13);
+    }
+    for (const double hurst : {0.1, 0.5, 0.999999, 1.0})
+        for (const double alpha : {1.5001, 2.0, 10.0, 1e4}) {
+            const SurfaceMoments<double> moments = moments_of_gradient(2e-6, 0.3, alpha);
+            const auto band = band_of_moments(moments, hurst);
+            CAPTURE(hurst, alpha);
+            // next to 1.5 the band is narrow, and its width loses the digits of alpha - 1.5
+            const double bound = 1e-13 / std::min(1.0, alpha - 1.5);
+            CHECK(test::relative_error(band.m0(), moments.m0) < bound);
+            CHECK(test::relative_error(band.m2(), moments.m2) < bound);
+            CHECK(test::relative_error(band.m4(), moments.m4) < bound);
+        }
+}
+
+TEST_CASE("moments of peaks, peaks of moments") {
+    const auto moments = moments_of_peaks(5.13e-6, 3e-5, 2.3e8);
+    // m4 of eq. (4.10), m2 of Nayak: tests/data/hybrid.csv
+    CHECK(test::relative_error(moments.m2, 0.065370275044115236) < 1e-14);
+    CHECK(test::relative_error(moments.m4, 490473852.12340519) > 1e-4);
+    CHECK(test::relative_error(moments.m4, 490873852.12340519) < 1e-14);
+    CHECK(test::relative_error(peak_radius_of(moments), 3e-5) < 1e-14);
+    CHECK(test::relative_error(peak_density_of(moments), 2.3e8) < 1e-14);
+    const auto stated = moments_of_gradient(1e-6, 0.1, 8.24);
+    CHECK(test::relative_error(stated.bandwidth(), 8.24) < 1e-14);
+    CHECK(test::relative_error(stated.m2, 0.005) < 1e-15);
+}
+
+TEST_CASE("what no isotropic surface has is refused") {
+    const auto fine = moments_of_peaks(0.832e-6, 40e-6, 500e6);  // Table 1: alpha = 0.67
+    CHECK(test::refusal([&] { (void)band_of_moments(fine, 0.38); }).find("greater than 1.5") != std::string::npos);
+    const auto good = moments_of_gradient(1e-6, 0.1, 8.0);
+    for (const double hurst : {0.0, -0.5, 1.0000001, std::nan("")})
+        CHECK(test::refusal([&] { (void)band_of_moments(good, hurst); }).find("hurst") == 0);
+    CHECK(test::refusal([&] { (void)moments_of_gradient(1e-6, 0.0, 8.0); }).find("rms_gradient") == 0);
+    CHECK(test::refusal([&] { BandSpectrum<double>{1, 0.8, 2, 1, 3}.validate(); }).find("q_rolloff") == 0);
+    CHECK(test::refusal([&] { BandSpectrum<double>{1, 0.8, 2, 2, 2}.validate(); }).find("q2") == 0);
+    CHECK(test::refusal([&] { SpectrumShells<double>{}.validate(); }).find("shells") == 0);
+}
