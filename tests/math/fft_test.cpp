@@ -14,7 +14,7 @@ TEMPLATE_TEST_CASE("A transform is the sum that defines it, and its inverse give
     using T = TestType;
     // the phases of long double are those of double
     const T epsilon = std::max<T>(std::numeric_limits<T>::epsilon(), static_cast<T>(2.3e-16L));
-    const std::size_t size = GENERATE(4u, 8u, 12u, 60u, 100u, 1024u);
+    const std::size_t size = GENERATE(2u, 3u, 4u, 7u, 8u, 12u, 53u, 60u, 97u, 100u, 106u, 1009u, 1024u);
     std::mt19937 random(1);
     std::vector<T> data(size - 1);  // one zero is padded
     T norm = 0;
@@ -95,8 +95,10 @@ TEST_CASE("A fast size has only the factors 2, 3 and 5, is a multiple of 4, and 
 }
 
 TEST_CASE("Lengths that do not fit a transform are refused") {
-    for (const std::size_t size : {0u, 6u, 28u})
+    for (const std::size_t size : {std::size_t{0}, (std::size_t{1} << 28) + 3, (std::size_t{1} << 30) + 1}) {
         CHECK(test::refusal([&] { (void)RealFft<double>(size); }).find("size of a transform") == 0);
+        CHECK(test::refusal([&] { (void)ComplexFft<double>(size); }).find("size of a transform") == 0);
+    }
     RealFft<double> fft(8);
     std::vector<std::complex<double>> spectrum(4);
     std::vector<double> data(9);

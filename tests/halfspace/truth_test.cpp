@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth: the same surfaces on a grid twice as fine.
+#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/surface/self_affine.hpp>
+
+#include "support/catch.hpp"
+
+#include <vector>
+
+using namespace fstiff;
+
+TEST_CASE("the change from one grid to the next covers the change to the one after", "[long]") {
+    int covered = 0, all = 0;
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        SelfAffineOptions<double> of;
+        of.hurst = 0.8;
+        of.rms = 1e-3;
+        of.longest_wavelength = 0.25;
+        of.shortest_wavelength = 1.0 / 16;
+        of.seed = seed;
+        HeightMap<double> map;
+        map.dx = map.dy = 1.0 / 512;
+        map.heights = self_affine_map(of, 512, 512, map.dx, map.dy);
+        const std::vector<double> pressures{1e-5, 3e-5, 1e-4, 3e-4, 1e-3};
+        const auto coarse = truth(map, 1.0, pressures, {.points = 128, .edges = Edges::periodic});
+        const auto fine = truth(map, 1.0, pressures, {.points = 512, .edges = Edges::periodic, .grid_error = false});
+        for (std::size_t i = 0; i < pressures.size(); ++i) {
+            ++all;
+            covered += std::abs(fine[i].state.stiffness - coarse[i].state.stiffness) <= coarse[i].stiffness_error;
+            CHECK(fine[i].state.converged);
+            CHECK(std::abs(fine[i].state.stiffness - coarse[i].state.stiffness) < 0.2 * fine[i].state.stiffness);
+        }
+    }
+    CAPTURE(covered, all);
+    CHECK(covered >= all * 3 / 4);
+}
