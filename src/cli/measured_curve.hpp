@@ -7,7 +7,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/quantity.hpp>
-#include <fstiff/io/text_table.hpp>
+#include <fstiff/io/number_table.hpp>
 
 #include <algorithm>
 #include <array>
@@ -155,7 +155,7 @@ inline MeasuredCurve read_measured_curve(const std::string& file) {
             const std::string at = curve.name + ":" + std::to_string(lines[row].number) + ": " + std::string(name);
             if (column.index >= cells.size()) throw domain_error(at + ": is missing; must be a number");
             const auto found = text::number_in(cells[column.index], decimal_comma);
-            const double x = found ? found->value * column.factor : -1;
+            const double x = found ? *found * column.factor : -1;
             if (!found || !(x > 0 || (zero_allowed && x == 0)) || !(x <= std::numeric_limits<double>::max()))
                 throw domain_error(at + " = " + text::shown_cell(cells[column.index]) + ": must be a finite number " +
                                    (zero_allowed ? "that is not negative" : "greater than 0"));
