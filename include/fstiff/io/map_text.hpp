@@ -30,6 +30,7 @@ struct MapTextOptions {
     std::optional<double> dx{}, dy{};         ///< of a matrix, between points [m]; replace the header's
     std::optional<double> width{}, height{};  ///< of a matrix, columns dx and rows dy [m]; replace the header's
     std::string units{};                      ///< "um,nm" (x and y, heights), "um,um,nm" or "um" (all)
+    OptionNames names{};                      ///< for messages
 };
 
 /// What was decided about a file, and why.
@@ -132,7 +133,8 @@ private:
                                             "matrix; must be told which"
                                           : "of which the first two form no regular grid, and no stated size: is "
                                             "neither x, y, z triples nor a matrix; must be told which") +
-                                   " by format = triples or format = matrix");
+                                   " by " + options_.names.format_as("triples") + " or " +
+                                   options_.names.format_as("matrix"));
         record_.form = grid() ? MapForm::triples : MapForm::matrix;
         record_.form_from = grid() ? "three columns, the first two of which form a grid" : "a size is stated";
     }
@@ -191,10 +193,9 @@ private:
             record_.units_from = found.from;
         }
         if (axes.empty())
-            refuse_file(name_,
-                        "states no units and none are given; must be given as units = \"um,nm\" (x and y, "
-                        "heights), each one of " +
-                            accepted_units(Dimension::length));
+            refuse_file(name_, "states no units and none are given; must be " +
+                                   options_.names.given_as("units", "\"um,nm\"") + " (x and y, heights), each one of " +
+                                   accepted_units(Dimension::length));
         record_.units = "x in " + axes[0] + ", y in " + axes[1] + ", heights in " + axes[2];
         return axes;
     }
@@ -254,13 +255,12 @@ private:
             return stated_whole->value / points;
         }
         if (!stated_.without_unit.empty())
-            refuse_line(
-                name_, stated_.without_unit_line,
-                shown_cell(stated_.without_unit) +
-                    " has no unit; must be given as units = \"um,nm\" (lengths, heights), or dx and dy be given");
-        refuse_file(name_,
-                    "is a matrix that states no physical size, and none is given; must be given as dx and dy "
-                    "(between points) or width and height (of the map)");
+            refuse_line(name_, stated_.without_unit_line,
+                        shown_cell(stated_.without_unit) + " has no unit; must be " +
+                            options_.names.given_as("units", "\"um,nm\"") +
+                            " (lengths, heights), or dx and dy be given");
+        refuse_file(name_, "is a matrix that states no physical size, and none is given; must be " +
+                               options_.names.given_steps() + " (between points) or width and height (of the map)");
     }
 
     /// One unit of the heights [m].
@@ -286,10 +286,9 @@ private:
         }
         if (factor) return conversion_factor(*factor, unit);
         if (!unit)
-            refuse_file(name_,
-                        "states no unit of the heights and none is given; must be given as units = \"nm\", one "
-                        "of " +
-                            accepted_units(Dimension::length));
+            refuse_file(name_, "states no unit of the heights and none is given; must be " +
+                                   options_.names.given_as("units", "\"nm\"") + ", one of " +
+                                   accepted_units(Dimension::length));
         if (!is_unit(unit->value, Dimension::length))
             refuse_line(name_, unit->line,
                         shown_cell(unit->value) +

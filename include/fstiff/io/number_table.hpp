@@ -14,6 +14,19 @@
 
 namespace fstiff::io {
 
+/// What messages call the options of a reader: units = "um" in a program, --units "um" on a command line.
+struct OptionNames {
+    std::string prefix{};           ///< before the name of an option
+    std::string format = "format";  ///< the whole name of the option that tells the form
+    std::string equals = " = ";     ///< between an option and its value
+
+    [[nodiscard]] std::string format_as(const std::string& form) const { return format + equals + form; }
+    [[nodiscard]] std::string given_as(const std::string& option, const std::string& value) const {
+        return "given as " + prefix + option + equals + value;
+    }
+    [[nodiscard]] std::string given_steps() const { return "given as " + prefix + "dx and " + prefix + "dy"; }
+};
+
 /// What was decided about any delimited text, and why.
 struct TextRecord {
     std::string name;

@@ -26,6 +26,7 @@ struct ProfileTextOptions {
     std::optional<double> spacing{};  ///< [m]; replaces the positions of the file
     std::string units{};              ///< "um,nm" (positions, heights) or "um" (both); replaces those of the header
     std::size_t column = 0;           ///< of the heights, counted from 1; 0: the last of one or two columns
+    OptionNames names{};              ///< for messages
 };
 
 /// What was decided about a file, and why.
@@ -160,10 +161,9 @@ private:
             record_.units_from = found.from;
             return;
         }
-        refuse_file(
-            name_,
-            "states no unit and none is given; must be given as units = \"um,nm\" (positions, heights), each one of " +
-                accepted_units(Dimension::length));
+        refuse_file(name_, "states no unit and none is given; must be " +
+                               options_.names.given_as("units", "\"um,nm\"") + " (positions, heights), each one of " +
+                               accepted_units(Dimension::length));
     }
 
     double spacing() {
@@ -175,8 +175,8 @@ private:
         }
         if (record_.position_column == 0) {
             if (!stated)
-                refuse_file(
-                    name_, "has no column of positions and no spacing is given; must be given as spacing = \"0.5 um\"");
+                refuse_file(name_, "has no column of positions and no spacing is given; must be " +
+                                       options_.names.given_as("spacing", "\"0.5 um\""));
             record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
             return stated->value;
         }

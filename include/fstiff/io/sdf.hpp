@@ -248,7 +248,8 @@ private:
             refuse_file(name_, "states no " + name + "; must state it in its header");
         };
         const auto number = [&](const std::string& name) {
-            return located({.file = name_}, [&] { return parse_number(printable(field(name), 64), name); });
+            const std::string value = printable(field(name), 64);
+            return located({.file = name_}, [&] { return parse_number(value, name); });
         };
         const auto code = [&](const std::string& name, std::initializer_list<std::string_view> names) {
             const std::string word = lower_case(field(name));

@@ -61,6 +61,7 @@ struct SurfaceOptions {
     std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
     std::optional<double> dx{}, dy{};  ///< of a matrix, between points [m]
     std::optional<double> width{}, height{};  ///< of a matrix, columns dx and rows dy [m]
+    OptionNames names{};                      ///< for messages
     /// Reads the bytes of an X3P file: x3p_reader() of <fstiff/io/x3p.hpp>, or nothing where X3P is not there.
     std::function<DescribedMap(std::string_view bytes, std::string_view name)> x3p{};
 };
@@ -107,8 +108,8 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
     for (const auto& [option, refused] : useless)
         if (refused)
             refuse_file(name, std::string("is read as ") + std::string(surface_format_name(format)) +
-                                  ", which has no use for " + option +
-                                  "; must not be given, or format must be another");
+                                  ", which has no use for " + option + "; must not be given, or " +
+                                  options.names.format + " must be another");
 }
 
 /// The form of a text, and why.
@@ -119,34 +120,35 @@ inline std::pair<SurfaceFormat, std::string> text_form(MapTextReader& reader, co
     const std::string found = columns == 1 ? "one column" : std::to_string(columns) + " columns";
     const bool sized = options.dx || options.dy || options.width || options.height ||
                        stated_grid(reader.entries(), "m", name).has_size();
+    const auto as = [&](const char* form) { return options.names.format_as(form); };
     const auto ambiguous = [&](const std::string& what, const std::string& choice) {
-        refuse_file(name, "has " + found + what + "; must be told by format = " + choice);
+        refuse_file(name, "has " + found + what + "; must be told by " + choice);
     };
     if (options.column != 0 || options.spacing) return {SurfaceFormat::profile, "options that only a profile has"};
     if (const auto form = stated_form(reader.entries()); form && columns > 1)
         return {*form == MapForm::triples ? SurfaceFormat::triples : SurfaceFormat::matrix, "the header"};
     if (columns <= 2) {
         if (sized && columns == 2)
-            ambiguous(" and the size of a map: may be a profile or a matrix", "profile or format = matrix");
+            ambiguous(" and the size of a map: may be a profile or a matrix", as("profile") + " or " + as("matrix"));
         return {SurfaceFormat::profile, found};
     }
     if (columns == 3) {
         const bool grid = reader.table().columns == 3 && reader.grid().has_value();
         if (grid && sized)
             ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
-                      "triples or format = matrix");
+                      as("triples") + " or " + as("matrix"));
         if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
         if (sized || table.columns != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
         ambiguous(
             ", of which the first two form no regular grid, and no stated size: may be scattered triples, a matrix "
             "or a profile with a column to choose",
-            "triples, format = matrix, or format = profile with column");
+            as("triples") + ", " + as("matrix") + ", or " + as("profile") + " with column");
     }
     const bool titled =
         table.first > 0 && !units_in(table.lines[table.first - 1].text, columns, table.dialect.separator).empty();
     if (titled && !sized)
         ambiguous(" with a unit above each: may be columns of a profile or a matrix",
-                  "profile with column, or format = matrix");
+                  as("profile") + " with column, or " + as("matrix"));
     return {SurfaceFormat::matrix, found};
 }
 
@@ -176,7 +178,8 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
         std::tie(record.format, record.format_from) = text_form(*map, record.name, options);
     check_options(record.format, options, record.name);
     if (record.format == SurfaceFormat::profile) {
-        const ProfileTextOptions given{.spacing = options.spacing, .units = options.units, .column = options.column};
+        const ProfileTextOptions given{
+            .spacing = options.spacing, .units = options.units, .column = options.column, .names = options.names};
         NumberTable table =
             map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules);
         ProfileFromText read = ProfileTextReader(std::move(table), record.name, given).read();
@@ -189,7 +192,8 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
                                       .dy = options.dy,
                                       .width = options.width,
                                       .height = options.height,
-                                      .units = options.units});
+                                      .units = options.units,
+                                      .names = options.names});
         record.details = read.record.sentences();
         record.details.erase(record.details.begin());  // the form, which is said already
         surface.data = std::move(read.map);
