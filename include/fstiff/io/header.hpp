@@ -236,7 +236,9 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
         const double value =
             located({.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
         if (!(value > 0))
-            refuse_line(name, entry.line, {shown_cell(entry.key), " = ", value, " m: must be greater than 0"});
+            located({.file = name, .line = entry.line}, [&] {
+                fstiff::detail::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
+            });
         const auto store = [&](std::optional<StatedGrid::Length>& slot) {
             if (slot && slot->value != value)
                 refuse_line(name, entry.line,
