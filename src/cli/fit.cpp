@@ -94,8 +94,8 @@ MapResult fit_map(const Options& options, const SurfaceInput& input) {
     about_file(options.surface.file, [&] {
         result.fit = fit_directions(result.levelled.map, how);
         if (!result.fit.x && !result.fit.y)
-            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.x_refusal +
-                               "; along y: " + result.fit.y_refusal);
+            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.why_no_fit_x +
+                               "; along y: " + result.fit.why_no_fit_y);
     });
     return result;
 }
@@ -142,8 +142,8 @@ Strings warnings(const SurfaceInput& input, const MapResult& result) {
     Strings all;
     if (result.fit.x) warn_of_fit(all, *result.fit.x, "along x: ");
     if (result.fit.y) warn_of_fit(all, *result.fit.y, "along y: ");
-    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.x_refusal);
-    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.y_refusal);
+    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.why_no_fit_x);
+    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.why_no_fit_y);
     if (result.fit.anisotropic())
         all.push_back("the map is anisotropic: D along x less D along y is " +
                       rounded(result.fit.dimension_difference, 3) + " +- " +
@@ -302,8 +302,8 @@ std::string json(const Options& options, const SurfaceInput& input, const MapRes
         put_structure(part, fit->structure_function);
         return part;
     };
-    document["x"] = direction(result.fit.x, result.fit.x_refusal);
-    document["y"] = direction(result.fit.y, result.fit.y_refusal);
+    document["x"] = direction(result.fit.x, result.fit.why_no_fit_x);
+    document["y"] = direction(result.fit.y, result.fit.why_no_fit_y);
     document["anisotropic"] = result.fit.anisotropic();
     document["fractal_dimension_difference"] = json_number(result.fit.dimension_difference);
     document["fractal_dimension_difference_error"] = json_number(result.fit.dimension_difference_error);

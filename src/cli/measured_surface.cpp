@@ -44,11 +44,11 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
                    ", seed " + std::to_string(options.seed));
 
     auto& warned = surface.warnings;
-    if (!found.fractal_refusal.empty())
-        warned.push_back("no D and G, and no fractal law without one given: " + found.fractal_refusal);
+    if (!found.why_no_dimension.empty())
+        warned.push_back("no D and G, and no fractal law without one given: " + found.why_no_dimension);
     else if (found.curved)
         warned.push_back("the structure function is no single power law over the window: D is a mean over it");
-    if (!found.peaks_refusal.empty()) warned.push_back("no r and theta: " + found.peaks_refusal);
+    if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
     if (found.anisotropic) warned.push_back("the map differs along x and y; the models take it for isotropic");
     if (found.peaks_counted < 30)
         warned.push_back("R and D_p come from " + std::to_string(found.peaks_counted) +
@@ -98,8 +98,8 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     surface.parameters = uncertain(found);
     surface.max_peak_height = found.max_peak_height;
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
-    surface.fractal_refusal = found.fractal_refusal;
-    surface.peaks_refusal = found.peaks_refusal;
+    surface.fractal_refusal = found.why_no_dimension;
+    surface.peaks_refusal = found.why_no_peaks;
     return surface;
 }
 

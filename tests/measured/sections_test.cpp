@@ -23,7 +23,7 @@ HeightMap<double> self_affine(double hurst, std::size_t columns, std::size_t row
 TEST_CASE("Sections are the rows and the columns of the map") {
     auto map = self_affine(0.5, 20, 16, 1, 1e-6, 2e-6);
     map.heights(3, 4) = missing;
-    const auto x = section_along_x(map, 3), y = section_along_y(map, 4);
+    const auto x = section(map, Direction::x, 3), y = section(map, Direction::y, 4);
     REQUIRE(x.size() == 20);
     REQUIRE(y.size() == 16);
     CHECK(x.spacing == 1e-6);
@@ -32,8 +32,8 @@ TEST_CASE("Sections are the rows and the columns of the map") {
     CHECK(y.heights[5] == map.heights(5, 4));
     CHECK(std::isnan(x.heights[4]));
     CHECK(std::isnan(y.heights[3]));
-    CHECK(test::refusal([&] { (void)section_along_x(map, 16); }) == "row = 16: must be between 0 and 15");
-    CHECK(test::refusal([&] { (void)section_along_y(map, -1); }) == "column = -1: must be between 0 and 19");
+    CHECK(test::refusal([&] { (void)section(map, Direction::x, 16); }) == "row = 16: must be between 0 and 15");
+    CHECK(test::refusal([&] { (void)section(map, Direction::y, -1); }) == "column = -1: must be between 0 and 19");
 }
 
 TEST_CASE("The mean structure function is that of all sections, whatever is missing and however high the map") {
@@ -55,7 +55,7 @@ TEST_CASE("The mean structure function is that of all sections, whatever is miss
             // section by section with the structure function of profiles: the independent code
             long double sum = 0, pairs = 0;
             for (Eigen::Index j = 0; j < (x ? map.rows() : map.columns()); ++j) {
-                const auto f = structure_function(x ? section_along_x(map, j) : section_along_y(map, j),
+                const auto f = structure_function(x ? section(map, Direction::x, j) : section(map, Direction::y, j),
                                                   std::span<const std::size_t>(&s.step[k], 1));
                 sum += static_cast<long double>(f.value[0]) * static_cast<long double>(f.pairs[0]);
                 pairs += static_cast<long double>(f.pairs[0]);
@@ -74,7 +74,7 @@ TEST_CASE("D along x and along y is 2 - H, and isotropic maps are not called ani
         for (std::uint64_t seed = 1; seed <= 13; ++seed) {
             const auto map = remove_form(self_affine(hurst, 256, 256, seed), MapForm::plane);
             const auto fit = fit_directions(map);
-            INFO(hurst << ", seed " << seed << ": " << fit.x_refusal << fit.y_refusal);
+            INFO(hurst << ", seed " << seed << ": " << fit.why_no_fit_x << fit.why_no_fit_y);
             REQUIRE(fit.x);
             REQUIRE(fit.y);
             for (const auto* one : {&*fit.x, &*fit.y}) {
@@ -184,6 +184,6 @@ TEST_CASE("Maps without sections to fit say why") {
     for (Eigen::Index j = 0; j < 64; ++j) ridges.heights.row(j) = map.heights.row(0);
     const auto fit = fit_directions(ridges);
     CHECK(!fit.y);
-    CHECK(!fit.y_refusal.empty());
+    CHECK(!fit.why_no_fit_y.empty());
     CHECK(fit.dimension_difference == 0);
 }

@@ -147,9 +147,9 @@ void check_sound(const SurfaceParameters<double>& s) {
         CHECK((std::isfinite(one.value) && one.value > 0));
         CHECK((std::isfinite(one.error) && one.error >= 0));
     }
-    CHECK(s.r.has_value() == s.peaks_refusal.empty());
+    CHECK(s.r.has_value() == s.why_no_peaks.empty());
     CHECK(s.theta.has_value() == s.r.has_value());
-    CHECK(s.fractal_dimension.has_value() == s.fractal_refusal.empty());
+    CHECK(s.fractal_dimension.has_value() == s.why_no_dimension.empty());
     if (s.r) {
         CHECK((s.r->value >= 0 && s.r->value < 1 && std::isfinite(s.r->error)));
         CHECK((s.theta->value > 0 && s.theta->value < pi / 2 && std::isfinite(s.theta->error)));
@@ -334,7 +334,7 @@ TEST_CASE("A sine has the curvature and the peaks of a sine, and no r and theta"
     CHECK(test::relative_error(found.rms_height.value, 3e-6 / std::sqrt(2.0)) <= 2.0 / (per_wave * waves));
     CHECK(test::relative_error(found.max_peak_height.value, 3e-6) <= 0.003);  // 1 - cos(pi/50), and the mean
     CHECK(!found.r);
-    CHECK(found.peaks_refusal.find("r = 1.00") == 0);
+    CHECK(found.why_no_peaks.find("r = 1.00") == 0);
 }
 
 TEST_CASE("The errors stated are the scatter of many surfaces") {
@@ -503,14 +503,13 @@ TEST_CASE("A map that is not rough along its rows keeps the errors of its height
     const auto found = surface_parameters(map);
     check_sound(found);
     CHECK(!found.r);
-    CHECK(found.peaks_refusal ==
-          "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta");
+    CHECK(found.why_no_peaks == "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta");
     CHECK(found.rms_height.error > 0.01 * found.rms_height.value);
     // tilted along x as well: straight, but for the rounding of the heights
     for (Eigen::Index i = 0; i < map.columns(); ++i) map.heights.col(i) += 1e-6 * static_cast<double>(i);
     const auto tilted = surface_parameters(map);
     check_sound(tilted);
-    CHECK(tilted.peaks_refusal.find("must be less than 1") != std::string::npos);
+    CHECK(tilted.why_no_peaks.find("must be less than 1") != std::string::npos);
 }
 
 TEST_CASE("Peaks apart from one another are a zigzag whose r is small: theta is what is refused") {
@@ -521,8 +520,7 @@ TEST_CASE("Peaks apart from one another are a zigzag whose r is small: theta is 
     }
     const auto found = surface_parameters(peaks);
     check_sound(found);
-    CHECK(found.peaks_refusal ==
-          "theta = pi/2, must be less: every point stands above or below both of its neighbours");
+    CHECK(found.why_no_peaks == "theta = pi/2, must be less: every point stands above or below both of its neighbours");
     CHECK(found.peak_radius.error <= 1e-12 * found.peak_radius.value);  // all are alike
 }
 
@@ -662,7 +660,7 @@ TEST_CASE("The fits and the islands behind the numbers are kept, and are those o
     REQUIRE((!m.profile_fit && m.map_fit && m.islands));
     const auto both = fit_directions(map, how.fit);
     CHECK((m.map_fit->x.has_value() == both.x.has_value() && m.map_fit->y.has_value() == both.y.has_value()));
-    CHECK((m.map_fit->x_refusal == both.x_refusal && m.map_fit->y_refusal == both.y_refusal));
+    CHECK((m.map_fit->why_no_fit_x == both.why_no_fit_x && m.map_fit->why_no_fit_y == both.why_no_fit_y));
     const auto alone = island_curve(map);
     CHECK((m.islands->curve.density == alone.density && m.islands->curve.bearing_area == alone.bearing_area));
     CHECK((m.islands->density == m.peak_density.value && m.islands->radius == m.peak_radius.value));
@@ -671,5 +669,5 @@ TEST_CASE("The fits and the islands behind the numbers are kept, and are those o
 
     const auto flat =
         surface_parameters(Profile<double>{{profile.heights.begin(), profile.heights.begin() + 20}, 1e-6}, how);
-    CHECK(flat.profile_fit.has_value() == flat.fractal_refusal.empty());
+    CHECK(flat.profile_fit.has_value() == flat.why_no_dimension.empty());
 }

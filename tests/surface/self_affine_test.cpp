@@ -25,7 +25,7 @@ long double slow(const Options& o, int columns, int rows, double dx, double dy, 
             if (q < 0.9999999999L / o.longest_wavelength && o.long_waves == LongWaves::none) continue;
             const long double w = std::pow(std::max(q, 1 / static_cast<long double>(o.longest_wavelength)),
                                            -2.0L * o.hurst - (rows > 1 ? 2 : 1));
-            const std::complex<double> pair = detail::normal_pair<double>(o.seed, kx, ky);
+            const std::complex<double> pair = detail::normals_of_wave<double>(o.seed, kx, ky);
             const long double turn =
                 static_cast<long double>(kx) * i / columns + static_cast<long double>(ky) * j / rows;
             const long double angle = 2 * std::acos(-1.0L) * (turn - std::floor(turn));
@@ -168,9 +168,9 @@ TEST_CASE("The unit of length changes nothing, and another seed everything") {
 TEST_CASE("The seed gives the same bits everywhere") {
     // the first two draws of splitmix64 on a state that was mixed from seed and wave, computed by hand in Python
     std::uint64_t state = 1;
-    state = detail::splitmix64(state) ^ (std::uint64_t(3) << 32 | std::uint64_t(0xFFFFFFFE));
-    CHECK(detail::splitmix64(state) == 0x4EC2E1AE649E791BULL);
-    const auto pair = detail::normal_pair<double>(1, -2, 3);
+    state = splitmix64(state) ^ (std::uint64_t(3) << 32 | std::uint64_t(0xFFFFFFFE));
+    CHECK(splitmix64(state) == 0x4EC2E1AE649E791BULL);
+    const auto pair = detail::normals_of_wave<double>(1, -2, 3);
     CHECK(test::ulps(pair.real(), -1.4099665609266887) <= 8);  // of the local log, sqrt, cos
     CHECK(test::ulps(pair.imag(), -0.6078706945355489) <= 8);
 }

@@ -63,8 +63,8 @@ TEST_CASE("Phases do not drift over 2^16 points") {
 TEST_CASE("A seed gives the same phases everywhere, and another seed others") {
     // First outputs of splitmix64 from seed 0, published with the algorithm.
     std::uint64_t state = 0;
-    CHECK(detail::splitmix64(state) == 0xE220A8397B1DCDAFULL);
-    CHECK(detail::splitmix64(state) == 0x6E789E6AA1B965F4ULL);
+    CHECK(splitmix64(state) == 0xE220A8397B1DCDAFULL);
+    CHECK(splitmix64(state) == 0x6E789E6AA1B965F4ULL);
     const auto heights = [](std::uint64_t seed) {
         return WeierstrassMandelbrot<double>({1.5, 1e-9},
                                              {.longest_wavelength = 1e-4, .shortest_wavelength = 1e-6, .seed = seed})
@@ -74,7 +74,7 @@ TEST_CASE("A seed gives the same phases everywhere, and another seed others") {
     CHECK(heights(7) != heights(8));
     // from the integers to the height: one wave of known phase
     std::uint64_t one = 7;
-    const double turns = std::ldexp(static_cast<double>(detail::splitmix64(one)), -64);
+    const double turns = std::ldexp(static_cast<double>(splitmix64(one)), -64);
     const WeierstrassMandelbrot<double> wave({1.5, 1e-4},
                                              {.longest_wavelength = 1e-4, .shortest_wavelength = 1e-4, .seed = 7});
     CHECK(std::abs(wave(0) - 1e-4 * std::cos(2 * std::numbers::pi * turns)) <= 1e-18);

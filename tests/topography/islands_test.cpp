@@ -65,7 +65,7 @@ Level slow(const HeightMap<double>& map, double level, const IslandOptions<doubl
 }
 
 /// Values that look random, from 0 to 1, the same everywhere.
-double noise(std::uint64_t& state) { return static_cast<double>(detail::splitmix64(state) >> 11) * 0x1p-53; }
+double noise(std::uint64_t& state) { return static_cast<double>(splitmix64(state) >> 11) * 0x1p-53; }
 
 enum class Kind { noise, ties, waves, holes, offset };
 

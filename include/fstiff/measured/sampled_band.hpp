@@ -18,6 +18,7 @@
 ///             the same band.
 
 #include <fstiff/core/progress.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 
 #include <algorithm>

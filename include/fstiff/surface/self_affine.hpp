@@ -24,9 +24,9 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
+#include <fstiff/math/accumulate.hpp>
 #include <fstiff/math/fft.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/math/random.hpp>
 
 #include <Eigen/Core>
 
@@ -36,7 +36,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace fstiff {
@@ -75,19 +74,17 @@ namespace detail {
 
 /// Two standard normal numbers of the wave with \p kx and \p ky periods.
 template <Real T>
-std::complex<T> normal_pair(std::uint64_t seed, std::int32_t kx, std::int32_t ky) {
+std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_t ky) {
     std::uint64_t state = seed;
     state = splitmix64(state) ^
             (static_cast<std::uint64_t>(static_cast<std::uint32_t>(ky)) << 32 | static_cast<std::uint32_t>(kx));
-    const T uniform = static_cast<T>((splitmix64(state) >> 11) + 1) * T(0x1p-53L);  // in (0, 1]: its log exists
-    const T turn = static_cast<T>(splitmix64(state) >> 11) * T(0x1p-53L);
-    return std::polar(std::sqrt(-2 * std::log(uniform)), 2 * numbers::pi_v<T> * turn);
+    return normal_pair<T>(state);
 }
 
 /// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.
 template <Real T>
 SelfAffineMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
-    using W = std::conditional_t<std::is_same_v<T, float>, double, T>;
+    using W = Accumulator<T>;
     using Index = Eigen::Index;
     require(options.hurst > T(0) && options.hurst < T(1), "hurst", options.hurst, "between 0 and 1, both excluded");
     require_positive("rms", options.rms);
@@ -131,7 +128,7 @@ SelfAffineMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t co
             if (w == W(0)) continue;
             row_total += w;
             waves(ky, kx < 0 ? static_cast<Index>(columns) + kx : kx) =
-                std::sqrt(w) * normal_pair<W>(options.seed, kx, ky);
+                std::sqrt(w) * normals_of_wave<W>(options.seed, kx, ky);
         }
         total += row_total;
     }

@@ -24,6 +24,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/surface/fractal.hpp>
 
 #include <cmath>
@@ -78,15 +79,6 @@ private:
 
 namespace detail {
 
-/// splitmix64 (Steele, Lea, Flood 2014; public domain): 64 well-mixed bits a call, the same everywhere.
-constexpr std::uint64_t splitmix64(std::uint64_t& state) {
-    state += 0x9E3779B97F4A7C15ULL;
-    std::uint64_t bits = state;
-    bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ULL;
-    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBULL;
-    return bits ^ (bits >> 31);
-}
-
 /// The fraction of a turn in \p turns, as an integer: 2^64 is one turn.
 inline std::uint64_t turn_fraction(long double turns) {
     const long double fraction = turns - std::floor(turns);
@@ -120,7 +112,7 @@ WeierstrassMandelbrot<T>::WeierstrassMandelbrot(const Fractal<T>& fractal,
                                        std::pow(static_cast<long double>(options.gamma), -static_cast<long double>(j));
         const T ratio = static_cast<T>(fractal.roughness / wavelength);
         const T amplitude = static_cast<T>(wavelength) * std::pow(ratio, fractal.dimension - 1);
-        terms_.push_back({amplitude, wavelength, options.phases == Phases::zero ? 0 : detail::splitmix64(state)});
+        terms_.push_back({amplitude, wavelength, options.phases == Phases::zero ? 0 : splitmix64(state)});
     }
 }
 
