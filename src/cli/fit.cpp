@@ -75,9 +75,8 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     how.progress = progress_bar();
     ProfileResult result;
     result.levelled = level_profile(options.surface, input);
-    how.removed = result.levelled.removed;
     const Profile<double>& profile = result.levelled.profile;
-    result.fit = about_file(options.surface.file, [&] { return fit_fractal(profile, how); });
+    result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
     attempt(result.spectrum, result.no_spectrum, [&] { return fit_spectrum(power_spectrum(profile)); });
     attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
     attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });

@@ -83,8 +83,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     if (profile) {
         surface.profile = std::make_shared<LevelledProfile>(level_profile(options.input, input));
         const LevelledProfile& levelled = *surface.profile;
-        how.fit.removed = levelled.removed;
-        found = about_file(options.input.file, [&] { return surface_parameters(levelled.profile, how); });
+        found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     } else {
         surface.map = std::make_shared<LevelledMap>(level_map(options.input, input));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/measured/sections.hpp>
-#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include "support/accuracy.hpp"
@@ -15,7 +15,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 /// Self-affine, waves up to the side; D = 2 - hurst in every direction.
 HeightMap<double> self_affine(double hurst, std::size_t columns, std::size_t rows, std::uint64_t seed, double dx = 1e-6,
                               double dy = 1e-6) {
-    return {self_affine_map<double>({.hurst = hurst, .rms = 1e-6, .seed = seed}, columns, rows, dx, dy), dx, dy};
+    return self_affine_map<double>({.hurst = hurst, .rms = 1e-6, .seed = seed}, columns, rows, dx, dy);
 }
 
 }  // namespace
@@ -104,9 +104,9 @@ TEST_CASE("Isotropic maps whose windows fall apart are not called anisotropic") 
     // at the long one, and D of each by itself differed by up to 0.3
     int apart = 0, warned = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        const auto heights = self_affine_map<double>(
-            {.hurst = 0.5, .rms = 1e-6, .longest_wavelength = 32e-6, .seed = seed}, 128, 128, 0.5e-6, 0.5e-6);
-        const auto fit = fit_directions(remove_form(HeightMap<double>{heights, 0.5e-6, 0.5e-6}, MapForm::plane));
+        const auto map = self_affine_map<double>({.hurst = 0.5, .rms = 1e-6, .longest_wavelength = 32e-6, .seed = seed},
+                                                 128, 128, 0.5e-6, 0.5e-6);
+        const auto fit = fit_directions(remove_form(map, MapForm::plane));
         REQUIRE(fit.x);
         REQUIRE(fit.y);
         apart += std::abs(fit.x->fractal.dimension - fit.y->fractal.dimension) > 0.12 ? 1 : 0;
@@ -129,7 +129,8 @@ TEST_CASE("A map that is stretched, or rougher along one side, is called anisotr
     const auto smooth = self_affine_profile<double>({.hurst = 0.8, .rms = 1e-6, .seed = 6}, 256, 1e-6);
     for (Eigen::Index j = 0; j < 256; ++j)
         for (Eigen::Index i = 0; i < 256; ++i)
-            map.heights(j, i) = rough[static_cast<std::size_t>(i)] + smooth[static_cast<std::size_t>(j)];
+            map.heights(j, i) =
+                rough.heights[static_cast<std::size_t>(i)] + smooth.heights[static_cast<std::size_t>(j)];
     map.dx = map.dy;
     const auto ridged = fit_directions(map);
     REQUIRE(ridged.x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/islands.hpp>
 
 #include "support/accuracy.hpp"
@@ -86,13 +86,12 @@ HeightMap<double> some_map(Kind kind, Eigen::Index columns, Eigen::Index rows, s
 }
 
 HeightMap<double> gaussian(double hurst, double longest, double shortest, std::size_t points, std::uint64_t seed) {
-    return {self_affine_map<double>({.hurst = hurst,
-                                     .rms = 1e-6,
-                                     .longest_wavelength = longest * 1e-6,
-                                     .shortest_wavelength = shortest * 1e-6,
-                                     .seed = seed},
-                                    points, points, 1e-6, 1e-6),
-            1e-6, 1e-6};
+    return self_affine_map<double>({.hurst = hurst,
+                                    .rms = 1e-6,
+                                    .longest_wavelength = longest * 1e-6,
+                                    .shortest_wavelength = shortest * 1e-6,
+                                    .seed = seed},
+                                   points, points, 1e-6, 1e-6);
 }
 
 /// Mean square slope along x and y, over the period of the map.

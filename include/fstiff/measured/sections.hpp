@@ -20,13 +20,13 @@
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8).
 /// Units       lengths, G [m], S [m^2]
-/// Valid       maps of 16 points a side at least; remove the form first, a plane at least, with remove_form()
+/// Valid       maps of 16 points a side at least; remove the form first, a plane at least, with level()
 /// Accuracy    S 1e-13. D of self-affine maps of 256 x 256 points, H = 0.3 to 0.8: 2 - H within 0.06 on the mean, which
 ///             is what the ends of the spectrum do to S; the errors, of sampling alone, are 0.6 to 1.1 times the scatter
 ///             (tests/measured/sections_test.cpp)
 
 #include <fstiff/profile/fractal_fit.hpp>
-#include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/form.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +83,11 @@ struct DirectionalFit {
 /// the heights of one profile: give the resolution.
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {});
+template <Real T>
+[[nodiscard]] DirectionalFit<T> fit_directions(const LevelledMap<T>& levelled,
+                                               const FractalFitOptions<T>& options = {}) {
+    return fit_directions(levelled.map, options);
+}
 
 namespace detail {
 
@@ -221,7 +226,7 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
     if (resampling.resamples < 0 || resampling.resamples > 100000)
         throw domain_error("resamples = " + std::to_string(resampling.resamples) + ": must be between 0 and 100000");
     const bool x = direction == Direction::x;
-    const F unit = detail::height_scale(map);
+    const F unit = 2 * static_cast<F>(detail::height_scale(map));  // the differences are at most 1
     detail::SectionSums<F> sums = detail::section_sums(map, direction, unit);
 
     MeasuredStructureFunction<T> measured;

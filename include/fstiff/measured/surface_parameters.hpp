@@ -26,7 +26,7 @@
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Kunsch,
 ///             Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), sections 2 to 4.
 /// Units       SI
-/// Valid       form removed before, with detrend() or remove_form(); profiles of 16 points and 8 triples at least, maps
+/// Valid       form removed before, with level(); profiles of 16 points and 8 triples at least, maps
 ///             as representative_islands(), with two islands or summits apart at least. What cannot be had (D, or r and
 ///             theta) is left out, with the reason.
 /// Accuracy    1e-12 of plain sums. Errors over the scatter of 60 surfaces, itself known to 9 %: 0.7 to 1.4; D_p of
@@ -40,6 +40,7 @@
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/form.hpp>
 #include <fstiff/topography/island_spread.hpp>
 
 #include <array>
@@ -65,8 +66,8 @@ template <Real T>
 struct SurfaceParameterOptions {
     PeakSource peaks = PeakSource::islands;  ///< of a map
     IslandOptions<T> islands{};
-    FractalFitOptions<T> fit{};  ///< of a profile `removed` is what detrend() took
-    std::size_t tiles = 4;       ///< of a map, a side
+    FractalFitOptions<T> fit{};
+    std::size_t tiles = 4;  ///< of a map, a side
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< of the resamples; `islands` and `fit` have their own
@@ -108,13 +109,24 @@ struct SurfaceParameters {
     std::optional<RepresentativeIslands<T>> islands;  ///< behind R and D_p of a map, of PeakSource::islands
 };
 
+/// Of a surface without its form, or of one as it is, of which nothing was removed.
 /// \throws domain_error for a surface or an option out of range, or one without peaks.
 template <Real T>
-[[nodiscard]] SurfaceParameters<T> surface_parameters(const Profile<T>& profile,
+[[nodiscard]] SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled,
                                                       const SurfaceParameterOptions<T>& options = {});
+template <Real T>
+[[nodiscard]] SurfaceParameters<T> surface_parameters(const Profile<T>& profile,
+                                                      const SurfaceParameterOptions<T>& options = {}) {
+    return surface_parameters(LevelledProfile<T>{profile}, options);
+}
 template <Real T>
 [[nodiscard]] SurfaceParameters<T> surface_parameters(const HeightMap<T>& map,
                                                       const SurfaceParameterOptions<T>& options = {});
+template <Real T>
+[[nodiscard]] SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled,
+                                                      const SurfaceParameterOptions<T>& options = {}) {
+    return surface_parameters(levelled.map, options);
+}
 
 namespace detail {
 
@@ -206,8 +218,9 @@ void require_numbers(const SurfaceParameters<T>& result) {
 }  // namespace detail
 
 template <Real T>
-SurfaceParameters<T> surface_parameters(const Profile<T>& profile, const SurfaceParameterOptions<T>& options) {
+SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, const SurfaceParameterOptions<T>& options) {
     using S = Accumulator<T>;
+    const Profile<T>& profile = levelled.profile;
     profile.validate(16);
     detail::require_options(options);
     const std::size_t size = profile.size();
@@ -247,7 +260,7 @@ SurfaceParameters<T> surface_parameters(const Profile<T>& profile, const Surface
     result.block_length = static_cast<T>(block * length) * profile.spacing;
     result.seed = options.seed;
     result.why_no_dimension =
-        detail::fit_or_reason(result.profile_fit, [&] { return fit_fractal(profile, options.fit); });
+        detail::fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); });
     if (result.profile_fit) detail::store_fit(result, *result.profile_fit);
     return result;
 }

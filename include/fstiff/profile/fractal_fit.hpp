@@ -26,6 +26,7 @@
 #include <fstiff/core/progress.hpp>
 #include <fstiff/profile/form_loss.hpp>
 #include <fstiff/profile/lag_window.hpp>
+#include <fstiff/profile/level.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
@@ -43,7 +44,6 @@ struct FractalFitOptions {
     Divisor divisor = Divisor::pairs;
     std::uint64_t seed = 2014;  ///< of the bootstrap
     int resamples = 200;        ///< of the bootstrap; 0 leaves it out
-    Form removed = Form::none;  ///< what detrend() took off the profile: its mark on the long lags is put right
     T tip_radius{};             ///< of the stylus [m]: lags that may show it are left out; 0: not known
     T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
     ProgressHook progress{};    ///< of the bootstrap
@@ -55,6 +55,7 @@ struct MeasuredStructureFunction {
     StructureFunction<T> structure_function;  ///< at some lags, rising; `pairs` are those of one profile
     T spacing{};                              ///< [m]
     std::size_t points{};                     ///< of one profile, missing ones included
+    Form removed = Form::none;                ///< of the profiles: what its removal took of S is made up for
     T profiles = T(1);                        ///< independent ones that S is the mean of: their number divides the
                                               ///< variance that the model expects
     /// ln S at the steps given (rows) of resamples (columns), for the errors; may be empty. ln S in any unit.
@@ -96,9 +97,13 @@ struct FractalFit {
     StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
 };
 
-/// D and G of \p profile, as it is: remove its form first, with detrend().
+/// D and G of a profile without its form. What the removal of the form took of the long lags is made up for.
 /// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
 /// of lags follows a power law, or when D is not between 1 and 2.
+template <Real T>
+[[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {});
+
+/// D and G of \p profile as it is, of which nothing was removed. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {});
 
@@ -130,13 +135,16 @@ void check_window(const LagWindow<T>& window, T length) {
 }
 
 template <Real T>
+FractalFit<T> fit_profile(const Profile<T>& profile, Form removed, const FractalFitOptions<T>& options);
+
+template <Real T>
 FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
                            T tip_length);
 
 }  // namespace detail
 
 template <Real T>
-FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options) {
+FractalFit<T> detail::fit_profile(const Profile<T>& profile, Form removed, const FractalFitOptions<T>& options) {
     using F = Accumulator<T>;
     profile.validate(16);
     detail::check_options(options);
@@ -153,6 +161,7 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
     measured.structure_function = structure_function(profile, std::span<const std::size_t>(wanted), options.divisor);
     measured.spacing = profile.spacing;
     measured.points = points;
+    measured.removed = removed;
     if (options.resamples > 1)
         measured.resample = [&](const std::vector<std::size_t>& steps) {
             const Profile<F> heights{std::vector<F>(profile.heights.begin(), profile.heights.end()),
@@ -163,6 +172,16 @@ FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>&
     FractalFit<T> result = detail::fit_measured(measured, options, tip_length);
     result.seed = options.seed;
     return result;
+}
+
+template <Real T>
+FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options) {
+    return detail::fit_profile(levelled.profile, levelled.mark(), options);
+}
+
+template <Real T>
+FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options) {
+    return detail::fit_profile(profile, Form::none, options);
 }
 
 template <Real T>
@@ -303,9 +322,9 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
         static_cast<T>(std::sqrt(ordinary.residual / static_cast<F>(result.lags - 2) /
                                  (window.x().array() - window.x().mean()).square().sum()) /
                        2);
-    const bool has_no_form = options.removed == Form::none || options.removed == Form::mean;
+    const bool has_no_form = measured.removed == Form::none || measured.removed == Form::mean;
     const auto retained = [&](F power) {
-        return log_retained<F>(step, measured.points, std::clamp(power, F(0.02), F(1.98)), options.removed);
+        return log_retained<F>(step, measured.points, std::clamp(power, F(0.02), F(1.98)), measured.removed);
     };
     const LogFit<F> fit = window.fit(retained, has_no_form);
     result.finite_band = fit.finite_band;

@@ -39,6 +39,19 @@ inline constexpr auto names<MapForm> = name_list<MapForm>({{MapForm::none, "none
 template <Real T>
 [[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form);
 
+/// A map without its form, which knows what was removed.
+template <Real T>
+struct LevelledMap {
+    HeightMap<T> map;
+    MapForm removed = MapForm::none;
+};
+
+/// The same with the form that was removed. \throws domain_error as remove_form().
+template <Real T>
+[[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form) {
+    return {remove_form(map, form), form};
+}
+
 namespace detail {
 
 /// Legendre's polynomials 0 to 3 at the points of a side, one a column.

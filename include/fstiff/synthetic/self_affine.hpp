@@ -19,7 +19,7 @@
 /// Units       lengths, heights [m]
 /// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most; fastest
 ///             where the points of a side are products of 2, 3 and 5
-/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/surface/self_affine_test.cpp). The
+/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/synthetic/self_affine_test.cpp). The
 ///             random bits are the same on every platform; heights agree to the rounding of the local log, cos and pow.
 
 #include <fstiff/core/error.hpp>
@@ -27,6 +27,8 @@
 #include <fstiff/math/accumulate.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/random.hpp>
+#include <fstiff/profile/profile.hpp>
+#include <fstiff/topography/height_map.hpp>
 
 #include <Eigen/Core>
 
@@ -60,15 +62,12 @@ struct SelfAffineOptions {
 /// z at x = 0, spacing, ...: one period of points * spacing [m].
 /// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
 template <Real T>
-[[nodiscard]] std::vector<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing);
-
-template <Real T>
-using SelfAffineMap = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+[[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing);
 
 /// z(j, i) at x = i dx, y = j dy: one period of columns * dx by rows * dy [m]. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] SelfAffineMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns,
-                                               std::size_t rows, T dx, T dy);
+[[nodiscard]] HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows,
+                                           T dx, T dy);
 
 namespace detail {
 
@@ -83,7 +82,7 @@ std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_
 
 /// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.
 template <Real T>
-SelfAffineMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
+HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
     using W = Accumulator<T>;
     using Index = Eigen::Index;
     require(options.hurst > T(0) && options.hurst < T(1), "hurst", options.hurst, "between 0 and 1, both excluded");
@@ -160,21 +159,20 @@ SelfAffineMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t co
         for (Index j = 0; j < heights.rows(); ++j) square += heights.row(j).square().mean();
         square /= static_cast<W>(rows);
     }
-    return (heights * (static_cast<W>(options.rms) / std::sqrt(square))).template cast<T>();
+    return {(heights * (static_cast<W>(options.rms) / std::sqrt(square))).template cast<T>(), dx, dy};
 }
 
 }  // namespace detail
 
 template <Real T>
-std::vector<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
+Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
     require_positive("spacing", spacing);
-    const SelfAffineMap<T> heights = detail::self_affine(options, points, 1, spacing, spacing);
-    return {heights.data(), heights.data() + heights.size()};
+    const HeightMap<T> row = detail::self_affine(options, points, 1, spacing, spacing);
+    return {{row.heights.data(), row.heights.data() + row.size()}, spacing};
 }
 
 template <Real T>
-SelfAffineMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx,
-                                 T dy) {
+HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
     require_positive("dx", dx);
     require_positive("dy", dy);
     if (rows < 4) throw domain_error("points of a side = " + std::to_string(rows) + ": must be between 4 and 2^28");
