@@ -57,6 +57,7 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
+#include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/sampled_band.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/surface_parameters.hpp>

@@ -4,6 +4,8 @@
 #include "progress.hpp"
 #include "surface_instances.hpp"
 
+#include <fstiff/measured/measured_concerns.hpp>
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -49,14 +51,26 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     else if (found.curved)
         warned.push_back("the structure function is no single power law over the window: D is a mean over it");
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
-    if (found.anisotropic) warned.push_back("the map differs along x and y; the models take it for isotropic");
-    if (found.peaks_counted < 30)
-        warned.push_back("R and D_p come from " + std::to_string(found.peaks_counted) +
-                         " peaks only; their errors are rough");
-    for (const auto& [name, measured] : {std::pair("R", found.peak_radius), std::pair("D_p", found.peak_density)})
-        if (measured.error > 0.3 * measured.value)
-            warned.push_back(std::string(name) + " is known to " +
-                             std::to_string(std::lround(100 * measured.error / measured.value)) + " % only");
+    const auto percent = [](const Measurement<double>& one) {
+        return std::to_string(std::lround(100 * one.error / one.value)) + " % only";
+    };
+    for (const MeasuredConcern concern : concerns_of(found)) switch (concern) {
+            case MeasuredConcern::anisotropic:
+                warned.push_back("the map differs along x and y; the models take it for isotropic");
+                break;
+            case MeasuredConcern::few_peaks:
+                warned.push_back("R and D_p come from " + std::to_string(found.peaks_counted) +
+                                 " peaks only; their errors are rough");
+                break;
+            case MeasuredConcern::radius_uncertain:
+                warned.push_back("R is known to " + percent(found.peak_radius));
+                break;
+            case MeasuredConcern::density_uncertain:
+                warned.push_back("D_p is known to " + percent(found.peak_density));
+                break;
+            default:  // said before
+                break;
+        }
 }
 
 }  // namespace
