@@ -20,7 +20,7 @@ namespace fstiff {
 /// \throws domain_error without values, or for a probability that is not between 0 and 1.
 template <Real T>
 [[nodiscard]] T sorted_quantile(std::span<const T> values, T probability) {
-    if (values.empty()) throw domain_error("values of a quantile = 0: must be at least 1");
+    require(!values.empty(), "values of a quantile", values.size(), "at least 1");
     require(probability >= T(0) && probability <= T(1), "probability", probability, "between 0 and 1");
     const T place = probability * static_cast<T>(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);

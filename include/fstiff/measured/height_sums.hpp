@@ -110,9 +110,8 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
         if (draw.isFinite().all()) draws.push_back(draw);  // a draw without peaks says nothing
     }
     if (spread.blocks < 2 || draws.size() < 2)
-        throw domain_error("resamples of " + std::to_string(spread.blocks) +
-                           " parts of the surface that hold peaks = " + std::to_string(draws.size()) +
-                           ": must be at least 2, of 2 parts at least, for an error");
+        refuse("resamples of " + std::to_string(spread.blocks) + " parts of the surface that hold peaks", draws.size(),
+               "at least 2, of 2 parts at least, for an error");
     Estimates<S> mean = Estimates<S>::Zero();
     for (const auto& draw : draws) mean += draw / static_cast<S>(draws.size());
     Eigen::Matrix<S, 6, 6> covariance = Eigen::Matrix<S, 6, 6>::Zero();

@@ -212,8 +212,7 @@ Profile<T> section(const HeightMap<T>& map, Direction direction, Eigen::Index pl
     const bool x = direction == Direction::x;
     const Eigen::Index sections = x ? map.rows() : map.columns();
     if (place < 0 || place >= sections)
-        throw domain_error((x ? "row = " : "column = ") + std::to_string(place) + ": must be between 0 and " +
-                           std::to_string(sections - 1));
+        detail::refuse(x ? "row" : "column", place, "between 0 and " + std::to_string(sections - 1));
     const auto values = [](const auto& line) { return std::vector<T>(line.begin(), line.end()); };
     return x ? Profile<T>{values(map.heights.row(place)), map.dx} : Profile<T>{values(map.heights.col(place)), map.dy};
 }
@@ -223,8 +222,8 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
                                                const SectionResampling& resampling) {
     using F = Accumulator<T>;
     map.validate(16);
-    if (resampling.resamples < 0 || resampling.resamples > 100000)
-        throw domain_error("resamples = " + std::to_string(resampling.resamples) + ": must be between 0 and 100000");
+    require(resampling.resamples >= 0 && resampling.resamples <= 100000, "resamples", resampling.resamples,
+            "between 0 and 100000");
     const bool x = direction == Direction::x;
     const F unit = 2 * static_cast<F>(detail::height_scale(map));  // the differences are at most 1
     detail::SectionSums<F> sums = detail::section_sums(map, direction, unit);

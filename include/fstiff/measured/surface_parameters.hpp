@@ -198,10 +198,9 @@ void store_mean_of_directions(SurfaceParameters<T>& result, const DirectionalFit
 
 template <Real T>
 void require_options(const SurfaceParameterOptions<T>& options) {
-    if (options.resamples < 2 || options.resamples > 100000)
-        throw domain_error("resamples = " + std::to_string(options.resamples) + ": must be between 2 and 100000");
-    if (options.tiles < 2 || options.tiles > 32)
-        throw domain_error("tiles a side = " + std::to_string(options.tiles) + ": must be between 2 and 32");
+    require(options.resamples >= 2 && options.resamples <= 100000, "resamples", options.resamples,
+            "between 2 and 100000");
+    require(options.tiles >= 2 && options.tiles <= 32, "tiles a side", options.tiles, "between 2 and 32");
     check_options(options.fit);
 }
 
@@ -246,7 +245,7 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     if (all.triples.triples < 8)
         throw domain_error("profile has " + std::to_string(all.triples.triples) +
                            " triples of neighbouring points: must be at least 8");
-    require(all.triples.peaks > 0, "peaks of the profile", S(0), "at least 1");
+    require(all.triples.peaks > 0, "peaks of the profile", all.triples.peaks, "at least 1");
     const std::size_t block =
         std::clamp<std::size_t>((5 * correlated + length - 1) / length, 1, std::max<std::size_t>(1, sums.size() / 8));
 
@@ -302,12 +301,11 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
         all.add(tile);
         if (tile.points > S(0)) sums.push_back(tile);
     }
-    require(all.triples.triples > 0, "triples of neighbouring points in the rows", S(0), "at least 1");
+    require(all.triples.triples > 0, "triples of neighbouring points in the rows", all.triples.triples, "at least 1");
     const auto with_summits =
         std::count_if(sums.begin(), sums.end(), [](const auto& tile) { return tile.summits > 0; });
-    if (summits && with_summits < 2)
-        throw domain_error("tiles of the map that hold summits = " + std::to_string(with_summits) +
-                           ": must be at least 2 for the errors of R and D_p");
+    require(!summits || with_summits >= 2, "tiles of the map that hold summits", with_summits,
+            "at least 2 for the errors of R and D_p");
 
     SurfaceParameters<T> result;
     const auto count = summits ? detail::PeakCount::summits : detail::PeakCount::none;
@@ -319,10 +317,8 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
         result.islands = representative_islands(map, options.islands,
                                                 {options.tiles, options.resamples, options.seed, options.progress});
         const RepresentativeIslands<T>& islands = *result.islands;
-        if (islands.islands < 2)
-            throw domain_error(
-                "islands of the map where there are most = 1: must be at least 2 for the errors of R "
-                "and D_p");
+        require(islands.islands >= 2, "islands of the map where there are most", islands.islands,
+                "at least 2 for the errors of R and D_p");
         result.peak_radius = {islands.radius, islands.radius_error};
         result.peak_density = {islands.density, islands.density_error};
         result.peaks_counted = islands.islands;

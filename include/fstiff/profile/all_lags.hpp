@@ -275,8 +275,7 @@ StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, s
     if (points < 2 || points > std::size_t{1} << 29)
         throw domain_error("profile has " + std::to_string(points) + " points: must be between 2 and 2^29");
     if (longest >= points)
-        throw domain_error("lag = " + std::to_string(longest) + " samples: must be between 1 and " +
-                           std::to_string(points - 1));
+        detail::refuse("lag", std::to_string(longest) + " samples", "between 1 and " + std::to_string(points - 1));
     const F scale = static_cast<F>(detail::height_scale(profile));
     std::vector<F> heights(points);
     std::vector<char> present;

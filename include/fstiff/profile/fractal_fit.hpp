@@ -120,8 +120,8 @@ template <Real T>
 void check_options(const FractalFitOptions<T>& options) {
     require(options.gamma > T(1) && options.gamma <= std::numeric_limits<T>::max(), "gamma", options.gamma,
             "finite and greater than 1");
-    if (options.resamples < 0 || options.resamples > 100000)
-        throw domain_error("resamples = " + std::to_string(options.resamples) + ": must be between 0 and 100000");
+    require(options.resamples >= 0 && options.resamples <= 100000, "resamples", options.resamples,
+            "between 0 and 100000");
     for (const auto& [name, value] : {std::pair{"tip radius", options.tip_radius}, {"resolution", options.resolution}})
         require(value >= T(0) && value <= std::numeric_limits<T>::max(), name, value,
                 "finite and greater than 0, or 0 when it is not known");

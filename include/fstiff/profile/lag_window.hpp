@@ -142,8 +142,9 @@ LogStructure<Accumulator<T>> log_structure(const StructureFunction<T>& s, T spac
     const bool limited = reliable.from > T(0);
     if (limited && (log.step.size() < least_window_lags ||
                     static_cast<double>(log.step.back()) < least_window_ratio * static_cast<double>(log.step.front())))
-        throw domain_error("window: no half decade of lags is left" +
-                           reliable.note(static_cast<T>(points - 1) * spacing));
+        throw domain_error(
+            {.parameter = "window",
+             .reason = "no half decade of lags is left" + reliable.note(static_cast<T>(points - 1) * spacing)});
     if (log.step.size() < least_window_lags)
         throw domain_error("profile has differing heights at " + std::to_string(log.step.size()) +
                            " lags: must be at least " + std::to_string(least_window_lags));
@@ -231,10 +232,11 @@ ChosenRange<Accumulator<T>> given_range(const LogStructure<Accumulator<T>>& log,
         log.lag[range.last] - log.lag[range.first] < std::log(static_cast<F>(least_window_ratio))) {
         const T length = static_cast<T>(log.points - 1) * spacing;
         const auto metres = [](T value) { return rounded_text(value, 4) + " m"; };
-        throw domain_error("window = " + metres(window.from) + " to " + metres(window.to) + ": holds " +
-                           std::to_string(held) + " lags; must hold at least " + std::to_string(least_window_lags) +
-                           " and half a decade, between " + metres(spacing) + " and " + metres(length) +
-                           reliable.note(length));
+        throw domain_error({.parameter = "window",
+                            .value = metres(window.from) + " to " + metres(window.to),
+                            .reason = "holds " + std::to_string(held) + " lags; must hold at least " +
+                                      std::to_string(least_window_lags) + " and half a decade, between " +
+                                      metres(spacing) + " and " + metres(length) + reliable.note(length)});
     }
     return {range, F(0), false};
 }
@@ -254,12 +256,14 @@ ChosenRange<Accumulator<T>> automatic_range(const LogStructure<Accumulator<T>>& 
                                                     {F(0.6), true}})
         if (const auto range = straight_range(log, tolerance, behind_plateau))
             return {*range, tolerance, behind_plateau};
-    throw domain_error("window = automatic: no half decade of lags follows a power law (local slope of ln S " +
-                       rounded_text(log.slope[0], 4) + " at the shortest and " +
-                       rounded_text(log.slope[log.slope.size() - 1], 4) +
-                       " at the longest lag); must be a profile whose slope stays between 0.05 and 1.9, without tilt, "
-                       "or a window given by hand" +
-                       reliable.note(static_cast<T>(log.points - 1) * spacing));
+    const std::string first = rounded_text(log.slope[0], 4), last = rounded_text(log.slope[log.slope.size() - 1], 4);
+    throw domain_error({.parameter = "window",
+                        .value = "automatic",
+                        .reason = "no half decade of lags follows a power law (local slope of ln S " + first +
+                                  " at the shortest and " + last +
+                                  " at the longest lag); must be a profile whose slope stays between 0.05 and 1.9, "
+                                  "without tilt, or a window given by hand" +
+                                  reliable.note(static_cast<T>(log.points - 1) * spacing)});
 }
 
 /// Why a window that was found ends before lag \p next: \p outermost where the search does.

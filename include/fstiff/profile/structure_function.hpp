@@ -101,8 +101,8 @@ StructureFunction<T> structure_function(const Profile<T>& profile, std::span<con
     StructureFunction<T> result;
     for (const std::size_t n : lags) {
         if (n < 1 || n >= points)
-            throw domain_error("lag = " + std::to_string(n) + " samples: must be between 1 and " +
-                               std::to_string(points > 0 ? points - 1 : 0));
+            detail::refuse("lag", std::to_string(n) + " samples",
+                           "between 1 and " + std::to_string(points > 0 ? points - 1 : 0));
         // sums of short runs are added up, so that rounding does not grow with the number of points
         constexpr std::size_t run = 512;
         Accumulator<T> sum = 0;

@@ -88,13 +88,11 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
     require(options.hurst > T(0) && options.hurst < T(1), "hurst", options.hurst, "between 0 and 1, both excluded");
     require_positive("rms", options.rms);
     const bool map = rows > 1;
-    constexpr std::size_t most = std::size_t(1) << 28;
+    constexpr std::size_t max_points = std::size_t(1) << 28;
     for (const std::size_t points : {columns, map ? rows : columns})
-        if (points < 4 || points > most)
-            throw domain_error("points of a side = " + std::to_string(points) + ": must be between 4 and 2^28");
-    if (columns > most / rows)
-        throw domain_error("points = " + std::to_string(columns) + " x " + std::to_string(rows) +
-                           ": must be at most 2^28");
+        require(points >= 4 && points <= max_points, "points of a side", points, "between 4 and 2^28");
+    if (columns > max_points / rows)
+        detail::refuse("points", std::to_string(columns) + " x " + std::to_string(rows), "at most 2^28");
     const W period_x = static_cast<W>(columns) * dx, period_y = map ? static_cast<W>(rows) * dy : W(0);
     const W side = std::max(period_x, period_y), step = map ? std::max(dx, dy) : dx;
     const W longest = options.longest_wavelength == T(0) ? side : static_cast<W>(options.longest_wavelength);
@@ -175,7 +173,7 @@ template <Real T>
 HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
     require_positive("dx", dx);
     require_positive("dy", dy);
-    if (rows < 4) throw domain_error("points of a side = " + std::to_string(rows) + ": must be between 4 and 2^28");
+    require(rows >= 4, "points of a side", rows, "between 4 and 2^28");
     return detail::self_affine(options, columns, rows, dx, dy);
 }
 

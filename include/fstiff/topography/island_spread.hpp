@@ -114,11 +114,10 @@ template <Real T>
 RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const IslandOptions<T>& options,
                                                 const IslandSpread& spread) {
     using S = Accumulator<T>;
-    constexpr std::size_t most_tiles = 32, most_resamples = 100000, most_lines = std::size_t(1) << 22;
-    if (spread.tiles < 1 || spread.tiles > most_tiles)
-        throw domain_error("tiles a side = " + std::to_string(spread.tiles) + ": must be between 1 and 32");
-    if (spread.tiles > 1 && (spread.resamples < 2 || spread.resamples > most_resamples))
-        throw domain_error("resamples = " + std::to_string(spread.resamples) + ": must be between 2 and 100000");
+    constexpr std::size_t max_lines = std::size_t(1) << 22;
+    require(spread.tiles >= 1 && spread.tiles <= 32, "tiles a side", spread.tiles, "between 1 and 32");
+    require(spread.tiles == 1 || (spread.resamples >= 2 && spread.resamples <= 100000), "resamples", spread.resamples,
+            "between 2 and 100000");
     const std::size_t all_tiles = spread.tiles * spread.tiles;
 
     std::vector<detail::TileTotal<S>> lines;  // all tiles of the highest level, then of the next
@@ -126,7 +125,7 @@ RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const I
     result.curve =
         detail::sweep_islands(map, options, spread.tiles, [&](T level, const detail::IslandForest<T>& forest) {
             if (all_tiles == 1) return;
-            if (lines.size() + all_tiles > most_lines)
+            if (lines.size() + all_tiles > max_lines)
                 throw domain_error(
                     "levels times tiles of the spread: must be at most 2^22; take 1 tile or fewer levels");
             for (const detail::IslandTotal<S>& tile : forest.tile_totals())
@@ -151,9 +150,7 @@ RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const I
     std::vector<std::size_t> held;  // tiles that hold points
     for (std::size_t t = 0; t < all_tiles; ++t)
         if (area[t] > S(0)) held.push_back(t);
-    if (held.size() < 2)
-        throw domain_error("tiles that hold points = " + std::to_string(held.size()) +
-                           ": must be at least 2 for a spread");
+    require(held.size() >= 2, "tiles that hold points", held.size(), "at least 2 for a spread");
     result.tiles = held.size();
     result.seed = spread.seed;
     detail::resample_tiles(result, map, lines, held, area, spread);

@@ -98,7 +98,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     map.validate();
     if (map.size() > std::numeric_limits<std::int32_t>::max())
         throw domain_error("map of " + std::to_string(map.size()) + " points: must be at most 2^31 - 1");
-    if (options.least_points < 1) throw domain_error("least points of an island = 0: must be at least 1");
+    require(options.least_points >= 1, "least points of an island", options.least_points, "at least 1");
     for (const T level : options.levels)
         require(std::abs(level) <= std::numeric_limits<T>::max(), "cutting level", level, "finite");
     const T* const z = map.heights.data();
