@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/synthetic/self_affine.hpp>
-#include <fstiff/topography/islands.hpp>
+#include <fstiff/topography/island_spread.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
