@@ -6,6 +6,7 @@
 #include "surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
+#include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
@@ -16,7 +17,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 namespace fstiff::cli {
 namespace {
@@ -75,9 +75,8 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     how.progress = progress_bar();
     ProfileResult result;
     result.levelled = level_profile(options.surface, input);
-    how.removed = result.levelled.removed;
     const Profile<double>& profile = result.levelled.profile;
-    result.fit = about_file(options.surface.file, [&] { return fit_fractal(profile, how); });
+    result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
     attempt(result.spectrum, result.no_spectrum, [&] { return fit_spectrum(power_spectrum(profile)); });
     attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
     attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });
@@ -94,46 +93,43 @@ MapResult fit_map(const Options& options, const SurfaceInput& input) {
     about_file(options.surface.file, [&] {
         result.fit = fit_directions(result.levelled.map, how);
         if (!result.fit.x && !result.fit.y)
-            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.x_refusal +
-                               "; along y: " + result.fit.y_refusal);
+            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.why_no_fit_x +
+                               "; along y: " + result.fit.why_no_fit_y);
     });
     return result;
 }
 
 bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.window.from && lag <= fit.window.to; }
 
-/// Below this local slope S counts as flat.
-constexpr double saturated = 0.2;
+std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit) {
+    switch (concern) {
+        case MeasuredConcern::curved:
+            return "the local slope of S varies between " + rounded(fit.slope_least, 3) + " and " +
+                   rounded(fit.slope_greatest, 3) +
+                   " over the window: this is no single power law, and D is a mean over it";
+        case MeasuredConcern::saturated:
+            return "S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
+                   rounded(fit.flattest_lag * 1e6, 3) +
+                   " µm, shorter than the window: the roughness has saturated there, and D is that of the waviness; "
+                   "--window looks elsewhere";
+        case MeasuredConcern::roughness_uncertain:
+            return "G is known to no better than a factor of 10: D is close to 1, where G hardly matters";
+        default:
+            return "the window reaches beyond a tenth of the cut-off, where S has lost some of what the filter took";
+    }
+}
 
 void warn_of_fit(Strings& all, const FractalFit<double>& fit, const std::string& where) {
-    if (fit.curved)
-        all.push_back(where + "the local slope of S varies between " + rounded(fit.slope_least, 3) + " and " +
-                      rounded(fit.slope_greatest, 3) +
-                      " over the window: this is no single power law, and D is a mean over it");
-    if (fit.automatic_window && fit.flattest_lag > 0 && fit.flattest_slope < saturated &&
-        (fit.behind_plateau || fit.slope_least > fit.flattest_slope + 0.5))
-        all.push_back(where + "S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
-                      rounded(fit.flattest_lag * 1e6, 3) +
-                      " µm, shorter than the window: the roughness has saturated there, and D is that of the waviness; "
-                      "--window looks elsewhere");
-    if (fit.log_roughness_error > std::numbers::ln10)
-        all.push_back(where + "G is known to no better than a factor of 10: D is close to 1, where G hardly matters");
+    for (const MeasuredConcern concern : concerns_of(fit)) all.push_back(where + sentence(concern, fit));
 }
 
 Strings warnings(const SurfaceInput& input, const ProfileResult& result) {
     Strings all;
-    warn_of_fit(all, result.fit, "");
-    // a lag shows waves up to some ten times as long, and of one as long as the cut-off the filter took a half
-    if (result.levelled.cutoff && result.fit.window.to > *result.levelled.cutoff / 10)
-        all.push_back(
-            "the window reaches beyond a tenth of the cut-off, where S has lost some of what the filter took");
-    if (result.spectrum) {
-        const double difference = result.spectrum->dimension - result.fit.fractal.dimension;
-        const double error = std::hypot(result.spectrum->dimension_error, result.fit.dimension_error);
-        if (std::abs(difference) > 3 * error && std::abs(difference) > 0.1)
-            all.push_back("D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
-                          ", is another one: over its wavelengths the profile follows another law");
-    }
+    for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
+        all.push_back(concern == MeasuredConcern::spectrum_differs
+                          ? "D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
+                                ", is another one: over its wavelengths the profile follows another law"
+                          : sentence(concern, result.fit));
     for (std::string& line : missing_points_warning(input, "their pairs are left out")) all.push_back(std::move(line));
     return all;
 }
@@ -142,8 +138,8 @@ Strings warnings(const SurfaceInput& input, const MapResult& result) {
     Strings all;
     if (result.fit.x) warn_of_fit(all, *result.fit.x, "along x: ");
     if (result.fit.y) warn_of_fit(all, *result.fit.y, "along y: ");
-    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.x_refusal);
-    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.y_refusal);
+    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.why_no_fit_x);
+    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.why_no_fit_y);
     if (result.fit.anisotropic())
         all.push_back("the map is anisotropic: D along x less D along y is " +
                       rounded(result.fit.dimension_difference, 3) + " +- " +
@@ -302,8 +298,8 @@ std::string json(const Options& options, const SurfaceInput& input, const MapRes
         put_structure(part, fit->structure_function);
         return part;
     };
-    document["x"] = direction(result.fit.x, result.fit.x_refusal);
-    document["y"] = direction(result.fit.y, result.fit.y_refusal);
+    document["x"] = direction(result.fit.x, result.fit.why_no_fit_x);
+    document["y"] = direction(result.fit.y, result.fit.why_no_fit_y);
     document["anisotropic"] = result.fit.anisotropic();
     document["fractal_dimension_difference"] = json_number(result.fit.dimension_difference);
     document["fractal_dimension_difference_error"] = json_number(result.fit.dimension_difference_error);

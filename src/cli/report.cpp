@@ -218,7 +218,8 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
             Panel panel = structure_panel();
             if (fit.x) add_structure(panel, *fit.x, " along x");
             if (fit.y) add_structure(panel, *fit.y, " along y");
-            for (const auto& [direction, refusal] : {std::pair("x", fit.x_refusal), std::pair("y", fit.y_refusal)})
+            for (const auto& [direction, refusal] :
+                 {std::pair("x", fit.why_no_fit_x), std::pair("y", fit.why_no_fit_y)})
                 if (!refusal.empty()) page.paragraph("No fit along " + std::string(direction) + ": " + refusal);
             if (!panel.lines.empty())
                 page.figure({.title = shown, .panels = {panel}},

@@ -17,8 +17,8 @@
 #include <fstiff/peaks/peak_density.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/surface/cut_offs.hpp>
-#include <fstiff/surface/self_affine.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/islands.hpp>
 
 #include <algorithm>
@@ -174,8 +174,7 @@ Picture figure_4(Reproduction& all) {
                                           .shortest_wavelength = shortest,
                                           .long_waves = LongWaves::none,
                                           .seed = seed};
-        const HeightMap<double> map{self_affine_map<double>(options, points, points, spacing, spacing), spacing,
-                                    spacing};
+        const HeightMap<double> map = self_affine_map<double>(options, points, points, spacing, spacing);
         IslandOptions<double> how;
         IslandSpread spread{.tiles = 4, .resamples = 200, .seed = seed};
         if (bar) {  // one bar for the three maps; the sweep of a map takes nearly all the time
@@ -223,7 +222,7 @@ Picture figure_6(Reproduction& all) {
     const double longest = longest_cosine(surface.fractal, surface.roughness.rms_height);
     const WeierstrassMandelbrot<double> wm(
         surface.fractal, {.longest_wavelength = longest, .shortest_wavelength = 2 * spacing, .seed = seed});
-    const Profile<double> profile{wm.sample(points, spacing), spacing};
+    const Profile<double> profile = wm.sample(points, spacing);
     FractalFitOptions<double> options;
     options.seed = seed;
     const FractalFit<double> fit = fit_fractal(profile, options);

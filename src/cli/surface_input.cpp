@@ -146,10 +146,8 @@ LevelledProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
     about_file(options.file, [&] {
         const Profile<double>& read = input.surface.profile();
         result.rms_as_read = rms_height(read);
-        result.profile = detrend(read, form);
-        if (filter) result.profile = gaussian_roughness(result.profile, *result.cutoff);
+        static_cast<fstiff::LevelledProfile<double>&>(result) = level(read, form, result.cutoff);
         result.rms = rms_height(result.profile);
-        result.removed = filter ? Form::none : form;
     });
     return result;
 }
@@ -165,7 +163,7 @@ LevelledMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
     about_file(options.file, [&] {
         const HeightMap<double>& read = input.surface.map();
         result.map = remove_form(read, form);
-        result.rms_as_read = areal_statistics(read).rms_height;
+        result.rms_as_read = rms_height(read);
         result.areal = areal_statistics(result.map);
         result.rms = result.areal.rms_height;
     });

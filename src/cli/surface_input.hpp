@@ -54,12 +54,9 @@ struct SurfaceInput {
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
 
 /// A profile without its form.
-struct LevelledProfile {
-    Profile<double> profile;
-    double rms_as_read{}, rms{};     ///< Rq before and after [m]
-    std::string form;                ///< that was removed, by name
-    std::optional<double> cutoff{};  ///< of the Gaussian filter [m]
-    Form removed{};                  ///< for FractalFitOptions::removed: none after the filter, which has no such mark
+struct LevelledProfile : fstiff::LevelledProfile<double> {
+    double rms_as_read{}, rms{};  ///< Rq before and after [m]
+    std::string form;             ///< that was removed, by name
 };
 
 /// A map without its form.

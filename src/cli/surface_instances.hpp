@@ -10,8 +10,8 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
-#include <fstiff/surface/self_affine.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/islands.hpp>
@@ -24,7 +24,8 @@ namespace fstiff {
 
 FSTIFF_CLI_INSTANCE FractalFit<double> detail::fit_measured(const MeasuredStructureFunction<double>&,
                                                             const FractalFitOptions<double>&, double);
-FSTIFF_CLI_INSTANCE FractalFit<double> fit_fractal(const Profile<double>&, const FractalFitOptions<double>&);
+FSTIFF_CLI_INSTANCE FractalFit<double> detail::fit_profile(const Profile<double>&, Form,
+                                                           const FractalFitOptions<double>&);
 FSTIFF_CLI_INSTANCE DirectionalFit<double> fit_directions(const HeightMap<double>&, const FractalFitOptions<double>&);
 FSTIFF_CLI_INSTANCE StructureFunction<double> structure_function_at_all_lags(const Profile<double>&, std::size_t,
                                                                              Divisor);
@@ -37,14 +38,14 @@ FSTIFF_CLI_INSTANCE IslandCurve<double> island_curve(const HeightMap<double>&, c
 FSTIFF_CLI_INSTANCE RepresentativeIslands<double> representative_islands(const HeightMap<double>&,
                                                                          const IslandOptions<double>&,
                                                                          const IslandSpread&);
-FSTIFF_CLI_INSTANCE SurfaceParameters<double> surface_parameters(const Profile<double>&,
+FSTIFF_CLI_INSTANCE SurfaceParameters<double> surface_parameters(const LevelledProfile<double>&,
                                                                  const SurfaceParameterOptions<double>&);
 FSTIFF_CLI_INSTANCE SurfaceParameters<double> surface_parameters(const HeightMap<double>&,
                                                                  const SurfaceParameterOptions<double>&);
 
-FSTIFF_CLI_INSTANCE std::vector<double> self_affine_profile(const SelfAffineOptions<double>&, std::size_t, double);
-FSTIFF_CLI_INSTANCE SelfAffineMap<double> self_affine_map(const SelfAffineOptions<double>&, std::size_t, std::size_t,
-                                                          double, double);
+FSTIFF_CLI_INSTANCE Profile<double> self_affine_profile(const SelfAffineOptions<double>&, std::size_t, double);
+FSTIFF_CLI_INSTANCE HeightMap<double> self_affine_map(const SelfAffineOptions<double>&, std::size_t, std::size_t,
+                                                      double, double);
 FSTIFF_CLI_INSTANCE class WeierstrassMandelbrot<double>;
 
 }  // namespace fstiff

@@ -80,8 +80,7 @@ Report from_file(const Options& options, double frequency, const Impedances<doub
         } catch (const domain_error& refusal) {
             throw domain_error(curve.name + ":" + std::to_string(point.line) + ": " + refusal.what());
         }
-        // where R +- 2 errors leaves the range, K has no upper or no lower bound: the first order says too little
-        if (2 * error >= std::min(1 - point.value, point.value - welded) && doubtful++ == 0) first = point.line;
+        if (!rows.back().stiffness->bounded && doubtful++ == 0) first = point.line;
     }
     std::vector<std::string> warnings;
     const auto in_rows = [&](std::size_t count, std::size_t line) {
