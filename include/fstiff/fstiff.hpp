@@ -71,6 +71,7 @@
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/identify.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_compiler.hpp>
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/contact/law_tables.hpp>

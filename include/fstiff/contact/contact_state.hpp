@@ -38,6 +38,13 @@ struct LogSlope {
     T error;  ///< relative error of f
 };
 
+/// A positive function of eta as its logarithm.
+template <Real T>
+struct LogValue {
+    T log;    ///< log f(eta)
+    T error;  ///< relative error of f
+};
+
 namespace detail {
 
 inline constexpr int lowest_eta = -1000;  ///< separations that are searched for a pressure

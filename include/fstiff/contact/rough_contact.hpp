@@ -154,6 +154,11 @@ public:
         p.log += std::log(pressure_unit_);
         return p;
     }
+    /// log(K/(Pa/m)) without interaction at eta.
+    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+        const detail::LawSums<T> j = sums(eta, Quantity::stiffness);
+        return {std::log(j.stiffness.value) + j.log_scale, j.stiffness.error / j.stiffness.value};
+    }
 
     [[nodiscard]] T rms_height() const { return scales_.rms_height; }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
