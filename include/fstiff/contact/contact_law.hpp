@@ -162,8 +162,8 @@ public:
                 Eigen::Ref<Eigen::ArrayX<T>> stiffnesses) const {
         if (!tables_.has_own_stiffness())
             return by_gap(gaps, pressures, stiffnesses, &Whole::stiffness,
-                          [this](const auto& p, const T* gap, const auto& to) {
-                              p.four_values(gap, tables_.stiffness_scale, to[0], to[1]);
+                          [scale = tables_.stiffness_scale](const auto& p, const T* gap, const auto& to) {
+                              p.four_values(gap, scale, to[0], to[1]);
                           });
         by_gap(gaps, pressures, stiffnesses, &Whole::stiffness, [this](const auto& p, const T* gap, const auto& to) {
             T slopes[4];
@@ -175,9 +175,10 @@ public:
     /// The same of tangent_at_gap().
     void tangent_at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>> pressures,
                         Eigen::Ref<Eigen::ArrayX<T>> slopes) const {
-        by_gap(gaps, pressures, slopes, &Whole::slope, [this](const auto& p, const T* gap, const auto& to) {
-            p.four_values(gap, tables_.slope_scale, to[0], to[1]);
-        });
+        by_gap(gaps, pressures, slopes, &Whole::slope,
+               [scale = tables_.slope_scale](const auto& p, const T* gap, const auto& to) {
+                   p.four_values(gap, scale, to[0], to[1]);
+               });
     }
 
     /// The largest relative error of p, K and (over the rms height) gap, measured when the law was compiled.
