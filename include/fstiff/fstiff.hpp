@@ -63,6 +63,7 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_compiler.hpp>
+#include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/contact/law_text.hpp>
@@ -74,6 +75,7 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
+#include <fstiff/contact/tensor_nodes.hpp>
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/resolvable_stiffness.hpp>

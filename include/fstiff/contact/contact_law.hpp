@@ -149,7 +149,7 @@ public:
     /// stiffness() of a whole array of pressures, equal to it within rounding and relative_error(); \p out has the size of
     /// \p pressures and may be the same array. \throws as stiffness, at the first element that is to be refused.
     void stiffness(const Eigen::Ref<const Eigen::ArrayX<T>>& pressures, Eigen::Ref<Eigen::ArrayX<T>> out) const {
-        require_same_size(pressures.size(), out.size());
+        detail::require_same_size(pressures.size(), out.size());
         batch(
             tables_.stiffness, pressures, std::array{out.data()},
             [](const auto& pieces, const T* p, const auto& to) { pieces.four_values(p, to[0]); },
@@ -223,7 +223,9 @@ private:
     AtPressure outside_pressure(T pressure, bool with_slope) const;
     Whole outside_gap(T gap) const;
     void require_filled() const {
-        if (empty()) throw domain_error("contact law: is empty; must be compiled or read from text to be evaluated");
+        if (empty())
+            throw domain_error(Refusal{.parameter = "contact law",
+                                       .reason = "is empty; must be compiled or read from text to be evaluated"});
     }
     /// Value and bounds with the digits that tell them apart.
     [[noreturn]] static void refuse(std::string_view name, T value, T low, T high, const char* unit) {
@@ -235,8 +237,8 @@ private:
     template <class FourAt>
     void by_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>>& pressures,
                 Eigen::Ref<Eigen::ArrayX<T>>& others, T Whole::*wanted, const FourAt& four) const {
-        require_same_size(gaps.size(), pressures.size());
-        require_same_size(gaps.size(), others.size());
+        detail::require_same_size(gaps.size(), pressures.size());
+        detail::require_same_size(gaps.size(), others.size());
         batch(tables_.by_gap, gaps, std::array{pressures.data(), others.data()}, four, [this, wanted](T gap) {
             const Whole at = whole_at(gap);
             return std::array{at.pressure, at.*wanted};
@@ -249,12 +251,6 @@ private:
         require_filled();
         detail::law_batch(pieces, x, out, four, one);
     }
-    static void require_same_size(Eigen::Index a, Eigen::Index b) {
-        if (a != b)
-            throw domain_error("batch: the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
-                               " elements: must have the same number");
-    }
-
     detail::LawTables<T> tables_;
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a gap
 };
@@ -298,7 +294,7 @@ auto ContactLaw<T>::outside_gap(T gap) const -> Whole {
 template <ReadableReal T>
 ContactLaw<T> ContactLaw<T>::with(OutsideRange outside) const {
     if (outside == OutsideRange::exact && !exact_)
-        throw domain_error("outside = exact: must be asked for when the law is compiled; its model is not kept else");
+        detail::refuse("outside", "exact", "asked for when the law is compiled; its model is not kept else");
     ContactLaw other = *this;
     other.tables_.outside = outside;
     if (outside != OutsideRange::exact) other.exact_ = nullptr;
@@ -334,7 +330,7 @@ template <ReadableReal T>
 std::string ContactLaw<T>::to_text() const {
     require_filled();
     if (outside() == OutsideRange::exact)
-        throw domain_error("outside = exact: must be another policy for a law that goes to text, which holds no model");
+        detail::refuse("outside", "exact", "another policy for a law that goes to text, which holds no model");
     return detail::law_text(tables_);
 }
 

@@ -123,7 +123,7 @@ template <Real T>
 [[nodiscard, gnu::cold]] domain_error refusal_of(std::string_view parameter, T value, std::string_view allowed) {
     using Shown = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
     const std::string shown = rounded_text(static_cast<Shown>(value), std::numeric_limits<T>::digits10);
-    return domain_error({.parameter = parameter, .value = shown, .allowed = allowed});
+    return domain_error(Refusal{.parameter = parameter, .value = shown, .allowed = allowed});
 }
 
 /// Where the tail of a Gaussian underflows, and an exponential one; short of it for the algebraic factors.

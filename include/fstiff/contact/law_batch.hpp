@@ -7,6 +7,7 @@
 /// Valid       float and double; results of the size of the arguments, which may be the same array
 /// Accuracy    as contact/contact_law: 200 epsilon from the scalar calls at most
 
+#include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
 
@@ -15,8 +16,17 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace fstiff::detail {
+
+/// \throws domain_error unless \p a and \p b, the sizes of two arrays, are equal.
+inline void require_same_size(Eigen::Index a, Eigen::Index b) {
+    if (a != b)
+        throw domain_error(Refusal{.parameter = "batch",
+                                   .reason = "the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
+                                             " elements: must have the same number"});
+}
 
 /// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up where
 /// fewer are left, so that a result does not depend on where its element stands; the others go through \p one.

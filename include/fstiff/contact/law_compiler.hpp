@@ -255,7 +255,9 @@ private:
         };
         if (!(moves(law_.stiffness, BinaryPieces<T>::half, T(1)) && moves(law_.by_gap, T(1), T(-1)) &&
               moves(law_.own_stiffness, T(1), T(-1))))
-            throw domain_error("pressure range: the compiled law would not be monotone; must be one where K and p are");
+            throw domain_error(
+                Refusal{.parameter = "pressure range",
+                        .reason = "the compiled law would not be monotone; must be one where K and p are"});
     }
 
     const Contact& contact_;

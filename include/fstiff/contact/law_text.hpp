@@ -53,8 +53,8 @@ template <ReadableReal T>
 template <ReadableReal T>
 [[nodiscard]] LawTables<T> read_law_text(std::string_view text) {
     const auto wrong = [](const char* what) {
-        return domain_error(std::string("contact law text: ") + what +
-                            ": must be what to_text wrote for this scalar type");
+        return domain_error(Refusal{.parameter = "contact law text",
+                                    .reason = std::string(what) + ": must be what to_text wrote for this scalar type"});
     };
     std::string_view line = text.substr(0, text.find('\n'));
     if (line.ends_with('\r')) line.remove_suffix(1);

@@ -20,13 +20,14 @@
 /// Units       SI at the border: m, Pa, Pa/m, 1/m^2
 /// Valid       separations from -1000 to 1e6 rms heights; pressures whose separation is between -1000 rms heights and where
 ///             the pressure underflows (37 in double)
-/// Accuracy    at a separation that of the integrals; at a pressure 1e-13 relative for eta <= 4 (tests/contact/
-///             rough_contact_test.cpp); each value carries its own bound
+/// Accuracy    at a separation that of the integrals, 1e-13 in 200 random contacts (tests/contact/random_contacts_test.cpp); at a
+///             pressure 1e-13 relative for eta <= 4 (tests/contact/rough_contact_test.cpp); each value carries its own bound
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
