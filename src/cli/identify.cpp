@@ -7,8 +7,8 @@
 #include "scene.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
-#include <fstiff/contact/fit_concerns.hpp>
-#include <fstiff/contact/identify.hpp>
+#include <fstiff/fit/fit_concerns.hpp>
+#include <fstiff/fit/identify.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <algorithm>
@@ -133,7 +133,7 @@ Identification<double> identify(const Work& work, const Fit& fit, const std::vec
 std::string sentence(const FitFinding<double>& finding) {
     const std::string names = names_of(finding.parameters);
     switch (finding.concern) {
-        case FitConcern::unseen:
+        case FitConcern::singular:
             return (finding.parameters.size() < 2
                         ? "the data do not depend on " + names + " here"
                         : "the data cannot tell " + names +
@@ -149,7 +149,7 @@ std::string sentence(const FitFinding<double>& finding) {
                    ": the model does not describe the data within their errors, and the standard errors are too small";
         case FitConcern::no_errors:
             return "no standard errors: as many parameters as points, and no column of errors";
-        case FitConcern::at_end:
+        case FitConcern::at_bound:
             return names +
                    " came to the end of its range: no value of it fits the data, and no errors are known beside it";
         case FitConcern::unresolved:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/peaks/from_profile.hpp>
+#include <fstiff/measured/from_profile.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 
 #include "support/accuracy.hpp"

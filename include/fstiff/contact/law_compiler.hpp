@@ -3,12 +3,14 @@
 /// \file
 /// Makes the tables of a compiled law: a few dozen exact integrals, a Chebyshev interpolation of log p by sections, its inverse,
 /// polynomials cut from both, and the error of them measured against the model. It is steered by what the contact gives: its
-/// log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and stiffness_over_slope().
+/// log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and stiffness_over_slope(); without the last one,
+/// log K is interpolated as log p is, from log_stiffness(eta).
 ///
 /// Units       SI; eta is the separation over the rms height
 /// Valid       as contact/contact_law
 /// Accuracy    measured, and kept in the tables
 
+#include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/contact/quantity.hpp>
@@ -33,7 +35,10 @@ public:
     LawCompiler(const Contact& contact, T pressure_min, T pressure_max) : contact_(contact) {
         law_.pressure_min = pressure_min;
         law_.pressure_max = pressure_max;
-        law_.stiffness_over_slope = contact.stiffness_over_slope();
+        if constexpr (proportional)
+            law_.stiffness_over_slope = contact.stiffness_over_slope();
+        else
+            law_.stiffness_over_slope = T(0);
         law_.stiffness = law_.gap = BinaryPieces<T>(pressure_min, pressure_max);
         law_.evaluations = 1;
         middle_ = std::sqrt(pressure_min) * std::sqrt(pressure_max);
@@ -41,6 +46,7 @@ public:
 
     [[nodiscard]] LawTables<T> compile() {
         interpolate_pressure();
+        if constexpr (!proportional) interpolate_stiffness();
         cut_by_gap();
         interpolate_eta();
         cut_by_pressure();
@@ -50,6 +56,7 @@ public:
     }
 
 private:
+    static constexpr bool proportional = ProportionalContact<Contact, T>;
     static constexpr T epsilon = std::numeric_limits<T>::epsilon();
     static constexpr T pieces_per_e = sizeof(T) == 8 ? T(4) : T(1.5);  ///< a float's slope would be all rounding on 4
 
@@ -72,10 +79,25 @@ private:
         return in_series(eta, V::all(middle_) * exp(log_pressure_(eta)), slope_(eta));
     }
 
-    /// K of -dp/dgap: the one place where the compiler takes it so.
+    /// K at eta, of -dp/dgap there where it is a constant times that.
     template <class V>
-    [[nodiscard]] V stiffness_of(const V& minus_dp_dgap) const {
-        return minus_dp_dgap * V::all(law_.stiffness_over_slope);
+    [[nodiscard]] V stiffness_of(const State<V>& found, const V& eta) const {
+        if constexpr (proportional)
+            return found.minus_dp_dgap * V::all(law_.stiffness_over_slope);
+        else
+            return stiffness_in_series(V::all(stiffness_unit_) * exp(log_stiffness_(eta)));
+    }
+    /// K of the interface with the bulk.
+    template <class V>
+    [[nodiscard]] V stiffness_in_series(const V& k) const {
+        return k / multiply_add(k, V::all(bulk_), V::all(1));
+    }
+    /// K by the model itself, where \p found is what the model says of p.
+    [[nodiscard]] T true_stiffness(const State<One>& found, T eta) const {
+        if constexpr (proportional)
+            return stiffness_of(found, One::all(eta)).p;
+        else
+            return stiffness_in_series(One::all(std::exp(contact_.log_stiffness(eta).log))).p;
     }
 
     [[nodiscard]] Nodes nodes(T from, T to) const {
@@ -110,6 +132,21 @@ private:
         slope_ = log_pressure_.derivative();
     }
 
+    /// log K, over its value at the closest separation, against the effective eta.
+    void interpolate_stiffness() {
+        T error = 0;
+        const auto log_at = [&](T eta) {
+            ++law_.evaluations;
+            const LogValue<T> k = contact_.log_stiffness(eta);
+            require(std::isfinite(k.log), "stiffness", std::exp(k.log), "finite and greater than 0 for a compiled law");
+            error = std::max(error, k.error);
+            return k.log;
+        };
+        const T unit = log_at(closest_);
+        stiffness_unit_ = std::exp(unit);
+        log_stiffness_ = {begin_, end_, sections_, points_, [&](T eta) { return log_at(eta) - unit; }, error};
+    }
+
     /// Pieces over which log p changes by a quarter or so.
     void cut_by_gap() {
         const auto low = at(One::all(closest_)), high = at(One::all(furthest_));
@@ -118,13 +155,16 @@ private:
         const auto pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * length)) + 1;
         const T width = length / T(pieces);
         law_.by_gap = UniformPieces<T>(from, high.gap.p, pieces);
+        if constexpr (!proportional) law_.own_stiffness = law_.by_gap;
         law_.set_scales();
         shortest_change_ = steepest * width;
         T last = closest_;
         for (Eigen::Index i = 0; i < pieces; ++i) {
-            const State<Nodes> found = at(eta_of_gap(nodes(from + width * T(i), from + width * T(i + 1)), last));
+            const Nodes eta = eta_of_gap(nodes(from + width * T(i), from + width * T(i + 1)), last);
+            const State<Nodes> found = at(eta);
             T* const c = row(law_.by_gap, i);
             lobatto_.fit(found.pressure).store(c);
+            if constexpr (!proportional) lobatto_.fit(stiffness_of(found, eta)).store(row(law_.own_stiffness, i));
             // against the series the slope is worst at the ends of a piece
             std::array<T, Row::terms> tangent;
             (found.minus_dp_dgap * Nodes::all(-width / 2)).store(tangent.data());
@@ -175,7 +215,7 @@ private:
             const Nodes p = nodes(law_.stiffness.edge(i), law_.stiffness.edge(i + 1));
             const Nodes eta = eta_of_(log(p / Nodes::all(middle_)));
             const State<Nodes> found = in_series(eta, p, slope_(eta));
-            (lobatto_.fit(stiffness_of(found.minus_dp_dgap)) * scale).store(row(law_.stiffness, i));
+            (lobatto_.fit(stiffness_of(found, eta)) * scale).store(row(law_.stiffness, i));
             (lobatto_.fit(found.gap) * scale).store(row(law_.gap, i));
         }
     }
@@ -190,12 +230,13 @@ private:
             const LogSlope<T> model = contact_.log_pressure(eta);
             const T p = std::clamp(std::exp(model.log), law_.pressure_min, law_.pressure_max);
             const auto truth = in_series(One::all(eta), One::all(p), One::all(model.slope));
-            const T gap = truth.gap.p, k = stiffness_of(truth.minus_dp_dgap).p;
+            const T gap = truth.gap.p, k = true_stiffness(truth, eta);
             worst(law_.stiffness.value(p) / k - 1);
             worst((law_.gap_at(p) - gap) / rms_);
             const auto at = law_.at_gap(std::clamp(gap, law_.by_gap.begin, law_.by_gap.end));
             worst(at.pressure / p - 1);
             worst(at.stiffness / k - 1);
+            if constexpr (!proportional) worst(at.slope / truth.minus_dp_dgap.p - 1);
         }
         // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a short range
         // carries the rounding of the few digits in which p changes there
@@ -212,8 +253,11 @@ private:
                     if (!(way * Row::derivative(row(pieces, i), half * T(k) / 8) > 0)) return false;
             return true;
         };
-        if (!(moves(law_.stiffness, BinaryPieces<T>::half, T(1)) && moves(law_.by_gap, T(1), T(-1))))
-            throw domain_error("pressure range: the compiled law would not be monotone; must be one where K and p are");
+        if (!(moves(law_.stiffness, BinaryPieces<T>::half, T(1)) && moves(law_.by_gap, T(1), T(-1)) &&
+              moves(law_.own_stiffness, T(1), T(-1))))
+            throw domain_error(
+                Refusal{.parameter = "pressure range",
+                        .reason = "the compiled law would not be monotone; must be one where K and p are"});
     }
 
     const Contact& contact_;
@@ -225,12 +269,14 @@ private:
     ChebyshevSections<T> log_pressure_;              ///< log(p/middle) against eta
     ChebyshevSections<T> slope_;                     ///< its derivative
     ChebyshevSections<T> eta_of_;                    ///< its inverse
-    std::size_t sections_{}, points_{};              ///< of each
-    T closest_{}, furthest_{};                       ///< eta at the ends of the range
-    T begin_{}, end_{};                              ///< and of the series
-    T error_{};                                      ///< of the integrals
-    T at_ends_{};                                    ///< of the slope, at the ends of the pieces by gap
-    T shortest_change_{};                            ///< of log p over a piece by gap
+    ChebyshevSections<T> log_stiffness_;             ///< log(K/unit) against eta, where K has a table of its own
+    T stiffness_unit_{};
+    std::size_t sections_{}, points_{};  ///< of each
+    T closest_{}, furthest_{};           ///< eta at the ends of the range
+    T begin_{}, end_{};                  ///< and of the series
+    T error_{};                          ///< of the integrals
+    T at_ends_{};                        ///< of the slope, at the ends of the pieces by gap
+    T shortest_change_{};                ///< of log p over a piece by gap
 };
 
 }  // namespace fstiff::detail

@@ -20,13 +20,14 @@
 /// Units       SI at the border: m, Pa, Pa/m, 1/m^2
 /// Valid       separations from -1000 to 1e6 rms heights; pressures whose separation is between -1000 rms heights and where
 ///             the pressure underflows (37 in double)
-/// Accuracy    at a separation that of the integrals; at a pressure 1e-13 relative for eta <= 4 (tests/contact/
-///             rough_contact_test.cpp); each value carries its own bound
+/// Accuracy    at a separation that of the integrals, 1e-13 in 200 random contacts (tests/contact/random_contacts_test.cpp); at a
+///             pressure 1e-13 relative for eta <= 4 (tests/contact/rough_contact_test.cpp); each value carries its own bound
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -86,7 +87,8 @@ public:
     /// \throws domain_error naming the parameter that is out of range.
     RoughContact(const Roughness<T>& surface, const Peaks& peaks, const Law& law, T effective_modulus,
                  const RoughContactOptions<T>& options = {})
-        : peaks_(peaks),
+        : surface_(surface),
+          peaks_(peaks),
           law_(law),
           options_(options),
           scales_{surface.rms_height, surface.peak_density, effective_modulus,
@@ -105,47 +107,21 @@ public:
     /// The contact at the separation \p separation of the mean planes [m]; with interaction as_printed, of the planes that
     /// give the pressure (eta_old). \throws domain_error for a separation outside its range.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        const T eta = separation / scales_.rms_height;
-        if (!(eta >= detail::lowest_eta && eta <= T(1e6))) {
-            using Shown =
-                std::conditional_t<std::is_same_v<T, long double>, double, T>;  // no shortest text of the other
-            const auto rms = static_cast<Shown>(scales_.rms_height);
-            detail::refuse("separation", separation,
-                           "between " + shortest_text(static_cast<Shown>(detail::lowest_eta) * rms) + " and " +
-                               shortest_text(Shown(1e6) * rms) + " m, -1000 and 1e6 rms heights");
-        }
-        switch (options_.interaction.reading) {
-            case InteractionReading::effective_separation: {
-                ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
-                state.separation = {separation, 0, 0};
-                if (!has(wanted, Quantity::pressure)) state.pressure = {};
-                return state;
-            }
-            case InteractionReading::as_printed:
-                return printed(eta, unscaled(sums(eta, Quantity::pressure), eta).load, wanted);
-            case InteractionReading::none:
-                break;
-        }
-        ContactState<T> state = at_eta({eta, 0}, wanted);
-        state.separation = {separation, 0, 0};
-        return state;
+        return state_at_separation(separation, wanted).value();
+    }
+    /// The same with a status: a separation outside the range is out_of_reach. Throws nothing.
+    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity wanted = Quantity::all) const {
+        return state_at_separation(separation, wanted).point();
     }
 
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive and within the reach of the model, which the message tells.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        require_positive("pressure", pressure);
-        Integrator roughly(law_, peaks_, scales_, slope_quantities,
-                           std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
-        Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
-        const auto eta = detail::eta_of(std::log(pressure / pressure_unit_), pressure, highest_eta(),
-                                        [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
-        if (options_.interaction.reading == InteractionReading::as_printed)
-            return printed(eta.value, {pressure, 0, 0}, wanted);
-        const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
-        ContactState<T> state = at_eta(eta, interacting ? wanted | for_compliance : wanted);
-        state.pressure = {pressure, 0, state.pressure.evaluations};
-        return interacting ? compliant(state, wanted) : state;
+        return state_at_pressure(pressure, wanted).value();
+    }
+    /// The same with a status: what is beyond the reach of the model is out_of_reach. \throws domain_error unless positive.
+    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        return state_at_pressure(pressure, wanted).point();
     }
 
     /// log(p/Pa) without interaction and its slope against eta, the separation over the rms height.
@@ -154,8 +130,16 @@ public:
         p.log += std::log(pressure_unit_);
         return p;
     }
+    /// log(K/(Pa/m)) without interaction at eta.
+    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+        const detail::LawSums<T> j = sums(eta, Quantity::stiffness);
+        return {std::log(j.stiffness.value) + j.log_scale, j.stiffness.error / j.stiffness.value};
+    }
 
     [[nodiscard]] T rms_height() const { return scales_.rms_height; }
+    [[nodiscard]] const Roughness<T>& surface() const { return surface_; }
+    [[nodiscard]] T effective_modulus() const { return scales_.effective_modulus; }  ///< [Pa]
+    [[nodiscard]] const RoughContactOptions<T>& options() const { return options_; }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
     [[nodiscard]] const Law& law() const { return law_; }
     [[nodiscard]] const Interaction<T>& interaction() const { return options_.interaction; }
@@ -183,6 +167,53 @@ private:
     using Integrator = detail::LawIntegrator<T, Law, Peaks>;
     static constexpr Quantity slope_quantities = Quantity::pressure | Quantity::loading_stiffness;
     static constexpr Quantity for_compliance = Quantity::pressure | Quantity::stiffness | Quantity::loading_stiffness;
+
+    using Outcome = detail::StateOrRefusal<T>;
+
+    [[nodiscard]] Outcome state_at_separation(T separation, Quantity wanted) const {
+        const T eta = separation / scales_.rms_height;
+        if (!(eta >= detail::lowest_eta && eta <= T(1e6))) {
+            using Shown =
+                std::conditional_t<std::is_same_v<T, long double>, double, T>;  // no shortest text of the other
+            const auto rms = static_cast<Shown>(scales_.rms_height);
+            return {
+                {},
+                detail::refusal_of("separation", separation,
+                                   "between " + shortest_text(static_cast<Shown>(detail::lowest_eta) * rms) + " and " +
+                                       shortest_text(Shown(1e6) * rms) + " m, -1000 and 1e6 rms heights")};
+        }
+        switch (options_.interaction.reading) {
+            case InteractionReading::effective_separation: {
+                ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
+                state.separation = {separation, 0, 0};
+                if (!has(wanted, Quantity::pressure)) state.pressure = {};
+                return {state, {}};
+            }
+            case InteractionReading::as_printed:
+                return printed(eta, unscaled(sums(eta, Quantity::pressure), eta).load, wanted);
+            case InteractionReading::none:
+                break;
+        }
+        ContactState<T> state = at_eta({eta, 0}, wanted);
+        state.separation = {separation, 0, 0};
+        return {state, {}};
+    }
+
+    [[nodiscard]] Outcome state_at_pressure(T pressure, Quantity wanted) const {
+        require_positive("pressure", pressure);
+        Integrator roughly(law_, peaks_, scales_, slope_quantities,
+                           std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
+        Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
+        const auto search = detail::eta_of(std::log(pressure / pressure_unit_), highest_eta(),
+                                           [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
+        if (!search.found) return {{}, detail::unreachable_pressure(pressure, search)};
+        if (options_.interaction.reading == InteractionReading::as_printed)
+            return printed(search.eta.value, {pressure, 0, 0}, wanted);
+        const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
+        ContactState<T> state = at_eta(search.eta, interacting ? wanted | for_compliance : wanted);
+        state.pressure = {pressure, 0, state.pressure.evaluations};
+        return {interacting ? compliant(state, wanted) : state, {}};
+    }
 
     detail::LawSums<T> sums(T eta, Quantity wanted) const {
         return Integrator(law_, peaks_, scales_, wanted, options_.integrals.relative_tolerance)(eta);
@@ -241,14 +272,15 @@ private:
         return state;
     }
 
-    ContactState<T> printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
+    Outcome printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
         const T eta_new = eta_old - pressure.value * bulk_compliance_ / scales_.rms_height;
-        require(eta_new >= detail::lowest_eta, "eta_new", eta_new,
-                "at least -1000 (separation over rms height after (4.11))");
+        if (!(eta_new >= detail::lowest_eta))
+            return {{},
+                    detail::refusal_of("eta_new", eta_new, "at least -1000 (separation over rms height after (4.11))")};
         ContactState<T> state =
             at_eta({eta_new, 4 * std::numeric_limits<T>::epsilon() * (std::abs(eta_old) + std::abs(eta_new))}, wanted);
         state.pressure = pressure;
-        return state;
+        return {state, {}};
     }
 
     /// The root of eta_effective - Delta(eta_effective) = eta: increasing, between eta and eta + Delta(eta).
@@ -265,6 +297,7 @@ private:
         return {found.root, found.error};
     }
 
+    Roughness<T> surface_;
     Peaks peaks_;
     Law law_;
     RoughContactOptions<T> options_;

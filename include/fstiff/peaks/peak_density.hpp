@@ -32,7 +32,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace fstiff {
 
@@ -128,7 +127,7 @@ public:
             case 4:
                 return 3 + 2 * std::sin(2 * theta_) / theta_ + std::sin(4 * theta_) / (4 * theta_);
             default:
-                throw domain_error("moment order = " + std::to_string(n) + ": must be 1, 2, 3 or 4");
+                detail::refuse("moment order", n, "1, 2, 3 or 4");
         }
     }
 

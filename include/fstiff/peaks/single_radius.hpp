@@ -26,7 +26,7 @@ namespace fstiff {
 enum class Heights { gaussian, exponential };
 template <>
 inline constexpr auto names<Heights> = name_list<Heights>({{Heights::gaussian, "gaussian"},
-                                                            {Heights::exponential, "exponential"}});
+                                                           {Heights::exponential, "exponential"}});
 
 namespace detail {
 

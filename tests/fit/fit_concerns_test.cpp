@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: fits written by hand, whose concerns can be read off, and two real ones.
-#include <fstiff/contact/fit_concerns.hpp>
+#include <fstiff/fit/fit_concerns.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -58,7 +58,7 @@ TEST_CASE("Each concern of a fit is found by itself, with its parameters and its
         fit = good();
         fit.parameters[1].value = end;
         fit.parameters[1].at_bound = true;
-        REQUIRE(words(fit) == Concerns{FitConcern::at_end});
+        REQUIRE(words(fit) == Concerns{FitConcern::at_bound});
         CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::fractal_dimension});
     }
 
@@ -74,10 +74,10 @@ TEST_CASE("What the data do not see stands alone, and is fatal") {
     fit.chi_squared = 1e6;
     fit.parameters[0].looseness = 1;
     fit.parameters[1].looseness = 0.01;
-    REQUIRE(words(fit) == Concerns{FitConcern::unseen});
+    REQUIRE(words(fit) == Concerns{FitConcern::singular});
     CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
-    CHECK(is_fatal(FitConcern::unseen));
-    CHECK((is_fatal(FitConcern::not_converged) && is_fatal(FitConcern::at_end)));
+    CHECK(is_fatal(FitConcern::singular));
+    CHECK((is_fatal(FitConcern::not_converged) && is_fatal(FitConcern::at_bound)));
     for (const FitConcern concern :
          {FitConcern::misfit, FitConcern::no_errors, FitConcern::unresolved, FitConcern::correlated})
         CHECK(!is_fatal(concern));
@@ -95,7 +95,7 @@ TEST_CASE("R and D_p of K(p) cannot be told apart; sigma alone has nothing again
         data.push_back({p, k, 0.01 * k});
     }
     const auto both = identify(data, {Parameter::peak_radius, Parameter::peak_density}, truth, hertz);
-    REQUIRE(words(both) == Concerns{FitConcern::unseen});
+    REQUIRE(words(both) == Concerns{FitConcern::singular});
     CHECK(concerns_of(both)[0].parameters == std::vector{Parameter::peak_radius, Parameter::peak_density});
     CHECK(concerns_of(identify(data, {Parameter::rms_height}, truth, hertz)).empty());
 }

@@ -2,7 +2,7 @@
 // Truth: a loop over the sampler; with an error of D_p alone K grows with it, so that the quantiles of K are K at those of
 // D_p, which are closed.
 #include <fstiff/contact/greenwood_williamson.hpp>
-#include <fstiff/contact/stiffness_band.hpp>
+#include <fstiff/measured/stiffness_band.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -15,7 +15,7 @@
 /// Reference   measured/sampled_band.hpp, contact/rough_contact.hpp
 /// Units       SI
 /// Valid       as RoughContact, for every surface that is drawn; r and theta known, for the first form
-/// Accuracy    that of measured/sampled_band.hpp; the same seed gives the same band (tests/contact/stiffness_band_test.cpp)
+/// Accuracy    that of measured/sampled_band.hpp; the same seed gives the same band (tests/measured/stiffness_band_test.cpp)
 
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/rough_contact.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/contact/identify.hpp>
+#include <fstiff/fit/identify.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -24,13 +24,22 @@ const Wave<double> wave{{46e6, 46e6}, 4.398e7};
 const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
 const auto hertz = [](double) { return HertzLaw<double>{}; };
 
+struct Plastic {
+    static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
+    static double load_factor() { return 0.06; }
+    static double stiffness_factor() { return 2.8; }
+    static double area_factor() { return 6.28; }
+};
+
 /// What the model says of \p parameters at \p count pressures from 0.5 to 50 MPa.
 template <class Law>
 std::vector<Observation<double>> curve(const ContactParameters<double>& x, const Law& law, int count,
-                                       const Wave<double>* as = nullptr) {
+                                       const Wave<double>* as = nullptr,
+                                       const RoughContactOptions<double>& options = {}) {
     std::vector<Observation<double>> data;
     const RoughContact contact(Roughness<double>{x.rms_height, x.peak_radius, x.peak_density, 0},
-                               PeakDensity<double>(x.r, x.theta), law(x.fractal_dimension), x.effective_modulus);
+                               PeakDensity<double>(x.r, x.theta), law(x.fractal_dimension), x.effective_modulus,
+                               options);
     for (int i = 0; i < count; ++i) {
         const double p = 0.5e6 * std::pow(100.0, double(i) / (count - 1));
         const double k = contact.at_pressure(p + x.offset, Quantity::stiffness).stiffness.value;
@@ -85,6 +94,33 @@ TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from 
     shifted.offset = 0.15e6;
     check_coverage(coverage(shifted, {rms_height, offset}, fractal, 0.01, true));
     check_coverage(coverage(shifted, {peak_density, offset}, hertz, 0.02, false));
+}
+
+TEST_CASE("with interaction, and for plastic peaks, the truth comes back") {
+    using enum Parameter;
+    const auto plastic = [](double) { return Plastic{}; };
+    const RoughContactOptions<double> patch{.interaction = {InteractionReading::effective_separation, 1e-4}};
+    const auto check = [&](const auto& law, const std::vector<Parameter>& wanted,
+                           const RoughContactOptions<double>& options) {
+        const auto data = curve(truth, law, 25, nullptr, options);
+        ContactParameters<double> start = truth;
+        for (const Parameter p : wanted) start[p] *= 0.9;
+        const auto fit = identify(data, wanted, start, law, {.contact = options});
+        CHECK(fit.status == FitStatus::converged);
+        for (const Parameter p : wanted) CHECK(test::relative_error(fit.all[p], truth[p]) < 1e-6);
+        // without the bulk it is another surface
+        if (options.interaction.reading != InteractionReading::none)
+            CHECK(test::relative_error(identify(data, wanted, start, law).all.rms_height, truth.rms_height) > 0.05);
+    };
+    check(fractal, {rms_height, peak_density}, patch);
+    check(hertz, {rms_height, effective_modulus}, patch);
+    check(plastic, {rms_height, peak_density}, patch);
+    check(plastic, {peak_radius, peak_density}, {});
+    // both p and K of plastic peaks depend on sigma R alone
+    CHECK(identify(curve(truth, plastic, 25), {rms_height, peak_radius}, truth, plastic).status == FitStatus::singular);
+    CHECK(test::refusal([&] {
+              static_cast<void>(identify(curve(truth, plastic, 9), {fractal_dimension}, truth, plastic));
+          }).find("log_load_slope()") != std::string::npos);
 }
 
 TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from R(p)") {
