@@ -59,6 +59,9 @@ int main(int argc, char** argv) {
     } catch (const fstiff::domain_error& error) {
         say(error.what());
         return input_error;
+    } catch (const fstiff::file_error& error) {
+        say(error.what());
+        return input_error;
     } catch (const std::bad_alloc&) {
         say("out of memory");
         return internal_error;

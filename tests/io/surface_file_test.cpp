@@ -189,6 +189,8 @@ TEST_CASE("Binary files are known by their first bytes") {
     CHECK(has(refusal(""), "is empty"));
     CHECK(
         has(test::refusal([] { (void)io::read_surface(std::filesystem::path("no such file")); }), "cannot be opened"));
+    CHECK_THROWS_AS(io::read_surface(std::filesystem::path("no such file")), fstiff::file_error);
+    CHECK_THROWS_AS(io::read_surface(std::filesystem::path(".")), fstiff::file_error);
 }
 
 TEST_CASE("Formats have names") {

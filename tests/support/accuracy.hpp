@@ -23,12 +23,14 @@ T ulps(T computed, T truth) {
     return relative_error(computed, truth) / std::numeric_limits<T>::epsilon();
 }
 
-/// What the call throws as a fstiff::domain_error, or "" when it does not throw.
+/// What the call throws as a fstiff::domain_error or a fstiff::file_error, or "" when it does not throw.
 template <class Call>
 std::string refusal(const Call& call) {
     try {
         call();
     } catch (const fstiff::domain_error& error) {
+        return error.what();
+    } catch (const fstiff::file_error& error) {
         return error.what();
     }
     return {};

@@ -1,46 +1,165 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The one exception of fstiff, and the one way to raise it.
+/// The two exceptions of fstiff, and the one way to refuse a value.
 ///
-/// Arguments are checked at the public border only. What is thrown names the parameter, the value it had and the values
-/// that are allowed, in one sentence that a command can print as it is.
+///     domain_error    an argument or a datum that the model or the method does not allow
+///     file_error      a file that cannot be opened, read or written
+///
+/// Arguments are checked at the public border only. What is thrown has fields (parameter, value, what is allowed, place in
+/// a file), of which its sentence is composed, so that a command can print it as it is, or put a place or the name of one
+/// of its options into it:
+///
+///     <file>, line <line>: <key>: <parameter> = <value>: must be <allowed>
+///
+/// A field that is empty is left out.
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/config.hpp>
 #include <fstiff/core/text.hpp>
 
+#include <concepts>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace fstiff {
 
-/// An argument or a datum outside the range that the model or the method allows.
+/// Where in a file something stands.
+struct Place {
+    std::string file{};                   ///< its name in messages
+    std::size_t line = 0;                 ///< counted from 1; 0 when there is none to name
+    std::string key{};                    ///< in the file, as in a scene: "surface.rms_height"
+    const char* before_line = ", line ";  ///< between file and line; of static storage
+
+    /// "<file>, line <line>: <key>"; empty for a place that names nothing.
+    [[nodiscard]] std::string text() const;
+};
+
+/// What a domain_error is made of. The views need to live until it is made, no longer.
+struct Refusal {
+    std::string_view parameter{};
+    std::string_view value{};    ///< as the sentence shows it, so quoted where it is a text
+    std::string_view allowed{};  ///< what follows "must be "
+    std::string_view reason{};   ///< the end of the sentence where it is not "must be <allowed>"
+};
+
+namespace detail {
+
+/// The part of \p text from \p begin on; less where a text ends sooner, as one with a NUL in it does.
+constexpr std::string_view part(std::string_view text, std::size_t begin,
+                                std::size_t length = std::string_view::npos) noexcept {
+    return text.substr(begin < text.size() ? begin : text.size(), length);
+}
+
+}  // namespace detail
+
+/// An argument or a datum outside the range that the model or the method allows. Copies do not throw. The views of its
+/// fields live as long as the exception.
 class domain_error : public std::domain_error {
 public:
-    using std::domain_error::domain_error;
+    explicit domain_error(const Refusal& refusal) : domain_error(Sentence(refusal)) {}
+    /// A plain sentence, for what has no parameter.
+    explicit domain_error(const std::string& reason) : domain_error(Refusal{.reason = reason}) {}
+    explicit domain_error(const char* reason) : domain_error(Refusal{.reason = reason}) {}
+
+    [[nodiscard]] std::string_view parameter() const noexcept { return field(spans_.parameter); }
+    [[nodiscard]] std::string_view value() const noexcept { return field(spans_.value); }
+    /// What follows "must be "; empty where the sentence ends otherwise.
+    [[nodiscard]] std::string_view allowed() const noexcept { return field(spans_.allowed); }
+    /// The end of the sentence, after place, parameter and value.
+    [[nodiscard]] std::string_view reason() const noexcept { return field(spans_.reason); }
+    /// The place that was given first, which is the nearest one.
+    [[nodiscard]] Place place() const;
+
+    /// The same error at \p place. Where it has a place already it keeps it, and only its sentence begins with \p place.
+    [[nodiscard]] domain_error with_place(const Place& place) const;
+    /// The same error of a parameter called \p name, which stands before the reason where there was none.
+    [[nodiscard]] domain_error with_parameter(std::string_view name) const;
+
+private:
+    /// Where a field stands in the sentence: the same in every copy, without a pointer.
+    struct Span {
+        std::size_t begin = 0, length = 0;
+    };
+    struct Spans {
+        Span file{}, key{}, parameter{}, value{}, reason{}, allowed{};
+        std::size_t line = 0;
+        const char* before_line = "";
+    };
+    struct Sentence {
+        std::string text{};
+        Spans spans{};
+        Sentence(std::string before, const Spans& place) : text(std::move(before)), spans(place) {}
+        explicit Sentence(const Refusal& refusal) { put(refusal); }
+        Span put(std::string_view field);
+        void put(const Refusal& refusal);
+    };
+    explicit domain_error(const Sentence& sentence) : std::domain_error(sentence.text), spans_(sentence.spans) {}
+
+    [[nodiscard]] std::string_view field(Span span) const noexcept {
+        return detail::part(what(), span.begin, span.length);
+    }
+
+    Spans spans_;
 };
+
+/// A file that cannot be opened, read or written. Copies do not throw.
+class file_error : public std::runtime_error {
+public:
+    /// \p file is its name in messages; the sentence is "<file>: <reason>".
+    file_error(const std::string& file, const std::string& reason)
+        : std::runtime_error(file + ": " + reason), end_of_file_(file.size()) {}
+
+    [[nodiscard]] std::string_view file() const noexcept { return detail::part(what(), begin_, end_of_file_ - begin_); }
+    [[nodiscard]] std::string_view reason() const noexcept { return detail::part(what(), end_of_file_ + 2); }
+
+    /// The same error, whose sentence begins with \p place, where the file was named.
+    [[nodiscard]] file_error with_place(const Place& place) const;
+
+private:
+    file_error(const std::string& sentence, std::size_t begin, std::size_t end)
+        : std::runtime_error(sentence), begin_(begin), end_of_file_(end) {}
+
+    std::size_t begin_ = 0, end_of_file_;
+};
+
+/// What \p call returns; an error of its gets \p place.
+template <class Call>
+auto located(const Place& place, const Call& call) {
+    try {
+        return call();
+    } catch (const domain_error& error) {
+        throw error.with_place(place);
+    } catch (const file_error& error) {
+        throw error.with_place(place);
+    }
+}
 
 namespace detail {
 
 /// Out of line and rarely called: one copy of each in a program, however many checks it has.
 /// \throws domain_error "<parameter> = <value>: must be <allowed>".
-[[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::string_view parameter, const std::string& value,
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::string_view parameter, std::string_view value,
                                                           std::string_view allowed) {
-    throw domain_error(std::string(parameter) + " = " + value + ": must be " + std::string(allowed));
+    throw domain_error({.parameter = parameter, .value = value, .allowed = allowed});
 }
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::string_view parameter, double value, int digits,
                                                           std::string_view allowed) {
     refuse(parameter, rounded_text(value, digits), allowed);
 }
 /// A template, so that only programs that compute in long double hold its digits.
-template <Real T>
+template <class T>
+requires Real<T> || std::integral<T>
 [[noreturn, gnu::cold, gnu::noinline]] void refuse(std::string_view parameter, T value, std::string_view allowed) {
     constexpr int digits = std::numeric_limits<T>::digits10;
-    if constexpr (std::is_same_v<T, long double>)
+    if constexpr (std::integral<T>)
+        refuse(parameter, std::to_string(value), allowed);
+    else if constexpr (std::is_same_v<T, long double>)
         refuse(parameter, rounded_text(value, digits), allowed);
     else
         refuse(parameter, static_cast<double>(value), digits, allowed);
@@ -50,7 +169,8 @@ template <Real T>
 
 /// Throws domain_error "<parameter> = <value>: must be <allowed>" unless \p satisfied.
 /// The comparison that makes \p satisfied should be false for NaN, so that NaN is refused with the rest.
-template <Real T>
+template <class T>
+requires Real<T> || std::integral<T>
 constexpr void require(bool satisfied, std::string_view parameter, T value, std::string_view allowed) {
     if (!satisfied) detail::refuse(parameter, value, allowed);
 }
@@ -59,6 +179,70 @@ constexpr void require(bool satisfied, std::string_view parameter, T value, std:
 template <Real T>
 constexpr void require_positive(std::string_view parameter, T value) {
     require(value > T(0) && value <= std::numeric_limits<T>::max(), parameter, value, "finite and greater than 0");
+}
+
+[[gnu::cold]] inline std::string Place::text() const {
+    std::string text = file;
+    if (line > 0) text += before_line + std::to_string(line);
+    if (!key.empty()) text += (text.empty() ? "" : ": ") + key;
+    return text;
+}
+
+inline domain_error::Span domain_error::Sentence::put(std::string_view field) {
+    text += field;
+    return {text.size() - field.size(), field.size()};
+}
+
+[[gnu::cold]] inline void domain_error::Sentence::put(const Refusal& refusal) {
+    spans.parameter = put(refusal.parameter);
+    if (!refusal.parameter.empty() && !refusal.value.empty()) text += " = ";
+    spans.value = put(refusal.value);
+    if (!refusal.parameter.empty()) text += ": ";
+    if (refusal.reason.empty()) {
+        text += "must be ";
+        spans.allowed = put(refusal.allowed);
+        spans.reason = {spans.allowed.begin - 8, spans.allowed.length + 8};
+    } else {
+        spans.reason = put(refusal.reason);
+    }
+}
+
+[[gnu::cold]] inline Place domain_error::place() const {
+    return {std::string(field(spans_.file)), spans_.line, std::string(field(spans_.key)), spans_.before_line};
+}
+
+[[gnu::cold]] inline domain_error domain_error::with_place(const Place& place) const {
+    const std::string text = place.text();
+    if (text.empty()) return *this;
+    Sentence sentence(text + ": " + what(), spans_);
+    for (Span* span : {&sentence.spans.file, &sentence.spans.key, &sentence.spans.parameter, &sentence.spans.value,
+                       &sentence.spans.reason, &sentence.spans.allowed})
+        span->begin += text.size() + 2;
+    if (spans_.file.length + spans_.key.length + spans_.line == 0) {
+        sentence.spans.file = {0, place.file.size()};
+        sentence.spans.key = {text.size() - place.key.size(), place.key.size()};
+        sentence.spans.line = place.line;
+        sentence.spans.before_line = place.before_line;
+    }
+    return domain_error(sentence);
+}
+
+[[gnu::cold]] inline domain_error domain_error::with_parameter(std::string_view name) const {
+    Sentence sentence(std::string(detail::part(what(), 0, spans_.parameter.begin)), spans_);
+    sentence.spans.allowed = {};
+    const bool is_range = !allowed().empty();
+    sentence.put({.parameter = name,
+                  .value = value(),
+                  .allowed = allowed(),
+                  .reason = is_range ? std::string_view() : reason()});
+    return domain_error(sentence);
+}
+
+[[gnu::cold]] inline file_error file_error::with_place(const Place& place) const {
+    const std::string text = place.text();
+    if (text.empty()) return *this;
+    const std::size_t shift = text.size() + 2;
+    return {text + ": " + what(), begin_ + shift, end_of_file_ + shift};
 }
 
 }  // namespace fstiff

@@ -61,7 +61,7 @@ struct DelimitedProfile {
                                                    const DelimitedOptions& options = {});
 
 /// Reads the file \p path.
-/// \throws domain_error also when it cannot be opened.
+/// \throws file_error when it cannot be opened or read.
 [[nodiscard]] inline DelimitedProfile read_profile(const std::filesystem::path& path,
                                                    const DelimitedOptions& options = {});
 

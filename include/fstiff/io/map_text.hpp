@@ -62,7 +62,7 @@ struct MapFromText {
 [[nodiscard]] inline MapFromText read_map(std::istream& input, std::string_view name,
                                           const MapTextOptions& options = {});
 
-/// Reads the file \p path. \throws domain_error also when it cannot be opened.
+/// Reads the file \p path. \throws file_error when it cannot be opened or read.
 [[nodiscard]] inline MapFromText read_map(const std::filesystem::path& path, const MapTextOptions& options = {});
 
 namespace detail {

@@ -67,11 +67,11 @@ struct SdfOptions {
 
 /// \throws domain_error naming file, field, value and what is allowed.
 [[nodiscard]] inline SdfSurface read_sdf(std::istream& input, std::string_view name);
-/// Reads the file \p path. \throws domain_error also when it cannot be opened.
+/// Reads the file \p path. \throws file_error when it cannot be opened or read.
 [[nodiscard]] inline SdfSurface read_sdf(const std::filesystem::path& path);
 
 /// Writes numbers of double precision, version ISO-1.0 (ISO-2.0 where a side of a binary map exceeds 65535 points).
-/// \throws domain_error when the map, or an option, cannot be written.
+/// \throws domain_error when the map, or an option, cannot be written, file_error when the output does not take it.
 inline void write_sdf(std::ostream& output, const HeightMap<double>& map, const SdfOptions& options = {});
 /// As a file of one profile, whose Yscale is the spacing too.
 inline void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options = {});
@@ -466,7 +466,7 @@ inline void write_sdf(std::ostream& output, const HeightMap<double>& map, const 
         text += "*" + end + "*" + end;
     }
     output.write(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!output) throw domain_error("surface data file: cannot be written; the output must take it");
+    if (!output) throw file_error("surface data file", "cannot be written; the output must take it");
 }
 
 inline void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options) {

@@ -87,7 +87,7 @@ struct Surface {
 /// Reads the bytes of a file; \p name stands for it in messages.
 /// \throws domain_error naming file, place, value and what is allowed, or the option that resolves an ambiguity.
 [[nodiscard]] inline Surface read_surface(std::string bytes, std::string_view name, const SurfaceOptions& options = {});
-/// Reads the file \p path. \throws domain_error also when it cannot be opened.
+/// Reads the file \p path. \throws file_error when it cannot be opened or read.
 [[nodiscard]] inline Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
 
 namespace detail {

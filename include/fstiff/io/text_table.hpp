@@ -62,7 +62,7 @@ inline std::string read_bytes(std::istream& input, const std::string& name) {
         bytes.append(chunk.data(), static_cast<std::size_t>(input.gcount()));
         if (bytes.size() > most) refuse_file(name, "is longer than 2^30 bytes; must be shorter");
     }
-    if (input.bad()) refuse_file(name, "cannot be read to its end; must be a readable file");
+    if (input.bad()) throw file_error(name, "cannot be read to its end; must be a readable file");
     return bytes;
 }
 
@@ -70,9 +70,9 @@ inline std::string read_bytes(const std::filesystem::path& path, std::string_vie
     const std::string name = path.string();
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
-        refuse_file(name, "is a folder; must be a file of " + std::string(what));
+        throw file_error(name, "is a folder; must be a file of " + std::string(what));
     std::ifstream input(path, std::ios::binary);
-    if (!input) refuse_file(name, "cannot be opened; must be an existing, readable file");
+    if (!input) throw file_error(name, "cannot be opened; must be an existing, readable file");
     return read_bytes(input, name);
 }
 

@@ -20,7 +20,7 @@
 
 namespace fstiff::io {
 
-/// \throws domain_error when the profile is not valid, or the output does not take it.
+/// \throws domain_error when the profile is not valid, file_error when the output does not take it.
 inline void write_csv(std::ostream& output, const Profile<double>& profile);
 /// As MapForm::matrix or MapForm::triples.
 inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapForm form = MapForm::matrix);
@@ -29,7 +29,7 @@ namespace detail {
 
 inline void put_text(std::ostream& output, const std::string& text) {
     output.write(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!output) throw domain_error("delimited text: cannot be written; the output must take it");
+    if (!output) throw file_error("delimited text", "cannot be written; the output must take it");
 }
 
 /// A height of a map.
@@ -55,8 +55,7 @@ inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapFor
     require_positive("width", width);
     require_positive("height", height);
     if (form == MapForm::automatic) throw domain_error("form = automatic: must be matrix or triples");
-    const std::string spacings =
-        "# dx: " + shortest_text(map.dx) + " m\n# dy: " + shortest_text(map.dy) + " m\n";
+    const std::string spacings = "# dx: " + shortest_text(map.dx) + " m\n# dy: " + shortest_text(map.dy) + " m\n";
     std::string text;
     if (form == MapForm::matrix) {
         text = "# Form: matrix\n# Channel: height\n# Width: " + shortest_text(width) +
@@ -69,8 +68,8 @@ inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapFor
         for (Eigen::Index j = 0; j < map.rows(); ++j)
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 text += shortest_text(static_cast<double>(i) * map.dx) + ',' +
-                        shortest_text(static_cast<double>(j) * map.dy) + ',' +
-                        detail::map_cell(map.heights(j, i)) + '\n';
+                        shortest_text(static_cast<double>(j) * map.dy) + ',' + detail::map_cell(map.heights(j, i)) +
+                        '\n';
     }
     detail::put_text(output, text);
 }

@@ -61,7 +61,7 @@ struct X3pLimits {
 [[nodiscard]] inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits = {});
 /// Reads all of \p input.
 [[nodiscard]] inline X3pSurface read_x3p(std::istream& input, std::string_view name, const X3pLimits& limits = {});
-/// Reads the file \p path. \throws domain_error also when it cannot be opened.
+/// Reads the file \p path. \throws file_error when it cannot be opened or read.
 [[nodiscard]] inline X3pSurface read_x3p(const std::filesystem::path& path, const X3pLimits& limits = {});
 
 /// The reader that SurfaceOptions::x3p takes.
