@@ -14,7 +14,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(levels core math surface "profile topography" measured asperity peaks ultrasound contact io gsl)
 # Opt-in headers, left out of fstiff.hpp: which ones (regex), and what else they may include (regex).
-set(optional_headers "^gsl/" "^io/x3p\\.hpp$")
+set(optional_headers "^gsl/" "^io/(x3p|zip_archive)\\.hpp$")
 set(optional_includes "^gsl/" "^(zip\\.h|pugixml\\.hpp)$")
 
 if(NOT ROOT)

@@ -5,7 +5,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/quantity.hpp>
-#include <fstiff/io/text_table.hpp>
+#include <fstiff/io/number_table.hpp>
 
 #include <algorithm>
 #include <array>
@@ -143,7 +143,7 @@ MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_co
         const std::string at = where + std::string(name);
         if (column.index >= cells.size()) throw domain_error(at + ": is missing; must be a number");
         const auto found = text::number_in(cells[column.index], decimal_comma);
-        const double x = found ? found->value * column.factor : -1;
+        const double x = found ? *found * column.factor : -1;
         if (!found || !(x > 0 || (zero_allowed && x == 0)) || !(x <= std::numeric_limits<double>::max()))
             throw domain_error(at + " = " + text::shown_cell(cells[column.index]) + ": must be a finite number " +
                                (zero_allowed ? "that is not negative" : "greater than 0"));
@@ -164,7 +164,7 @@ ComputedCurve computed_curve(const Cells& cells, const Header& header) {
     const auto number = [&](std::optional<std::size_t> index) -> std::optional<double> {
         if (!index || *index >= cells.size()) return std::nullopt;
         const auto found = text::number_in(cells[*index], false);
-        return found ? std::optional(found->value) : std::nullopt;
+        return found;
     };
     curve.theta = number(header.theta);
     curve.r = number(header.r);

@@ -32,22 +32,6 @@ void refuse_cutoff(const SurfaceOptions& options) {
                            "detrend gaussian, of a profile; must not be given without it");
 }
 
-/// The library calls its options format, units, spacing; a message must name those of the command line.
-std::string with_option_names(std::string message, const SurfaceOptions& options) {
-    if (options.prefix.empty()) return message;
-    const std::string prefix(options.prefix), format(options.format_name);
-    const std::array<std::pair<std::string, std::string>, 5> names{
-        {{"format = ", format + " "},
-         {"format must", format + " must"},
-         {"given as units = ", "given as " + prefix + "units "},
-         {"given as spacing = ", "given as " + prefix + "spacing "},
-         {"given as dx and dy", "given as " + prefix + "dx and " + prefix + "dy"}}};
-    for (const auto& [from, to] : names)
-        for (std::size_t at = message.find(from); at != std::string::npos; at = message.find(from, at + to.size()))
-            message.replace(at, from.size(), to);
-    return message;
-}
-
 }  // namespace
 
 double parse_length(const std::string& text, std::string_view name) {
@@ -80,6 +64,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     io::SurfaceOptions how;
     how.format = io::surface_format(options.format);
     how.units = options.units;
+    if (!options.prefix.empty()) how.names = {std::string(options.prefix), std::string(options.format_name), " "};
     how.column = static_cast<std::size_t>(options.column);
     const auto length = [&](const std::string& text, const char* name) {
         return text.empty() ? std::optional<double>() : parse_length(text, std::string(options.prefix) + name);
@@ -94,11 +79,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
 #endif
     SurfaceInput input;
     input.sha256 = sha256(bytes);
-    try {
-        input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
-    } catch (const domain_error& error) {
-        throw domain_error(with_option_names(error.what(), options));
-    }
+    input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
     return input;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/surface_file.hpp>
+#include <fstiff/io/write_sdf.hpp>
 #ifdef FSTIFF_HAS_X3P
 #include <fstiff/io/x3p.hpp>
 #endif

@@ -64,7 +64,7 @@ private:
 
 inline std::size_t fast_fft_size(std::size_t points) {
     constexpr std::size_t largest = std::size_t{1} << 30;
-    if (points > largest) throw domain_error("points = " + std::to_string(points) + ": must be at most 2^30");
+    require(points <= largest, "points", points, "at most 2^30");
     std::size_t best = largest;
     for (std::size_t fives = 1; fives < largest; fives *= 5)
         for (std::size_t odd = fives; odd < largest; odd *= 3) {
@@ -77,17 +77,16 @@ inline std::size_t fast_fft_size(std::size_t points) {
 
 template <Real T>
 RealFft<T>::RealFft(std::size_t size) : size_(size) {
-    if (size == 0 || fast_fft_size(size) != size)
-        throw domain_error("size of a transform = " + std::to_string(size) +
-                           ": must be a multiple of 4 up to 2^30 without prime factors above 5");
+    require(size != 0 && fast_fft_size(size) == size, "size of a transform", size,
+            "a multiple of 4 up to 2^30 without prime factors above 5");
     fft_.SetFlag(Eigen::FFT<T>::HalfSpectrum);
 }
 
 template <Real T>
 void RealFft<T>::forward(std::span<const T> data, std::vector<std::complex<T>>& spectrum) {
     if (data.size() > size_)
-        throw domain_error("data of a transform = " + std::to_string(data.size()) + " numbers: must be at most " +
-                           std::to_string(size_));
+        detail::refuse("data of a transform", std::to_string(data.size()) + " numbers",
+                       "at most " + std::to_string(size_));
     const T* source = data.data();
     if (data.size() < size_) {
         padded_.assign(size_, T(0));
@@ -101,8 +100,7 @@ void RealFft<T>::forward(std::span<const T> data, std::vector<std::complex<T>>& 
 template <Real T>
 void RealFft<T>::inverse(std::span<const std::complex<T>> spectrum, std::vector<T>& data) {
     if (spectrum.size() != size_ / 2 + 1)
-        throw domain_error("spectrum = " + std::to_string(spectrum.size()) + " numbers: must be " +
-                           std::to_string(size_ / 2 + 1));
+        detail::refuse("spectrum", std::to_string(spectrum.size()) + " numbers", std::to_string(size_ / 2 + 1));
     data.resize(size_);
     fft_.inv(data.data(), spectrum.data(), static_cast<Eigen::Index>(size_));
 }

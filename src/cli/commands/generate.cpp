@@ -7,7 +7,7 @@
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantity.hpp>
-#include <fstiff/io/sdf.hpp>
+#include <fstiff/io/write_sdf.hpp>
 #include <fstiff/io/write_csv.hpp>
 #include <fstiff/surface/self_affine.hpp>
 #include <fstiff/surface/weierstrass_mandelbrot.hpp>

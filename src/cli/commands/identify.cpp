@@ -7,7 +7,7 @@
 #include "scene/identification.hpp"
 
 #include <fstiff/core/version.hpp>
-#include <fstiff/io/text_table.hpp>
+#include <fstiff/io/number_table.hpp>
 
 #include <algorithm>
 #include <array>

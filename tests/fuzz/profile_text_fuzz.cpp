@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Profiles as delimited text: as it is, with units, with a column chosen; what is read is written and read again.
-#include <fstiff/io/delimited.hpp>
+#include <fstiff/io/profile_text.hpp>
 #include <fstiff/io/write_csv.hpp>
 
 #include "fuzz.hpp"
@@ -11,9 +11,9 @@ using namespace fstiff;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string bytes = fuzz::bytes(data, size);
-    for (const io::DelimitedOptions& options : {io::DelimitedOptions{}, io::DelimitedOptions{.units = "um,nm"},
-                                                io::DelimitedOptions{.spacing = 1e-6, .units = "um", .column = 1}}) {
-        io::DelimitedProfile read;
+    for (const io::ProfileTextOptions& options : {io::ProfileTextOptions{}, io::ProfileTextOptions{.units = "um,nm"},
+                                                io::ProfileTextOptions{.spacing = 1e-6, .units = "um", .column = 1}}) {
+        io::ProfileFromText read;
         std::ostringstream output;
         if (!fuzz::returns([&] {
                 std::istringstream input(bytes);

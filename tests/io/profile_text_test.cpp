@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/delimited.hpp>
+#include <fstiff/io/profile_text.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/skip.hpp"
@@ -9,17 +9,17 @@
 #include <sstream>
 
 using namespace fstiff;
-using io::DelimitedOptions;
+using io::ProfileTextOptions;
 
 namespace {
 
 /// What read_profile makes of \p text.
-io::DelimitedProfile read(const std::string& text, const DelimitedOptions& options = {}) {
+io::ProfileFromText read(const std::string& text, const ProfileTextOptions& options = {}) {
     std::istringstream input(text);
     return io::read_profile(input, "file.txt", options);
 }
 
-std::string refusal(const std::string& text, const DelimitedOptions& options = {}) {
+std::string refusal(const std::string& text, const ProfileTextOptions& options = {}) {
     return test::refusal([&] { (void)read(text, options); });
 }
 
@@ -45,7 +45,7 @@ std::string with_commas(std::string text) {
 }
 
 /// Checks the profile that rows() writes, with lengths in \p unit and heights in \p height_unit.
-void check_rows(const io::DelimitedProfile& read, double unit, double height_unit) {
+void check_rows(const io::ProfileFromText& read, double unit, double height_unit) {
     REQUIRE(read.profile.size() == 20);
     CHECK(test::ulps(read.profile.spacing, 0.5 * unit) <= 2);
     for (int i = 0; i < 20; ++i) {
@@ -57,7 +57,7 @@ void check_rows(const io::DelimitedProfile& read, double unit, double height_uni
 }  // namespace
 
 TEST_CASE("Comma, semicolon, tab and blanks separate columns") {
-    const DelimitedOptions units{.units = "um,nm"};
+    const ProfileTextOptions units{.units = "um,nm"};
     const auto comma = read(rows([](auto x, auto z) { return x + "," + z + "\n"; }), units);
     check_rows(comma, 1e-6, 1e-9);
     CHECK(comma.record.separator == "comma");
@@ -81,7 +81,7 @@ TEST_CASE("Comma, semicolon, tab and blanks separate columns") {
 }
 
 TEST_CASE("The decimal sign may be a comma where the comma does not separate") {
-    const DelimitedOptions units{.units = "um,nm"};
+    const ProfileTextOptions units{.units = "um,nm"};
     for (const std::string separator : {";", "\t", " ", "; "}) {
         CAPTURE(separator);
         const auto read_back =
@@ -106,7 +106,7 @@ TEST_CASE("The decimal sign may be a comma where the comma does not separate") {
 }
 
 TEST_CASE("Every kind of line end, a byte order mark, comments and blank lines are understood") {
-    const DelimitedOptions units{.units = "um,nm"};
+    const ProfileTextOptions units{.units = "um,nm"};
     for (const std::string end : {"\n", "\r\n", "\r\r\n", "\r", "\n\n", ",,\r\n"}) {
         CAPTURE(end.size());
         check_rows(read(rows([&](auto x, auto z) { return x + "," + z + end; }), units), 1e-6, 1e-9);
@@ -241,7 +241,7 @@ TEST_CASE("A column may be chosen among many, and more than two need a choice") 
 }
 
 TEST_CASE("Bad input is refused in one sentence with file, line, value and what is allowed") {
-    const DelimitedOptions units{.units = "um,nm"};
+    const ProfileTextOptions units{.units = "um,nm"};
     const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
     CHECK(has(refusal(""), "file.txt: is empty"));
     CHECK(has(refusal("\n \r\n\t\n"), "blank lines"));
