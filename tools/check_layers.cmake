@@ -12,7 +12,7 @@
 # ROOT: the folder of the project, by default the one above this script.
 cmake_minimum_required(VERSION 3.25)
 
-set(levels core math surface "profile topography" measured asperity peaks ultrasound contact io gsl)
+set(levels core math surface "profile topography" synthetic measured asperity peaks ultrasound contact io gsl)
 # Opt-in headers, left out of fstiff.hpp: which ones (regex), and what else they may include (regex).
 set(optional_headers "^gsl/" "^io/(x3p|zip_archive)\\.hpp$")
 set(optional_includes "^gsl/" "^(zip\\.h|pugixml\\.hpp)$")

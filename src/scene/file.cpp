@@ -34,16 +34,16 @@ std::string number(double value, int digits) {
 std::string read_all(const std::string& file) {
     std::string bytes;
     if (file == "-") {
-        if (!read_stream(std::cin, bytes)) throw domain_error("standard input: cannot be read");
+        if (!read_stream(std::cin, bytes)) throw file_error("standard input", "cannot be read");
     } else {
         std::error_code error;
         if (!std::filesystem::exists(file, error))
-            throw domain_error(file + ": no such file; the input must be an existing file");
+            throw file_error(file, "no such file; the input must be an existing file");
         if (std::filesystem::is_directory(file, error))
-            throw domain_error(file + ": is a folder; the input must be a file");
+            throw file_error(file, "is a folder; the input must be a file");
         std::ifstream stream(file, std::ios::binary);
         if (!stream || !read_stream(stream, bytes))
-            throw domain_error(file + ": cannot be read; the input must be a readable file");
+            throw file_error(file, "cannot be read; the input must be a readable file");
     }
     if (bytes.find_first_not_of(" \t\r\n") == std::string::npos)
         throw domain_error(display_name(file) + ": is empty; the input must hold text");

@@ -16,7 +16,7 @@ public:
     using domain_error::domain_error;
 };
 
-/// All bytes of \p file; "-" is standard input. \throws domain_error naming a file that is missing, unreadable or empty.
+/// All bytes of \p file; "-" is standard input. \throws file_error for a file that is missing or unreadable, domain_error for one that is empty or too long.
 [[nodiscard]] std::string read_all(const std::string& file);
 /// How messages call \p file.
 [[nodiscard]] std::string display_name(const std::string& file);
@@ -24,11 +24,7 @@ public:
 /// Runs \p call; what it throws is put after the name of the file.
 template <class Call>
 auto about_file(const std::string& file, const Call& call) {
-    try {
-        return call();
-    } catch (const domain_error& error) {
-        throw domain_error(display_name(file) + ": " + error.what());
-    }
+    return located(Place{.file = display_name(file)}, call);
 }
 
 /// SHA-256 (FIPS 180-4) of a whole text in hexadecimal digits, so that a result names the very file it came from. No

@@ -153,11 +153,8 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     options.wave = all.wave;
     for (Fit& fit : all.fits) {
         const auto data = observations(curve, fit.points);
-        try {
-            fit.found = fit.law->fit({data, request.wanted, fit.start, options});
-        } catch (const domain_error& error) {
-            throw domain_error(curve.name + " with " + scene.file + ", " + title(fit) + ": " + error.what());
-        }
+        fit.found = located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)},
+                            [&] { return fit.law->fit({data, request.wanted, fit.start, options}); });
     }
     for (const Fit& fit : all.fits)
         for (const auto& finding : concerns_of(fit.found)) {

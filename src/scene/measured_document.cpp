@@ -87,11 +87,7 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
                 surface.parameters.correlation[i][j] = (*matrix)[i][j].get<double>();
             }
     }
-    try {
-        SurfaceSampler<double>(surface.parameters, 0);  // refuses what no sample could be drawn of
-    } catch (const domain_error& error) {
-        throw domain_error(name + ": " + error.what());
-    }
+    about_file(name, [&] { SurfaceSampler<double>(surface.parameters, 0); });  // refuses what no sample could be drawn of
     return surface;
 }
 

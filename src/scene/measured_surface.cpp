@@ -3,6 +3,8 @@
 
 #include "scene/surface_instances.hpp"
 
+#include <fstiff/measured/measured_concerns.hpp>
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -43,19 +45,31 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
                    ", seed " + std::to_string(options.seed));
 
     auto& warned = surface.warnings;
-    if (!found.fractal_refusal.empty())
-        warned.push_back("no D and G, and no fractal law without one given: " + found.fractal_refusal);
+    if (!found.why_no_dimension.empty())
+        warned.push_back("no D and G, and no fractal law without one given: " + found.why_no_dimension);
     else if (found.curved)
         warned.push_back("the structure function is no single power law over the window: D is a mean over it");
-    if (!found.peaks_refusal.empty()) warned.push_back("no r and theta: " + found.peaks_refusal);
-    if (found.anisotropic) warned.push_back("the map differs along x and y; the models take it for isotropic");
-    if (found.peaks_counted < 30)
-        warned.push_back("R and D_p come from " + std::to_string(found.peaks_counted) +
-                         " peaks only; their errors are rough");
-    for (const auto& [name, measured] : {std::pair("R", found.peak_radius), std::pair("D_p", found.peak_density)})
-        if (measured.error > 0.3 * measured.value)
-            warned.push_back(std::string(name) + " is known to " +
-                             std::to_string(std::lround(100 * measured.error / measured.value)) + " % only");
+    if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
+    const auto percent = [](const Measurement<double>& one) {
+        return std::to_string(std::lround(100 * one.error / one.value)) + " % only";
+    };
+    for (const MeasuredConcern concern : concerns_of(found)) switch (concern) {
+            case MeasuredConcern::anisotropic:
+                warned.push_back("the map differs along x and y; the models take it for isotropic");
+                break;
+            case MeasuredConcern::few_peaks:
+                warned.push_back("R and D_p come from " + std::to_string(found.peaks_counted) +
+                                 " peaks only; their errors are rough");
+                break;
+            case MeasuredConcern::radius_uncertain:
+                warned.push_back("R is known to " + percent(found.peak_radius));
+                break;
+            case MeasuredConcern::density_uncertain:
+                warned.push_back("D_p is known to " + percent(found.peak_density));
+                break;
+            default:  // said before
+                break;
+        }
 }
 
 }  // namespace
@@ -80,14 +94,13 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
                            ": is a map, whose lags cannot be freed of the tip; must be told by the resolution instead");
     SurfaceParameters<double> found;
     if (profile) {
-        surface.profile = std::make_shared<LevelledProfile>(level_profile(options.input, input));
-        const LevelledProfile& levelled = *surface.profile;
-        how.fit.removed = levelled.removed;
-        found = about_file(options.input.file, [&] { return surface_parameters(levelled.profile, how); });
+        surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));
+        const PreparedProfile& levelled = *surface.profile;
+        found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     } else {
-        surface.map = std::make_shared<LevelledMap>(level_map(options.input, input));
-        const LevelledMap& levelled = *surface.map;
+        surface.map = std::make_shared<PreparedMap>(level_map(options.input, input));
+        const PreparedMap& levelled = *surface.map;
         found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }
@@ -97,8 +110,8 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     surface.parameters = uncertain(found);
     surface.max_peak_height = found.max_peak_height;
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
-    surface.fractal_refusal = found.fractal_refusal;
-    surface.peaks_refusal = found.peaks_refusal;
+    surface.fractal_refusal = found.why_no_dimension;
+    surface.peaks_refusal = found.why_no_peaks;
     return surface;
 }
 

@@ -35,8 +35,8 @@ struct MeasuredSurface {
     std::optional<Measurement<double>> fractal_roughness;
     std::string fractal_refusal, peaks_refusal;  ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
-    std::shared_ptr<const LevelledProfile> profile;
-    std::shared_ptr<const LevelledMap> map;
+    std::shared_ptr<const PreparedProfile> profile;
+    std::shared_ptr<const PreparedMap> map;
     std::optional<FractalFit<double>> profile_fit;  ///< that gave D, and that of a map
     std::optional<DirectionalFit<double>> map_fit;
     std::optional<IslandCurve<double>> islands;  ///< that gave R and D_p of a map

@@ -103,14 +103,13 @@ struct Source {
         const std::string value = node.is_string() ? "\"" + written(node) + "\"" : written(node);
         throw domain_error(at(node) + ": " + key + " = " + value + ": " + reason);
     }
-    /// Runs a check or a reader of the library and puts the place before what it throws.
+    Place place(const toml::node& node, std::string key = "") const {
+        return {.file = file, .line = node.source().begin.line, .key = std::move(key), .before_line = ":"};
+    }
+    /// Runs a check or a reader of the library; what it throws gets the place.
     template <class Call>
     auto located(const toml::node& node, const Call& call) const {
-        try {
-            return call();
-        } catch (const domain_error& error) {
-            throw domain_error(at(node) + ": " + error.what());
-        }
+        return fstiff::located(place(node), call);
     }
     void record(std::string key, std::string text, std::optional<double> value = {}, std::string_view unit = {}) {
         inputs.push_back({std::move(key), std::move(text), value, std::string(unit)});
@@ -218,7 +217,7 @@ Material<double> read_material(Source& source, const Section& body, std::optiona
     try {
         (void)effective_modulus(material, material);
     } catch (const domain_error& error) {
-        throw domain_error(source.at(nu) + ": " + body.key(error.what()));
+        throw error.with_parameter(body.key(error.parameter())).with_place(source.place(nu));
     }
     if (const auto yield = body.optional_positive("yield_strength", Dimension::pressure))
         yield_strength = yield_strength ? std::min(*yield_strength, *yield) : *yield;
@@ -297,18 +296,16 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
 }
 
 /// Measures or reads the file that surface.from or --surface names; messages begin with \p place.
-MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, const std::string& place,
+MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, const Place& place,
                               const ProgressHook& progress) {
-    try {
+    return located(place, [&] {
         const std::string bytes = read_all(options.input.file);
         if (!is_measured_document(bytes)) return measure_surface(options, bytes, progress);
         if (!defaults)
             throw domain_error(display_name(options.input.file) +
                                ": is the JSON of fstiff measure, measured already; must stand without keys of reading");
         return read_measured_document(bytes, display_name(options.input.file));
-    } catch (const domain_error& error) {
-        throw domain_error(place + error.what());
-    }
+    });
 }
 
 /// The keys beside surface.from that say how the file is read.
@@ -356,7 +353,7 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
             source.record(key, written(*node), static_cast<double>(column->get()));
         }
     }
-    return measured_from(options, defaults, source.at(from) + ": " + surface.key("from") + ": ", progress);
+    return measured_from(options, defaults, source.place(from, surface.key("from")), progress);
 }
 
 /// Fills the scene with what was measured.
@@ -516,7 +513,9 @@ std::vector<double> read_points(Source& source, const toml::node& node, const st
 }
 
 /// The peak density of [surface].
-Peaks peaks_of_surface(const Scene& scene, const std::string& where) { return {*scene.theta, scene.r, true, where}; }
+Peaks peaks_of_surface(const Scene& scene, const Place& where) {
+    return {*scene.theta, scene.r, true, where, "surface."};
+}
 
 Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path, const Scene& scene) {
     if (node.is_string() && written(node) == "surface") {
@@ -525,13 +524,14 @@ Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& 
                           "needs surface.r and surface.theta" +
                               (scene.measured ? ", which were not found: " + scene.measured->peaks_refusal : ""));
         source.record(path, "surface");
-        return peaks_of_surface(scene, source.at(node) + ": surface.");
+        return peaks_of_surface(scene, source.place(node));
     }
     if (!node.is_table())
         source.refuse(node, path, "must be a table such as { theta = \"pi/4\", r = \"exponential\" }, or \"surface\"");
     const Section section(source, *node.as_table(), path, {"theta", "r"});
     Peaks peaks;
-    peaks.where = source.at(node) + ": " + path + ".";
+    peaks.where = source.place(node);
+    peaks.key = path + ".";
 
     peaks.theta = read_angle(source, section.at("theta"), section.key("theta"));
     const toml::node& r = section.at("r");
@@ -620,7 +620,7 @@ void read_laws(Source& source, const Section& contact, Scene& scene, bool replac
 void read_peaks(Source& source, const Section& contact, Scene& scene, bool replaced) {
     const toml::node* peaks = contact.find("peaks");
     if (scene.r && (replaced || !peaks)) {
-        scene.peaks.push_back(peaks_of_surface(scene, source.file + ": surface."));
+        scene.peaks.push_back(peaks_of_surface(scene, {.file = source.file}));
         source.record(contact.key("peaks"), replaced ? "surface (--surface)" : "surface (default)");
     } else if (peaks) {
         if (peaks->is_string())
@@ -635,7 +635,7 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
     } else {
         for (const char* theta : {"pi/4", "pi/3"})
             scene.peaks.push_back(
-                {io::parse_angle(theta, "theta"), std::nullopt, false, source.file + ": contact.peaks."});
+                {io::parse_angle(theta, "theta"), std::nullopt, false, {.file = source.file}, "contact.peaks."});
         source.record(contact.key("peaks"), "theta = pi/4 and pi/3, r = exponential (default)");
     }
 }
@@ -786,7 +786,7 @@ PeakDensity<double> peak_density(const Peaks& peaks) {
     try {
         return peaks.r ? PeakDensity<double>(*peaks.r, peaks.theta) : PeakDensity<double>::exponential(peaks.theta);
     } catch (const domain_error& error) {
-        throw domain_error(peaks.where + error.what());
+        throw error.with_parameter(peaks.key + std::string(error.parameter())).with_place(peaks.where);
     }
 }
 
@@ -811,7 +811,7 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
         options.input.file = surface;
         options.input.prefix = "fstiff measure --";  // has the options that run has not
         options.input.format_name = "fstiff measure --input-format";
-        scene.measured = measured_from(options, true, "--surface: ", from.progress);
+        scene.measured = measured_from(options, true, {.key = "--surface"}, from.progress);
         source.record("surface.from", display_name(surface) + " (--surface)");
         scene.name =
             std::filesystem::path(scene.measured->file).filename().string();  // no longer what the scene was named for

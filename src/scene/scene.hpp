@@ -8,6 +8,7 @@
 
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/peaks/peak_density.hpp>
@@ -41,7 +42,8 @@ struct Peaks {
     double theta = 0;         ///< [rad]
     std::optional<double> r;  ///< none: of an exponential autocorrelation
     bool of_surface = false;  ///< theta and r are those of [surface], with their errors
-    std::string where;        ///< file, line and key for messages
+    Place where{};            ///< for messages
+    std::string key{};        ///< what stands before theta and r in them
 };
 
 /// \throws domain_error naming the place of the value that no peak density has.

@@ -83,12 +83,12 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     return input;
 }
 
-LevelledProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
+PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
     if (!input.surface.is_profile())
         throw domain_error(display_name(options.file) + ": holds a map (" +
                            std::to_string(input.surface.map().columns()) + " x " +
                            std::to_string(input.surface.map().rows()) + " points); must be a profile");
-    LevelledProfile result;
+    PreparedProfile result;
     result.form = options.detrend.empty() ? "line" : options.detrend;
     const bool filter = result.form == gaussian_form;
     const Form form =
@@ -101,26 +101,24 @@ LevelledProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
     about_file(options.file, [&] {
         const Profile<double>& read = input.surface.profile();
         result.rms_as_read = rms_height(read);
-        result.profile = detrend(read, form);
-        if (filter) result.profile = gaussian_roughness(result.profile, *result.cutoff);
+        static_cast<LevelledProfile<double>&>(result) = level(read, form, result.cutoff);
         result.rms = rms_height(result.profile);
-        result.removed = filter ? Form::none : form;
     });
     return result;
 }
 
-LevelledMap level_map(const SurfaceOptions& options, const SurfaceInput& input) {
+PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) {
     if (input.surface.is_profile())
         throw domain_error(display_name(options.file) + ": holds a profile (" +
                            std::to_string(input.surface.profile().size()) + " points); must be a map");
-    LevelledMap result;
+    PreparedMap result;
     result.form = options.detrend.empty() ? "plane" : options.detrend;
     const MapForm form = form_of<MapForm>(options, result.form, "map");
     refuse_cutoff(options);
     about_file(options.file, [&] {
         const HeightMap<double>& read = input.surface.map();
         result.map = remove_form(read, form);
-        result.rms_as_read = areal_statistics(read).rms_height;
+        result.rms_as_read = rms_height(read);
         result.areal = areal_statistics(result.map);
         result.rms = result.areal.rms_height;
     });

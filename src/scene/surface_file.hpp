@@ -6,7 +6,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/profile/detrend.hpp>
+#include <fstiff/profile/level.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
@@ -50,16 +50,13 @@ struct SurfaceInput {
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
 
 /// A profile without its form.
-struct LevelledProfile {
-    Profile<double> profile;
-    double rms_as_read{}, rms{};     ///< Rq before and after [m]
-    std::string form;                ///< that was removed, by name
-    std::optional<double> cutoff{};  ///< of the Gaussian filter [m]
-    Form removed{};                  ///< for FractalFitOptions::removed: none after the filter, which has no such mark
+struct PreparedProfile : LevelledProfile<double> {
+    double rms_as_read{}, rms{};  ///< Rq before and after [m]
+    std::string form;             ///< that was removed, by name
 };
 
 /// A map without its form.
-struct LevelledMap {
+struct PreparedMap {
     HeightMap<double> map;
     double rms_as_read{}, rms{};  ///< Sq before and after [m]
     ArealStatistics<double> areal;
@@ -68,9 +65,9 @@ struct LevelledMap {
 
 /// Removes none, mean, line, parabola or gaussian (line, then the filter of ISO 16610-21 with the cut-off).
 /// \throws option_error for the form of a map or a cut-off without its filter, domain_error when the surface is a map.
-[[nodiscard]] LevelledProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input);
+[[nodiscard]] PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input);
 /// Removes none, mean, plane, quadratic or cubic. \throws as above.
-[[nodiscard]] LevelledMap level_map(const SurfaceOptions& options, const SurfaceInput& input);
+[[nodiscard]] PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input);
 
 /// A sentence on missing points; none when there are none.
 [[nodiscard]] std::vector<std::string> missing_points_warning(const SurfaceInput& input, std::string_view consequence);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -18,7 +19,7 @@ Profile<double> wm_profile(Fractal<double> fractal, std::size_t points, std::uin
     const WeierstrassMandelbrot<double> wm(
         fractal,
         {.longest_wavelength = longest_lengths * length, .shortest_wavelength = shortest_samples * h, .seed = seed});
-    return detrend(Profile<double>{wm.sample(points, h), h}, Form::line);
+    return detrend(wm.sample(points, h), Form::line);
 }
 
 Profile<double> random_walk(std::size_t points, std::uint64_t seed) {
@@ -277,7 +278,7 @@ Coverage coverage(double hurst, int profiles, Form form) {
         Profile<double> profile{test::fractional_brownian(4096, hurst, static_cast<std::uint64_t>(seed)), 1e-6};
         for (double& z : profile.heights) z *= 1e-8;
         try {
-            const auto fit = fit_fractal(detrend(profile, form), {.removed = form});
+            const auto fit = fit_fractal(level(profile, form));
             const double off = fit.fractal.dimension - (2 - hurst);
             result.inside += std::abs(off) < 1.96 * fit.dimension_error ? 1 : 0;
             result.by_regression += std::abs(off) < 1.96 * fit.regression_dimension_error ? 1 : 0;

@@ -104,7 +104,7 @@ TEST_CASE("What a scene lacks is thrown as a domain_error with its place, and no
     } catch (const fstiff::domain_error& error) {
         CHECK(test::contains(error.what(), "bad.toml:3: surface.rms_height"));
     }
-    CHECK_THROWS_AS(scene::read_all("/no/such/file"), fstiff::domain_error);
+    CHECK_THROWS_AS(scene::read_all("/no/such/file"), fstiff::file_error);
 }
 
 TEST_CASE("Every law of the table has a name, its equations and a contact, and is found by its name") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/islands.hpp>
 
 #include "support/accuracy.hpp"
@@ -65,7 +65,7 @@ Level slow(const HeightMap<double>& map, double level, const IslandOptions<doubl
 }
 
 /// Values that look random, from 0 to 1, the same everywhere.
-double noise(std::uint64_t& state) { return static_cast<double>(detail::splitmix64(state) >> 11) * 0x1p-53; }
+double noise(std::uint64_t& state) { return static_cast<double>(splitmix64(state) >> 11) * 0x1p-53; }
 
 enum class Kind { noise, ties, waves, holes, offset };
 
@@ -86,13 +86,12 @@ HeightMap<double> some_map(Kind kind, Eigen::Index columns, Eigen::Index rows, s
 }
 
 HeightMap<double> gaussian(double hurst, double longest, double shortest, std::size_t points, std::uint64_t seed) {
-    return {self_affine_map<double>({.hurst = hurst,
-                                     .rms = 1e-6,
-                                     .longest_wavelength = longest * 1e-6,
-                                     .shortest_wavelength = shortest * 1e-6,
-                                     .seed = seed},
-                                    points, points, 1e-6, 1e-6),
-            1e-6, 1e-6};
+    return self_affine_map<double>({.hurst = hurst,
+                                    .rms = 1e-6,
+                                    .longest_wavelength = longest * 1e-6,
+                                    .shortest_wavelength = shortest * 1e-6,
+                                    .seed = seed},
+                                   points, points, 1e-6, 1e-6);
 }
 
 /// Mean square slope along x and y, over the period of the map.

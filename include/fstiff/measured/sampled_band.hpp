@@ -18,6 +18,7 @@
 ///             the same band.
 
 #include <fstiff/core/progress.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ struct BandOptions {
 template <Real T, class Compute>
 [[nodiscard]] std::vector<SampledBand<T>> sampled_band(const UncertainSurface<T>& surface, const Compute& compute,
                                                        const BandOptions& options = {}) {
-    if (options.samples < 1) throw domain_error("samples = 0: must be at least 1");
+    require(options.samples >= 1, "samples", options.samples, "at least 1");
     SurfaceSampler<T> draw(surface, options.seed);
     std::vector<std::vector<T>> found;  // by value, surface
     for (std::size_t i = 0; i < options.samples; ++i) {
@@ -57,8 +58,8 @@ template <Real T, class Compute>
         const auto values = compute(draw());
         if (i == 0) found.resize(values.size());
         if (values.size() != found.size())
-            throw domain_error("values of a drawn surface = " + std::to_string(values.size()) + ": must be " +
-                               std::to_string(found.size()) + ", as of the first");
+            detail::refuse("values of a drawn surface", values.size(),
+                           std::to_string(found.size()) + ", as of the first");
         for (std::size_t k = 0; k < found.size(); ++k)
             if (std::isfinite(values[k])) found[k].push_back(values[k]);
     }

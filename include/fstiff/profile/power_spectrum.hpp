@@ -71,7 +71,7 @@ template <Real T>
 
 template <Real T>
 T PowerSpectrum<T>::moment(int order) const {
-    detail::CompensatedSum<detail::Sum<T>> sum;
+    CompensatedSum<Accumulator<T>> sum;
     for (std::size_t k = 0; k < size(); ++k) {
         const T share = k == 0 || k + 1 == size() ? T(0.5) : T(1);
         sum.add(share * value[k] * step * std::pow(wavenumber[k], static_cast<T>(order)));
@@ -83,18 +83,19 @@ namespace detail {
 
 /// Heights from the first to the last point that exists, gaps bridged.
 template <Real T>
-std::vector<Sum<T>> bridged(const Profile<T>& profile, T mean, T scale) {
-    std::vector<Sum<T>> heights;
+std::vector<Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) {
+    std::vector<Accumulator<T>> heights;
     std::size_t gap = 0;
     for (const T z : profile.heights) {
         if (std::isnan(z)) {
             gap += heights.empty() ? 0 : 1;
             continue;
         }
-        const Sum<T> next = static_cast<Sum<T>>((z - mean) / scale);
-        const Sum<T> last = heights.empty() ? next : heights.back();
+        const Accumulator<T> next = static_cast<Accumulator<T>>((z - mean) / scale);
+        const Accumulator<T> last = heights.empty() ? next : heights.back();
         for (std::size_t k = 1; k <= gap; ++k)
-            heights.push_back(last + (next - last) * static_cast<Sum<T>>(k) / static_cast<Sum<T>>(gap + 1));
+            heights.push_back(last +
+                              (next - last) * static_cast<Accumulator<T>>(k) / static_cast<Accumulator<T>>(gap + 1));
         gap = 0;
         heights.push_back(next);
     }
@@ -105,13 +106,13 @@ std::vector<Sum<T>> bridged(const Profile<T>& profile, T mean, T scale) {
 
 template <Real T>
 PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
-    using F = detail::Sum<T>;
+    using F = Accumulator<T>;
     profile.validate(16);
     const T scale = detail::height_scale(profile);
     std::vector<F> z = detail::bridged(profile, mean_height(profile), scale);
     const std::size_t points = z.size();
     std::vector<F> window(points);
-    detail::CompensatedSum<F> weight, squares, weighted;
+    CompensatedSum<F> weight, squares, weighted;
     for (std::size_t i = 0; i < points; ++i) {
         const F sine = std::sin(numbers::pi_v<F> * (static_cast<F>(i) + F(0.5)) / static_cast<F>(points));
         window[i] = sine * sine;
@@ -143,7 +144,7 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
 template <Real T>
 SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
                             const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window) {
-    using F = detail::Sum<T>;
+    using F = Accumulator<T>;
     if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
     require_positive("step of the wavenumber", spectrum.step);
     const F turn = 2 * numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);

@@ -37,7 +37,7 @@ template <Real T>
 template <Real T>
 std::optional<T> least_curvature(const Profile<T>& profile, std::size_t step) {
     require_positive("spacing", profile.spacing);
-    if (step == 0) throw domain_error("step of the curvature = 0 samples: must be at least 1");
+    if (step == 0) detail::refuse("step of the curvature", "0 samples", "at least 1");
     const std::vector<T>& z = profile.heights;
     const T scale = detail::height_scale(profile);  // refuses infinite heights, and keeps the differences in range
     std::optional<T> least;

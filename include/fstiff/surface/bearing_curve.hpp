@@ -38,11 +38,11 @@ struct BearingCurve {
 /// steps.
 template <Real T>
 [[nodiscard]] BearingCurve<T> bearing_curve(std::span<const T> heights, std::size_t steps = 200) {
-    if (steps < 1) throw domain_error("steps of a bearing curve = 0: must be at least 1");
+    require(steps >= 1, "steps of a bearing curve", steps, "at least 1");
     std::vector<T> sorted;
     sorted.reserve(heights.size());
     std::copy_if(heights.begin(), heights.end(), std::back_inserter(sorted), [](T z) { return !std::isnan(z); });
-    if (sorted.empty()) throw domain_error("heights of a bearing curve = 0: must be at least 1");
+    require(!sorted.empty(), "heights of a bearing curve", sorted.size(), "at least 1");
     std::sort(sorted.begin(), sorted.end(), std::greater<>());
     BearingCurve<T> curve;
     for (std::size_t k = 0; k <= steps; ++k) {

@@ -56,6 +56,9 @@ struct MeasuredStiffness {
     T value{};
     T error{};
     T slope{};  ///< dK/dR [Pa/m], negative
+    bool bounded =
+        true;  ///< R +- 2 errors stay within the range of R: else K has no upper or no lower bound, and an error
+               ///< of first order says too little
 };
 
 /// K and its error from |R| = \p reflection with the standard error \p reflection_error, to first order.
@@ -73,7 +76,7 @@ template <Real T>
     const T above = detail::above_welded(reflection, a, b) / (a + b);  // R - c
     const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));
     const T slope = -k * (passed / above) * (reflection / (reflection + c)) / ((1 - reflection) * (1 + reflection));
-    return {k, -slope * reflection_error, slope};
+    return {k, -slope * reflection_error, slope, 2 * reflection_error < std::min(1 - reflection, above)};
 }
 
 }  // namespace fstiff

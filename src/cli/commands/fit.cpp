@@ -7,6 +7,7 @@
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
+#include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
@@ -17,7 +18,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 namespace fstiff::cli {
 namespace {
@@ -36,7 +36,7 @@ using Strings = std::vector<std::string>;
 
 /// What one profile gives. Of the parts that need more than the fit does, the reason where there is none.
 struct ProfileResult {
-    LevelledProfile levelled;
+    PreparedProfile levelled;
     FractalFit<double> fit;
     std::optional<SpectralFit<double>> spectrum;
     std::optional<SpectralMoments<double>> moments;
@@ -46,7 +46,7 @@ struct ProfileResult {
 };
 
 struct MapResult {
-    LevelledMap levelled;
+    PreparedMap levelled;
     DirectionalFit<double> fit;
 };
 
@@ -76,9 +76,8 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     how.progress = progress_bar();
     ProfileResult result;
     result.levelled = level_profile(options.surface, input);
-    how.removed = result.levelled.removed;
     const Profile<double>& profile = result.levelled.profile;
-    result.fit = about_file(options.surface.file, [&] { return fit_fractal(profile, how); });
+    result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
     attempt(result.spectrum, result.no_spectrum, [&] { return fit_spectrum(power_spectrum(profile)); });
     attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
     attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });
@@ -95,46 +94,43 @@ MapResult fit_map(const Options& options, const SurfaceInput& input) {
     about_file(options.surface.file, [&] {
         result.fit = fit_directions(result.levelled.map, how);
         if (!result.fit.x && !result.fit.y)
-            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.x_refusal +
-                               "; along y: " + result.fit.y_refusal);
+            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.why_no_fit_x +
+                               "; along y: " + result.fit.why_no_fit_y);
     });
     return result;
 }
 
 bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.window.from && lag <= fit.window.to; }
 
-/// Below this local slope S counts as flat.
-constexpr double saturated = 0.2;
+std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit) {
+    switch (concern) {
+        case MeasuredConcern::curved:
+            return "the local slope of S varies between " + rounded(fit.slope_least, 3) + " and " +
+                   rounded(fit.slope_greatest, 3) +
+                   " over the window: this is no single power law, and D is a mean over it";
+        case MeasuredConcern::saturated:
+            return "S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
+                   rounded(fit.flattest_lag * 1e6, 3) +
+                   " µm, shorter than the window: the roughness has saturated there, and D is that of the waviness; "
+                   "--window looks elsewhere";
+        case MeasuredConcern::roughness_uncertain:
+            return "G is known to no better than a factor of 10: D is close to 1, where G hardly matters";
+        default:
+            return "the window reaches beyond a tenth of the cut-off, where S has lost some of what the filter took";
+    }
+}
 
 void warn_of_fit(Strings& all, const FractalFit<double>& fit, const std::string& where) {
-    if (fit.curved)
-        all.push_back(where + "the local slope of S varies between " + rounded(fit.slope_least, 3) + " and " +
-                      rounded(fit.slope_greatest, 3) +
-                      " over the window: this is no single power law, and D is a mean over it");
-    if (fit.automatic_window && fit.flattest_lag > 0 && fit.flattest_slope < saturated &&
-        (fit.behind_plateau || fit.slope_least > fit.flattest_slope + 0.5))
-        all.push_back(where + "S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
-                      rounded(fit.flattest_lag * 1e6, 3) +
-                      " µm, shorter than the window: the roughness has saturated there, and D is that of the waviness; "
-                      "--window looks elsewhere");
-    if (fit.log_roughness_error > std::numbers::ln10)
-        all.push_back(where + "G is known to no better than a factor of 10: D is close to 1, where G hardly matters");
+    for (const MeasuredConcern concern : concerns_of(fit)) all.push_back(where + sentence(concern, fit));
 }
 
 Strings warnings(const SurfaceInput& input, const ProfileResult& result) {
     Strings all;
-    warn_of_fit(all, result.fit, "");
-    // a lag shows waves up to some ten times as long, and of one as long as the cut-off the filter took a half
-    if (result.levelled.cutoff && result.fit.window.to > *result.levelled.cutoff / 10)
-        all.push_back(
-            "the window reaches beyond a tenth of the cut-off, where S has lost some of what the filter took");
-    if (result.spectrum) {
-        const double difference = result.spectrum->dimension - result.fit.fractal.dimension;
-        const double error = std::hypot(result.spectrum->dimension_error, result.fit.dimension_error);
-        if (std::abs(difference) > 3 * error && std::abs(difference) > 0.1)
-            all.push_back("D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
-                          ", is another one: over its wavelengths the profile follows another law");
-    }
+    for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
+        all.push_back(concern == MeasuredConcern::spectrum_differs
+                          ? "D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
+                                ", is another one: over its wavelengths the profile follows another law"
+                          : sentence(concern, result.fit));
     for (std::string& line : missing_points_warning(input, "their pairs are left out")) all.push_back(std::move(line));
     return all;
 }
@@ -143,8 +139,8 @@ Strings warnings(const SurfaceInput& input, const MapResult& result) {
     Strings all;
     if (result.fit.x) warn_of_fit(all, *result.fit.x, "along x: ");
     if (result.fit.y) warn_of_fit(all, *result.fit.y, "along y: ");
-    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.x_refusal);
-    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.y_refusal);
+    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.why_no_fit_x);
+    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.why_no_fit_y);
     if (result.fit.anisotropic())
         all.push_back("the map is anisotropic: D along x less D along y is " +
                       rounded(result.fit.dimension_difference, 3) + " +- " +
@@ -183,25 +179,25 @@ std::string csv(const MapResult& result) {
 }
 
 void put_fit(Json& document, const FractalFit<double>& fit) {
-    document["fractal_dimension"] = json_number(fit.fractal.dimension);
-    document["fractal_dimension_error"] = json_number(fit.dimension_error);
-    document["fractal_dimension_model_error"] = json_number(fit.model_dimension_error);
-    document["fractal_dimension_bootstrap_error"] = json_number(fit.bootstrap_dimension_error);
-    document["ordinary_least_squares"] = {{"fractal_dimension", json_number(fit.line_dimension)},
-                                          {"fractal_dimension_error", json_number(fit.regression_dimension_error)},
+    document["fractal_dimension"] = fit.fractal.dimension;
+    document["fractal_dimension_error"] = fit.dimension_error;
+    document["fractal_dimension_model_error"] = fit.model_dimension_error;
+    document["fractal_dimension_bootstrap_error"] = fit.bootstrap_dimension_error;
+    document["ordinary_least_squares"] = {{"fractal_dimension", fit.line_dimension},
+                                          {"fractal_dimension_error", fit.regression_dimension_error},
                                           {"note", "as if all lags were independent: the error is too small"}};
-    document["fractal_dimension_regression_error"] = json_number(fit.regression_dimension_error);
-    document["fractal_roughness_m"] = json_number(fit.fractal.roughness);
-    document["fractal_roughness_error_m"] = json_number(fit.roughness_error);
-    document["log_fractal_roughness_error"] = json_number(fit.log_roughness_error);
-    document["window_m"] = json_numbers({fit.window.from, fit.window.to});
+    document["fractal_dimension_regression_error"] = fit.regression_dimension_error;
+    document["fractal_roughness_m"] = fit.fractal.roughness;
+    document["fractal_roughness_error_m"] = fit.roughness_error;
+    document["log_fractal_roughness_error"] = fit.log_roughness_error;
+    document["window_m"] = Json(std::vector<double>{fit.window.from, fit.window.to});
     document["window_automatic"] = fit.automatic_window;
     document["window_begins"] = describe(fit.begins);
     document["window_ends"] = describe(fit.ends);
-    document["reliable_from_m"] = json_number(fit.reliable_from);
+    document["reliable_from_m"] = fit.reliable_from;
     document["lags_in_window"] = fit.lags;
-    document["slope_at_window_ends"] = json_numbers({fit.slope_shortest, fit.slope_longest});
-    document["slope_range_in_window"] = json_numbers({fit.slope_least, fit.slope_greatest});
+    document["slope_at_window_ends"] = Json(std::vector<double>{fit.slope_shortest, fit.slope_longest});
+    document["slope_range_in_window"] = Json(std::vector<double>{fit.slope_least, fit.slope_greatest});
     document["curved"] = fit.curved;
     document["behind_plateau"] = fit.behind_plateau;
     document["log_periodic_terms"] = fit.log_periodic;
@@ -230,32 +226,30 @@ Json json_start(const Options& options, const SurfaceInput& input, const std::st
 Json json(const Options& options, const SurfaceInput& input, const ProfileResult& result) {
     Json document = json_start(options, input, result.levelled.form);
     put_fit(document, result.fit);
-    document["rms_height_m"] = json_number(result.levelled.rms);
-    document["rms_height_before_detrend_m"] = json_number(result.levelled.rms_as_read);
+    document["rms_height_m"] = result.levelled.rms;
+    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
     document["points"] = input.points();
     document["missing_points"] = input.missing();
-    document["spacing_m"] = json_number(result.levelled.profile.spacing);
+    document["spacing_m"] = result.levelled.profile.spacing;
     if (const auto& s = result.spectrum)
-        document["power_spectrum"] = {{"fractal_dimension", json_number(s->dimension)},
-                                      {"fractal_dimension_error", json_number(s->dimension_error)},
-                                      {"wavelengths_m", json_numbers({s->window.from, s->window.to})}};
+        document["power_spectrum"] = {{"fractal_dimension", s->dimension},
+                                      {"fractal_dimension_error", s->dimension_error},
+                                      {"wavelengths_m", Json(std::vector<double>{s->window.from, s->window.to})}};
     else
         document["power_spectrum"] = {{"refused", result.no_spectrum}};
     if (const auto& m = result.moments)
-        document["spectral_moments"] = {{"m0_m2", json_number(m->m0)},
-                                        {"m2", json_number(m->m2)},
-                                        {"m4_per_m2", json_number(m->m4)},
-                                        {"nayak_alpha", json_number(m->bandwidth())}};
+        document["spectral_moments"] = {
+            {"m0_m2", m->m0}, {"m2", m->m2}, {"m4_per_m2", m->m4}, {"nayak_alpha", m->bandwidth()}};
     else
         document["spectral_moments"] = {{"refused", result.no_moments}};
     if (const auto& p = result.peaks)
-        document["peak_statistics"] = {{"rms_height_m", json_number(p->rms_height)},
-                                       {"rms_slope", json_number(p->rms_slope)},
-                                       {"rms_curvature_per_m", json_number(p->rms_curvature)},
-                                       {"r", json_number(p->r)},
-                                       {"theta", json_number(p->theta)},
-                                       {"counted_peak_ratio", json_number(p->counted_peak_ratio)},
-                                       {"peak_ratio", json_number(p->peak_ratio())}};
+        document["peak_statistics"] = {{"rms_height_m", p->rms_height},
+                                       {"rms_slope", p->rms_slope},
+                                       {"rms_curvature_per_m", p->rms_curvature},
+                                       {"r", p->r},
+                                       {"theta", p->theta},
+                                       {"counted_peak_ratio", p->counted_peak_ratio},
+                                       {"peak_ratio", p->peak_ratio()}};
     else
         document["peak_statistics"] = {{"refused", result.no_peaks}};
     document["structure_function"] = rows_of(result.fit, result.structure).arrays();
@@ -267,25 +261,25 @@ Json json(const Options& options, const SurfaceInput& input, const MapResult& re
     const HeightMap<double>& map = result.levelled.map;
     document["columns"] = map.columns();
     document["rows"] = map.rows();
-    document["dx_m"] = json_number(map.dx);
-    document["dy_m"] = json_number(map.dy);
+    document["dx_m"] = map.dx;
+    document["dy_m"] = map.dy;
     document["missing_points"] = input.missing();
-    document["rms_height_m"] = json_number(result.levelled.rms);
-    document["rms_height_before_detrend_m"] = json_number(result.levelled.rms_as_read);
+    document["rms_height_m"] = result.levelled.rms;
+    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
     const ArealStatistics<double>& a = result.levelled.areal;
-    document["areal"] = {{"m0_m2", json_number(a.m0)},
-                         {"m2", json_number(a.m2)},
-                         {"m2_x", json_number(a.m2_x)},
-                         {"m2_y", json_number(a.m2_y)},
-                         {"m4_per_m2", json_number(a.m4)},
-                         {"m4_x_per_m2", json_number(a.m4_x)},
-                         {"m4_y_per_m2", json_number(a.m4_y)},
-                         {"nayak_alpha", json_number(a.nayak)},
-                         {"rms_gradient", json_number(a.rms_gradient)},
+    document["areal"] = {{"m0_m2", a.m0},
+                         {"m2", a.m2},
+                         {"m2_x", a.m2_x},
+                         {"m2_y", a.m2_y},
+                         {"m4_per_m2", a.m4},
+                         {"m4_x_per_m2", a.m4_x},
+                         {"m4_y_per_m2", a.m4_y},
+                         {"nayak_alpha", a.nayak},
+                         {"rms_gradient", a.rms_gradient},
                          {"summits", a.summits},
-                         {"summit_density_per_m2", json_number(a.summit_density)},
-                         {"summit_curvature_per_m", json_number(a.summit_curvature)},
-                         {"summit_height_m", json_number(a.summit_height)}};
+                         {"summit_density_per_m2", a.summit_density},
+                         {"summit_curvature_per_m", a.summit_curvature},
+                         {"summit_height_m", a.summit_height}};
     const auto direction = [&](const std::optional<FractalFit<double>>& fit, const std::string& refusal) {
         Json part;
         if (!fit) return Json{{"refused", refusal}};
@@ -293,13 +287,13 @@ Json json(const Options& options, const SurfaceInput& input, const MapResult& re
         part["structure_function"] = rows_of(*fit, fit->structure_function).arrays();
         return part;
     };
-    document["x"] = direction(result.fit.x, result.fit.x_refusal);
-    document["y"] = direction(result.fit.y, result.fit.y_refusal);
+    document["x"] = direction(result.fit.x, result.fit.why_no_fit_x);
+    document["y"] = direction(result.fit.y, result.fit.why_no_fit_y);
     document["anisotropic"] = result.fit.anisotropic();
-    document["fractal_dimension_difference"] = json_number(result.fit.dimension_difference);
-    document["fractal_dimension_difference_error"] = json_number(result.fit.dimension_difference_error);
-    document["log_structure_difference"] = json_number(result.fit.log_level_difference);
-    document["log_structure_difference_error"] = json_number(result.fit.log_level_difference_error);
+    document["fractal_dimension_difference"] = result.fit.dimension_difference;
+    document["fractal_dimension_difference_error"] = result.fit.dimension_difference_error;
+    document["log_structure_difference"] = result.fit.log_level_difference;
+    document["log_structure_difference_error"] = result.fit.log_level_difference_error;
     return document;
 }
 

@@ -7,10 +7,10 @@
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantity.hpp>
-#include <fstiff/io/write_sdf.hpp>
 #include <fstiff/io/write_csv.hpp>
-#include <fstiff/surface/self_affine.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/io/write_sdf.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -93,7 +93,7 @@ Generated make(Options options) {
         if (options.points > (std::size_t(1) << 30) / wm.terms())
             throw domain_error("points times waves = " + std::to_string(options.points) + " x " +
                                std::to_string(wm.terms()) + ": must be at most 2^30");
-        result.surface = Profile<double>{wm.sample(options.points, spacing), spacing};
+        result.surface = wm.sample(options.points, spacing);
         say("D", shortest(fractal.dimension));
         say("G", metres(fractal.roughness));
         say("gamma", shortest(options.gamma));
@@ -107,10 +107,9 @@ Generated make(Options options) {
         how.long_waves = options.long_waves;
         how.seed = options.seed;
         if (map)
-            result.surface =
-                HeightMap<double>{self_affine_map(how, options.points, rows, spacing, spacing), spacing, spacing};
+            result.surface = self_affine_map(how, options.points, rows, spacing, spacing);
         else
-            result.surface = Profile<double>{self_affine_profile(how, options.points, spacing), spacing};
+            result.surface = self_affine_profile(how, options.points, spacing);
         say("H", shortest(how.hurst));
         say("rms", metres(how.rms));
         say("beyond the longest wave", std::string(name_of(options.long_waves)));

@@ -71,7 +71,7 @@ Work work_of(const Options& options) {
 }
 
 /// An interval of data that say little may end beyond the range of numbers: nothing is shown there.
-Json finite_json(double value) { return std::isfinite(value) ? json_number(value) : Json(nullptr); }
+Json finite_json(double value) { return std::isfinite(value) ? value : Json(nullptr); }
 
 /// Measured value, model and residual are in these units.
 struct Shown {
@@ -216,11 +216,11 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
 
 Json parameter_json(const Fit& fit, const IdentifiedParameter<double>& p) {
     const ParameterRow& row = row_of(p.parameter);
-    Json one{{"name", row.short_name}, {"unit", row.unit}, {"start", json_number(fit.start[p.parameter])}};
+    Json one{{"name", row.short_name}, {"unit", row.unit}, {"start", fit.start[p.parameter]}};
     if (fit.found.status == FitStatus::singular)
-        one["looseness"] = json_number(p.looseness);
+        one["looseness"] = p.looseness;
     else
-        one["value"] = json_number(p.value);
+        one["value"] = p.value;
     if (p.at_bound) one["at_bound"] = true;
     if (fit.found.covariance.size() > 0) {
         one["standard_error"] = finite_json(p.standard_error);
@@ -232,10 +232,10 @@ Json parameter_json(const Fit& fit, const IdentifiedParameter<double>& p) {
 Json fit_json(const MeasuredCurve& curve, const Fit& fit) {
     const auto& found = fit.found;
     Json entry{{"law", fit.law->name},
-               {"theta", json_number(fit.theta)},
-               {"r", json_number(fit.r)},
+               {"theta", fit.theta},
+               {"r", fit.r},
                {"status", name_of(found.status)},
-               {"chi_squared", json_number(found.chi_squared)},
+               {"chi_squared", found.chi_squared},
                {"degrees_of_freedom", found.degrees_of_freedom},
                {"errors_known", found.errors_known},
                {"evaluations", found.evaluations}};
@@ -259,10 +259,10 @@ Json json(const Work& work) {
                             {"has_errors", curve.has_errors},
                             {"decisions", curve.decisions}};
     if (const auto& wave = work.found.wave)
-        document["wave"] = {{"angular_frequency_rad_per_s", json_number(wave->angular_frequency)},
-                            {"impedance_Rayl", json_number(wave->media.incident)},
-                            {"impedance2_Rayl", json_number(wave->media.beyond)},
-                            {"stiffness_ratio", json_number(wave->stiffness_ratio)}};
+        document["wave"] = {{"angular_frequency_rad_per_s", wave->angular_frequency},
+                            {"impedance_Rayl", wave->media.incident},
+                            {"impedance2_Rayl", wave->media.beyond},
+                            {"stiffness_ratio", wave->stiffness_ratio}};
     Json& fits = document["fits"] = Json::array();
     for (const Fit& fit : work.found.fits) fits.push_back(fit_json(curve, fit));
     return document;

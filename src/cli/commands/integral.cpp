@@ -130,16 +130,13 @@ Integral integral(const Options& options) {
 }
 
 Estimate<double> compute(const Input& input, std::size_t row, const Integral& method) {
-    const std::string where = input.name + ":" + std::to_string(input.lines[row]) + ": ";
-    std::array<double, inputs.size()> x{};
-    try {
+    return located(Place{.file = input.name, .line = input.lines[row], .before_line = ":"}, [&] {
+        std::array<double, inputs.size()> x{};
         for (std::size_t i = 0; i < inputs.size(); ++i)
             x[i] = io::parse_number(plain(input.rows[row][input.column[i]]), inputs[i]);
         const auto [a, b, r, theta, eta] = x;
         return method(a, b, PeakDensity<double>(r, theta), eta);
-    } catch (const domain_error& error) {
-        throw domain_error(where + error.what());
-    }
+    });
 }
 
 Report execute(const Options& options) {
@@ -182,7 +179,7 @@ Report execute(const Options& options) {
     if (options.output.format == Format::json) {
         Json document = json_document("integral");
         document["method"] = options.method;
-        if (options.tolerance) document["relative_tolerance"] = json_number(*options.tolerance);
+        if (options.tolerance) document["relative_tolerance"] = *options.tolerance;
         document["equations"] = {"(4.5)", "(4.9)"};
         Json& rows = document["rows"] = Json::array();
         for (std::size_t i = 0; i < computed.size(); ++i) {
@@ -190,10 +187,10 @@ Report execute(const Options& options) {
             for (std::size_t k = 0; k < input.header.size(); ++k) {
                 const bool number = std::find(input.column.begin(), input.column.end(), k) != input.column.end();
                 const std::string cell = plain(input.rows[i][k]);
-                row[input.header[k]] = number ? json_number(io::parse_number(cell, input.header[k])) : Json(cell);
+                row[input.header[k]] = number ? io::parse_number(cell, input.header[k]) : Json(cell);
             }
-            row["value"] = json_number(computed[i].value);
-            row["error"] = json_number(computed[i].error);
+            row["value"] = computed[i].value;
+            row["error"] = computed[i].error;
             row["evaluations"] = computed[i].evaluations;
             rows.push_back(std::move(row));
         }

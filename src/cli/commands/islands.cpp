@@ -26,7 +26,7 @@ struct Options {
 };
 
 struct Result {
-    LevelledMap levelled;
+    PreparedMap levelled;
     RepresentativeIslands<double> islands;
 };
 
@@ -102,21 +102,21 @@ Json json(const Options& options, const SurfaceInput& input, const Result& resul
     document["equations"] = {{"radius", "A_m/(2 pi h_m)"}, {"curve", "Figs. 3 and 4"}};
     document["columns"] = map.columns();
     document["rows"] = map.rows();
-    document["dx_m"] = json_number(map.dx);
-    document["dy_m"] = json_number(map.dy);
+    document["dx_m"] = map.dx;
+    document["dy_m"] = map.dy;
     document["missing_points"] = input.missing();
-    document["nominal_area_m2"] = json_number(r.curve.nominal_area);
-    document["rms_height_m"] = json_number(result.levelled.rms);
-    document["rms_height_before_detrend_m"] = json_number(result.levelled.rms_as_read);
-    Json pair = {{"level_m", json_number(r.level)},
-                 {"bearing_area", json_number(r.bearing_area)},
+    document["nominal_area_m2"] = r.curve.nominal_area;
+    document["rms_height_m"] = result.levelled.rms;
+    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
+    Json pair = {{"level_m", r.level},
+                 {"bearing_area", r.bearing_area},
                  {"islands", r.islands},
-                 {"peak_density_per_m2", json_number(r.density)},
-                 {"peak_radius_m", json_number(r.radius)}};
+                 {"peak_density_per_m2", r.density},
+                 {"peak_radius_m", r.radius}};
     if (r.tiles > 0)
-        pair.update({{"peak_density_error_per_m2", json_number(r.density_error)},
-                     {"peak_radius_error_m", json_number(r.radius_error)},
-                     {"error_correlation", json_number(r.correlation)},
+        pair.update({{"peak_density_error_per_m2", r.density_error},
+                     {"peak_radius_error_m", r.radius_error},
+                     {"error_correlation", r.correlation},
                      {"tiles", r.tiles}});
     document["representative"] = pair;
     document["curve"] = rows_of(result).arrays();

@@ -29,7 +29,7 @@ struct Source {
     PeakDensity<double> density;
     std::string from;
     std::optional<SurfaceInput> input;
-    std::optional<LevelledProfile> levelled;
+    std::optional<PreparedProfile> levelled;
     std::optional<PeakStatistics<double>> statistics;
 };
 
@@ -45,7 +45,7 @@ Source choose(const Options& options) {
     }
     if (file) {
         SurfaceInput input = read_surface_input(options.surface);
-        LevelledProfile levelled = level_profile(options.surface, input);
+        PreparedProfile levelled = level_profile(options.surface, input);
         const auto statistics = about_file(options.surface.file, [&] { return peak_statistics(levelled.profile); });
         return {PeakDensity<double>(statistics.r, statistics.theta), "profile", std::move(input), std::move(levelled),
                 statistics};
@@ -128,7 +128,7 @@ Json json(const Options& options, const Source& source, const std::vector<double
         document["inputs"] = json_inputs(options.surface, source.levelled->form);
         document["points"] = source.input->points();
         document["missing_points"] = source.input->missing();
-        document["spacing_m"] = json_number(source.levelled->profile.spacing);
+        document["spacing_m"] = source.levelled->profile.spacing;
         document["detrend"] = source.levelled->form;
     }
     put(document, moments(source));

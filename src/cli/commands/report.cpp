@@ -165,6 +165,87 @@ Panel structure_panel() {
     return {.title = "Structure function (2.8)", .x = {.label = "lag τ [µm]"}, .y = {.label = "S [µm²]"}};
 }
 
+/// The profile, its bearing curve and structure function. \returns its peak statistics for a table.
+Rows profile_part(Page& page, const MeasuredSurface& surface, const std::string& shown) {
+    Rows peaks{{"peak statistics", "value"}};
+    const Profile<double>& profile = surface.profile->profile;
+    page.figure({.title = shown, .panels = {profile_panel(profile), bearing_panel(profile.heights)}},
+                "Profile, and its height against the share of it that stands above.");
+    if (surface.profile_fit) {
+        Panel panel = structure_panel();
+        add_structure(panel, *surface.profile_fit, "");
+        page.figure({.title = shown, .panels = {panel}}, "Structure function, its fit and the window.");
+    } else {
+        page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
+    }
+    try {
+        const PeakStatistics<double> s = peak_statistics(profile);
+        peaks.insert(peaks.end(), {{"r (4.1)", rounded(s.r)},
+                                   {"θ (4.3) [rad]", rounded(s.theta)},
+                                   {"θ/π, peaks expected over ordinates", rounded(s.peak_ratio())},
+                                   {"peaks counted over ordinates", rounded(s.counted_peak_ratio)},
+                                   {"peaks per length [1/mm]", rounded(s.peaks_per_length * 1e-3)},
+                                   {"autocorrelation at one sample", rounded(s.rho1)},
+                                   {"autocorrelation at two samples", rounded(s.rho2)},
+                                   {"rms slope of neighbours", rounded(s.rms_slope)},
+                                   {"rms curvature σ_κ of triples [1/mm]", rounded(s.rms_curvature * 1e-3)}});
+    } catch (const domain_error& error) {
+        page.paragraph("No peak statistics: " + std::string(error.what()));
+    }
+    return peaks;
+}
+
+void islands_figure(Page& page, const MeasuredSurface& surface, const std::string& shown) {
+    try {
+        const IslandCurve<double> curve = surface.islands ? *surface.islands : island_curve(surface.map->map);
+        Panel islands{.title = "Islands",
+                      .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 100.0},
+                      .y = {.label = "density [1/mm²]", .logarithmic = false, .low = 0.0},
+                      .height = 240,
+                      .legend = false};
+        PlotLine line{.label = "islands", .x = {}, .y = {}};
+        for (std::size_t k = 0; k < curve.size(); ++k) {
+            line.x.push_back(100 * curve.bearing_area[k]);
+            line.y.push_back(curve.density[k] * 1e-6);
+        }
+        islands.lines.push_back(std::move(line));
+        page.figure({.title = shown, .panels = {islands}}, "Islands above a cut, against the bearing area there.");
+    } catch (const domain_error& error) {
+        page.paragraph("No islands: " + std::string(error.what()));
+    }
+}
+
+/// The map, its bearing curve, structure functions and islands. \returns its summits for a table.
+Rows map_part(Page& page, const MeasuredSurface& surface, const std::string& shown) {
+    Rows peaks{{"peak statistics", "value"}};
+    const HeightMap<double>& map = surface.map->map;
+    std::vector<Panel> panels = map_panels(map);
+    panels.push_back(bearing_panel({map.heights.data(), static_cast<std::size_t>(map.size())}));
+    page.figure({.title = shown, .panels = panels},
+                "Map, the heights of its colours, and height against the share of the map that stands above.");
+    if (surface.map_fit) {
+        const DirectionalFit<double>& fit = *surface.map_fit;
+        Panel panel = structure_panel();
+        if (fit.x) add_structure(panel, *fit.x, " along x");
+        if (fit.y) add_structure(panel, *fit.y, " along y");
+        for (const auto& [direction, refusal] : {std::pair("x", fit.why_no_fit_x), std::pair("y", fit.why_no_fit_y)})
+            if (!refusal.empty()) page.paragraph("No fit along " + std::string(direction) + ": " + refusal);
+        if (!panel.lines.empty())
+            page.figure({.title = shown, .panels = {panel}},
+                        "Structure functions along both directions, their fits and windows.");
+    } else {
+        page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
+    }
+    const ArealStatistics<double>& a = surface.map->areal;
+    peaks.insert(peaks.end(), {{"summits [1/mm²]", rounded(a.summit_density * 1e-6)},
+                               {"mean curvature of the summits [1/mm]", rounded(a.summit_curvature * 1e-3)},
+                               {"mean height of the summits [µm]", rounded(a.summit_height / um)},
+                               {"rms gradient", rounded(a.rms_gradient)},
+                               {"α = m0 m4/m2²", rounded(a.nayak)}});
+    islands_figure(page, surface, shown);
+    return peaks;
+}
+
 void measured_section(Page& page, const MeasuredSurface& surface) {
     const std::string shown = std::filesystem::path(surface.file).filename().string();
     page.heading("Measured surface");
@@ -183,75 +264,7 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
         page.paragraph("The numbers come from the JSON of fstiff measure, which holds no heights: none are drawn.");
         return;
     }
-    Rows peaks{{"peak statistics", "value"}};
-    if (surface.profile) {
-        const Profile<double>& profile = surface.profile->profile;
-        page.figure({.title = shown, .panels = {profile_panel(profile), bearing_panel(profile.heights)}},
-                    "Profile, and its height against the share of it that stands above.");
-        if (surface.profile_fit) {
-            Panel panel = structure_panel();
-            add_structure(panel, *surface.profile_fit, "");
-            page.figure({.title = shown, .panels = {panel}}, "Structure function, its fit and the window.");
-        } else {
-            page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
-        }
-        try {
-            const PeakStatistics<double> s = peak_statistics(profile);
-            peaks.insert(peaks.end(), {{"r (4.1)", rounded(s.r)},
-                                       {"θ (4.3) [rad]", rounded(s.theta)},
-                                       {"θ/π, peaks expected over ordinates", rounded(s.peak_ratio())},
-                                       {"peaks counted over ordinates", rounded(s.counted_peak_ratio)},
-                                       {"peaks per length [1/mm]", rounded(s.peaks_per_length * 1e-3)},
-                                       {"autocorrelation at one sample", rounded(s.rho1)},
-                                       {"autocorrelation at two samples", rounded(s.rho2)},
-                                       {"rms slope of neighbours", rounded(s.rms_slope)},
-                                       {"rms curvature σ_κ of triples [1/mm]", rounded(s.rms_curvature * 1e-3)}});
-        } catch (const domain_error& error) {
-            page.paragraph("No peak statistics: " + std::string(error.what()));
-        }
-    } else {
-        const HeightMap<double>& map = surface.map->map;
-        std::vector<Panel> panels = map_panels(map);
-        panels.push_back(bearing_panel({map.heights.data(), static_cast<std::size_t>(map.size())}));
-        page.figure({.title = shown, .panels = panels},
-                    "Map, the heights of its colours, and height against the share of the map that stands above.");
-        if (surface.map_fit) {
-            const DirectionalFit<double>& fit = *surface.map_fit;
-            Panel panel = structure_panel();
-            if (fit.x) add_structure(panel, *fit.x, " along x");
-            if (fit.y) add_structure(panel, *fit.y, " along y");
-            for (const auto& [direction, refusal] : {std::pair("x", fit.x_refusal), std::pair("y", fit.y_refusal)})
-                if (!refusal.empty()) page.paragraph("No fit along " + std::string(direction) + ": " + refusal);
-            if (!panel.lines.empty())
-                page.figure({.title = shown, .panels = {panel}},
-                            "Structure functions along both directions, their fits and windows.");
-        } else {
-            page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
-        }
-        const ArealStatistics<double>& a = surface.map->areal;
-        peaks.insert(peaks.end(), {{"summits [1/mm²]", rounded(a.summit_density * 1e-6)},
-                                   {"mean curvature of the summits [1/mm]", rounded(a.summit_curvature * 1e-3)},
-                                   {"mean height of the summits [µm]", rounded(a.summit_height / um)},
-                                   {"rms gradient", rounded(a.rms_gradient)},
-                                   {"α = m0 m4/m2²", rounded(a.nayak)}});
-        try {
-            const IslandCurve<double> curve = surface.islands ? *surface.islands : island_curve(map);
-            Panel islands{.title = "Islands",
-                          .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 100.0},
-                          .y = {.label = "density [1/mm²]", .logarithmic = false, .low = 0.0},
-                          .height = 240,
-                          .legend = false};
-            PlotLine line{.label = "islands", .x = {}, .y = {}};
-            for (std::size_t k = 0; k < curve.size(); ++k) {
-                line.x.push_back(100 * curve.bearing_area[k]);
-                line.y.push_back(curve.density[k] * 1e-6);
-            }
-            islands.lines.push_back(std::move(line));
-            page.figure({.title = shown, .panels = {islands}}, "Islands above a cut, against the bearing area there.");
-        } catch (const domain_error& error) {
-            page.paragraph("No islands: " + std::string(error.what()));
-        }
-    }
+    const Rows peaks = surface.profile ? profile_part(page, surface, shown) : map_part(page, surface, shown);
     if (peaks.size() > 1) page.table(peaks);
 }
 

@@ -17,8 +17,8 @@
 #include <fstiff/peaks/peak_density.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/surface/cut_offs.hpp>
-#include <fstiff/surface/self_affine.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/islands.hpp>
 
 #include <algorithm>
@@ -174,8 +174,7 @@ Picture figure_4(Reproduction& all) {
                                           .shortest_wavelength = shortest,
                                           .long_waves = LongWaves::none,
                                           .seed = seed};
-        const HeightMap<double> map{self_affine_map<double>(options, points, points, spacing, spacing), spacing,
-                                    spacing};
+        const HeightMap<double> map = self_affine_map<double>(options, points, points, spacing, spacing);
         IslandOptions<double> how;
         IslandSpread spread{.tiles = 4, .resamples = 200, .seed = seed};
         if (bar) {  // one bar for the three maps; the sweep of a map takes nearly all the time
@@ -223,7 +222,7 @@ Picture figure_6(Reproduction& all) {
     const double longest = longest_cosine(surface.fractal, surface.roughness.rms_height);
     const WeierstrassMandelbrot<double> wm(
         surface.fractal, {.longest_wavelength = longest, .shortest_wavelength = 2 * spacing, .seed = seed});
-    const Profile<double> profile{wm.sample(points, spacing), spacing};
+    const Profile<double> profile = wm.sample(points, spacing);
     FractalFitOptions<double> options;
     options.seed = seed;
     const FractalFit<double> fit = fit_fractal(profile, options);
@@ -490,15 +489,15 @@ std::string json(const Reproduction& all, const std::vector<std::string>& files)
     Json& inputs = document["surfaces"] = Json::array();
     for (const Surface& s : surfaces)
         inputs.push_back({{"name", s.name},
-                          {"rms_height_m", json_number(s.roughness.rms_height)},
-                          {"peak_radius_m", json_number(s.roughness.peak_radius)},
-                          {"peak_density_per_m2", json_number(s.roughness.peak_density)},
-                          {"max_peak_height_m", json_number(s.roughness.max_peak_height)},
-                          {"fractal_dimension", json_number(s.fractal.dimension)},
-                          {"fractal_roughness_m", json_number(s.fractal.roughness)}});
-    document["youngs_modulus_Pa"] = json_number(steel.youngs_modulus);
-    document["poisson_ratio"] = json_number(steel.poisson_ratio);
-    document["nominal_area_m2"] = json_number(nominal_area);
+                          {"rms_height_m", s.roughness.rms_height},
+                          {"peak_radius_m", s.roughness.peak_radius},
+                          {"peak_density_per_m2", s.roughness.peak_density},
+                          {"max_peak_height_m", s.roughness.max_peak_height},
+                          {"fractal_dimension", s.fractal.dimension},
+                          {"fractal_roughness_m", s.fractal.roughness}});
+    document["youngs_modulus_Pa"] = steel.youngs_modulus;
+    document["poisson_ratio"] = steel.poisson_ratio;
+    document["nominal_area_m2"] = nominal_area;
     document["seed"] = seed;
     Json& conclusions = document["conclusions"] = Json::array();
     for (const Conclusion& c : all.conclusions) {
@@ -508,8 +507,8 @@ std::string json(const Reproduction& all, const std::vector<std::string>& files)
                 numbers.push_back({{"surface", f.surface},
                                    {"key", f.words().key},
                                    {"quantity", f.words().text},
-                                   {"least", json_number(f.range.low)},
-                                   {"greatest", json_number(f.range.high)}});
+                                   {"least", f.range.low},
+                                   {"greatest", f.range.high}});
         conclusions.push_back({{"number", c.number},
                                {"paper", c.paper},
                                {"verdict", c.verdict},

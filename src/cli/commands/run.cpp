@@ -107,22 +107,21 @@ Json json(const Scene& scene, const Results& results) {
     Json& inputs = document["inputs"] = Json::object();
     for (const Input& input : scene.inputs) {
         Json& entry = inputs[input.key] = {{"written", input.written}};
-        if (input.value) entry["value"] = json_number(*input.value);
+        if (input.value) entry["value"] = *input.value;
         if (!input.unit.empty()) entry["unit"] = input.unit;
     }
-    document["effective_modulus_Pa"] = json_number(results.modulus);
-    if (results.plasticity_index) document["plasticity_index"] = json_number(*results.plasticity_index);
-    if (scene.tangential_stiffness || scene.shear_reflection)
-        document["tangential_ratio"] = json_number(results.tangential_ratio);
+    document["effective_modulus_Pa"] = results.modulus;
+    if (results.plasticity_index) document["plasticity_index"] = *results.plasticity_index;
+    if (scene.tangential_stiffness || scene.shear_reflection) document["tangential_ratio"] = results.tangential_ratio;
     if (scene.ultrasound) {
         const Waves& waves = *scene.ultrasound;
-        Json& entry = document["ultrasound"] = {{"frequency_Hz", json_number(waves.frequency)},
-                                                {"impedance_Rayl", json_number(waves.longitudinal.incident)},
-                                                {"impedance2_Rayl", json_number(waves.longitudinal.beyond)},
+        Json& entry = document["ultrasound"] = {{"frequency_Hz", waves.frequency},
+                                                {"impedance_Rayl", waves.longitudinal.incident},
+                                                {"impedance2_Rayl", waves.longitudinal.beyond},
                                                 {"equations", {"(5.1)"}}};
         if (waves.shear) {
-            entry["shear_impedance_Rayl"] = json_number(waves.shear->incident);
-            entry["shear_impedance2_Rayl"] = json_number(waves.shear->beyond);
+            entry["shear_impedance_Rayl"] = waves.shear->incident;
+            entry["shear_impedance2_Rayl"] = waves.shear->beyond;
         }
     }
     Json& laws = document["laws"] = Json::object();

@@ -76,13 +76,9 @@ FromFile convert(const Options& options, const Impedances<double>& media, double
             if (beyond++ == 0) first_beyond = point.line;
             continue;
         }
-        try {
-            all.stiffness.emplace_back(measured_stiffness(point.value, error, media, omega));
-        } catch (const domain_error& refusal) {
-            throw domain_error(curve.name + ":" + std::to_string(point.line) + ": " + refusal.what());
-        }
-        // where R +- 2 errors leaves the range, K has no upper or no lower bound: the first order says too little
-        if (2 * error >= std::min(1 - point.value, point.value - welded) && doubtful++ == 0) first = point.line;
+        all.stiffness.emplace_back(located(Place{.file = curve.name, .line = point.line, .before_line = ":"},
+                                           [&] { return measured_stiffness(point.value, error, media, omega); }));
+        if (!all.stiffness.back()->bounded && doubtful++ == 0) first = point.line;
     }
     const auto in_rows = [&](std::size_t count, std::size_t line) {
         return " in " + std::to_string(count) + " of " + std::to_string(curve.points.size()) +
@@ -144,8 +140,7 @@ Report from_file(const Options& options, double frequency, const Impedances<doub
                        {"impedance_Rayl", media.incident},
                        {"impedance2_Rayl", media.beyond},
                        {"welded_reflection", welded}});
-        if (options.reflection_error && !all.curve.has_errors)
-            document["reflection_error"] = json_number(*options.reflection_error);
+        if (options.reflection_error && !all.curve.has_errors) document["reflection_error"] = *options.reflection_error;
         rows_of(all).append_to(document["rows"] = Json::array());
         return document;
     };

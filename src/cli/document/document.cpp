@@ -23,7 +23,7 @@ std::string csv_of(const Cell& cell) {
 }
 
 Json json_of(const Cell& cell) {
-    if (cell.kind == Kind::real) return json_number(cell.number);
+    if (cell.kind == Kind::real) return cell.number;
     if (cell.kind == Kind::count) return cell.whole;
     return cell.kind == Kind::text ? Json(cell.words) : Json(nullptr);
 }
@@ -85,7 +85,7 @@ std::string csv(const Numbers& numbers) {
 }
 
 void put(Json& document, const Numbers& numbers) {
-    for (const auto& [key, value] : numbers) document[key] = json_number(value);
+    for (const auto& [key, value] : numbers) document[key] = value;
 }
 
 Report report(const Document& document, Format format) {

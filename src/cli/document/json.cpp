@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +18,9 @@ struct Json::Rest {
 
 Json::Json(std::nullptr_t) : whole_(0) {}
 Json::Json(bool value) : kind_(Kind::boolean), whole_(value) {}
-Json::Json(double value) : kind_(Kind::real), real_(value) {}
+Json::Json(double value) : kind_(Kind::real), real_(value) {
+    if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
+}
 Json::Json(Whole value) : kind_(value.negative ? Kind::negative : Kind::whole), whole_(value.size) {}
 Json::Json(const char* text) : Json(std::string(text)) {}
 Json::Json(std::string_view text) : Json(std::string(text)) {}
@@ -26,6 +29,8 @@ Json::Json(const std::vector<std::string>& texts) : Json(array()) { rest_->items
 Json::Json(const std::vector<std::size_t>& counts) : Json(array()) {
     rest_->items.assign(counts.begin(), counts.end());
 }
+
+Json::Json(const std::vector<double>& numbers) : Json(array()) { rest_->items.assign(numbers.begin(), numbers.end()); }
 
 Json::Json(std::initializer_list<Json> items) : Json(array()) {
     const bool pairs = std::all_of(items.begin(), items.end(), [](const Json& item) {

@@ -18,6 +18,7 @@ class Json {
 public:
     Json(std::nullptr_t = nullptr);
     Json(bool value);
+    /// \throws std::logic_error for NaN and infinity, which JSON has not: a defect of fstiff.
     Json(double value);
     template <std::integral Integer>
     requires(!std::same_as<Integer, bool>) Json(Integer value)
@@ -28,6 +29,7 @@ public:
     Json(std::string_view text);
     Json(const std::vector<std::string>& texts);
     Json(const std::vector<std::size_t>& counts);
+    Json(const std::vector<double>& numbers);
     /// {{"key", value}, ...} is an object, any other list an array.
     Json(std::initializer_list<Json> items);
     Json(const Json& other);

@@ -28,7 +28,7 @@ std::size_t width(std::string_view text) {
 }
 
 [[noreturn]] void cannot_write(const std::string& file) {
-    throw domain_error(file + ": cannot be written; the folder must exist and be writable");
+    throw file_error(file, "cannot be written; the folder must exist and be writable");
 }
 
 void write_bytes(const std::filesystem::path& path, const std::string& document, const std::string& shown) {
@@ -85,17 +85,6 @@ void say_written(Report& report, const std::vector<std::string>& files) {
     report.diagnostics.insert(report.diagnostics.begin(), lines.begin(), lines.end());
 }
 
-Json json_number(double value) {
-    exact(value);
-    return value;
-}
-
-Json json_numbers(const std::vector<double>& values) {
-    Json list = Json::array();
-    for (const double value : values) list.push_back(json_number(value));
-    return list;
-}
-
 std::string TextTable::str(std::string_view indent) const {
     std::vector<std::size_t> widths(rows_.front().size());
     for (const auto& row : rows_)
@@ -134,7 +123,7 @@ void deliver(const std::string& document, const std::string& file) {
     std::error_code error;
     fs::path target = fs::weakly_canonical(file, error);  // the file behind a symbolic link, which stays a link
     if (error) target = file;
-    if (fs::is_directory(target, error)) throw domain_error(file + ": is a folder; the output must be a file");
+    if (fs::is_directory(target, error)) throw file_error(file, "is a folder; the output must be a file");
     const bool exists = fs::exists(target, error);
     if (exists && !fs::is_regular_file(target, error))
         return write_bytes(target, document, file);  // /dev/stdout, a pipe
@@ -155,8 +144,7 @@ void deliver(const std::string& document, const std::string& file) {
 void make_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder, error))
-        throw domain_error(folder + ": is no folder and cannot be made one");
+    if (!std::filesystem::is_directory(folder, error)) throw file_error(folder, "is no folder and cannot be made one");
 }
 
 }  // namespace fstiff::cli

@@ -67,10 +67,6 @@ struct Command {
     std::function<Report()> execute;
 };
 
-/// A number for a JSON document, guarded as above.
-Json json_number(double value);
-Json json_numbers(const std::vector<double>& values);
-
 /// Columns of text for people, right-aligned under one header line.
 class TextTable {
 public:

@@ -38,8 +38,8 @@ Json measured_document(const MeasuredSurface& surface) {
     for (const ParameterLine& line : parameter_lines(surface)) {
         Json& entry = values[line.name] = Json::object();
         if (!line.unit.empty()) entry["quantity"] = shortest(line.measured.value) + " " + line.unit;
-        entry["value"] = json_number(line.measured.value);
-        entry["error"] = json_number(line.measured.error);
+        entry["value"] = line.measured.value;
+        entry["error"] = line.measured.error;
         if (!line.unit.empty()) entry["unit"] = line.unit;
         entry["how"] = line.how;
     }
@@ -49,7 +49,7 @@ Json measured_document(const MeasuredSurface& surface) {
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         names.push_back(parameter_table[i].key);
         Json row = Json::array();
-        for (const double one : surface.parameters.correlation[i]) row.push_back(json_number(one));
+        for (const double one : surface.parameters.correlation[i]) row.push_back(one);
         rows.push_back(std::move(row));
     }
     document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};

@@ -239,8 +239,18 @@ double panel_height(const Panel& panel) {
            std::max(panel.height, row * static_cast<double>(entries(panel, lines).size())) + below;
 }
 
-/// One panel whose upper edge is at \p top.
-std::string draw(const Panel& panel, double top) {
+/// A panel with its scales; the functions below draw its parts, each into coordinates of its own frame.
+struct Drawing {
+    const Panel& panel;
+    std::vector<PlotLine> lines;
+    Scale x_scale, y_scale;
+    double width, height;
+
+    double place_x(double x) const { return width * x_scale(x); }
+    double place_y(double y) const { return height * (1 - y_scale(y)); }
+};
+
+Drawing drawing_of(const Panel& panel) {
     const std::vector<PlotLine> lines = coloured(panel);
     Range x_range, y_range;
     for (const PlotLine& line : lines) {
@@ -253,18 +263,18 @@ std::string draw(const Panel& panel, double top) {
         for (const double x : {panel.image->x_low, panel.image->x_high}) x_range.add(x, panel.x.logarithmic);
         for (const double y : {panel.image->y_low, panel.image->y_high}) y_range.add(y, panel.y.logarithmic);
     }
-    const Scale x_scale(panel.x, x_range.low, x_range.high), y_scale(panel.y, y_range.low, y_range.high);
-    const double width = panel.width, height = panel.height;
-    const auto place_x = [&](double x) { return width * x_scale(x); };
-    const auto place_y = [&](double y) { return height * (1 - y_scale(y)); };
+    return {
+        panel,       lines,       Scale(panel.x, x_range.low, x_range.high), Scale(panel.y, y_range.low, y_range.high),
+        panel.width, panel.height};
+}
 
+/// What lies behind the lines: an image, shaded windows, the grid.
+std::string background(const Drawing& d) {
+    const Panel& panel = d.panel;
+    const double width = d.width, height = d.height;
+    const auto place_x = [&](double x) { return d.place_x(x); };
+    const auto place_y = [&](double y) { return d.place_y(y); };
     std::string out;
-    if (!panel.title.empty()) out += text_at(left, top + 16, panel.title, "font-weight=\"600\"");
-    const double plot_top = top + (panel.title.empty() ? 12 : title_height);
-
-    // what may reach beyond the frame stands in an inner picture, which cuts it off there
-    out += "<svg x=\"" + px(left) + "\" y=\"" + px(plot_top) + "\" width=\"" + px(width) + "\" height=\"" + px(height) +
-           "\" overflow=\"hidden\">\n";
     if (panel.image) {
         const PlotImage& image = *panel.image;
         out += "<image x=\"" + px(place_x(image.x_low)) + "\" y=\"" + px(place_y(image.y_high)) + "\" width=\"" +
@@ -283,31 +293,42 @@ std::string draw(const Panel& panel, double top) {
         }
     }
     if (!panel.image) {
-        for (const Tick& tick : x_scale.ticks())
+        for (const Tick& tick : d.x_scale.ticks())
             out += line_at(tick.label.empty() ? "fine" : "grid", place_x(tick.value), 0, place_x(tick.value), height);
-        for (const Tick& tick : y_scale.ticks())
+        for (const Tick& tick : d.y_scale.ticks())
             out += line_at(tick.label.empty() ? "fine" : "grid", 0, place_y(tick.value), width, place_y(tick.value));
     }
-    for (const PlotLine& line : lines) {
+    return out;
+}
+
+std::string bands(const Drawing& d) {
+    std::string out;
+    for (const PlotLine& line : d.lines) {
         if (line.low.size() != line.x.size() || line.high.size() != line.x.size()) continue;
         std::string path;
         for (std::size_t i = 0; i < line.x.size(); ++i)
-            path += (i ? "L" : "M") + px(place_x(line.x[i])) + " " + px(place_y(line.high[i]));
+            path += (i ? "L" : "M") + px(d.place_x(line.x[i])) + " " + px(d.place_y(line.high[i]));
         for (std::size_t i = line.x.size(); i-- > 0;)
-            path += "L" + px(place_x(line.x[i])) + " " +
-                    px(y_scale.shows(line.low[i]) ? place_y(line.low[i]) : height + 10);
+            path += "L" + px(d.place_x(line.x[i])) + " " +
+                    px(d.y_scale.shows(line.low[i]) ? d.place_y(line.low[i]) : d.height + 10);
         out += "<path class=\"band f" + colour_class(line.colour) + "\" d=\"" + path + "Z\"/>\n";
     }
-    for (const PlotLine& line : lines) {
+    return out;
+}
+
+std::string lines_and_marks(const Drawing& d) {
+    std::string out;
+    for (const PlotLine& line : d.lines) {
         std::string path, marks;
         bool pen_down = false;
         for (std::size_t i = 0; i < line.x.size(); ++i) {
-            if (!x_scale.shows(line.x[i]) || !y_scale.shows(line.y[i])) {
+            if (!d.x_scale.shows(line.x[i]) || !d.y_scale.shows(line.y[i])) {
                 pen_down = false;
                 continue;
             }
             // far outside the frame is as good as anywhere there; numbers stay short
-            const double x = std::clamp(place_x(line.x[i]), -1e4, 1e4), y = std::clamp(place_y(line.y[i]), -1e4, 1e4);
+            const double x = std::clamp(d.place_x(line.x[i]), -1e4, 1e4),
+                         y = std::clamp(d.place_y(line.y[i]), -1e4, 1e4);
             path += (pen_down ? "L" : "M") + px(x) + " " + px(y);
             marks += mark(line.marker, x, y);
             pen_down = true;
@@ -317,22 +338,32 @@ std::string draw(const Panel& panel, double top) {
                    "\"/>\n";
         if (!marks.empty()) out += "<g class=\"f" + colour_class(line.colour) + "\">" + marks + "</g>\n";
     }
-    out += "</svg>\n" + rectangle("frame", left, plot_top, width, height);
+    return out;
+}
 
-    for (const Tick& tick : x_scale.ticks())
+/// Numbers and labels of both axes of a plot whose upper edge is at \p plot_top.
+std::string axes(const Drawing& d, double plot_top) {
+    const Panel& panel = d.panel;
+    const double width = d.width, height = d.height;
+    std::string out;
+    for (const Tick& tick : d.x_scale.ticks())
         if (panel.x.ticks && !tick.label.empty())
-            out += text_at(left + place_x(tick.value), plot_top + height + 18, tick.label, "text-anchor=\"middle\"");
-    for (const Tick& tick : y_scale.ticks())
+            out += text_at(left + d.place_x(tick.value), plot_top + height + 18, tick.label, "text-anchor=\"middle\"");
+    for (const Tick& tick : d.y_scale.ticks())
         if (panel.y.ticks && !tick.label.empty())
-            out += text_at(left - 7, plot_top + place_y(tick.value) + 4.5, tick.label, "text-anchor=\"end\"");
+            out += text_at(left - 7, plot_top + d.place_y(tick.value) + 4.5, tick.label, "text-anchor=\"end\"");
     out += text_at(left + width / 2, plot_top + height + 40, panel.x.label, "text-anchor=\"middle\"");
     const std::string middle = px(plot_top + height / 2);
     out += text_at(18, plot_top + height / 2, panel.y.label,
                    "text-anchor=\"middle\" transform=\"rotate(-90 18 " + middle + ")\"");
+    return out;
+}
 
+std::string legend(const Drawing& d, double plot_top) {
+    std::string out;
     double y = plot_top + 12;
-    const double x = left + width + gap;
-    for (const Entry& entry : entries(panel, lines)) {
+    const double x = left + d.width + gap;
+    for (const Entry& entry : entries(d.panel, d.lines)) {
         if (entry.window)
             out += rectangle("window", x, y - 7, 30, 14);
         else if (entry.band)
@@ -349,6 +380,19 @@ std::string draw(const Panel& panel, double top) {
         y += row;
     }
     return out;
+}
+
+/// One panel whose upper edge is at \p top.
+std::string draw(const Panel& panel, double top) {
+    const Drawing d = drawing_of(panel);
+    std::string out;
+    if (!panel.title.empty()) out += text_at(left, top + 16, panel.title, "font-weight=\"600\"");
+    const double plot_top = top + (panel.title.empty() ? 12 : title_height);
+    // what may reach beyond the frame stands in an inner picture, which cuts it off there
+    out += "<svg x=\"" + px(left) + "\" y=\"" + px(plot_top) + "\" width=\"" + px(d.width) + "\" height=\"" +
+           px(d.height) + "\" overflow=\"hidden\">\n" + background(d) + bands(d) + lines_and_marks(d);
+    return out + "</svg>\n" + rectangle("frame", left, plot_top, d.width, d.height) + axes(d, plot_top) +
+           legend(d, plot_top);
 }
 
 std::string quoted(const std::string& text, char quote, const char* escaped_quote) {

@@ -18,12 +18,14 @@
 /// Units       lengths [m]; phases in turns
 /// Valid       1 < D < 2, G > 0, gamma > 1, longest >= shortest > 0, at most 10000 terms
 /// Accuracy    1e-12 of the amplitudes for 2^16 points in double: phases are kept as 64-bit fractions of a turn, which
-///             do not drift (tests/surface/weierstrass_mandelbrot_test.cpp). Random phases are integers, the same on
+///             do not drift (tests/synthetic/weierstrass_mandelbrot_test.cpp). Random phases are integers, the same on
 ///             every platform; heights then agree to the rounding of the local cos and pow. Where long double is double the step of a phase
 ///             is rounded to 53 bits, which is 2e-11 of the amplitudes after 2^16 points.
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/math/random.hpp>
+#include <fstiff/profile/profile.hpp>
 #include <fstiff/surface/fractal.hpp>
 
 #include <cmath>
@@ -56,7 +58,7 @@ public:
 
     /// z at x = 0, spacing, 2 spacing, ... [m].
     /// \throws domain_error unless \p spacing > 0.
-    [[nodiscard]] std::vector<T> sample(std::size_t points, T spacing) const;
+    [[nodiscard]] Profile<T> sample(std::size_t points, T spacing) const;
 
     /// Mean of [z(x + lag) - z(x)]^2 over random phases [m^2].
     [[nodiscard]] T structure_function(T lag) const;
@@ -77,15 +79,6 @@ private:
 };
 
 namespace detail {
-
-/// splitmix64 (Steele, Lea, Flood 2014; public domain): 64 well-mixed bits a call, the same everywhere.
-constexpr std::uint64_t splitmix64(std::uint64_t& state) {
-    state += 0x9E3779B97F4A7C15ULL;
-    std::uint64_t bits = state;
-    bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ULL;
-    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBULL;
-    return bits ^ (bits >> 31);
-}
 
 /// The fraction of a turn in \p turns, as an integer: 2^64 is one turn.
 inline std::uint64_t turn_fraction(long double turns) {
@@ -120,7 +113,7 @@ WeierstrassMandelbrot<T>::WeierstrassMandelbrot(const Fractal<T>& fractal,
                                        std::pow(static_cast<long double>(options.gamma), -static_cast<long double>(j));
         const T ratio = static_cast<T>(fractal.roughness / wavelength);
         const T amplitude = static_cast<T>(wavelength) * std::pow(ratio, fractal.dimension - 1);
-        terms_.push_back({amplitude, wavelength, options.phases == Phases::zero ? 0 : detail::splitmix64(state)});
+        terms_.push_back({amplitude, wavelength, options.phases == Phases::zero ? 0 : splitmix64(state)});
     }
 }
 
@@ -141,19 +134,19 @@ T WeierstrassMandelbrot<T>::operator()(T x) const {
 }
 
 template <Real T>
-std::vector<T> WeierstrassMandelbrot<T>::sample(std::size_t points, T spacing) const {
+Profile<T> WeierstrassMandelbrot<T>::sample(std::size_t points, T spacing) const {
     require_positive("spacing", spacing);
-    std::vector<T> heights(points, T(0));
+    Profile<T> profile{std::vector<T>(points, T(0)), spacing};
     // shortest waves first: small amplitudes are added before the large ones
     for (auto term = terms_.rbegin(); term != terms_.rend(); ++term) {
         const std::uint64_t step = detail::turn_fraction(spacing / term->wavelength);
         std::uint64_t turn = term->phase;
-        for (T& height : heights) {
+        for (T& height : profile.heights) {
             height += term->amplitude * cosine(turn);
             turn += step;  // modulo one turn
         }
     }
-    return heights;
+    return profile;
 }
 
 template <Real T>

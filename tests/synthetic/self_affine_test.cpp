@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -25,7 +25,7 @@ long double slow(const Options& o, int columns, int rows, double dx, double dy, 
             if (q < 0.9999999999L / o.longest_wavelength && o.long_waves == LongWaves::none) continue;
             const long double w = std::pow(std::max(q, 1 / static_cast<long double>(o.longest_wavelength)),
                                            -2.0L * o.hurst - (rows > 1 ? 2 : 1));
-            const std::complex<double> pair = detail::normal_pair<double>(o.seed, kx, ky);
+            const std::complex<double> pair = detail::normals_of_wave<double>(o.seed, kx, ky);
             const long double turn =
                 static_cast<long double>(kx) * i / columns + static_cast<long double>(ky) * j / rows;
             const long double angle = 2 * std::acos(-1.0L) * (turn - std::floor(turn));
@@ -52,8 +52,8 @@ TEST_CASE("A self-affine surface is the sum of its waves") {
                     .long_waves = long_waves,
                     .exact_rms = false,
                     .seed = 11};
-    const auto map = self_affine_map(o, 128, 96, 1e-6, 1.5e-6);
-    const auto profile = self_affine_profile(o, 150, 1e-6);
+    const auto map = self_affine_map(o, 128, 96, 1e-6, 1.5e-6).heights;
+    const auto profile = self_affine_profile(o, 150, 1e-6).heights;
     double worst = 0, worst_profile = 0;
     for (int k = 0; k < 6; ++k) {
         const int i = (k * 53 + 1) % 128, j = (k * 41) % 96;
@@ -71,8 +71,8 @@ TEMPLATE_TEST_CASE("The rms of the realisation is the one asked for, and its mea
     using T = TestType;
     const T eps = std::numeric_limits<T>::epsilon();
     const SelfAffineOptions<T> o{.hurst = T(0.5), .rms = T(3e-7), .longest_wavelength = T(2e-5), .seed = 3};
-    const auto map = self_affine_map<T>(o, 60, 48, T(1e-6), T(1e-6));
-    const auto profile = self_affine_profile<T>(o, 100, T(1e-6));
+    const auto map = self_affine_map<T>(o, 60, 48, T(1e-6), T(1e-6)).heights;
+    const auto profile = self_affine_profile<T>(o, 100, T(1e-6)).heights;
     const auto wide = map.template cast<long double>().eval();
     // each height is rounded once; the mean carries the rounding of the transform, and in long double of this sum
     CHECK(test::relative_error(static_cast<T>(std::sqrt(wide.square().mean())), o.rms) <= 4 * eps);
@@ -88,7 +88,7 @@ TEST_CASE("Over many seeds the rms has its mean and heights are Gaussian") {
     constexpr int seeds = 400;
     for (int seed = 0; seed < seeds; ++seed) {
         o.seed = static_cast<std::uint64_t>(seed);
-        const auto z = self_affine_profile(o, 256, 1e-6);
+        const auto z = self_affine_profile(o, 256, 1e-6).heights;
         const double s = mean_square(z) / (o.rms * o.rms);
         square += s / seeds;
         scatter += s * s / seeds;
@@ -116,7 +116,7 @@ TEST_CASE("The spectrum of a profile falls as q to the -(2H+1) between its cut-o
     for (int seed = 0; seed < seeds; ++seed) {
         o.seed = static_cast<std::uint64_t>(1000 + seed);
         std::vector<std::complex<double>> out;
-        fft.fwd(out, self_affine_profile(o, 1024, 1e-6));
+        fft.fwd(out, self_affine_profile(o, 1024, 1e-6).heights);
         for (std::size_t k = 0; k < power.size(); ++k) power[k] += std::norm(out[k]) / (1024.0 * 1024.0);
     }
     // sums over octaves of k: 8 = 1024/128 is the long cut-off, 128 = 1024/8 the short one
@@ -143,7 +143,8 @@ TEST_CASE("A finer grid over the same period is the same surface") {
                     .shortest_wavelength = 8e-6,
                     .exact_rms = false,
                     .seed = 5};
-    const auto coarse = self_affine_map(o, 64, 48, 2e-6, 2e-6), fine = self_affine_map(o, 128, 96, 1e-6, 1e-6);
+    const auto coarse = self_affine_map(o, 64, 48, 2e-6, 2e-6).heights,
+               fine = self_affine_map(o, 128, 96, 1e-6, 1e-6).heights;
     double worst = 0;
     for (Eigen::Index j = 0; j < 48; ++j)
         for (Eigen::Index i = 0; i < 64; ++i) worst = std::max(worst, std::abs(coarse(j, i) - fine(2 * j, 2 * i)));
@@ -153,14 +154,15 @@ TEST_CASE("A finer grid over the same period is the same surface") {
 TEST_CASE("The unit of length changes nothing, and another seed everything") {
     const double unit = GENERATE(1e9, 1e-9);
     Options o{.hurst = 0.6, .rms = 1e-6, .longest_wavelength = 40e-6, .seed = 5};
-    const auto z = self_affine_map(o, 64, 48, 1e-6, 2e-6);
-    CHECK((z == self_affine_map(o, 64, 48, 1e-6, 2e-6)).all());
+    const auto z = self_affine_map(o, 64, 48, 1e-6, 2e-6).heights;
+    CHECK((z == self_affine_map(o, 64, 48, 1e-6, 2e-6).heights).all());
     Options scaled = o;
     scaled.rms *= unit;
     scaled.longest_wavelength *= unit;
-    CHECK((self_affine_map(scaled, 64, 48, 1e-6 * unit, 2e-6 * unit) / unit - z).abs().maxCoeff() <= 1e-14 * o.rms);
+    CHECK((self_affine_map(scaled, 64, 48, 1e-6 * unit, 2e-6 * unit).heights / unit - z).abs().maxCoeff() <=
+          1e-14 * o.rms);
     o.seed = 6;
-    const auto other = self_affine_map(o, 64, 48, 1e-6, 2e-6);
+    const auto other = self_affine_map(o, 64, 48, 1e-6, 2e-6).heights;
     // two independent maps of some 10 correlated patches: |correlation| below 0.6 here, 1 if the seed did nothing
     CHECK(std::abs((z * other).mean()) < 0.6 * o.rms * o.rms);
 }
@@ -168,9 +170,9 @@ TEST_CASE("The unit of length changes nothing, and another seed everything") {
 TEST_CASE("The seed gives the same bits everywhere") {
     // the first two draws of splitmix64 on a state that was mixed from seed and wave, computed by hand in Python
     std::uint64_t state = 1;
-    state = detail::splitmix64(state) ^ (std::uint64_t(3) << 32 | std::uint64_t(0xFFFFFFFE));
-    CHECK(detail::splitmix64(state) == 0x4EC2E1AE649E791BULL);
-    const auto pair = detail::normal_pair<double>(1, -2, 3);
+    state = splitmix64(state) ^ (std::uint64_t(3) << 32 | std::uint64_t(0xFFFFFFFE));
+    CHECK(splitmix64(state) == 0x4EC2E1AE649E791BULL);
+    const auto pair = detail::normals_of_wave<double>(1, -2, 3);
     CHECK(test::ulps(pair.real(), -1.4099665609266887) <= 8);  // of the local log, sqrt, cos
     CHECK(test::ulps(pair.imag(), -0.6078706945355489) <= 8);
 }
@@ -180,8 +182,8 @@ TEST_CASE("Parameters out of range are named") {
     const auto says = [&](auto change, const std::string& text) {
         Options o = good;
         change(o);
-        const std::string profile = test::refusal([&] { (void)self_affine_profile(o, 64, 1e-6); });
-        const std::string map = test::refusal([&] { (void)self_affine_map(o, 64, 64, 1e-6, 1e-6); });
+        const std::string profile = test::refusal([&] { (void)self_affine_profile(o, 64, 1e-6).heights; });
+        const std::string map = test::refusal([&] { (void)self_affine_map(o, 64, 64, 1e-6, 1e-6).heights; });
         INFO(profile << " | " << map);
         CHECK(profile.find(text) == 0);
         CHECK(map.find(text) == 0);

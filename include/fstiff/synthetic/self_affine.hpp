@@ -19,14 +19,16 @@
 /// Units       lengths, heights [m]
 /// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most; fastest
 ///             where the points of a side are products of 2, 3 and 5
-/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/surface/self_affine_test.cpp). The
+/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/synthetic/self_affine_test.cpp). The
 ///             random bits are the same on every platform; heights agree to the rounding of the local log, cos and pow.
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-#include <fstiff/core/numbers.hpp>
+#include <fstiff/math/accumulate.hpp>
 #include <fstiff/math/fft.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/math/random.hpp>
+#include <fstiff/profile/profile.hpp>
+#include <fstiff/topography/height_map.hpp>
 
 #include <Eigen/Core>
 
@@ -36,7 +38,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace fstiff {
@@ -61,44 +62,37 @@ struct SelfAffineOptions {
 /// z at x = 0, spacing, ...: one period of points * spacing [m].
 /// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
 template <Real T>
-[[nodiscard]] std::vector<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing);
-
-template <Real T>
-using SelfAffineMap = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+[[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing);
 
 /// z(j, i) at x = i dx, y = j dy: one period of columns * dx by rows * dy [m]. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] SelfAffineMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns,
-                                               std::size_t rows, T dx, T dy);
+[[nodiscard]] HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows,
+                                           T dx, T dy);
 
 namespace detail {
 
 /// Two standard normal numbers of the wave with \p kx and \p ky periods.
 template <Real T>
-std::complex<T> normal_pair(std::uint64_t seed, std::int32_t kx, std::int32_t ky) {
+std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_t ky) {
     std::uint64_t state = seed;
     state = splitmix64(state) ^
             (static_cast<std::uint64_t>(static_cast<std::uint32_t>(ky)) << 32 | static_cast<std::uint32_t>(kx));
-    const T uniform = static_cast<T>((splitmix64(state) >> 11) + 1) * T(0x1p-53L);  // in (0, 1]: its log exists
-    const T turn = static_cast<T>(splitmix64(state) >> 11) * T(0x1p-53L);
-    return std::polar(std::sqrt(-2 * std::log(uniform)), 2 * numbers::pi_v<T> * turn);
+    return normal_pair<T>(state);
 }
 
 /// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.
 template <Real T>
-SelfAffineMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
-    using W = std::conditional_t<std::is_same_v<T, float>, double, T>;
+HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
+    using W = Accumulator<T>;
     using Index = Eigen::Index;
     require(options.hurst > T(0) && options.hurst < T(1), "hurst", options.hurst, "between 0 and 1, both excluded");
     require_positive("rms", options.rms);
     const bool map = rows > 1;
-    constexpr std::size_t most = std::size_t(1) << 28;
+    constexpr std::size_t max_points = std::size_t(1) << 28;
     for (const std::size_t points : {columns, map ? rows : columns})
-        if (points < 4 || points > most)
-            throw domain_error("points of a side = " + std::to_string(points) + ": must be between 4 and 2^28");
-    if (columns > most / rows)
-        throw domain_error("points = " + std::to_string(columns) + " x " + std::to_string(rows) +
-                           ": must be at most 2^28");
+        require(points >= 4 && points <= max_points, "points of a side", points, "between 4 and 2^28");
+    if (columns > max_points / rows)
+        detail::refuse("points", std::to_string(columns) + " x " + std::to_string(rows), "at most 2^28");
     const W period_x = static_cast<W>(columns) * dx, period_y = map ? static_cast<W>(rows) * dy : W(0);
     const W side = std::max(period_x, period_y), step = map ? std::max(dx, dy) : dx;
     const W longest = options.longest_wavelength == T(0) ? side : static_cast<W>(options.longest_wavelength);
@@ -131,7 +125,7 @@ SelfAffineMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t co
             if (w == W(0)) continue;
             row_total += w;
             waves(ky, kx < 0 ? static_cast<Index>(columns) + kx : kx) =
-                std::sqrt(w) * normal_pair<W>(options.seed, kx, ky);
+                std::sqrt(w) * normals_of_wave<W>(options.seed, kx, ky);
         }
         total += row_total;
     }
@@ -163,24 +157,23 @@ SelfAffineMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t co
         for (Index j = 0; j < heights.rows(); ++j) square += heights.row(j).square().mean();
         square /= static_cast<W>(rows);
     }
-    return (heights * (static_cast<W>(options.rms) / std::sqrt(square))).template cast<T>();
+    return {(heights * (static_cast<W>(options.rms) / std::sqrt(square))).template cast<T>(), dx, dy};
 }
 
 }  // namespace detail
 
 template <Real T>
-std::vector<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
+Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
     require_positive("spacing", spacing);
-    const SelfAffineMap<T> heights = detail::self_affine(options, points, 1, spacing, spacing);
-    return {heights.data(), heights.data() + heights.size()};
+    const HeightMap<T> row = detail::self_affine(options, points, 1, spacing, spacing);
+    return {{row.heights.data(), row.heights.data() + row.size()}, spacing};
 }
 
 template <Real T>
-SelfAffineMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx,
-                                 T dy) {
+HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
     require_positive("dx", dx);
     require_positive("dy", dy);
-    if (rows < 4) throw domain_error("points of a side = " + std::to_string(rows) + ": must be between 4 and 2^28");
+    require(rows >= 4, "points of a side", rows, "between 4 and 2^28");
     return detail::self_affine(options, columns, rows, dx, dy);
 }
 
