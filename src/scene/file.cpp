@@ -39,8 +39,7 @@ std::string read_all(const std::string& file) {
         std::error_code error;
         if (!std::filesystem::exists(file, error))
             throw file_error(file, "no such file; the input must be an existing file");
-        if (std::filesystem::is_directory(file, error))
-            throw file_error(file, "is a folder; the input must be a file");
+        if (std::filesystem::is_directory(file, error)) throw file_error(file, "is a folder; the input must be a file");
         std::ifstream stream(file, std::ios::binary);
         if (!stream || !read_stream(stream, bytes))
             throw file_error(file, "cannot be read; the input must be a readable file");

@@ -11,15 +11,21 @@
 namespace fstiff::scene {
 namespace {
 
+/// "a, b and c", with \p last before the last one.
+std::string joined(const std::vector<std::string_view>& words, std::string_view last) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += i + 1 == words.size() ? last : ", ";
+        text += words[i];
+    }
+    return text;
+}
+
 /// "sigma and Dp", in the order of --fit.
 std::string names_of(const std::vector<Parameter>& parameters) {
-    std::string text;
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        text += (i == 0                       ? ""
-                 : i + 1 == parameters.size() ? " and "
-                                              : ", ") +
-                std::string(row_of(parameters[i]).short_name);
-    return text;
+    std::vector<std::string_view> names;
+    for (const Parameter parameter : parameters) names.push_back(row_of(parameter).short_name);
+    return joined(names, " and ");
 }
 
 std::vector<Observation<double>> observations(const MeasuredCurve& curve, const std::vector<MeasuredPoint>& points) {
@@ -118,11 +124,10 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
         }
     }
     if (fits.empty())
-        throw domain_error(
-            scene.file + ": contact.laws: " +
-            (request.law.empty() || !skipped.empty()
-                 ? "must name fractal, fractal_consistent or hertz; greenwood_williamson has no derivatives"
-                 : "must name \"" + request.law + "\", which --law asks for"));
+        throw domain_error(scene.file + ": contact.laws: must name " +
+                           (skipped.empty()
+                                ? "\"" + request.law + "\", which --law asks for"
+                                : joined(fitted_law_names(), " or ") + "; " + skipped + " has no derivatives"));
     if (std::erase_if(fits, [](const Fit& fit) { return fit.points.empty(); }) > 0 && fits.empty())
         throw domain_error(curve.name + ": holds " + std::to_string(curve.computed.size()) +
                            " computed curves, none of a law and peaks of " + scene.file +
@@ -153,8 +158,9 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     options.wave = all.wave;
     for (Fit& fit : all.fits) {
         const auto data = observations(curve, fit.points);
-        fit.found = located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)},
-                            [&] { return fit.law->fit({data, request.wanted, fit.start, options}); });
+        fit.found = located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
+            return fit.law->fit({data, request.wanted, fit.start, options});
+        });
     }
     for (const Fit& fit : all.fits)
         for (const auto& finding : concerns_of(fit.found)) {

@@ -4,8 +4,8 @@
 #include "scene/file.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/io/quantity.hpp>
 #include <fstiff/io/number_table.hpp>
+#include <fstiff/io/quantity.hpp>
 
 #include <algorithm>
 #include <array>

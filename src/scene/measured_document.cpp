@@ -87,7 +87,8 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
                 surface.parameters.correlation[i][j] = (*matrix)[i][j].get<double>();
             }
     }
-    about_file(name, [&] { SurfaceSampler<double>(surface.parameters, 0); });  // refuses what no sample could be drawn of
+    about_file(name,
+               [&] { SurfaceSampler<double>(surface.parameters, 0); });  // refuses what no sample could be drawn of
     return surface;
 }
 

@@ -6,8 +6,8 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/profile/level.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/level.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 

@@ -23,12 +23,12 @@
 namespace fstiff {
 
 FSTIFF_SCENE_INSTANCE FractalFit<double> detail::fit_measured(const MeasuredStructureFunction<double>&,
-                                                            const FractalFitOptions<double>&, double);
+                                                              const FractalFitOptions<double>&, double);
 FSTIFF_SCENE_INSTANCE FractalFit<double> detail::fit_profile(const Profile<double>&, Form,
-                                                           const FractalFitOptions<double>&);
+                                                             const FractalFitOptions<double>&);
 FSTIFF_SCENE_INSTANCE DirectionalFit<double> fit_directions(const HeightMap<double>&, const FractalFitOptions<double>&);
 FSTIFF_SCENE_INSTANCE StructureFunction<double> structure_function_at_all_lags(const Profile<double>&, std::size_t,
-                                                                             Divisor);
+                                                                               Divisor);
 FSTIFF_SCENE_INSTANCE PowerSpectrum<double> power_spectrum(const Profile<double>&);
 FSTIFF_SCENE_INSTANCE PeakStatistics<double> peak_statistics(const Profile<double>&);
 FSTIFF_SCENE_INSTANCE Profile<double> gaussian_roughness(const Profile<double>&, double);
@@ -36,16 +36,16 @@ FSTIFF_SCENE_INSTANCE HeightMap<double> remove_form(const HeightMap<double>&, Ma
 FSTIFF_SCENE_INSTANCE ArealStatistics<double> areal_statistics(const HeightMap<double>&);
 FSTIFF_SCENE_INSTANCE IslandCurve<double> island_curve(const HeightMap<double>&, const IslandOptions<double>&);
 FSTIFF_SCENE_INSTANCE RepresentativeIslands<double> representative_islands(const HeightMap<double>&,
-                                                                         const IslandOptions<double>&,
-                                                                         const IslandSpread&);
+                                                                           const IslandOptions<double>&,
+                                                                           const IslandSpread&);
 FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const LevelledProfile<double>&,
-                                                                 const SurfaceParameterOptions<double>&);
+                                                                   const SurfaceParameterOptions<double>&);
 FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const HeightMap<double>&,
-                                                                 const SurfaceParameterOptions<double>&);
+                                                                   const SurfaceParameterOptions<double>&);
 
 FSTIFF_SCENE_INSTANCE Profile<double> self_affine_profile(const SelfAffineOptions<double>&, std::size_t, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> self_affine_map(const SelfAffineOptions<double>&, std::size_t, std::size_t,
-                                                      double, double);
+                                                        double, double);
 FSTIFF_SCENE_INSTANCE class WeierstrassMandelbrot<double>;
 
 }  // namespace fstiff
