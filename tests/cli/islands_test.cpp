@@ -5,7 +5,7 @@
 
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/topography/form.hpp>
-#include <fstiff/topography/islands.hpp>
+#include <fstiff/topography/island_spread.hpp>
 
 #include <nlohmann/json.hpp>
 
