@@ -2,6 +2,7 @@
 #include <fstiff/io/map_text.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 

@@ -82,32 +82,6 @@ TEST_CASE("The error of D is the scatter of D over random walks, and the regress
     CHECK(scatter / regression < 14.5);
 }
 
-TEST_CASE("The closed-form covariance of ln S is that of simulated random walks") {
-    const std::vector<std::size_t> lags{2, 8, 50};
-    const std::size_t points = 400;
-    std::vector<std::size_t> pairs;
-    for (const auto n : lags) pairs.push_back(points - n);
-    const auto formula = detail::log_covariance<double>(lags, pairs, points, 1.0);
-    const int walks = 4000;
-    Eigen::MatrixXd samples(3, walks);
-    for (int w = 0; w < walks; ++w) {
-        const auto s = structure_function(random_walk(points, static_cast<std::uint64_t>(w + 1)),
-                                          std::span<const std::size_t>(lags));
-        // relative deviations from the exact mean n sigma^2 of a walk: what the formula is about
-        for (int k = 0; k < 3; ++k)
-            samples(k, w) = s.value[static_cast<std::size_t>(k)] /
-                                (1e-16 * static_cast<double>(lags[static_cast<std::size_t>(k)])) -
-                            1;
-    }
-    const Eigen::MatrixXd measured = samples * samples.transpose() / walks;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-            CAPTURE(i, j);
-            // a variance over 4000 samples is known to some 3 %, more for the skewed S of the longest lag
-            CHECK(std::abs(measured(i, j) - formula(i, j)) < 0.12 * std::sqrt(formula(i, i) * formula(j, j)));
-        }
-}
-
 TEST_CASE("A straight line is no fractal, in any window") {
     Profile<double> line{std::vector<double>(1000), 1e-6};
     for (std::size_t i = 0; i < 1000; ++i) line.heights[i] = 1e-3 * 1e-6 * static_cast<double>(i);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/synthetic/self_affine.hpp>
-#include <fstiff/topography/islands.hpp>
+#include <fstiff/topography/island_spread.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -392,8 +392,7 @@ TEST_CASE("The sweep and the resamples tell how far they are, and what the hook 
         REQUIRE(done < all);
         told.emplace_back(std::string(what), static_cast<double>(done) / static_cast<double>(all));
     };
-    const auto map = HeightMap<double>{
-        self_affine_map<double>({.hurst = 0.7, .rms = 1e-6, .seed = 1}, 64, 64, 1e-6, 1e-6), 1e-6, 1e-6};
+    const auto map = self_affine_map<double>({.hurst = 0.7, .rms = 1e-6, .seed = 1}, 64, 64, 1e-6, 1e-6);
     const auto with = representative_islands(map, options, spread);
     CHECK(with.radius == representative_islands(map).radius);
     REQUIRE(told.size() == options.quantiles + spread.resamples);

@@ -196,7 +196,7 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
     const auto set = [&](auto& slot, auto value, const HeaderEntry& entry, auto old) {
         if (slot && old != value)
             refuse_line(name, entry.line,
-                        shown_cell(entry.key) + " is stated twice, with two values; must be one value");
+                        {shown_cell(entry.key), " is stated twice, with two values; must be one value"});
         slot = value;
     };
     for (const HeaderEntry& entry : entries) {
@@ -236,13 +236,13 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
         const double value =
             located({.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
         if (!(value > 0))
-            refuse_line(name, entry.line,
-                        shown_cell(entry.key) + " = " + number_text(value) + " m: must be greater than 0");
+            located({.file = name, .line = entry.line}, [&] {
+                fstiff::detail::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
+            });
         const auto store = [&](std::optional<StatedGrid::Length>& slot) {
             if (slot && slot->value != value)
                 refuse_line(name, entry.line,
-                            shown_cell(entry.key) + " disagrees with line " + std::to_string(slot->line) +
-                                "; must be one value");
+                            {shown_cell(entry.key), " disagrees with line ", slot->line, "; must be one value"});
             slot = StatedGrid::Length{value, entry.line};
         };
         if (width) store(grid.width);
@@ -251,6 +251,28 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
         if (dy) store(grid.dy);
     }
     return grid;
+}
+
+/// What a header says of one unit of the heights; nullptr where it says nothing.
+struct StatedHeightUnit {
+    const HeaderEntry* unit = nullptr;
+    const HeaderEntry* factor = nullptr;
+};
+inline StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, const std::string& name) {
+    const HeaderEntry* unit = nullptr;
+    const HeaderEntry* factor = nullptr;
+    for (const HeaderEntry& entry : entries) {
+        for (const char* key : {"value units", "value unit", "data unit", "data units", "z unit", "z units",
+                                "height unit", "height units", "unit", "units"})
+            if (entry.key == key) {
+                if (unit && unit->value != entry.value)
+                    refuse_line(name, entry.line,
+                                {"states another unit of the heights than line ", unit->line, "; must be one unit"});
+                unit = &entry;
+            }
+        if (entry.key.starts_with("height conversion factor")) factor = &entry;
+    }
+    return {unit, factor};
 }
 
 /// "Form: triples" or "Form: matrix" of a header, as write_csv writes it.

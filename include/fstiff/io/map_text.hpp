@@ -128,31 +128,28 @@ private:
         }
         const bool sized = size_given() || stated_.has_size();
         if (grid().has_value() == sized)
-            refuse_file(name_, std::string("has three columns, ") +
-                                   (sized ? "of which two form a grid, and a stated size: may be x, y, z triples or a "
-                                            "matrix; must be told which"
-                                          : "of which the first two form no regular grid, and no stated size: is "
-                                            "neither x, y, z triples nor a matrix; must be told which") +
-                                   " by " + options_.names.format_as("triples") + " or " +
-                                   options_.names.format_as("matrix"));
+            refuse_file(name_,
+                        {"has three columns, ",
+                         (sized ? "of which two form a grid, and a stated size: may be x, y, z triples or a "
+                                  "matrix; must be told which"
+                                : "of which the first two form no regular grid, and no stated size: is "
+                                  "neither x, y, z triples nor a matrix; must be told which"),
+                         " by ", options_.names.format_as("triples"), " or ", options_.names.format_as("matrix")});
         record_.form = grid() ? MapForm::triples : MapForm::matrix;
         record_.form_from = grid() ? "three columns, the first two of which form a grid" : "a size is stated";
     }
 
     HeightMap<double> triples() {
-        if (table_.columns != 3)
-            refuse_file(name_, "has " + std::to_string(table_.columns) + " columns; triples must have 3: x, y, z");
+        if (table_.columns != 3) refuse_file(name_, {"has ", table_.columns, " columns; triples must have 3: x, y, z"});
         if (size_given())
-            refuse_file(name_,
-                        "holds x, y, z triples, whose size is in the file; dx, dy, width and height must not "
-                        "be given");
+            refuse_file(name_, {"holds x, y, z triples, whose size is in the file; dx, dy, width and height must not "
+                                "be given"});
         for (std::size_t r = 0; r < table_.rows(); ++r)
             if (std::isnan(table_.at(r, 0)) || std::isnan(table_.at(r, 1)))
-                refuse_line(name_, table_.row_lines[r], "has no position; x and y must be finite decimal numbers");
+                refuse_line(name_, table_.row_lines[r], {"has no position; x and y must be finite decimal numbers"});
         if (!grid())
-            refuse_file(name_,
-                        "has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
-                        "y, of which a tenth of the points at least is there");
+            refuse_file(name_, {"has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
+                                "y, of which a tenth of the points at least is there"});
         const GridAxis &x = grid()->x, &y = grid()->y;
         const std::vector<std::string> axes = units_of_triples();
         const double x_unit = unit_factor(axes[0], Dimension::length);
@@ -172,8 +169,7 @@ private:
         if (!stated) return step;
         if (!(std::abs(step - stated->value) <= 0.01 * step))
             refuse_line(name_, stated->line,
-                        number_text(stated->value) + " m disagrees with the positions, whose step is " +
-                            number_text(step) + " m; must agree");
+                        {stated->value, " m disagrees with the positions, whose step is ", step, " m; must agree"});
         if (!(std::abs(step - stated->value) <= 1e-9 * step)) return step;
         record_.size_from = "line " + std::to_string(stated->line) + ", with which the steps of x and y agree";
         return stated->value;
@@ -193,9 +189,9 @@ private:
             record_.units_from = found.from;
         }
         if (axes.empty())
-            refuse_file(name_, "states no units and none are given; must be " +
-                                   options_.names.given_as("units", "\"um,nm\"") + " (x and y, heights), each one of " +
-                                   accepted_units(Dimension::length));
+            refuse_file(name_,
+                        {"states no units and none are given; must be ", options_.names.given_as("units", "\"um,nm\""),
+                         " (x and y, heights), each one of ", accepted_units(Dimension::length)});
         record_.units = "x in " + axes[0] + ", y in " + axes[1] + ", heights in " + axes[2];
         return axes;
     }
@@ -204,8 +200,7 @@ private:
         HeightMap<double> map;
         const std::size_t columns = table_.columns, rows = table_.rows();
         if (columns < 2 || rows < 2)
-            refuse_file(name_, "is a matrix of " + std::to_string(columns) + " x " + std::to_string(rows) +
-                                   " points; must have at least 2 a side");
+            refuse_file(name_, {"is a matrix of ", columns, " x ", rows, " points; must have at least 2 a side"});
         check_count("columns", stated_.columns, stated_.columns_line, columns);
         check_count("rows", stated_.rows, stated_.rows_line, rows);
         map.dx = spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns);
@@ -220,9 +215,7 @@ private:
     void check_count(const char* what, const std::optional<std::size_t>& stated, std::size_t line,
                      std::size_t there) const {
         if (stated && *stated != there)
-            refuse_line(name_, line,
-                        "states " + std::to_string(*stated) + " " + what + " where there are " + std::to_string(there) +
-                            "; must agree");
+            refuse_line(name_, line, {"states ", *stated, " ", what, " where there are ", there, "; must agree"});
     }
 
     double spacing(const std::string& step, const std::string& whole, const std::optional<double>& given_step,
@@ -233,7 +226,7 @@ private:
             record_.size_from += (record_.size_from.empty() ? "" : ", ") + from;
         };
         if (given_step && given_whole)
-            refuse_file(name_, step + " and " + whole + " are both given; must be one of them");
+            refuse_file(name_, {step, " and ", whole, " are both given; must be one of them"});
         if (given_step || given_whole) {
             located({.file = name_},
                     [&] { require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole)); });
@@ -245,8 +238,8 @@ private:
             if (stated_whole && std::abs(stated_whole->value - stated_step->value * (points - 0.5)) >
                                     0.51 * stated_step->value + 0.01 * stated_whole->value)
                 refuse_line(name_, stated_whole->line,
-                            "states a " + whole + " that disagrees with the spacing of line " +
-                                std::to_string(stated_step->line) + "; must agree, or " + step + " be given");
+                            {"states a ", whole, " that disagrees with the spacing of line ", stated_step->line,
+                             "; must agree, or ", step, " be given"});
             note(step + " of line " + std::to_string(stated_step->line));
             return stated_step->value;
         }
@@ -256,11 +249,10 @@ private:
         }
         if (!stated_.without_unit.empty())
             refuse_line(name_, stated_.without_unit_line,
-                        shown_cell(stated_.without_unit) + " has no unit; must be " +
-                            options_.names.given_as("units", "\"um,nm\"") +
-                            " (lengths, heights), or dx and dy be given");
-        refuse_file(name_, "is a matrix that states no physical size, and none is given; must be " +
-                               options_.names.given_steps() + " (between points) or width and height (of the map)");
+                        {shown_cell(stated_.without_unit), " has no unit; must be ",
+                         options_.names.given_as("units", "\"um,nm\""), " (lengths, heights), or dx and dy be given"});
+        refuse_file(name_, {"is a matrix that states no physical size, and none is given; must be ",
+                            options_.names.given_steps(), " (between points) or width and height (of the map)"});
     }
 
     /// One unit of the heights [m].
@@ -270,30 +262,17 @@ private:
             record_.units_from = "options";
             return unit_factor(given_units_.back(), Dimension::length);
         }
-        const HeaderEntry* unit = nullptr;
-        const HeaderEntry* factor = nullptr;
-        for (const HeaderEntry& entry : entries_) {
-            for (const char* key : {"value units", "value unit", "data unit", "data units", "z unit", "z units",
-                                    "height unit", "height units", "unit", "units"})
-                if (entry.key == key) {
-                    if (unit && unit->value != entry.value)
-                        refuse_line(name_, entry.line,
-                                    "states another unit of the heights than line " + std::to_string(unit->line) +
-                                        "; must be one unit");
-                    unit = &entry;
-                }
-            if (entry.key.starts_with("height conversion factor")) factor = &entry;
-        }
+        const auto [unit, factor] = stated_height_unit(entries_, name_);
         if (factor) return conversion_factor(*factor, unit);
         if (!unit)
-            refuse_file(name_, "states no unit of the heights and none is given; must be " +
-                                   options_.names.given_as("units", "\"nm\"") + ", one of " +
-                                   accepted_units(Dimension::length));
+            refuse_file(name_,
+                        {"states no unit of the heights and none is given; must be ",
+                         options_.names.given_as("units", "\"nm\""), ", one of ", accepted_units(Dimension::length)});
         if (!is_unit(unit->value, Dimension::length))
             refuse_line(name_, unit->line,
-                        shown_cell(unit->value) +
-                            " is no unit of length, and no height conversion factor is stated; must be one of " +
-                            accepted_units(Dimension::length));
+                        {shown_cell(unit->value),
+                         " is no unit of length, and no height conversion factor is stated; must be one of ",
+                         accepted_units(Dimension::length)});
         record_.units = "heights in " + std::string(unit->value);
         record_.units_from = "line " + std::to_string(unit->line);
         return unit_factor(unit->value, Dimension::length);
@@ -310,15 +289,15 @@ private:
         }
         if (number.status != NumberStatus::ok || !(number.value > 0) || !is_unit(to, Dimension::length))
             refuse_line(name_, entry.line,
-                        shown_cell(entry.value) +
-                            " is no height conversion factor; must be a positive number with a "
-                            "unit of length, such as \"(-> m)=2.9e-8\"");
+                        {shown_cell(entry.value),
+                         " is no height conversion factor; must be a positive number with a "
+                         "unit of length, such as \"(-> m)=2.9e-8\""});
         const double factor = number.value * unit_factor(to, Dimension::length);
         if (unit && is_unit(unit->value, Dimension::length) &&
             !(std::abs(factor - unit_factor(unit->value, Dimension::length)) <= 1e-6 * factor))
             refuse_line(name_, entry.line,
-                        "states a height conversion factor, line " + std::to_string(unit->line) +
-                            " a unit of length that disagrees; must agree, or units be given");
+                        {"states a height conversion factor, line ", unit->line,
+                         " a unit of length that disagrees; must agree, or units be given"});
         record_.units =
             "heights in " + (unit ? std::string(unit->value) : "units") + " of " + number_text(factor) + " m";
         record_.units_from = "line " + std::to_string(entry.line);

@@ -166,7 +166,7 @@ struct NumberTable {
 /// Finds the end of the header and the separators. \throws domain_error when no line is a row of numbers.
 inline void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules) {
     const std::string wanted = "; must hold " + std::string(rules.holds);
-    if (table.lines.empty()) refuse_file(name, "holds blank lines only" + wanted);
+    if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
     for (table.first = 0; table.first < table.lines.size(); ++table.first) {
         const std::string_view line = table.lines[table.first].text;
         if (is_comment(line)) continue;
@@ -177,7 +177,7 @@ inline void find_first_row(NumberTable& table, const std::string& name, const Ta
     }
     if (table.first == table.lines.size())
         refuse_line(name, table.lines.front().number,
-                    shown_cell(table.lines.front().text) + " is no row of numbers, nor is any line after it" + wanted);
+                    {shown_cell(table.lines.front().text), " is no row of numbers, nor is any line after it", wanted});
     // the first row alone may hide the decimal commas of "0 1,5" or "0;1,5"
     for (std::size_t i = table.first; i < table.lines.size() && table.dialect.separator != ','; ++i) {
         if (is_comment(table.lines[i].text)) continue;
@@ -219,11 +219,11 @@ inline double require_number(std::string_view cell, const NumberTable& table, st
     const auto number = number_in(cell, table.dialect.decimal_comma);
     if (!number)
         refuse_line(name, line,
-                    shown_cell(cell) + " is no number; allowed are finite decimal numbers (an empty cell" +
-                        (rules.missing_words ? ", nan or BAD" : "") + " is a missing point)");
+                    {shown_cell(cell), " is no number; allowed are finite decimal numbers (an empty cell",
+                     (rules.missing_words ? ", nan or BAD" : ""), " is a missing point)"});
     if (!std::isfinite(*number))
         refuse_line(name, line,
-                    shown_cell(cell) + " is beyond the range of double precision; allowed are finite numbers");
+                    {shown_cell(cell), " is beyond the range of double precision; allowed are finite numbers"});
     return *number;
 }
 
@@ -245,8 +245,7 @@ inline void read_rows(NumberTable& table, const std::string& name, const TableRu
     const std::size_t shown = table.columns;
     table.columns = rules.short_rows ? widest_row(table) : cells.size();
     if (rules.short_rows && table.columns > 4096)  // short rows would take memory that the text does not
-        refuse_line(name, table.lines[table.first].number,
-                    "has " + std::to_string(table.columns) + " columns; must be at most 4096");
+        refuse_line(name, table.lines[table.first].number, {"has ", table.columns, " columns; must be at most 4096"});
     table.printed.resize(std::min<std::size_t>(table.columns, 3));
     const std::string_view last = table.lines.back().text;
     const auto bytes = static_cast<std::size_t>(last.data() + last.size() - table.lines[table.first].text.data());
@@ -272,8 +271,8 @@ inline void read_rows(NumberTable& table, const std::string& name, const TableRu
         }
         if (!whole)
             refuse_line(name, line,
-                        "has " + std::to_string(cells.size()) + " columns; must be " + std::to_string(table.columns) +
-                            " as in line " + std::to_string(table.lines[table.first].number));
+                        {"has ", cells.size(), " columns; must be ", table.columns, " as in line ",
+                         table.lines[table.first].number});
         if (!cells.back().empty()) ++last_cells;
         table.row_lines.push_back(line);
         table.values.resize(table.rows() * table.columns, std::numeric_limits<double>::quiet_NaN());

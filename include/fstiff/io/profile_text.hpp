@@ -87,7 +87,7 @@ public:
         record_.points = result.profile.size();
         record_.missing = record_.points - result.profile.present();
         if (result.profile.present() < 16)
-            refuse_file(name_, "holds " + std::to_string(result.profile.present()) + " points; must be at least 16");
+            refuse_file(name_, {"holds ", result.profile.present(), " points; must be at least 16"});
         located({.file = name_}, [&] { result.profile.validate(16); });
         result.record = record_;
         return result;
@@ -137,9 +137,9 @@ private:
         if (options_.column > columns)
             refuse_field(name_, "column", std::to_string(options_.column), "between 1 and " + std::to_string(columns));
         if (options_.column == 0 && columns > 2)
-            refuse_file(name_, "has " + std::to_string(columns) +
-                                   " columns; must be one of heights or two of positions and heights, or say which "
-                                   "column holds the heights");
+            refuse_file(name_, {"has ", columns,
+                                " columns; must be one of heights or two of positions and heights, or say which "
+                                "column holds the heights"});
         record_.height_column = options_.column != 0 ? options_.column : columns;
         const bool has_positions = columns > 1 && record_.height_column != 1;
         record_.position_column = has_positions && !options_.spacing ? 1 : 0;
@@ -161,9 +161,8 @@ private:
             record_.units_from = found.from;
             return;
         }
-        refuse_file(name_, "states no unit and none is given; must be " +
-                               options_.names.given_as("units", "\"um,nm\"") + " (positions, heights), each one of " +
-                               accepted_units(Dimension::length));
+        refuse_file(name_, {"states no unit and none is given; must be ", options_.names.given_as("units", "\"um,nm\""),
+                            " (positions, heights), each one of ", accepted_units(Dimension::length)});
     }
 
     double spacing() {
@@ -175,8 +174,8 @@ private:
         }
         if (record_.position_column == 0) {
             if (!stated)
-                refuse_file(name_, "has no column of positions and no spacing is given; must be " +
-                                       options_.names.given_as("spacing", "\"0.5 um\""));
+                refuse_file(name_, {"has no column of positions and no spacing is given; must be ",
+                                    options_.names.given_as("spacing", "\"0.5 um\"")});
             record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
             return stated->value;
         }
@@ -189,8 +188,8 @@ private:
             const bool agrees = same || std::abs(step - stated->value) <= 0.6 * stated->resolution;
             if (!agrees)
                 refuse_line(name_, stated->line,
-                            shown_cell(stated->text) + " disagrees with the positions, whose mean step is " +
-                                number_text(step) + " m; must agree, or the spacing be given");
+                            {shown_cell(stated->text), " disagrees with the positions, whose mean step is ", step,
+                             " m; must agree, or the spacing be given"});
             if (same) {
                 // the same number, without the rounding of the positions
                 record_.spacing_from =
@@ -208,24 +207,22 @@ private:
         const std::vector<double> x = column(record_.position_column);
         for (std::size_t i = 0; i < x.size(); ++i)
             if (std::isnan(x[i]))
-                refuse_line(name_, table_.row_lines[i], "has no position; allowed are finite decimal numbers");
-        if (x.size() < 2) refuse_file(name_, "holds " + std::to_string(x.size()) + " points; must be at least 16");
+                refuse_line(name_, table_.row_lines[i], {"has no position; allowed are finite decimal numbers"});
+        if (x.size() < 2) refuse_file(name_, {"holds ", x.size(), " points; must be at least 16"});
         const double mean = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
         const double printed = table_.printed[record_.position_column - 1].resolution();
         if (!std::isfinite(mean))
-            refuse_file(name_, "holds positions beyond the range of double precision; must be finite lengths");
+            refuse_file(name_, {"holds positions beyond the range of double precision; must be finite lengths"});
         // printed too coarsely, neighbours may share a position; otherwise every step goes the same way
         const double direction = mean < 0 ? -1 : 1;
         for (std::size_t i = 1; i < x.size(); ++i) {
             const double next = (x[i] - x[i - 1]) * direction;
             if (next < 0 || (next == 0 && printed < std::abs(mean)))
                 refuse_line(name_, table_.row_lines[i],
-                            "position " + number_text(x[i]) + " follows " + number_text(x[i - 1]) +
-                                "; positions must rise, or fall, throughout");
+                            {"position ", x[i], " follows ", x[i - 1], "; positions must rise, or fall, throughout"});
         }
         if (mean == 0)
-            refuse_file(name_, "has all its positions at " + number_text(x.front()) +
-                                   "; positions must rise, or fall, throughout");
+            refuse_file(name_, {"has all its positions at ", x.front(), "; positions must rise, or fall, throughout"});
         // both ends of a step and both ends of the whole are rounded, or cut, to the printed digits
         const double allowed = 1.01 * printed + 0.01 * std::abs(mean);
         double worst = 0;
@@ -266,9 +263,8 @@ private:
             steps.begin(), steps.end(), [&](double a, double b) { return std::abs(a - usual) < std::abs(b - usual); });
         const auto row = static_cast<std::size_t>(odd - steps.begin()) + 1;
         refuse_line(name_, table_.row_lines[row],
-                    "position " + number_text(x[row]) + " is a step of " + number_text(*odd) +
-                        " where the usual one is " + number_text(usual) +
-                        "; positions must be equally spaced to their printed digits");
+                    {"position ", x[row], " is a step of ", *odd, " where the usual one is ", usual,
+                     "; positions must be equally spaced to their printed digits"});
     }
 
     std::string name_;

@@ -92,9 +92,9 @@ inline HeightMap<double>::Array heights_on(const Grid& grid, const NumberTable& 
         const std::size_t at =
             std::min(grid.y.index(y), grid.y.count - 1) * grid.x.count + std::min(grid.x.index(x), grid.x.count - 1);
         if (line_at[at] != 0)
-            refuse_line(name, table.row_lines[r],
-                        "repeats the point of line " + std::to_string(line_at[at]) + ", x = " + number_text(x) +
-                            ", y = " + number_text(y) + "; every point must come once");
+            refuse_line(
+                name, table.row_lines[r],
+                {"repeats the point of line ", line_at[at], ", x = ", x, ", y = ", y, "; every point must come once"});
         line_at[at] = table.row_lines[r];
         heights.data()[at] = table.at(r, 2);  // by row
     }

@@ -80,8 +80,8 @@ public:
 
     SdfSurface read() {
         if (!is_sdf(bytes_))
-            refuse_file(name_, "begins with " + shown_cell(bytes_.substr(0, 8)) +
-                                   "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, or b for a");
+            refuse_file(name_, {"begins with ", shown_cell(bytes_.substr(0, 8)),
+                                "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, or b for a"});
         record_.name = name_;
         record_.binary = bytes_[0] == 'b' || bytes_[0] == 'B';
         record_.version = std::string(bytes_.substr(1, 7));
@@ -99,8 +99,7 @@ public:
 private:
     static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     static constexpr std::size_t type_bytes[8] = {1, 2, 4, 4, 1, 2, 4, 8};
-
-    // --- both forms ---
+    static constexpr double largest[8] = {255, 65535, 4294967295.0, 3.4e38F, 127, 32767, 2147483647, 1.7e308};
 
     void check_header(int compression, int check_type) {
         if (record_.columns == 0 || record_.rows == 0)
@@ -121,7 +120,6 @@ private:
             refuse_field(name_, field, number_text(value), "finite and greater than 0");
     }
 
-    /// Takes the memory; what is declared has been compared with what is there.
     void allocate() {
         surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
                                     static_cast<Eigen::Index>(record_.columns));
@@ -130,20 +128,17 @@ private:
     /// Height \p index of the file is \p number, in units of Zscale.
     void set(std::size_t index, double number) {
         if (std::isinf(number) || std::isinf(number * record_.z_scale))
-            refuse_file(name_, "height " + std::to_string(index + 1) +
-                                   " is beyond the range of double precision; "
-                                   "allowed are finite numbers");
+            refuse_file(name_, {"height ", index + 1,
+                                " is beyond the range of double precision; "
+                                "allowed are finite numbers"});
         surface_.map.heights.data()[index] = number * record_.z_scale;
     }
-
-    // --- binary ---
 
     void read_binary() {
         const std::size_t count_bytes = record_.version == "ISO-2.0" ? 4 : 2;
         const std::size_t header = 42 + 2 * count_bytes + 35;
         if (bytes_.size() < header)
-            refuse_file(name_, "ends after " + std::to_string(bytes_.size()) + " bytes; its header must have " +
-                                   std::to_string(header));
+            refuse_file(name_, {"ends after ", bytes_.size(), " bytes; its header must have ", header});
         std::string manufacturer(trimmed(bytes_.substr(8, 10)));
         std::erase(manufacturer, '\0');
         record_.manufacturer = printable(manufacturer, 10);
@@ -167,9 +162,8 @@ private:
         // both below 2^32: the product fits into 64 bits, and the division below needs no more
         const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
         if (points > rest.size() / size)
-            refuse_file(name_, "declares " + std::to_string(record_.columns) + " x " + std::to_string(record_.rows) +
-                                   " heights of " + std::to_string(size) + " bytes, but holds " +
-                                   std::to_string(rest.size()) + " bytes of them; must hold all");
+            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of ", size,
+                                " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
         allocate();
         for (std::size_t i = 0; i < points; ++i) set(i, number_at(rest.substr(i * size, size)));
         record_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
@@ -178,42 +172,33 @@ private:
     double number_at(std::string_view bytes) const {
         switch (record_.data_type) {
             case 0:
-                return whole(little_endian<std::uint8_t>(bytes));
+                return height(little_endian<std::uint8_t>(bytes));
             case 1:
-                return whole(little_endian<std::uint16_t>(bytes));
+                return height(little_endian<std::uint16_t>(bytes));
             case 2:
-                return whole(little_endian<std::uint32_t>(bytes));
-            case 3: {
-                const float number = float_at(bytes);
-                return is_missing(number) ? missing : static_cast<double>(number);
-            }
+                return height(little_endian<std::uint32_t>(bytes));
+            case 3:
+                return height(float_at(bytes));
             case 4:
-                return whole(static_cast<std::int8_t>(little_endian<std::uint8_t>(bytes)));
+                return height(static_cast<std::int8_t>(little_endian<std::uint8_t>(bytes)));
             case 5:
-                return whole(static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes)));
+                return height(static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes)));
             case 6:
-                return whole(static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes)));
-            default: {
-                const double number = double_at(bytes);
-                return is_missing(number) ? missing : number;
-            }
+                return height(static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes)));
+            default:
+                return height(double_at(bytes));
         }
     }
 
-    template <class Integer>
-    double whole(Integer number) const {
-        using Limits = std::numeric_limits<Integer>;
-        return number == (bcr_ || !Limits::is_signed ? Limits::max() : Limits::min()) ? missing
-                                                                                      : static_cast<double>(number);
+    /// \p number, unless it is the one that the version reserves for missing points.
+    template <class Number>
+    double height(Number number) const {
+        using Limits = std::numeric_limits<Number>;
+        bool reserved = number == (bcr_ || !Limits::is_signed ? Limits::max() : Limits::lowest());
+        if constexpr (!Limits::is_integer)
+            reserved = std::isnan(number) || (bcr_ ? number >= largest[sizeof(Number) == 4 ? 3 : 7] : reserved);
+        return reserved ? missing : static_cast<double>(number);
     }
-    bool is_missing(float number) const {
-        return std::isnan(number) || (bcr_ ? number >= 3.4e38F : number == std::numeric_limits<float>::lowest());
-    }
-    bool is_missing(double number) const {
-        return std::isnan(number) || (bcr_ ? number >= 1.7e308 : number == std::numeric_limits<double>::lowest());
-    }
-
-    // --- text ---
 
     /// The next line, without its end; LF, CR and CR LF end one.
     static std::string_view next_line(std::string_view& rest) {
@@ -241,11 +226,11 @@ private:
             if (ended || equal == std::string_view::npos) continue;
             fields.emplace_back(lower_case(trimmed(line.substr(0, equal))), trimmed(line.substr(equal + 1)));
         }
-        if (!ended) refuse_file(name_, "has no line \"*\" that ends its header; must have one");
+        if (!ended) refuse_file(name_, {"has no line \"*\" that ends its header; must have one"});
         const auto field = [&](const std::string& name) {
             for (const auto& [key, value] : fields)
                 if (key == lower_case(name)) return value;
-            refuse_file(name_, "states no " + name + "; must state it in its header");
+            refuse_file(name_, {"states no ", name, "; must state it in its header"});
         };
         const auto number = [&](const std::string& name) {
             const std::string value = printable(field(name), 64);
@@ -281,9 +266,8 @@ private:
         // every height needs two characters, the last one needs one
         const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
         if (points > rest.size() / 2 + 1)
-            refuse_file(name_, "declares " + std::to_string(record_.columns) + " x " + std::to_string(record_.rows) +
-                                   " heights, but has " + std::to_string(rest.size()) +
-                                   " bytes of them; must hold all");
+            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights, but has ", rest.size(),
+                                " bytes of them; must hold all"});
         allocate();
         std::size_t found = 0;
         std::vector<std::string_view> cells;
@@ -295,16 +279,15 @@ private:
             split_line(line, ' ', cells);
             for (const std::string_view cell : cells) {
                 if (found == points)
-                    refuse_file(name_, "holds more heights than the " + std::to_string(points) +
-                                           " that it declares; must hold as many");
+                    refuse_file(name_,
+                                {"holds more heights than the ", points, " that it declares; must hold as many"});
                 set(found, text_number(cell, found));
                 ++found;
             }
         }
         if (found < points)
-            refuse_file(name_, "holds " + std::to_string(found) + " heights; must hold the " + std::to_string(points) +
-                                   " that it declares");
-        if (!ended) refuse_file(name_, "has no line \"*\" after its heights; must have one");
+            refuse_file(name_, {"holds ", found, " heights; must hold the ", points, " that it declares"});
+        if (!ended) refuse_file(name_, {"has no line \"*\" after its heights; must have one"});
         record_.trailer = rest.size();
     }
 
@@ -312,14 +295,12 @@ private:
         if (is_missing_word(cell)) return missing;
         const auto number = number_in(cell, false);
         if (!number)
-            refuse_file(name_, "height " + std::to_string(index + 1) + " is " + shown_cell(cell) +
-                                   "; must be a decimal number or BAD");
+            refuse_file(name_, {"height ", index + 1, " is ", shown_cell(cell), "; must be a decimal number or BAD"});
         return bcr_ ? reserved(*number) : *number;
     }
 
     /// BCR writes missing points of a text as the largest number of their type.
     double reserved(double number) const {
-        static constexpr double largest[8] = {255, 65535, 4294967295.0, 3.4e38, 127, 32767, 2147483647, 1.7e308};
         const bool real = record_.data_type == 3 || record_.data_type == 7;
         const double limit = largest[record_.data_type];
         return number == limit || (real && number > limit) ? missing : number;

@@ -107,9 +107,8 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
                                                     {"height", options.height && !matrix}};
     for (const auto& [option, refused] : useless)
         if (refused)
-            refuse_file(name, std::string("is read as ") + std::string(surface_format_name(format)) +
-                                  ", which has no use for " + option + "; must not be given, or " +
-                                  options.names.format + " must be another");
+            refuse_file(name, {"is read as ", surface_format_name(format), ", which has no use for ", option,
+                               "; must not be given, or ", options.names.format, " must be another"});
 }
 
 /// The form of a text, and why.
@@ -122,7 +121,7 @@ inline std::pair<SurfaceFormat, std::string> text_form(MapTextReader& reader, co
                        stated_grid(reader.entries(), "m", name).has_size();
     const auto as = [&](const char* form) { return options.names.format_as(form); };
     const auto ambiguous = [&](const std::string& what, const std::string& choice) {
-        refuse_file(name, "has " + found + what + "; must be told by " + choice);
+        refuse_file(name, {"has ", found, what, "; must be told by ", choice});
     };
     if (options.column != 0 || options.spacing) return {SurfaceFormat::profile, "options that only a profile has"};
     if (const auto form = stated_form(reader.entries()); form && columns > 1)
@@ -220,7 +219,7 @@ inline Surface read_surface(std::string bytes, std::string_view name, const Surf
     }
     detail::check_options(record.format, options, record.name);
     if (!sdf && !options.x3p)
-        detail::refuse_file(record.name, "is X3P, which this program was built without; must be another form");
+        detail::refuse_file(record.name, {"is X3P, which this program was built without; must be another form"});
     DescribedMap read;
     if (sdf) {
         SdfSurface found = detail::SdfReader(bytes, record.name).read();

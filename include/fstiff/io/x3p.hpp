@@ -46,9 +46,6 @@ struct X3pSurface {
     X3pRecord record;
 };
 
-/// Whether \p bytes begin as a zip archive does.
-[[nodiscard]] inline bool is_zip(std::string_view bytes) { return bytes.starts_with("PK\3\4"); }
-
 /// \throws domain_error naming file, element, value and what is allowed.
 [[nodiscard]] inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits = {});
 /// Reads all of \p input.
@@ -82,21 +79,21 @@ public:
         find_main();
         const std::string main = archive_.content(*archive_.find(record_.main));
         if (!document_.load_buffer(main.data(), main.size()))
-            refuse_file(name_, shown_cell(record_.main) + " is no XML; must be a whole X3P file");
+            refuse_file(name_, {shown_cell(record_.main), " is no XML; must be a whole X3P file"});
         for (pugi::xml_node root = document_.first_child(); root && !root_; root = root.next_sibling())
             if (local_child(root, "Record1") && local_child(root, "Record3")) root_ = root;
         if (!root_)
-            refuse_file(name_, shown_cell(record_.main) +
-                                   " has no element that holds Record1 and Record3; must be "
-                                   "the description of an X3P file");
+            refuse_file(name_, {shown_cell(record_.main),
+                                " has no element that holds Record1 and Record3; must be "
+                                "the description of an X3P file"});
         read_axes();
         read_size();
         const pugi::xml_node record3 = local_child(root_, "Record3");
         const pugi::xml_node link = local_child(record3, "DataLink");
         const pugi::xml_node list = local_child(record3, "DataList");
         if (bool(link) == bool(list))
-            refuse_file(name_, std::string(link ? "has both " : "has neither ") + "DataLink" +
-                                   (link ? " and" : " nor") + " DataList; must have one of them");
+            refuse_file(name_, {link ? "has both " : "has neither ", "DataLink", (link ? " and" : " nor"),
+                                " DataList; must have one of them"});
         if (link)
             read_link(link);
         else
@@ -124,8 +121,8 @@ private:
             least = depth;
             record_.main = entry;
         }
-        if (least == std::string::npos) refuse_file(name_, "holds no main.xml; an X3P file must");
-        if (twice) refuse_file(name_, "holds more than one main.xml, none nearer to its root; must hold one");
+        if (least == std::string::npos) refuse_file(name_, {"holds no main.xml; an X3P file must"});
+        if (twice) refuse_file(name_, {"holds more than one main.xml, none nearer to its root; must hold one"});
         folder_ = record_.main.substr(0, record_.main.size() - std::string_view("main.xml").size());
     }
 
@@ -189,12 +186,11 @@ private:
             record_.columns = count_at(record3, "ListDimension");
             record_.rows = 1;
         } else {
-            refuse_file(name_, "has no MatrixDimension; must be a grid of points");
+            refuse_file(name_, {"has no MatrixDimension; must be a grid of points"});
         }
         points_ = std::uint64_t(record_.columns) * record_.rows;
     }
 
-    /// Heights still as numbers; called once their number has been compared with what is there.
     void allocate() {
         surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
                                     static_cast<Eigen::Index>(record_.columns));
@@ -204,8 +200,8 @@ private:
         double height = number * z_increment_;
         if (z_offset_ != 0) height += z_offset_;
         if (std::isinf(height))
-            refuse_file(name_, "height " + std::to_string(index + 1) +
-                                   " is infinite; must be finite, or NaN where the point is missing");
+            refuse_file(name_,
+                        {"height ", index + 1, " is infinite; must be finite, or NaN where the point is missing"});
         surface_.map.heights.data()[index] = height;
     }
 
@@ -231,9 +227,8 @@ private:
         if (const pugi::xml_node node = local_child(link, "ValidPointsLink"); node && !text_at(node).empty()) {
             mask = linked(node, "ValidPointsLink");
             if (archive_.size(*mask) != points_ / 8 + (points_ % 8 != 0))
-                refuse_file(name_, shown_cell(archive_.names()[*mask]) + " has " +
-                                       std::to_string(archive_.size(*mask)) + " bytes; must have one bit for each of " +
-                                       std::to_string(points_) + " points");
+                refuse_file(name_, {shown_cell(archive_.names()[*mask]), " has ", archive_.size(*mask),
+                                    " bytes; must have one bit for each of ", points_, " points"});
         }
         const std::string bytes = archive_.content(data);
         const std::string valid = mask ? archive_.content(*mask) : std::string();
@@ -249,24 +244,20 @@ private:
     void require_size(std::size_t data, std::size_t size) const {
         const std::size_t there = archive_.size(data);
         if (there % size != 0 || there / size != points_)
-            refuse_file(name_, shown_cell(archive_.names()[data]) + " has " + std::to_string(there) +
-                                   " bytes; must have " + std::to_string(size) + " for each of " +
-                                   std::to_string(record_.columns) + " x " + std::to_string(record_.rows) + " points");
+            refuse_file(name_, {shown_cell(archive_.names()[data]), " has ", there, " bytes; must have ", size,
+                                " for each of ", record_.columns, " x ", record_.rows, " points"});
     }
 
     double binary_number(std::string_view bytes) const {
-        std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < bytes.size(); ++i)
-            bits |= std::uint64_t(static_cast<unsigned char>(bytes[i])) << (8 * i);
         switch (record_.data_type) {
             case 'I':
-                return static_cast<std::int16_t>(static_cast<std::uint16_t>(bits));
+                return static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes));
             case 'L':
-                return static_cast<std::int32_t>(static_cast<std::uint32_t>(bits));
+                return static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes));
             case 'F':
-                return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+                return static_cast<double>(float_at(bytes));
             default:
-                return std::bit_cast<double>(bits);
+                return double_at(bytes);
         }
     }
 
@@ -274,8 +265,8 @@ private:
         std::uint64_t found = 0;
         for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) found += is_datum(datum);
         if (found != points_)
-            refuse_file(name_, "DataList holds " + std::to_string(found) + " heights; must hold " +
-                                   std::to_string(record_.columns) + " x " + std::to_string(record_.rows));
+            refuse_file(name_,
+                        {"DataList holds ", found, " heights; must hold ", record_.columns, " x ", record_.rows});
         allocate();
         std::size_t index = 0;
         for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) {
@@ -285,8 +276,8 @@ private:
             if (!text.empty() && !is_missing_word(text)) {
                 const auto cell = number_in(text, false);
                 if (!cell)
-                    refuse_file(name_, "height " + std::to_string(index + 1) + " is " + shown_cell(text) +
-                                           "; must be a decimal number, or nothing where the point is missing");
+                    refuse_file(name_, {"height ", index + 1, " is ", shown_cell(text),
+                                        "; must be a decimal number, or nothing where the point is missing"});
                 number = *cell;
             }
             set(index++, number);

@@ -36,11 +36,9 @@ public:
             if (!archive_) zip_source_free(source);
         }
         zip_error_fini(&error);
-        if (!archive_) refuse_file(name_, "is no zip archive, or a damaged one; must be a whole X3P file");
+        if (!archive_) refuse_file(name_, {"is no zip archive, or a damaged one; must be a whole X3P file"});
         const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
-        if (count > limits_.files)
-            refuse_file(name_,
-                        "holds " + std::to_string(count) + " files; must be at most " + std::to_string(limits_.files));
+        if (count > limits_.files) refuse_file(name_, {"holds ", count, " files; must be at most ", limits_.files});
         for (zip_int64_t i = 0; i < count; ++i) {
             const char* const entry = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_RAW);
             names_.emplace_back(entry ? entry : "");
@@ -54,7 +52,7 @@ public:
         std::optional<std::size_t> found;
         for (std::size_t i = 0; i < names_.size(); ++i) {
             if (names_[i] != entry) continue;
-            if (found) refuse_file(name_, "holds two files " + shown_cell(entry) + "; must hold one");
+            if (found) refuse_file(name_, {"holds two files ", shown_cell(entry), "; must hold one"});
             found = i;
         }
         return found;
@@ -66,19 +64,18 @@ public:
         zip_stat_init(&stat);
         constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_ENCRYPTION_METHOD;
         if (zip_stat_index(archive_.get(), index, 0, &stat) != 0 || (stat.valid & needed) != needed)
-            refuse_file(name_, shown_cell(names_[index]) + " has no readable entry; must be a whole X3P file");
+            refuse_file(name_, {shown_cell(names_[index]), " has no readable entry; must be a whole X3P file"});
         if (stat.encryption_method != ZIP_EM_NONE)
-            refuse_file(name_, shown_cell(names_[index]) + " is encrypted; must not be");
+            refuse_file(name_, {shown_cell(names_[index]), " is encrypted; must not be"});
         if (stat.comp_size > bytes_.size())
-            refuse_file(name_, shown_cell(names_[index]) + " declares " + std::to_string(stat.comp_size) +
-                                   " deflated bytes, more than the file has; must be a whole X3P file");
+            refuse_file(name_, {shown_cell(names_[index]), " declares ", stat.comp_size,
+                                " deflated bytes, more than the file has; must be a whole X3P file"});
         if (stat.size > limits_.bytes)
-            refuse_file(name_, shown_cell(names_[index]) + " would inflate to " + std::to_string(stat.size) +
-                                   " bytes; must be at most " + std::to_string(limits_.bytes));
+            refuse_file(name_, {shown_cell(names_[index]), " would inflate to ", stat.size, " bytes; must be at most ",
+                                limits_.bytes});
         if (stat.size > (std::uint64_t(1) << 20) && stat.size / limits_.ratio > stat.comp_size)
-            refuse_file(name_, shown_cell(names_[index]) + " would inflate from " + std::to_string(stat.comp_size) +
-                                   " to " + std::to_string(stat.size) + " bytes; must be at most " +
-                                   std::to_string(limits_.ratio) + " times as many");
+            refuse_file(name_, {shown_cell(names_[index]), " would inflate from ", stat.comp_size, " to ", stat.size,
+                                " bytes; must be at most ", limits_.ratio, " times as many"});
         return static_cast<std::size_t>(stat.size);
     }
 
@@ -88,7 +85,7 @@ public:
             void operator()(zip_file_t* file) const { zip_fclose(file); }
         };
         const std::unique_ptr<zip_file_t, Close> file(zip_fopen_index(archive_.get(), index, 0));
-        if (!file) refuse_file(name_, shown_cell(names_[index]) + " cannot be inflated; must be deflated or stored");
+        if (!file) refuse_file(name_, {shown_cell(names_[index]), " cannot be inflated; must be deflated or stored"});
         std::size_t done = 0;
         while (done < text.size()) {
             const zip_int64_t got = zip_fread(file.get(), text.data() + done, text.size() - done);
@@ -97,7 +94,7 @@ public:
         }
         char beyond = 0;  // reading to the end makes libzip compare the CRC
         if (done < text.size() || zip_fread(file.get(), &beyond, 1) != 0)
-            refuse_file(name_, shown_cell(names_[index]) + " is damaged; must be a whole X3P file");
+            refuse_file(name_, {shown_cell(names_[index]), " is damaged; must be a whole X3P file"});
         return text;
     }
 

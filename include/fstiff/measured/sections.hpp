@@ -98,17 +98,13 @@ struct SectionSums {
     Matrix<F> sum, pairs;
 };
 
-/// Heights with the sections along \p direction in rows.
-template <class Map>
-auto sections_in_rows(const Map& heights, Direction direction) {
-    return direction == Direction::x ? Map(heights) : Map(heights.transpose());
-}
-
 template <Real T>
 SectionSums<Accumulator<T>> section_sums(const HeightMap<T>& map, Direction direction, Accumulator<T> unit) {
     using F = Accumulator<T>;
     using Rows = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Rows z = sections_in_rows(map.heights, direction).template cast<F>() / unit;
+    const Rows z = (direction == Direction::x ? Rows(map.heights.template cast<F>())
+                                              : Rows(map.heights.transpose().template cast<F>())) /
+                   unit;
     SectionSums<F> sums;
     sums.step = logarithmic_lags(static_cast<std::size_t>(z.cols()) / 4);
     const auto lags = static_cast<Eigen::Index>(sums.step.size());

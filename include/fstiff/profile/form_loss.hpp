@@ -9,7 +9,7 @@
 /// polynomials, gives S after the removal; the loss goes as n^(2-p) times a smooth function of n, which is interpolated.
 ///
 /// Valid       0 < p < 2
-/// Accuracy    D of profiles whose form was removed, without a bias beyond 0.01 (tests/profile/fractal_fit_test.cpp)
+/// Accuracy    the loss within 3 % of itself and 1e-4 (tests/profile/form_loss_test.cpp)
 
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/lag_window.hpp>

@@ -233,12 +233,12 @@ void set_window(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
             result.flattest_slope = here;
         }
     }
-    result.begins = WindowEnd::given, result.ends = WindowEnd::given;
-    if (result.automatic_window) {
-        result.begins = why_there(log, range, range.first - 1, WindowEnd::sampling);
-        result.ends = why_there(log, range, range.last + 1, WindowEnd::length);
-    }
-    if (reliable.from > T(0) && range.first == 0) result.begins = reliable.limit;
+    const auto why = [&](Eigen::Index next, WindowEnd outermost) {
+        return result.automatic_window ? why_there(log, range, next, outermost) : WindowEnd::given;
+    };
+    const bool limited = reliable.from > T(0) && range.first == 0;
+    result.begins = limited ? reliable.limit : why(range.first - 1, WindowEnd::sampling);
+    result.ends = why(range.last + 1, WindowEnd::length);
 }
 
 /// Whether ln S bends: its quadratic or its cubic term, each against its own sampling error.
@@ -339,9 +339,8 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     if (measured.resample) {
         resampled = measured.resample(step);
         if (resampled.rows() != chosen.range.count() || resampled.cols() < 2 || !resampled.allFinite())
-            throw domain_error(
-                "resamples of the structure function: must be finite, a row for every lag asked for, two "
-                "columns or more");
+            refuse("resamples of the structure function", "",
+                   "finite, a row for every lag asked for, two columns or more");
     }
     set_fractal(result, window, fit, window.rows(fit, retained, has_no_form), covariance, resampled, spacing, options);
     result.curved = is_curved(window, covariance) || result.slope_tolerance > T(0.21);

@@ -15,7 +15,7 @@
 ///
 /// Units       lags [m]; inside, in samples
 /// Valid       4 lags at least at which S > 0
-/// Accuracy    the windows of profiles whose law is known (tests/profile/fractal_fit_test.cpp)
+/// Accuracy    the ends of pieces of a power law (tests/profile/lag_window_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/text.hpp>

@@ -17,7 +17,8 @@
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.5)
 /// Valid       4 lags at least
-/// Accuracy    D of profiles whose law is known (tests/profile/fractal_fit_test.cpp)
+/// Accuracy    1e-12 of data that are made of these terms, 1e-9 with those of a finite band
+///             (tests/profile/structure_fit_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/decompositions.hpp>

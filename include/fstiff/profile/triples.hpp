@@ -7,7 +7,7 @@
 /// heights. Units of the heights and of the step are the caller's.
 ///
 /// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157
-/// Accuracy    that of the sums: those of compensated ones 1e-14 (tests/profile/peak_statistics_test.cpp)
+/// Accuracy    that of the sums: those of compensated ones 1e-14 (tests/profile/triples_test.cpp)
 
 #include <fstiff/math/accumulate.hpp>
 

@@ -7,7 +7,7 @@
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
-#include <fstiff/topography/islands.hpp>
+#include <fstiff/topography/island_spread.hpp>
 
 #include <cmath>
 #include <memory>
