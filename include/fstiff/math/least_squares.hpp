@@ -74,11 +74,11 @@ template <Real T, class Evaluate>
     using Vector = typename Fit::Vector;
     using Matrix = typename Fit::Matrix;
     const Eigen::Index count = start.size();
-    if (count == 0) throw domain_error({.parameter = "parameters to fit", .reason = "none; must be at least 1"});
+    if (count == 0) throw domain_error(Refusal{.parameter = "parameters to fit", .reason = "none; must be at least 1"});
     if (residuals < count)
-        throw domain_error({.parameter = "data",
-                            .reason = std::to_string(residuals) + " points; must be at least as many as the " +
-                                      std::to_string(count) + " parameters to fit"});
+        throw domain_error(Refusal{.parameter = "data",
+                                   .reason = std::to_string(residuals) + " points; must be at least as many as the " +
+                                             std::to_string(count) + " parameters to fit"});
     Fit fit;
     fit.parameters = start;
     fit.residuals.resize(residuals);
@@ -89,8 +89,8 @@ template <Real T, class Evaluate>
         return evaluate(x, f, j) && f.allFinite() && j.allFinite() && std::isfinite(f.squaredNorm());
     };
     if (!usable(start, fit.residuals, jacobian))
-        throw domain_error({.parameter = "the starting values",
-                            .reason = "the model has no value there for the data; must be closer to them"});
+        throw domain_error(Refusal{.parameter = "the starting values",
+                                   .reason = "the model has no value there for the data; must be closer to them"});
     fit.sum_of_squares = fit.residuals.squaredNorm();
 
     const auto scales = [&] {
