@@ -63,7 +63,7 @@
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/mindlin.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_curve.hpp>
@@ -73,10 +73,10 @@
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/law_batch.hpp>
-#include <fstiff/contact/law_compiler.hpp>
 #include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/contact/law_tables.hpp>
+#include <fstiff/contact/law_tabulator.hpp>
 #include <fstiff/contact/law_text.hpp>
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/paper_integrals.hpp>

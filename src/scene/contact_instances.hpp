@@ -12,7 +12,7 @@ namespace fstiff {
 
 FSTIFF_SCENE_INSTANCE double detail::visit_nodes(const detail::PeakProblem<double>&, double,
                                                  detail::PeakAccumulator<double>&);
-FSTIFF_SCENE_INSTANCE Estimate<double> contact_integral(double, double, const PeakDensity<double>&, double,
+FSTIFF_SCENE_INSTANCE Estimate<double> contact_integral(double, double, const PeakDistribution<double>&, double,
                                                         const IntegralOptions<double>&);
 
 }  // namespace fstiff

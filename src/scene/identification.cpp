@@ -42,7 +42,7 @@ std::vector<Observation<double>> observations(const MeasuredCurve& curve, const 
     return data;
 }
 
-ContactParameters<double> start_of(const Scene& scene, const PeakDensity<double>& peaks) {
+ContactParameters<double> start_of(const Scene& scene, const PeakDistribution<double>& peaks) {
     ContactParameters<double> start;
     start.rms_height = scene.surface.rms_height;
     start.peak_radius = scene.surface.peak_radius;
@@ -114,7 +114,7 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
             continue;
         }
         for (const Peaks& peaks : scene.peaks) {
-            const PeakDensity<double> density = peak_density(peaks);
+            const PeakDistribution<double> density = peak_density(peaks);
             fits.push_back({law,
                             density.theta(),
                             density.r(),

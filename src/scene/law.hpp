@@ -3,11 +3,11 @@
 // A law by its name at run time: one table, in law.cpp. To add a law is one line there and the include of its header.
 
 #include <fstiff/contact/contact_curve.hpp>
-#include <fstiff/fit/identify.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/fit/identify.hpp>
 #include <fstiff/io/quantity.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <memory>
@@ -40,9 +40,9 @@ struct LawOption {
 /// What a contact is made of.
 struct ContactInputs {
     Roughness<double> surface{};
-    double effective_modulus = 0;                ///< [Pa]
-    const PeakDensity<double>* peaks = nullptr;  ///< none of a law that has no joint distribution
-    double fractal_dimension = 0;                ///< of a law that needs it
+    double effective_modulus = 0;                     ///< [Pa]
+    const PeakDistribution<double>* peaks = nullptr;  ///< none of a law that has no joint distribution
+    double fractal_dimension = 0;                     ///< of a law that needs it
     Interaction<double> interaction{};
     std::vector<double> options{};  ///< [SI], in the order of Law::options
 };

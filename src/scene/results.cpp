@@ -63,7 +63,7 @@ void for_each_contact(const Scene& scene, double modulus, const Visit& visit) {
             continue;
         }
         for (const Peaks& of : scene.peaks) {
-            const PeakDensity<double> peaks = peak_density(of);
+            const PeakDistribution<double> peaks = peak_density(of);
             inputs.peaks = &peaks;
             visit(Curve{.law = &law,
                         .theta = peaks.theta(),

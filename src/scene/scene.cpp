@@ -782,9 +782,10 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
 
 }  // namespace
 
-PeakDensity<double> peak_density(const Peaks& peaks) {
+PeakDistribution<double> peak_density(const Peaks& peaks) {
     try {
-        return peaks.r ? PeakDensity<double>(*peaks.r, peaks.theta) : PeakDensity<double>::exponential(peaks.theta);
+        return peaks.r ? PeakDistribution<double>(*peaks.r, peaks.theta)
+                       : PeakDistribution<double>::exponential(peaks.theta);
     } catch (const domain_error& error) {
         throw error.with_parameter(peaks.key + std::string(error.parameter())).with_place(peaks.where);
     }

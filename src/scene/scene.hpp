@@ -11,7 +11,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/progress.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 
@@ -37,7 +37,7 @@ struct ChosenLaw {
     std::vector<double> options{};  ///< [SI], in the order of Law::options
 };
 
-/// One peak density to compute; the values are checked when the PeakDensity is made.
+/// One peak density to compute; the values are checked when the PeakDistribution is made.
 struct Peaks {
     double theta = 0;         ///< [rad]
     std::optional<double> r;  ///< none: of an exponential autocorrelation
@@ -47,7 +47,7 @@ struct Peaks {
 };
 
 /// \throws domain_error naming the place of the value that no peak density has.
-PeakDensity<double> peak_density(const Peaks& peaks);
+PeakDistribution<double> peak_density(const Peaks& peaks);
 
 enum class InteractionLength { nominal, peak_spacing, given };
 

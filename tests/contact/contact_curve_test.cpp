@@ -16,7 +16,7 @@ using namespace fstiff;
 namespace {
 
 const Roughness<double> fine{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
-const auto peaks = PeakDensity<double>::exponential(std::numbers::pi / 3);
+const auto peaks = PeakDistribution<double>::exponential(std::numbers::pi / 3);
 
 bool same(const ContactState<double>& a, const ContactState<double>& b) {
     return a.eta == b.eta && a.separation.value == b.separation.value && a.pressure.value == b.pressure.value &&

@@ -111,7 +111,7 @@ TEST_CASE("200 random contacts: p, K, area and contacts are the means over the p
         const Scene s = random_scene(random);
         CAPTURE(i, s.r, s.theta, s.eta);
         with_law(i, s, [&](const auto& law) {
-            const RoughContact contact(s.surface, PeakDensity<double>(s.r, s.theta), law, s.modulus);
+            const RoughContact contact(s.surface, PeakDistribution<double>(s.r, s.theta), law, s.modulus);
             check_state(contact.at_separation(s.eta * s.surface.rms_height), s, law,
                         [&](const auto& f) { return mean_over_peaks(s, f); });
         });
@@ -129,7 +129,7 @@ TEST_CASE("200 random contacts: pressure and separation are each other's inverse
         const double sigma = s.surface.rms_height;
         CAPTURE(i, s.r, s.theta, s.eta, s.length);
         with_law(i, s, [&](const auto& law) {
-            const PeakDensity<double> peaks(s.r, s.theta);
+            const PeakDistribution<double> peaks(s.r, s.theta);
             const auto with = [&](InteractionReading reading) {
                 return RoughContact(s.surface, peaks, law, s.modulus, {.interaction = {reading, s.length}});
             };

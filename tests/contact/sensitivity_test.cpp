@@ -46,7 +46,7 @@ using Options = RoughContactOptions<long double>;
 template <class Law>
 RoughContact<long double, Law> contact_of(const Parameters& p, const Options& options) {
     return {Roughness<long double>{p.rms_height, p.peak_radius, p.peak_density, 0},
-            PeakDensity<long double>(p.r, p.theta), law_of<Law>(p.dimension), p.modulus, options};
+            PeakDistribution<long double>(p.r, p.theta), law_of<Law>(p.dimension), p.modulus, options};
 }
 
 template <class Law>
@@ -141,12 +141,12 @@ TEST_CASE("double agrees with long double, also in hard regimes") {
         for (const double theta : {0.01, 1.0, 1.57})
             for (const double pressure : {1e4, 1e8}) {
                 const auto fast =
-                    sensitivity(RoughContact(test::sand_blasted_fine.roughness(), PeakDensity<double>(r, theta),
+                    sensitivity(RoughContact(test::sand_blasted_fine.roughness(), PeakDistribution<double>(r, theta),
                                              FractalLaw<double>(1.62), 112.6e9),
                                 pressure);
                 const auto truth = sensitivity(
-                    RoughContact(test::sand_blasted_fine.roughness<long double>(), PeakDensity<long double>(r, theta),
-                                 FractalLaw<long double>(1.62L), 112.6e9L),
+                    RoughContact(test::sand_blasted_fine.roughness<long double>(),
+                                 PeakDistribution<long double>(r, theta), FractalLaw<long double>(1.62L), 112.6e9L),
                     static_cast<long double>(pressure));
                 INFO("r " << r << " theta " << theta << " p " << pressure);
                 // relative to K per parameter: sums of terms that partly cancel
@@ -161,7 +161,7 @@ TEST_CASE("double agrees with long double, also in hard regimes") {
 #endif
 TEST_CASE("scaling laws: K is of degree 0 in (p, E) less one, and does not depend on the unit of length") {
     // K(lambda p, lambda E) = lambda K: p dK/dp + E dK/dE = K; lengths: sigma K_sigma + R K_R - 2 D_p K_Dp = -K
-    const auto s = sensitivity(RoughContact(test::sand_blasted_fine.roughness(), PeakDensity<double>(0.6, 1.1),
+    const auto s = sensitivity(RoughContact(test::sand_blasted_fine.roughness(), PeakDistribution<double>(0.6, 1.1),
                                             FractalConsistentLaw<double>(1.62), 112.6e9),
                                3e6);
     CHECK(test::relative_error(3e6 * s.pressure + 112.6e9 * s.effective_modulus, s.stiffness) < 1e-13);
@@ -220,7 +220,7 @@ TEST_CASE("a law without powers is differentiated to 1e-8, as its powers say") {
         for (const double pressure : {1e5, 1e7})
             for (const auto& options : {RoughContactOptions<double>{}, patch}) {
                 CAPTURE(r, pressure);
-                const PeakDensity<double> peaks(r, theta);
+                const PeakDistribution<double> peaks(r, theta);
                 same(RoughContact(fine, peaks, HertzByUser{}, 112.6e9, options),
                      RoughContact(fine, peaks, HertzLaw<double>{}, 112.6e9, options), pressure, 1e-8);
                 same(RoughContact(fine, peaks, PlasticByUser{}, 112.6e9, options),
@@ -234,6 +234,6 @@ TEST_CASE("a law without powers is differentiated to 1e-8, as its powers say") {
              1e6, 1e-8);
     }
     // neither says how it depends on D
-    CHECK(std::isnan(sensitivity(RoughContact(fine, PeakDensity<double>(0.5, 1), PlasticByPowers{}, 112.6e9), 1e6)
+    CHECK(std::isnan(sensitivity(RoughContact(fine, PeakDistribution<double>(0.5, 1), PlasticByPowers{}, 112.6e9), 1e6)
                          .fractal_dimension));
 }

@@ -78,8 +78,8 @@ TEST_CASE("every elastic stiffness exceeds the chord from the first touch, p/(R_
     const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
     std::size_t compared = 0;
     for (const test::PaperSurface& paper : test::paper_surfaces)
-        for (const PeakDensity<double>& peaks :
-             {PeakDensity<double>(0, std::numbers::pi / 4), PeakDensity<double>::exponential(std::numbers::pi / 3)}) {
+        for (const PeakDistribution<double>& peaks : {PeakDistribution<double>(0, std::numbers::pi / 4),
+                                                      PeakDistribution<double>::exponential(std::numbers::pi / 3)}) {
             const Roughness<double> surface = paper.roughness();
             const double dimension = paper.fractal_dimension;
             const auto check = [&](const auto& contact) {

@@ -72,8 +72,8 @@ TEST_CASE("What the data do not see stands alone, and is fatal") {
     auto fit = good();
     fit.status = FitStatus::singular;
     fit.chi_squared = 1e6;
-    fit.parameters[0].looseness = 1;
-    fit.parameters[1].looseness = 0.01;
+    fit.parameters[0].null_share = 1;
+    fit.parameters[1].null_share = 0.01;
     REQUIRE(words(fit) == Concerns{FitConcern::singular});
     CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
     CHECK(is_fatal(FitConcern::singular));
@@ -88,7 +88,8 @@ TEST_CASE("R and D_p of K(p) cannot be told apart; sigma alone has nothing again
     const ContactParameters<double> truth{0.832e-6, 40e-6, 500e6, 1.62, 112.6e9, 0.6, 1.1, 0};
     const auto hertz = [](double) { return HertzLaw<double>{}; };
     const RoughContact contact(Roughness<double>{truth.rms_height, truth.peak_radius, truth.peak_density, 0},
-                               PeakDensity<double>(truth.r, truth.theta), HertzLaw<double>{}, truth.effective_modulus);
+                               PeakDistribution<double>(truth.r, truth.theta), HertzLaw<double>{},
+                               truth.effective_modulus);
     std::vector<Observation<double>> data;
     for (const double p : {1e6, 2e6, 4e6, 8e6, 16e6}) {
         const double k = contact.at_pressure(p, Quantity::stiffness).stiffness.value;

@@ -38,7 +38,7 @@ std::vector<Observation<double>> curve(const ContactParameters<double>& x, const
                                        const RoughContactOptions<double>& options = {}) {
     std::vector<Observation<double>> data;
     const RoughContact contact(Roughness<double>{x.rms_height, x.peak_radius, x.peak_density, 0},
-                               PeakDensity<double>(x.r, x.theta), law(x.fractal_dimension), x.effective_modulus,
+                               PeakDistribution<double>(x.r, x.theta), law(x.fractal_dimension), x.effective_modulus,
                                options);
     for (int i = 0; i < count; ++i) {
         const double p = 0.5e6 * std::pow(100.0, double(i) / (count - 1));
@@ -193,10 +193,10 @@ TEST_CASE("parameters that K(p) holds in combination only are called singular, b
     CHECK(pair.covariance.size() == 0);
     const auto four = identify(data, {offset, peak_density, effective_modulus, theta}, truth, fractal);
     REQUIRE(four.status == FitStatus::singular);
-    CHECK(four.parameters[0].looseness < 1e-3);  // the offset is seen, the product D_p E only
-    CHECK(four.parameters[1].looseness > 0.9);
-    CHECK(four.parameters[2].looseness > 0.9);
-    CHECK(four.parameters[3].looseness < 1e-3);
+    CHECK(four.parameters[0].null_share < 1e-3);  // the offset is seen, the product D_p E only
+    CHECK(four.parameters[1].null_share > 0.9);
+    CHECK(four.parameters[2].null_share > 0.9);
+    CHECK(four.parameters[3].null_share < 1e-3);
     // sigma, D_p and D make two scales of one curve
     CHECK(identify(data, {rms_height, peak_density, fractal_dimension}, truth, fractal).status == FitStatus::singular);
     CHECK(identify(data, {rms_height, fractal_dimension}, truth, fractal).status == FitStatus::converged);
@@ -233,7 +233,7 @@ TEST_CASE("a fit that runs to the end of a range says at_bound, and one that onl
             CHECK(fit.model.size() == 12);
         } else if (fit.status == FitStatus::singular) {
             ++singular;
-            CHECK(angle.looseness > 0.3);
+            CHECK(angle.null_share > 0.3);
             CHECK(fit.covariance.size() == 0);
         } else {
             CHECK(fit.status == FitStatus::converged);

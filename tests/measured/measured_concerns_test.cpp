@@ -21,7 +21,7 @@ FractalFit<double> sound_fit() {
     fit.log_roughness_error = 2.3;
     fit.automatic_window = true;
     fit.window = {1e-6, 20e-6};
-    fit.slope_least = 0.69;
+    fit.min_slope = 0.69;
     fit.flattest_lag = 0.5e-6;
     fit.flattest_slope = 0.19;
     return fit;
@@ -45,7 +45,7 @@ TEST_CASE("A fit tells each concern beyond its limit") {
     fit.curved = true;
     CHECK(concerns_of(fit) == Concerns{curved});
     fit = sound_fit();
-    fit.slope_least = 0.7;
+    fit.min_slope = 0.7;
     CHECK(concerns_of(fit) == Concerns{saturated});
     fit.automatic_window = false;
     CHECK(concerns_of(fit).empty());

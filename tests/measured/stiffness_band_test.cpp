@@ -30,7 +30,7 @@ const std::vector<double> pressures{1e5, 1e7};
 
 TEST_CASE("Without errors the band is K itself") {
     const auto band = stiffness_band(surface(), pressures, fractal, 112.6e9, {.samples = 20});
-    const RoughContact contact(Roughness<double>{0.832e-6, 40e-6, 500e6}, PeakDensity<double>(0.6, 1.1),
+    const RoughContact contact(Roughness<double>{0.832e-6, 40e-6, 500e6}, PeakDistribution<double>(0.6, 1.1),
                                FractalLaw<double>(1.62), 112.6e9);
     REQUIRE(band.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -47,7 +47,7 @@ TEST_CASE("The band is that of a loop over the surfaces, and of its seed") {
     std::vector<std::vector<double>> k(2);
     for (int n = 0; n < 101; ++n) {
         const auto x = draw();
-        const RoughContact contact(Roughness<double>{x[0], x[1], x[2]}, PeakDensity<double>(x[4], x[5]),
+        const RoughContact contact(Roughness<double>{x[0], x[1], x[2]}, PeakDistribution<double>(x[4], x[5]),
                                    FractalLaw<double>(x[3]), 112.6e9);
         for (std::size_t i = 0; i < 2; ++i)
             k[i].push_back(contact.at_pressure(pressures[i], Quantity::stiffness).stiffness.value);
@@ -85,7 +85,7 @@ TEST_CASE("Surfaces that do not reach a pressure are left out there, and what ca
     s.error[0] = 0.2e-6;
     const auto at = stiffness_band(s, std::vector{1e-287, 1e6},
                                    [](const auto& drawn) {
-                                       return RoughContact(roughness_of(drawn), PeakDensity<double>(0.6, 1.1),
+                                       return RoughContact(roughness_of(drawn), PeakDistribution<double>(0.6, 1.1),
                                                            HertzLaw<double>{}, 112.6e9);
                                    },
                                    {.samples = 50});

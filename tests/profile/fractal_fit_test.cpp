@@ -120,8 +120,8 @@ TEST_CASE("A bend in the structure function is flagged, a power law is not") {
     const auto fit = fit_fractal(bent, {.window = LagWindow<double>{4e-6, 400e-6}});
     CHECK(fit.curved);
     CHECK(fit.slope_shortest > fit.slope_longest + 0.5);
-    CHECK(fit.slope_greatest == fit.slope_shortest);
-    CHECK(fit.slope_least <= fit.slope_longest);
+    CHECK(fit.max_slope == fit.slope_shortest);
+    CHECK(fit.min_slope <= fit.slope_longest);
 }
 
 TEST_CASE("Waviness over a roughness that has saturated is told, and a window over both is flagged") {
@@ -143,8 +143,8 @@ TEST_CASE("Waviness over a roughness that has saturated is told, and a window ov
     // from the roughness over its flat end to the wave: the slope falls and rises, with little change from end to end
     const auto both = fit_fractal(profile, {.window = LagWindow<double>{5e-6, 150e-6}});
     CHECK(both.curved);
-    CHECK(both.slope_least < 0.2);
-    CHECK(both.slope_greatest > 0.6);
+    CHECK(both.min_slope < 0.2);
+    CHECK(both.max_slope > 0.6);
     CHECK(fit_fractal(random_walk(20000, 3)).flattest_lag == 0);  // the window begins with the lags searched
 }
 

@@ -51,7 +51,7 @@ Level slow(const HeightMap<double>& map, double level, const IslandOptions<doubl
                     if (o.connectivity == Connectivity::eight || x == 0 || y == 0) visit(j + y, i + x);
         }
         result.above += size;
-        if (size < o.least_points || size == 0 || (border && o.border == BorderIslands::dropped)) continue;
+        if (size < o.min_points || size == 0 || (border && o.border == BorderIslands::dropped)) continue;
         ++result.islands;
         points += size;
         heights += o.height == IslandHeight::peak ? top : 2 * sum / static_cast<long double>(size);
@@ -135,7 +135,7 @@ TEST_CASE("Every level of the sweep is what labelling that level alone gives") {
                         const auto map = some_map(kind, columns, rows, least + 7);
                         const IslandOptions<double> o{.connectivity = connectivity,
                                                       .border = border,
-                                                      .least_points = least,
+                                                      .min_points = least,
                                                       .height = height,
                                                       .quantiles = 0};
                         const auto curve = island_curve(map, o);
@@ -272,7 +272,7 @@ TEST_CASE("Islands less lakes are the Euler characteristic of a Gaussian field")
 }
 
 TEST_CASE("A map turned by a right angle, mirrored or lifted has the same islands") {
-    const IslandOptions<double> o{.border = BorderIslands::dropped, .least_points = 3};
+    const IslandOptions<double> o{.border = BorderIslands::dropped, .min_points = 3};
     auto map = some_map(Kind::holes, 60, 45, 9);
     const auto curve = island_curve(map, o);
     const HeightMap<double> turned{map.heights.transpose(), map.dy, map.dx};
@@ -356,9 +356,9 @@ TEST_CASE("Maps and options out of range are named") {
         return test::refusal([&] { (void)representative_islands(m, o, s); });
     };
     CHECK(says(map, {}).empty());
-    CHECK(says(map, {.least_points = 0}).find("least points of an island = 0") == 0);
+    CHECK(says(map, {.min_points = 0}).find("least points of an island = 0") == 0);
     CHECK(says(map, {.levels = {0.0, missing}}).find("cutting level = ") == 0);
-    CHECK(says(map, {.least_points = 1000}).find("greatest density of islands = 0") == 0);
+    CHECK(says(map, {.min_points = 1000}).find("greatest density of islands = 0") == 0);
     CHECK(says(map, {.levels = {1.0}}).find("greatest density of islands = 0") == 0);
     CHECK(says(map, {}, {.tiles = 0}).find("tiles a side = 0") == 0);
     CHECK(says(map, {}, {.tiles = 33}).find("tiles a side = 33") == 0);

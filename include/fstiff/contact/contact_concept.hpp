@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What curves, compiled laws and fits ask of a contact. RoughContact has it for every law and every distribution of peaks.
+/// What curves, tabulated laws and fits ask of a contact. RoughContact has it for every law and every distribution of
+/// peaks.
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
@@ -11,8 +12,8 @@
 
 namespace fstiff {
 
-/// A contact in the scalar T: its state at a pressure [Pa] and at a separation [m], thrown out of or with a status, and log p with its slope and log K against
-/// the separation over the rms height, without interaction.
+/// A contact in the scalar T: its state at a pressure [Pa] and at a separation [m], thrown out of or with a status, and
+/// log p with its slope and log K against the separation over the rms height, without interaction.
 template <class C, class T>
 concept Contact = requires(const C& contact, T x, Quantity wanted) {
     { contact.at_pressure(x, wanted) } -> std::same_as<ContactState<T>>;
@@ -26,8 +27,8 @@ concept Contact = requires(const C& contact, T x, Quantity wanted) {
     { contact.bulk_compliance() } -> std::convertible_to<T>;
 };
 
-/// One whose K is a constant times -dp/dd, so that one table by gap serves both; of any other contact K has a table of its own,
-/// and with interaction K itself is in series with the bulk.
+/// One whose K is a constant times -dp/dd, so that one table by gap serves both; of any other contact K has a table of
+/// its own, and with interaction K itself is in series with the bulk.
 template <class C, class T>
 concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
     { contact.stiffness_over_slope() } -> std::convertible_to<T>;

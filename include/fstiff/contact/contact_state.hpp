@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What is known of a contact at one separation or pressure, or why nothing is, and the search for the separation of a given
-/// pressure.
+/// What is known of a contact at one separation or pressure, or why nothing is, and the search for the separation of a
+/// given pressure.
 ///
 /// Units       SI, per nominal area
-/// Accuracy    the errors are absolute bounds for exact inputs; those at a given pressure contain that of the separation
+/// Accuracy    the errors are absolute bounds for exact inputs; those at a given pressure contain that of the
+///             separation
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
@@ -24,7 +25,7 @@
 namespace fstiff {
 
 /// Quantities that were not asked for are 0, with 0 evaluations.
-template <Real T>
+template <Real T = double>
 struct ContactState {
     T eta{};                         ///< separation at which the peaks meet, over the rms height
     Estimate<T> separation;          ///< of the mean planes [m]
@@ -35,7 +36,8 @@ struct ContactState {
     Estimate<T> loading_stiffness;   ///< -dp/dd [Pa/m]: K where the stiffness of the law is the slope of its load
 };
 
-/// Whether every value and error of \p state is a number that may be doubled: the tangential stiffness is up to 4/3 of K.
+/// Whether every value and error of \p state is a number that may be doubled: the tangential stiffness is up to 4/3 of
+/// K.
 template <Real T>
 [[nodiscard]] bool in_range(const ContactState<T>& state) {
     for (const Estimate<T>* one : {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction,
@@ -51,7 +53,7 @@ enum class PointStatus {
 };
 
 /// The state at a pressure or a separation, or why there is none.
-template <Real T>
+template <Real T = double>
 struct ContactPoint {
     PointStatus status = PointStatus::ok;
     ContactState<T> state{};  ///< out of reach: all 0, but for a stiffness that is NaN
@@ -70,7 +72,7 @@ struct ContactPoint {
 };
 
 /// A decreasing function of eta as its logarithm, so that its tail does not underflow.
-template <Real T>
+template <Real T = double>
 struct LogSlope {
     T log;    ///< log f(eta)
     T slope;  ///< d log f/d eta, < 0
@@ -78,7 +80,7 @@ struct LogSlope {
 };
 
 /// A positive function of eta as its logarithm.
-template <Real T>
+template <Real T = double>
 struct LogValue {
     T log;    ///< log f(eta)
     T error;  ///< relative error of f
@@ -86,7 +88,7 @@ struct LogValue {
 
 namespace detail {
 
-inline constexpr int lowest_eta = -1000;  ///< separations that are searched for a pressure
+inline constexpr int min_eta = -1000;  ///< separations that are searched for a pressure
 
 template <Real T>
 struct EtaEstimate {
@@ -128,11 +130,11 @@ template <Real T>
 
 /// Where the tail of a Gaussian underflows, and an exponential one; short of it for the algebraic factors.
 template <Real T>
-T highest_gaussian_eta() {
+T max_gaussian_eta() {
     return std::sqrt(-2 * std::log(std::numeric_limits<T>::min())) - 1;
 }
 template <Real T>
-T highest_exponential_eta() {
+T max_exponential_eta() {
     return -std::log(std::numeric_limits<T>::min()) - 10;
 }
 
@@ -140,11 +142,11 @@ T highest_exponential_eta() {
 template <Real T>
 inline constexpr T rough_tolerance = T(1e-3);
 
-/// The eta up to \p highest where log f(eta) = \p target. \p log_slope takes eta and whether a rough value will do, and returns
-/// a LogSlope. log f is concave and close to its value and slope at 0 plus -eta^2/2: from that guess Halley's method, whose
-/// second derivative is the difference of two slopes, arrives in three or four evaluations, the first of them rough; a
-/// bracketed search takes over where it does not.
-/// Not found when eta would leave [lowest_eta, highest] or f its range.
+/// The eta up to \p highest where log f(eta) = \p target. \p log_slope takes eta and whether a rough value will do, and
+/// returns a LogSlope. log f is concave and close to its value and slope at 0 plus -eta^2/2: from that guess Halley's
+/// method, whose second derivative is the difference of two slopes, arrives in three or four evaluations, the first of
+/// them rough; a bracketed search takes over where it does not.
+/// Not found when eta would leave [min_eta, highest] or f its range.
 template <Real T, class F>
 EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
     using Limits = std::numeric_limits<T>;
@@ -156,7 +158,7 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
     const T near = T(0.05), close = std::sqrt(Limits::epsilon());  // the next step is its square or less
     bool rough = true;
     T x = guess, last_x = 0;
-    for (int i = 0; i < 12 && x >= lowest_eta && x <= highest; ++i) {
+    for (int i = 0; i < 12 && x >= min_eta && x <= highest; ++i) {
         const T last_slope = at.slope;
         at = log_slope(x, rough);
         const T newton = (target - at.log) / at.slope;
@@ -174,9 +176,9 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
         return std::pair(f.log - target, f.slope);
     };
     // closer than the rounding of the logarithms tells apart is not asked for
-    const auto found = newton_bracketed(residual, T(lowest_eta), highest, guess, 16 * rounding);
+    const auto found = newton_bracketed(residual, T(min_eta), highest, guess, 16 * rounding);
     if (!found.converged())
-        return {{}, false, log_slope(highest, false).log - target, log_slope(T(lowest_eta), false).log - target};
+        return {{}, false, log_slope(highest, false).log - target, log_slope(T(min_eta), false).log - target};
     at = log_slope(found.root, false);
     return {{found.root, found.error + (at.error + rounding) / -at.slope}};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Evaluates the tables of a compiled law for a whole array, four elements at a time where the processor can.
+/// Evaluates the tables of a tabulated law for a whole array, four elements at a time where the processor can.
 ///
 /// Units       those of the tables
 /// Valid       float and double; results of the size of the arguments, which may be the same array
@@ -28,8 +28,8 @@ inline void require_same_size(Eigen::Index a, Eigen::Index b) {
                                              " elements: must have the same number"});
 }
 
-/// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up where
-/// fewer are left, so that a result does not depend on where its element stands; the others go through \p one.
+/// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
+/// where fewer are left, so that a result does not depend on where its element stands; the others go through \p one.
 template <class Pieces, ReadableReal T, std::size_t N, class FourAt, class OneAt>
 void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
                const FourAt& four, const OneAt& one) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The sums of contact/law_sums for a law without powers: means over the peaks by integrals in two dimensions, or over the
-/// heights alone where all peaks have one radius.
+/// The sums of contact/law_sums for a law without powers: means over the peaks by integrals in two dimensions, or over
+/// the heights alone where all peaks have one radius.
 ///
 ///     joint distribution    I[f] of contact/tensor_integrals.hpp; -dI[f]/deta = I[f (zeta - r t)/c^2]           (by parts)
 ///     peaks of one radius   int f(e) phi(eta + e) de, split at the kinks of the law; its slope by parts as well
 ///
-/// Reference   this project; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9) for the distribution
+/// Reference   this project; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9) for the
+///             distribution
 /// Units       SI; load/E [m^2], stiffness/E [m], area [m^2] of the law
 /// Valid       as the integrals that are called
 /// Accuracy    that of the integrals that are called (tests/contact/any_law_test.cpp)
@@ -47,7 +48,8 @@ constexpr Axis axis_of() {
         return Axis::graded;
 }
 
-/// Load, stiffness, area and -dp/dd of any law; the contacts are left 0. \p mean(f) is the mean of f(omega, R) over the peaks,
+/// Load, stiffness, area and -dp/dd of any law; the contacts are left 0. \p mean(f) is the mean of f(omega, R) over the
+/// peaks,
 /// \p mean_of_area the same for an area, and \p mean_of_loading(f) the slope of the mean of f against -eta.
 template <Real T, class Law, class Mean, class MeanOfArea, class MeanOfLoading>
 LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wanted, const Mean& mean,
@@ -73,9 +75,9 @@ LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wa
 
 /// Any law over the joint distribution: an integral in two dimensions for each quantity.
 template <Real T, class Law>
-requires(!PowerLaw<Law, T>) class LawIntegrator<T, Law, PeakDensity<T>> {
+requires(!PowerLaw<Law, T>) class LawIntegrator<T, Law, PeakDistribution<T>> {
 public:
-    LawIntegrator(const Law& law, const PeakDensity<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
+    LawIntegrator(const Law& law, const PeakDistribution<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
                   T tolerance)
         : law_(law), peaks_(peaks), scales_(scales), wanted_(wanted), options_{tolerance_for(tolerance)} {}
 
@@ -117,7 +119,7 @@ private:
     }
 
     Law law_;
-    PeakDensity<T> peaks_;
+    PeakDistribution<T> peaks_;
     PeakScales<T> scales_;
     Quantity wanted_;
     TensorOptions<T> options_;

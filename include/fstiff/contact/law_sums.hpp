@@ -5,13 +5,15 @@
 ///
 ///     p = E D_p <load>,  K = E D_p <stiffness>,  A = D_p <area>,  n = D_p <1>,  -dp/dd
 ///
-/// <f> is the mean over all peaks, those below the separation counting 0. With omega = sigma (zeta - eta), R = 1/(sigma_kappa t):
+/// <f> is the mean over all peaks, those below the separation counting 0. With omega = sigma (zeta - eta), R =
+/// 1/(sigma_kappa t):
 ///
 ///     power law       <omega^x R^y> = sigma^x sigma_kappa^-y J[x,-y],  d/deta J[a,b] = -a J[a-1,b]     one dimension
 ///     any other       contact/law_means.hpp
 ///     peaks of one R  <omega^x R^y> = sigma^x R^y G_x(eta)                                                closed
 ///
-/// Which of them is chosen when the contact is compiled. A quantity whose powers are those of another costs nothing more.
+/// Which of them is chosen when the contact is compiled. A quantity whose powers are those of another costs nothing
+/// more.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9).
 /// Units       SI; load/E [m^2], stiffness/E [m], area [m^2] of the law
@@ -23,7 +25,7 @@
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 
 #include <array>
@@ -56,8 +58,8 @@ struct PeakScales {
     T rms_height, peak_density, effective_modulus;
     T curvature;  ///< sigma_kappa, or 1/R for peaks of one radius [1/m]
 
-    /// factor D_p sigma^(omega/2) curvature^(-radius/2): of the mean of a law of these powers over the peaks. Written with
-    /// sigma times the curvature, which is dimensionless.
+    /// factor D_p sigma^(omega/2) curvature^(-radius/2): of the mean of a law of these powers over the peaks. Written
+    /// with sigma times the curvature, which is dimensionless.
     [[nodiscard]] T of(T factor, HalfPowers powers) const {
         const T product = rms_height * curvature;
         const int lengths = powers.omega + powers.radius;  // of 1/2 each
@@ -113,12 +115,12 @@ Estimate<T>& member_of(LawSums<T>& sums, Quantity quantity) {
 template <Real T, class Law, class Peaks>
 class LawIntegrator;
 
-/// A power law over the joint distribution of height and curvature: one pass over the nodes for each set of distinct powers
-/// of omega.
+/// A power law over the joint distribution of height and curvature: one pass over the nodes for each set of distinct
+/// powers of omega.
 template <Real T, PowerLaw<T> Law>
-class LawIntegrator<T, Law, PeakDensity<T>> {
+class LawIntegrator<T, Law, PeakDistribution<T>> {
 public:
-    LawIntegrator(const Law& law, const PeakDensity<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
+    LawIntegrator(const Law& law, const PeakDistribution<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
                   T tolerance)
         : terms_(power_terms(law, scales)) {
         constexpr PowerSet nothing{absent, absent, absent, absent};

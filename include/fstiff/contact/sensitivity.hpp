@@ -6,28 +6,29 @@
 ///     ln K = ln B + ln J[x,-y](eta),   ln p = ln A + ln J[u,-v](eta)        load ~ omega^u R^v, stiffness ~ omega^x R^y
 ///     d ln K/dz = d ln B/dz + d ln J[x,-y]/dz - (J[x,-y]'/J[x,-y]) (J[u,-v]/J[u,-v]') (d ln A/dz + d ln J[u,-v]/dz)
 ///
-/// at constant p, for any law that is given by its powers; Hertz's are J[1/2,-1/2] and J[3/2,-1/2]. The derivatives of the
-/// integrals are integrals of the same kind, over the same nodes:
+/// at constant p, for any law that is given by its powers; Hertz's are J[1/2,-1/2] and J[3/2,-1/2]. The derivatives of
+/// the integrals are integrals of the same kind, over the same nodes:
 ///
 ///     dJ[a,b]/deta   = -a J[a-1,b]                                       (a = 0: the density at eta)
 ///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]         (d phi/dr = d^2 phi/dzeta dt, by parts twice;
 ///                      b = -1: and what t^b erf(k t) leaves at t = 0)
 ///     dJ[a,b]/dtheta = -J[a,b]/theta + dk/dtheta I[(zeta-eta)^a t^b d/dk erf(k t)]
 ///
-/// where I is the integral with the normal density phi(zeta, t; r) of correlation r in place of erf(k t) phi. Over peaks of one
-/// radius they are the moments themselves. For a law without powers ln p and ln K are differentiated numerically at constant
-/// eta, by sigma, R, r and theta in turn, with six points each: 25 pairs of integrals.
+/// where I is the integral with the normal density phi(zeta, t; r) of correlation r in place of erf(k t) phi. Over
+/// peaks of one radius they are the moments themselves. For a law without powers ln p and ln K are differentiated
+/// numerically at constant eta, by sigma, R, r and theta in turn, with six points each: 25 pairs of integrals.
 ///
 ///     const auto s = fstiff::sensitivity(contact, 3e6);        s.rms_height is dK/dsigma at 3 MPa
 ///
-/// With interaction (effective_separation) the bulk is in series as in RoughContact: 1/K' = 1/K + L/(E f), where f is K over -dp/dd
-/// if that is a constant and else 1, so that dK'/dz = (K'/K)^2 dK/dz, and terms of E and of f(D). L is held.
+/// With interaction (effective_separation) the bulk is in series as in RoughContact: 1/K' = 1/K + L/(E f), where f is K
+/// over -dp/dd if that is a constant and else 1, so that dK'/dz = (K'/K)^2 dK/dz, and terms of E and of f(D). L is
+/// held.
 ///
 /// Reference   Plackett, Biometrika 41 (1954) 351-360 (the derivative with respect to r).
 /// Units       each derivative in Pa/m per unit of its parameter (SI)
 /// Valid       as RoughContact; the factors and lengths of the law are held but for D. A law without powers: r > 0
-/// Accuracy    1e-11 of K per relative change of the parameter, 1e-10 for r and theta near pi/2; of a law without powers 1e-8
-///             (tests/contact/sensitivity_test.cpp)
+/// Accuracy    1e-11 of K per relative change of the parameter, 1e-10 for r and theta near pi/2; of a law without
+///             powers 1e-8 (tests/contact/sensitivity_test.cpp)
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -46,7 +47,7 @@
 namespace fstiff {
 
 /// K at a pressure and its derivatives at constant pressure.
-template <Real T>
+template <Real T = double>
 struct Sensitivity {
     T stiffness{};          ///< K [Pa/m]
     T pressure{};           ///< dK/dp [1/m]
@@ -93,7 +94,8 @@ template <HalfPowers powers, Real T>
 struct DerivativeSums {
     T value{}, eta{}, r{}, theta{};
 
-    /// One node: \p moment is F_a, \p lower F_{a-1}, \p erf that of k t with its mass and \p layer the derivative of it.
+    /// One node: \p moment is F_a, \p lower F_{a-1}, \p erf that of k t with its mass and \p layer the derivative of
+    /// it.
     void add(T erf, T layer, T k, T t, T root, T moment, T lower) {
         const T power = powers.radius == 0 ? T(1) : powers.radius == 1 ? root : root * root;  // t^b
         const T with_erf = erf * power;
@@ -162,11 +164,11 @@ private:
 
 /// \p eta as in contact_integral, to the last digits. Does not allocate.
 template <class Law, Real T>
-LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
-    const T digits = -std::log(100 * std::numeric_limits<T>::epsilon());
-    const PeakProblem<T> p(peaks, eta, digits + 5);
+LogDerivatives<T> log_derivatives(const PeakDistribution<T>& peaks, T eta) {
+    const T log_accuracy = -std::log(100 * std::numeric_limits<T>::epsilon());
+    const PeakProblem<T> p(peaks, eta, log_accuracy + 5);
     DerivativeAccumulator<Law::load_powers, Law::stiffness_powers, T> sums(p);
-    const T step = visit_nodes(p, digits, sums);
+    const T step = visit_nodes(p, log_accuracy, sums);
     sums.load.add_boundary(p, step);
     sums.stiffness.add_boundary(p, step);
     const T log_factor = std::log(step / (2 * p.theta)) - p.floor * p.floor / 2;
@@ -225,7 +227,7 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     out.fractal_dimension = of_dimension<Law, T>(contact.law());
     out.r = {j.stiffness.r, j.load.r};
     out.theta = {j.stiffness.theta, j.load.theta};
-    if constexpr (std::same_as<Peaks, PeakDensity<T>>)
+    if constexpr (std::same_as<Peaks, PeakDistribution<T>>)
         if (scale == CurvatureScale::consistent) {
             // sigma_kappa = 1/(R E t) depends on theta: d ln E t/dtheta = cot(theta) - 1/theta
             const T curvature = -(std::cos(peaks.theta()) / std::sin(peaks.theta()) - 1 / peaks.theta());
@@ -272,7 +274,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
     out.rms_height = of_surface(&Roughness<T>::rms_height);
     out.peak_radius = of_surface(&Roughness<T>::peak_radius);
     out.fractal_dimension = of_dimension<Law, T>(contact.law());
-    if constexpr (std::same_as<Peaks, PeakDensity<T>>) {
+    if constexpr (std::same_as<Peaks, PeakDistribution<T>>) {
         const T r = contact.peaks().r(), theta = contact.peaks().theta();
         out.r =
             slopes(T(0.03) * std::min(r, 1 - r), [&](T x) { return logs(with(surface, Peaks(r + x, theta)), eta); });
@@ -284,7 +286,8 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
 
 }  // namespace detail
 
-/// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. Does not allocate for a law with powers.
+/// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. Does not allocate for a law with
+/// powers.
 /// \throws domain_error as at_pressure of the contact, and for interaction as_printed.
 template <Real T, class Law, class Peaks>
 [[nodiscard]] Sensitivity<T> sensitivity(const RoughContact<T, Law, Peaks>& contact, std::type_identity_t<T> pressure) {

@@ -1,36 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Integrals over the peaks in two dimensions, for any function of height and curvature: the kernel for asperity laws that are
-/// no power laws.
+/// Integrals over the peaks in two dimensions, for any function of height and curvature: the kernel for asperity laws
+/// that are no power laws.
 ///
 ///     I[f](eta) = int_0^inf int_eta^inf f(zeta - eta, t) p_peak(zeta, t) dzeta dt
 ///
-/// Rows of constant t. In each the excess e = zeta - eta is covered by pieces, e = from + size x, and a piece has a table of x
-/// that is made once an integral, so that a node costs one exponential and the law:
+/// Rows of constant t. In each the excess e = zeta - eta is covered by pieces, e = from + size x, and a piece has a
+/// table of x that is made once an integral, so that a node costs one exponential and the law:
 ///
 ///     square    x = (j h)^2                                    trapezoidal rule, for an integrand that is even in sqrt(e)
 ///     graded    x = a log(1 + exp(y - b exp(-c y))), y = j h   the same, whatever the power at 0: it falls double exponentially
 ///     linear    x = j h                                        the same, where the Gaussian in e has left e = 0 behind
 ///     Legendre  Gauss and Legendre's rule                      between kinks
 ///
-/// For an f that is a half-integer power in e and t (Hertz: e^(3/2) t^(-1/2)) the integrand is even and entire in sqrt(e) and
-/// sqrt(t): Axis::even, squares in both. For any other smooth f, Axis::graded takes both by the graded map. A law with kinks
-/// at known excesses (KinkedLaw) is split there in each row, whatever smooth function of t they are: Legendre's rule below the
-/// last one, the graded map beyond. One whose kink is not known is for Axis::rough: algebraic convergence, and an error
-/// estimate that does not hope for more.
+/// For an f that is a half-integer power in e and t (Hertz: e^(3/2) t^(-1/2)) the integrand is even and entire in
+/// sqrt(e) and sqrt(t): Axis::even, squares in both. For any other smooth f, Axis::graded takes both by the graded map.
+/// A law with kinks at known excesses (KinkedLaw) is split there in each row, whatever smooth function of t they are:
+/// Legendre's rule below the last one, the graded map beyond. One whose kink is not known is for Axis::rough: algebraic
+/// convergence, and an error estimate that does not hope for more.
 ///
-/// A row ends where the ellipse (zeta - r t)^2/c^2 + t^2 = const does beyond which the density may be neglected. Rows, and the
-/// nodes of each kind of piece, are added apart from each other until the tolerance is met. Error estimates: trapezoidal_error
-/// and legendre_error from the sums themselves, and what the map alone costs at that step.
+/// A row ends where the ellipse (zeta - r t)^2/c^2 + t^2 = const does beyond which the density may be neglected. Rows,
+/// and the nodes of each kind of piece, are added apart from each other until the tolerance is met. Error estimates:
+/// trapezoidal_error and legendre_error from the sums themselves, and what the map alone costs at that step.
 ///
 /// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741.
 /// Units       dimensionless
-/// Valid       theta and r that the mesh can resolve: c >= 0.1, tan(theta) <= 10; beyond, the error returned says how much is lost
-/// Accuracy    1e-12 on tests/data/integrals_plain.csv; the error estimate covers the true error there and, for laws with up to
-///             three kinks and jumps, for r <= 0.98, 0.05 <= theta <= 1.5, -3 <= eta <= 8
+/// Valid       theta and r that the mesh can resolve: c >= 0.1, tan(theta) <= 10; beyond, the error returned says how
+///             much is lost
+/// Accuracy    1e-12 on tests/data/integrals_plain.csv; the error estimate covers the true error there and, for laws
+///             with up to three kinks and jumps, for r <= 0.98, 0.05 <= theta <= 1.5, -3 <= eta <= 8
 ///             (tests/contact/tensor_integrals_test.cpp)
-/// Hard cases  kinks at e << c (small multiples of 1/t): 1e-6 is met for r <= 0.82, tighter ones may need more than the 192 rows
+/// Hard cases  kinks at e << c (small multiples of 1/t): 1e-6 is met for r <= 0.82, tighter ones may need more than the
+/// 192 rows
 ///             of the default; c < 0.3 with kinks: the same. The estimate says so.
 
 #include <fstiff/contact/peak_sums.hpp>
@@ -58,17 +60,17 @@ enum class Axis {
     rough    ///< for any: as graded, with an error estimate for algebraic convergence
 };
 
-/// A law that says at which excess it has a kink (or a jump), given the curvature t: at critical(t), or, where it has a member
-/// kinks() that returns a std::array of ascending numbers, at critical(t) times each of these.
+/// A law that says at which excess it has a kink (or a jump), given the curvature t: at critical(t), or, where it has a
+/// member kinks() that returns a std::array of ascending numbers, at critical(t) times each of these.
 template <class F, class T>
 concept KinkedLaw = requires(const F& f, T t) {
     { f.critical(t) } -> std::convertible_to<T>;
 };
 
-template <Real T>
+template <Real T = double>
 struct TensorOptions {
     T relative_tolerance = T(1e4) * std::numeric_limits<T>::epsilon();
-    int most_nodes =
+    int max_nodes =
         192;  ///< rows, and nodes of a piece of a row, at most 256; the error estimate says when they were not enough
 };
 
@@ -96,40 +98,40 @@ public:
     static constexpr bool square = axis == Axis::even && !kinked;
     static constexpr int falls = axis == Axis::rough ? 0 : 4;
     static constexpr std::size_t kinks = std::tuple_size_v<decltype(kinks_of<T>(std::declval<const F&>()))>;
-    /// Kinds of piece: i < kinks ends at kink i and begins at the one before or at 0; begun ends at a kink, but begins at the
-    /// window; linear begins there too, and open at 0 or the last kink; neither ends.
+    /// Kinds of piece: i < kinks ends at kink i and begins at the one before or at 0; begun ends at a kink, but begins
+    /// at the window; linear begins there too, and open at 0 or the last kink; neither ends.
     static constexpr std::size_t begun = kinks, linear = kinks + 1, open = kinks + 2, kinds = kinks + 3;
     static constexpr int row_falls = kinked ? falls / 4 : falls, open_falls = kinked ? falls / 2 : falls;
 
     /// The first guesses were fitted so that one pass mostly does.
-    TensorRule(const F& f, const PeakProblem<T>& problem, T digits)
+    TensorRule(const F& f, const PeakProblem<T>& problem, T log_accuracy)
         : f_(f),
           p_(problem),
-          digits_(digits),
+          log_accuracy_(log_accuracy),
           turn_on_(p_.eta < T(1.5) ? p_.r / p_.c : T(0)),
           map_(kinked || std::max(p_.k, turn_on_) > 2 ? gentle_map<T> : plain_map<T>) {
         layer_ = std::sqrt(p_.k * p_.k + (1 + turn_on_ * turn_on_) / 2);
-        const T first = p_.r * p_.eta - p_.reach * p_.c, last = largest_curvature(p_);
+        const T first = p_.r * p_.eta - p_.reach * p_.c, last = max_curvature(p_);
         if constexpr (square) {
             begin_ = std::sqrt(std::max(first, T(0)));
             end_ = std::sqrt(last);
             // the Gaussian in t, and see layer_error
-            const T narrow = T(0.9) * (end_ - begin_) * std::sqrt(digits * p_.r * p_.floor) / p_.c;
-            const T layer = (end_ - begin_) * std::sqrt(layer_) * std::pow(digits / T(3), T(0.75));
-            rows_ = std::max({T(0.75) * digits + 4, narrow, layer});
+            const T narrow = T(0.9) * (end_ - begin_) * std::sqrt(log_accuracy * p_.r * p_.floor) / p_.c;
+            const T layer = (end_ - begin_) * std::sqrt(layer_) * std::pow(log_accuracy / T(3), T(0.75));
+            rows_ = std::max({T(0.75) * log_accuracy + 4, narrow, layer});
         } else {
-            begin_ = map_.begin(-(digits + 12));
+            begin_ = map_.begin(-(log_accuracy + 12));
             if (first > 0) begin_ = std::max(begin_, map_.at(first));
             end_ = map_.end(last);
-            rows_ = (end_ - begin_) * (digits + (axis == Axis::graded && !kinked ? 4 : 3)) / map_.strip *
+            rows_ = (end_ - begin_) * (log_accuracy + (axis == Axis::graded && !kinked ? 4 : 3)) / map_.strip *
                     (kinked                ? T(1.12)
                      : axis == Axis::rough ? T(1)
                                            : T(1.25));
         }
-        asked_.fill(T(axis == Axis::even ? 0.8 : 1.2) * digits + 8);
-        asked_[0] += digits / 4 * std::min(std::max(T(0), -p_.eta / p_.c), T(5));
-        asked_[begun] = digits + 8;
-        asked_[linear] = asked_[open] = square ? T(1.5) * digits + 8 : digits + 6;
+        asked_.fill(T(axis == Axis::even ? 0.8 : 1.2) * log_accuracy + 8);
+        asked_[0] += log_accuracy / 4 * std::min(std::max(T(0), -p_.eta / p_.c), T(5));
+        asked_[begun] = log_accuracy + 8;
+        asked_[linear] = asked_[open] = square ? T(1.5) * log_accuracy + 8 : log_accuracy + 6;
     }
 
     /// The sum over the present rows and nodes, its error, and how many there were.
@@ -165,33 +167,38 @@ public:
             hidden = outermost[0];
         out.value = sums.sum();
         rows_error_ = trapezoidal_error<T>(sums, square && begin_ == 0, row_falls) + hidden +
-                      (square ? layer_error(row_step) : t_.least_error) * sums.abs().sum();
+                      (square ? layer_error(row_step) : t_.min_error) * sums.abs().sum();
         out.error = rows_error_;
         for (std::size_t i = 0; i < kinds; ++i)
             out.error += errors_[i] = tables_[i].error(square && i == open, open_falls);
         return out;
     }
 
-    /// Asks for more rows or nodes where their error is more than a share of \p allowed. \return whether there are any more
+    /// Asks for more rows or nodes where their error is more than a share of \p allowed. \return whether there are any
+    /// more
     bool refine(T allowed, T sum, int most) {
         const T worst = std::max(rows_error_, *std::max_element(errors_.begin(), errors_.end()));
         bool more = false;
         const auto grow = [&](T& asked, T error, T limit) {
             if ((error <= T(0.25) * allowed && error < worst) || asked >= limit) return;
-            const T reached = std::log(std::abs(sum) / error);  // digits grow with the nodes
-            const T growth = reached > digits_ / 2 ? std::clamp((digits_ + T(1.5)) / reached, T(1.08), T(2)) : T(2);
+            const T reached = std::log(std::abs(sum) / error);  // log_accuracy grow with the nodes
+            const T growth =
+                reached > log_accuracy_ / 2 ? std::clamp((log_accuracy_ + T(1.5)) / reached, T(1.08), T(2)) : T(2);
             asked = std::min(limit, asked * growth);
             more = true;
         };
         grow(rows_, rows_error_, T(most));
         for (std::size_t i = 0; i < kinds; ++i)
-            grow(asked_[i], errors_[i], tables_[i].legendre ? T(std::min(64, most)) : square ? T(120) : 20 * digits_);
+            grow(asked_[i], errors_[i],
+                 tables_[i].legendre ? T(std::min(64, most))
+                 : square            ? T(120)
+                                     : 20 * log_accuracy_);
         return more;
     }
 
 private:
-    /// What squares as rows leave of erf(k t) exp(-t^2/2) and, for eta near 0, of the row's turning on within c/r, with t = y^2,
-    /// relative: together they grow by exp(4 layer^2 b^4) from the real axis to y + i b.
+    /// What squares as rows leave of erf(k t) exp(-t^2/2) and, for eta near 0, of the row's turning on within c/r, with
+    /// t = y^2, relative: together they grow by exp(4 layer^2 b^4) from the real axis to y + i b.
     [[nodiscard]] T layer_error(T step) const {
         if (begin_ > 0) return 0;
         const T narrow = layer_ * step * step;
@@ -205,10 +212,10 @@ private:
         if constexpr (square) {
             tables_[open].squares(T(0), T(1), 96);  // as far as the smallest step that refine() allows needs
         } else {
-            const T begin = plain_map<T>.begin(-(digits_ + 12));
-            const T range = plain_map<T>.end(std::max(2 * p_.reach, p_.depth / 2) + 1) - begin;
+            const T begin = plain_map<T>.begin(-(log_accuracy_ + 12));
+            const T range = plain_map<T>.end(std::max(2 * p_.reach, p_.log_cutoff / 2) + 1) - begin;
             const int count = eights(range * (asked_[open] + 3) / plain_map<T>.strip,
-                                     std::min(most * 4 / 3, TensorTable<T>::most_nodes));  // no row takes all of them
+                                     std::min(most * 4 / 3, TensorTable<T>::max_nodes));  // no row takes all of them
             tables_[open].graded(plain_map<T>, begin, range / T(count), count);
         }
         const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / numbers::pi_v<T>, most);
@@ -222,7 +229,8 @@ private:
         }
     }
 
-    /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight; its nodes go to the tables.
+    /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight; its nodes go to
+    /// the tables.
     T row(const TensorRows<T>& rows, int lane, int& evaluations) {
         const T t = rows.t[lane], first = rows.first[lane], last = rows.last[lane];
         const T outer = rows.outer[lane], shift = rows.shift[lane], slope = rows.linear[lane], inverse_c = 1 / p_.c;
@@ -268,29 +276,29 @@ private:
 
     const F& f_;
     const PeakProblem<T>& p_;
-    T digits_, turn_on_;
+    T log_accuracy_, turn_on_;
     const GradedMap<T>& map_;  ///< of the rows
     T layer_;
     T begin_, end_;  ///< of the rows, in y
     T rows_, rows_error_ = 0;
-    std::array<T, kinds> asked_, errors_;  ///< digits or, for Legendre's rules, nodes
+    std::array<T, kinds> asked_, errors_;  ///< log_accuracy or, for Legendre's rules, nodes
     TensorTable<T> t_;
     std::array<TensorTable<T>, kinds> tables_;
 };
 
 }  // namespace detail
 
-/// I[f] at the separation \p eta (in rms heights), without its factor exp(-eta^2/2) where eta > 0. \p f takes an Eigen array of
-/// eight excess heights zeta - eta and one curvature t, and returns the array of values. Does not allocate.
+/// I[f] at the separation \p eta (in rms heights), without its factor exp(-eta^2/2) where eta > 0. \p f takes an Eigen
+/// array of eight excess heights zeta - eta and one curvature t, and returns the array of values. Does not allocate.
 /// \throws domain_error unless |eta| <= 1e6.
 template <Axis axis, Real T, class F>
-[[nodiscard]] Estimate<T> scaled_tensor_integral(const F& f, const PeakDensity<T>& peaks, T eta,
+[[nodiscard]] Estimate<T> scaled_tensor_integral(const F& f, const PeakDistribution<T>& peaks, T eta,
                                                  const TensorOptions<T>& options = {}) {
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
-    const T digits = -std::log(options.relative_tolerance);
-    const detail::PeakProblem<T> problem(peaks, eta, digits + 9);
-    detail::TensorRule<axis, T, F> rule(f, problem, digits);
-    const int most = std::clamp(options.most_nodes / 8 * 8, 8, detail::TensorTable<T>::most_nodes);
+    const T log_accuracy = -std::log(options.relative_tolerance);
+    const detail::PeakProblem<T> problem(peaks, eta, log_accuracy + 9);
+    detail::TensorRule<axis, T, F> rule(f, problem, log_accuracy);
+    const int most = std::clamp(options.max_nodes / 8 * 8, 8, detail::TensorTable<T>::max_nodes);
     const T rounding = std::numeric_limits<T>::epsilon() * (T(16) + problem.floor + std::abs(eta) / problem.c);
     const T factor = 1 / (2 * problem.theta);
     constexpr T safety = 2;  // on what the sums tell of their errors
@@ -308,7 +316,7 @@ template <Axis axis, Real T, class F>
 
 /// J[a,b] in two dimensions: the slow twin of contact_integral. \throws domain_error as contact_integral.
 template <Real T>
-[[nodiscard]] Estimate<T> tensor_integral(T a, T b, const PeakDensity<T>& peaks, T eta,
+[[nodiscard]] Estimate<T> tensor_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
                                           const TensorOptions<T>& options = {}) {
     static_cast<void>(detail::one_power(a, b));
     const auto monomial = [a, b](const detail::TensorLanes<T>& excess, T t) -> detail::TensorLanes<T> {

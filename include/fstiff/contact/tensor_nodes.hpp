@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The one-dimensional rules of the two-dimensional kernel: the graded map, tables of nodes and weights, and what the sums over
-/// them tell of their errors; and the rows of constant curvature that they cover.
+/// The one-dimensional rules of the two-dimensional kernel: the graded map, tables of nodes and weights, and what the
+/// sums over them tell of their errors; and the rows of constant curvature that they cover.
 ///
 /// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741.
 /// Units       dimensionless
@@ -27,7 +27,7 @@ template <Real T>
 using TensorLanes = Eigen::Array<T, 8, 1>;
 
 /// The map x = a log(1 + exp(v)), v = y - b exp(-c y), from the whole line to x > 0.
-template <Real T>
+template <Real T = double>
 struct GradedMap {
     T a, b, c;
     T strip;  ///< a rule of step h errs by exp(-strip/h) or more, as measured: 2 pi times where the integrand is analytic
@@ -61,18 +61,19 @@ struct GradedMap {
 /// For pieces, and for the rows of a smooth law.
 template <Real T>
 inline constexpr GradedMap<T> plain_map{T(2.1), T(0.4), T(1.354), T(7)};
-/// For rows across kinks and the layer of a large tan(theta): the passage of a kink at ~ 1/t, a Gaussian in 1/t, allows no quicker fall towards t = 0. Found by
-/// search over kinks at 0.005/t to 2/t.
+/// For rows across kinks and the layer of a large tan(theta): the passage of a kink at ~ 1/t, a Gaussian in 1/t, allows
+/// no quicker fall towards t = 0. Found by search over kinks at 0.005/t to 2/t.
 template <Real T>
 inline constexpr GradedMap<T> gentle_map{T(2.5), T(0.005), T(1), T(3.3)};
 
 /// The error of a trapezoidal rule over the whole line whose nodes were summed apart by their number modulo 8 (\p s).
 ///
-/// The rule of step h errs by the transform of the integrand at the frequency 2 pi/h; the discrete transform of the eight
-/// sums at k = 1 ... 4 is the transform at k/8 of it. From 4/8 it is extrapolated over \p falls eighths by its last falls, of
-/// which the slower counts: four for a smooth law, whose transform falls at least geometrically, fewer across kinks, where its
-/// fall slows down. Where a kink makes it fall like a power (rough, none), the ratio of neighbours says little, and twice the size at 4/8 stands: eight times what a kink in the
-/// first derivative leaves. \p even: the nodes are those of y > 0 of an even function.
+/// The rule of step h errs by the transform of the integrand at the frequency 2 pi/h; the discrete transform of the
+/// eight sums at k = 1 ... 4 is the transform at k/8 of it. From 4/8 it is extrapolated over \p falls eighths by its
+/// last falls, of which the slower counts: four for a smooth law, whose transform falls at least geometrically, fewer
+/// across kinks, where its fall slows down. Where a kink makes it fall like a power (rough, none), the ratio of
+/// neighbours says little, and twice the size at 4/8 stands: eight times what a kink in the first derivative leaves. \p
+/// even: the nodes are those of y > 0 of an even function.
 template <Real T>
 EIGEN_DONT_INLINE T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
     constexpr T half_root = numbers::sqrt2_v<T> / 2;
@@ -94,7 +95,7 @@ EIGEN_DONT_INLINE T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
     return error;
 }
 
-template <Real T>
+template <Real T = double>
 struct LegendreNodes {
     int count;
     const T *node, *weight;
@@ -111,8 +112,9 @@ struct LegendreNodes {
     }
 };
 
-/// The error of a Legendre rule of n nodes from the \p terms that it sums: their Legendre coefficients fall from n/2 to n, and
-/// at least as far again to 2n, of which the rule knows nothing; just so for a power, much further for all that is smooth.
+/// The error of a Legendre rule of n nodes from the \p terms that it sums: their Legendre coefficients fall from n/2 to
+/// n, and at least as far again to 2n, of which the rule knows nothing; just so for a power, much further for all that
+/// is smooth.
 template <Real T>
 EIGEN_DONT_INLINE T legendre_error(const std::array<TensorLanes<T>, 8>& terms, int n) {
     const T* node = LegendreNodes<T>::at_least(n).node;
@@ -139,13 +141,13 @@ EIGEN_DONT_INLINE T legendre_error(const std::array<TensorLanes<T>, 8>& terms, i
 }
 
 /// Nodes, weights and sums of one rule, in blocks of eight.
-template <Real T>
+template <Real T = double>
 struct TensorTable {
-    static constexpr int most_nodes = 256;
+    static constexpr int max_nodes = 256;
     int nodes = 0;
     bool legendre = false;
-    T least_error = 0;  ///< what the map costs, relative to the sum of the moduli
-    std::array<TensorLanes<T>, most_nodes / 8> x, weight;
+    T min_error = 0;  ///< what the map costs, relative to the sum of the moduli
+    std::array<TensorLanes<T>, max_nodes / 8> x, weight;
     std::array<TensorLanes<T>, 8> sums;  ///< of a trapezoidal rule only the first: nodes apart by their number modulo 8
 
     [[nodiscard]] std::size_t blocks() const { return static_cast<std::size_t>(nodes + 7) / 8; }
@@ -155,7 +157,7 @@ struct TensorTable {
     void trapezoidal(T begin, T step, int count, const Map& map) {
         nodes = count;
         legendre = false;
-        least_error = 0;
+        min_error = 0;
         TensorLanes<T> y = begin + step * TensorLanes<T>::LinSpaced(1, 8);
         for (std::size_t b = 0; b < blocks(); ++b, y += 8 * step) {
             map(y, x[b], weight[b]);
@@ -177,7 +179,7 @@ struct TensorTable {
     }
     EIGEN_DONT_INLINE void graded(const GradedMap<T>& map, T begin, T step, int count) {
         trapezoidal(begin, step, count, [&](const auto& y, auto& at, auto& slope) { map.map(y, at, slope); });
-        least_error = 6 * std::exp(-map.strip / step);
+        min_error = 6 * std::exp(-map.strip / step);
     }
 
     /// Legendre's rule on (0, 1) in u, x = u^power, or for \p ratio > 1 x = (ratio^u - 1)/(ratio - 1).
@@ -205,12 +207,12 @@ struct TensorTable {
     [[nodiscard]] T error(bool even, int falls) const {
         if (nodes == 0) return 0;
         if (legendre) return legendre_error(sums, nodes);
-        return trapezoidal_error<T>(sums[0], even, falls) + least_error * sums[0].abs().sum();
+        return trapezoidal_error<T>(sums[0], even, falls) + min_error * sums[0].abs().sum();
     }
 };
 
 /// Eight rows: what they need of the density, whatever the law.
-template <Real T>
+template <Real T = double>
 struct TensorRows {
     TensorLanes<T> t, weight;
     TensorLanes<T> x;                     ///< (eta - r t)/c
@@ -218,11 +220,11 @@ struct TensorRows {
     TensorLanes<T> first, last;           ///< window of e; last <= 0: none
     TensorLanes<T> step;                  ///< of sqrt(e/c), for squares
 
-    /// All but t and weight. The step is chosen for an error exp(-digits): exp(-(w^2 + x)^2/2) grows by exp(4 b^4 - 2 x b^2)
-    /// (and exp(x^2/2) for x > 0) from the real axis to w + i b, so that its rule errs by that times exp(-2 pi b/step), for
-    /// the best b. Beyond x^2 = 6 digits it is the Gaussian exp(-x w^2).
+    /// All but t and weight. The step is chosen for an error exp(-digits): exp(-(w^2 + x)^2/2) grows by exp(4 b^4 - 2 x
+    /// b^2) (and exp(x^2/2) for x > 0) from the real axis to w + i b, so that its rule errs by that times exp(-2 pi
+    /// b/step), for the best b. Beyond x^2 = 6 digits it is the Gaussian exp(-x w^2).
     EIGEN_DONT_INLINE void prepare(const PeakProblem<T>& p, T digits) {
-        const TensorLanes<T> square = 2 * p.depth - (t - p.floor) * (t + p.floor);
+        const TensorLanes<T> square = 2 * p.log_cutoff - (t - p.floor) * (t + p.floor);
         const TensorLanes<T> wide = p.c * square.max(T(0)).sqrt(), distance = p.eta - p.r * t;
         const TensorLanes<T> z = (t - p.r * p.eta) / p.c;
         x = distance / p.c;
@@ -231,7 +233,7 @@ struct TensorRows {
         shift = x.min(T(0));
         linear = x.max(T(0));
         first = (-distance - wide).max(T(0));
-        last = right.select((2 * p.depth - z.square()) * (p.c * p.c) / (wide + distance), wide - distance);
+        last = right.select((2 * p.log_cutoff - z.square()) * (p.c * p.c) / (wide + distance), wide - distance);
         last = (square > T(0)).select(last, T(0));
 
         constexpr T least = std::numeric_limits<T>::min(), half_pi = numbers::pi_v<T> / 2;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What speaks against the parameters of a fit: every concern by its name, with the parameters and the number behind it.
+/// What speaks against the parameters of a fit: every concern by its name, with the parameters and the number behind
+/// it.
 ///
 ///     singular        a combination of the parameters leaves the model as it is: those with a share above 0.02 in it
 ///     not_converged   the search ended before the least sum of squares
@@ -45,7 +46,7 @@ inline constexpr auto names<FitConcern> = name_list<FitConcern>({
     return concern == FitConcern::singular || concern == FitConcern::not_converged || concern == FitConcern::at_bound;
 }
 
-template <Real T>
+template <Real T = double>
 struct FitFinding {
     FitConcern concern{};
     std::vector<Parameter> parameters{};  ///< in the order of the fit; none of not_converged, misfit, no_errors
@@ -59,7 +60,7 @@ template <Real T>
     if (fit.status == FitStatus::singular) {
         FitFinding<T> unseen{.concern = FitConcern::singular};
         for (const auto& one : fit.parameters)
-            if (one.looseness > T(0.02)) unseen.parameters.push_back(one.parameter);
+            if (one.null_share > T(0.02)) unseen.parameters.push_back(one.parameter);
         return {unseen};
     }
     if (fit.status == FitStatus::not_converged) findings.push_back({.concern = FitConcern::not_converged});

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What a fit is made of: the parameters, the observations, how they were taken, and the model with its slopes at each of them.
+/// What a fit is made of: the parameters, the observations, how they were taken, and the model with its slopes at each
+/// of them.
 ///
 ///     model_i = K(p_i + p_0), or |R| of it       d model_i/dx = dR/dK dK/dx
 ///
@@ -29,7 +30,7 @@
 namespace fstiff {
 
 /// Values of all parameters: those that are fitted start from here, the others stay.
-template <Real T>
+template <Real T = double>
 struct ContactParameters {
     T rms_height{};         ///< sigma [m]
     T peak_radius{};        ///< R [m]
@@ -55,7 +56,7 @@ private:
     }
 };
 
-template <Real T>
+template <Real T = double>
 struct Observation {
     T pressure{};  ///< nominal [Pa]
     T value{};     ///< K [Pa/m] or |R|
@@ -63,7 +64,7 @@ struct Observation {
 };
 
 /// How a reflection was measured; none: the observations are stiffnesses.
-template <Real T>
+template <Real T = double>
 struct Wave {
     Impedances<T> media{};
     T angular_frequency{};
@@ -100,7 +101,8 @@ void require_observations(const std::vector<Observation<T>>& data, bool is_refle
     }
 }
 
-/// \throws domain_error naming the first of the parameters \p wanted that no fit can start from, or that is named twice.
+/// \throws domain_error naming the first of the parameters \p wanted that no fit can start from, or that is named
+/// twice.
 template <Real T>
 void require_start(const std::vector<Parameter>& wanted, const ContactParameters<T>& start) {
     for (const Parameter each : wanted) {
@@ -152,7 +154,8 @@ public:
     /// Of the last evaluation that was within the reach of the model.
     [[nodiscard]] const std::vector<T>& values() const { return values_; }
 
-    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within the reach of the model
+    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within the reach of the
+    /// model
     [[nodiscard]] bool operator()(const Vector& u, Vector& residuals, Matrix& jacobian) {
         const ContactParameters<T> x = parameters_at(u);
         for (const Parameter each : wanted_)
@@ -161,8 +164,8 @@ public:
             if (!(one.pressure + x.offset > 0)) return false;
         try {
             const RoughContact contact(Roughness<T>{x.rms_height, x.peak_radius, x.peak_density, T(0)},
-                                       PeakDensity<T>(x.r, x.theta), law_(x.fractal_dimension), x.effective_modulus,
-                                       contact_);
+                                       PeakDistribution<T>(x.r, x.theta), law_(x.fractal_dimension),
+                                       x.effective_modulus, contact_);
             for (std::size_t i = 0; i < data_.size(); ++i)
                 point(i, sensitivity(contact, data_[i].pressure + x.offset), x, residuals, jacobian);
         } catch (const domain_error&) {

@@ -6,21 +6,22 @@
 ///     minimise  sum_i [(model(p_i + p_0) - y_i)/e_i]^2       over some of sigma, R, D_p, D, E, r, theta, p_0
 ///
 /// with the derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp. Each parameter is fitted as its
-/// row of surface/contact_parameter.hpp says: positive ones as their logarithms, D, r and theta as ln (x-a)/(b-x) between
-/// their ends, the pressure offset p_0 as it is. Intervals are symmetric in the fitted variable. Without errors e_i, all
-/// points count alike (K by relative, R by absolute residual) and the covariance is scaled by chi^2 over the degrees of
-/// freedom.
+/// row of surface/contact_parameter.hpp says: positive ones as their logarithms, D, r and theta as ln (x-a)/(b-x)
+/// between their ends, the pressure offset p_0 as it is. Intervals are symmetric in the fitted variable. Without errors
+/// e_i, all points count alike (K by relative, R by absolute residual) and the covariance is scaled by chi^2 over the
+/// degrees of freedom.
 ///
-/// What a curve can tell: K(p) = B g(p/A) with A = E D_p sigma^(3/2) R^(1/2) a and B = E D_p sigma^(1/2) R^(1/2) b, where g
-/// depends on r and theta, a and b on D. So E, D_p and R enter in the product E D_p sqrt(R) alone, and of
-/// sigma, that product and D no more than two can be found. Asked for more, the fit says singular and which; and also where
-/// the noise is all that tells parameters apart: one that the data hold to a factor of 100 alone, but not beside the others.
+/// What a curve can tell: K(p) = B g(p/A) with A = E D_p sigma^(3/2) R^(1/2) a and B = E D_p sigma^(1/2) R^(1/2) b,
+/// where g depends on r and theta, a and b on D. So E, D_p and R enter in the product E D_p sqrt(R) alone, and of
+/// sigma, that product and D no more than two can be found. Asked for more, the fit says singular and which; and also
+/// where the noise is all that tells parameters apart: one that the data hold to a factor of 100 alone, but not beside
+/// the others.
 ///
-/// At an end of the range of D, r or theta the fitted variable is infinite, and nothing there is a minimum: a fit that would
-/// go beyond it, or is there within its error, says at_bound. Standard errors have no meaning then.
+/// At an end of the range of D, r or theta the fitted variable is infinite, and nothing there is a minimum: a fit that
+/// would go beyond it, or is there within its error, says at_bound. Standard errors have no meaning then.
 ///
-/// Any law can be fitted, and with interaction: IdentifyOptions::contact is that of the contact. Its length L is held. A law
-/// without powers takes milliseconds a point. D can be fitted where the law is a DimensionalLaw.
+/// Any law can be fitted, and with interaction: IdentifyOptions::contact is that of the contact. Its length L is held.
+/// A law without powers takes milliseconds a point. D can be fitted where the law is a DimensionalLaw.
 ///
 /// Reference   this project; the derivatives as in their headers
 /// Units       SI
@@ -39,23 +40,23 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct IdentifyOptions {
     std::optional<Wave<T>> wave{};
     RoughContactOptions<T> contact{};  ///< of the contact that is fitted: interaction, sigma_kappa of R
     LeastSquaresOptions<T> search{};
 };
 
-template <Real T>
+template <Real T = double>
 struct IdentifiedParameter {
     Parameter parameter{};
     T value{}, standard_error{};
     T low{}, high{};        ///< of the 95 % interval
-    T looseness = 0;        ///< when singular: its share in the combination that the data do not see, of the largest
+    T null_share = 0;       ///< when singular: its share in the combination that the data do not see, of the largest
     bool at_bound = false;  ///< came to the end of its range
 };
 
-template <Real T>
+template <Real T = double>
 struct Identification {
     FitStatus status{};
     std::vector<IdentifiedParameter<T>> parameters;                ///< in the order asked for
@@ -87,14 +88,14 @@ template <Real T>
 
 namespace detail {
 
-/// A standard error above ln 100 of the logarithm that is fitted, which is a factor of 100 or nearly the whole range, tells
-/// nothing.
+/// A standard error above ln 100 of the logarithm that is fitted, which is a factor of 100 or nearly the whole range,
+/// tells nothing.
 template <Real T>
 inline constexpr T useless_error = T(4.6);
 
-/// Whether the value \p x is at an end of the range of its parameter: as good as there, or there within its error, or a search that
-/// knew no end would leave the range. \p step is that of Gauss and Newton, \p deviation the standard error, both of the
-/// variable and 0 unless the search came to rest.
+/// Whether the value \p x is at an end of the range of its parameter: as good as there, or there within its error, or a
+/// search that knew no end would leave the range. \p step is that of Gauss and Newton, \p deviation the standard error,
+/// both of the variable and 0 unless the search came to rest.
 template <Real T>
 bool is_at_bound(Parameter parameter, T x, T step, T deviation) {
     const ParameterRow& row = row_of(parameter);
@@ -106,8 +107,8 @@ bool is_at_bound(Parameter parameter, T x, T step, T deviation) {
            (deviation > useless_error<T> && chart.slope(x) * deviation < T(0.1) * range);
 }
 
-/// The parameter that the data do not hold, though they would if it were alone or it has the whole of its range to be in: that
-/// of the largest \p deviation; -1 when there is none.
+/// The parameter that the data do not hold, though they would if it were alone or it has the whole of its range to be
+/// in: that of the largest \p deviation; -1 when there is none.
 template <Real T, class Vector, class Matrix>
 Eigen::Index lost_parameter(const std::vector<Parameter>& wanted, const Vector& deviation, const Matrix& jacobian,
                             T scale) {
@@ -184,9 +185,9 @@ private:
         if (!ended && lost < 0) return;
         fit_.status = ended ? FitStatus::at_bound : FitStatus::singular;
         if (ended)
-            fit_.loose.resize(0);
+            fit_.null_direction.resize(0);
         else
-            fit_.loose = fit_.covariance.col(lost).cwiseProduct(jacobian.colwise().norm().transpose());
+            fit_.null_direction = fit_.covariance.col(lost).cwiseProduct(jacobian.colwise().norm().transpose());
         fit_.covariance.resize(0, 0);
     }
 
@@ -206,7 +207,8 @@ private:
         found.parameter = wanted_[i];
         found.at_bound = at_bound_[i];
         found.value = found.low = found.high = out_.all[wanted_[i]];
-        if (fit_.loose.size() > 0) found.looseness = std::abs(fit_.loose(index)) / fit_.loose.cwiseAbs().maxCoeff();
+        if (fit_.null_direction.size() > 0)
+            found.null_share = std::abs(fit_.null_direction(index)) / fit_.null_direction.cwiseAbs().maxCoeff();
         if (has_errors()) {
             const T factor = interval_factor<T>(out_.errors_known ? 0 : out_.degrees_of_freedom);
             found.standard_error = deviation_(index) * fitted.slope(found.value);
@@ -229,8 +231,8 @@ private:
 
 /// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as
 /// [](T dimension) { return FractalLaw<T>(dimension); }.
-/// \throws domain_error for data or starting values that no model has, fewer points than parameters, and a D that is to be
-/// fitted of a law that is no DimensionalLaw.
+/// \throws domain_error for data or starting values that no model has, fewer points than parameters, and a D that is to
+/// be fitted of a law that is no DimensionalLaw.
 template <Real T, class MakeLaw>
 [[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
                                          const ContactParameters<T>& start, const MakeLaw& law,

@@ -20,7 +20,7 @@ template <Real T>
 using Accumulator = std::conditional_t<std::is_same_v<T, float>, double, T>;
 
 /// A sum as rounded, and what the rounding took.
-template <Real T>
+template <Real T = double>
 struct RoundedSum {
     T sum{}, error{};
 };
@@ -33,7 +33,7 @@ template <Real T>
 }
 
 /// A sum that carries its rounding error along. The error is that of Neumaier's sum, found without a branch.
-template <Real T>
+template <Real T = double>
 class CompensatedSum {
 public:
     void add(T term) {

@@ -11,8 +11,8 @@
 /// Reference   Borgerding, kissfft (in Eigen/unsupported, MPL2).
 /// Units       those of the data
 /// Valid       M up to 2^30
-/// Accuracy    rms error of a transform of 2^20 points 4e-16 of its rms in double; long double is no better than double,
-///             because Eigen makes its phases in double (tests/math/fft_test.cpp)
+/// Accuracy    rms error of a transform of 2^20 points 4e-16 of its rms in double; long double is no better than
+///             double, because Eigen makes its phases in double (tests/math/fft_test.cpp)
 
 #include <fstiff/core/error.hpp>
 
@@ -41,7 +41,7 @@ namespace fstiff {
 [[nodiscard]] inline std::size_t fast_fft_size(std::size_t points);
 
 /// Transforms of one length; keeps its phases from call to call.
-template <Real T>
+template <Real T = double>
 class RealFft {
 public:
     /// \throws domain_error unless \p size is a fast_fft_size.

@@ -3,7 +3,8 @@
 /// \file
 /// Quantiles, and resampling of neighbouring parts together.
 ///
-/// Reference   Hyndman, Fan, Am. Stat. 50 (1996) 361, definition 7 (quantile); Kunsch, Ann. Stat. 17 (1989) 1217 (blocks)
+/// Reference   Hyndman, Fan, Am. Stat. 50 (1996) 361, definition 7 (quantile); Kunsch, Ann. Stat. 17 (1989) 1217
+///             (blocks)
 /// Accuracy    rounding of the sums (tests/math/statistics_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -48,7 +49,7 @@ private:
 };
 
 /// Resamples of a mean that is a sum over parts divided by a count over them. The same draws for whatever is averaged.
-template <Real T>
+template <Real T = double>
 class BlockBootstrap {
 public:
     BlockBootstrap(std::size_t parts, std::size_t block, std::size_t resamples, std::uint64_t seed)
@@ -59,8 +60,8 @@ public:
         for (std::size_t& start : starts_) start = draw();
     }
 
-    /// The mean of every resample; \p part gives sum and count of a part. A resample that holds nothing has the mean of the
-    /// whole. Valid until the next call.
+    /// The mean of every resample; \p part gives sum and count of a part. A resample that holds nothing has the mean of
+    /// the whole. Valid until the next call.
     template <class Part>
     const std::vector<T>& means(const Part& part) {
         for (std::size_t i = 0; i + 1 < sum_to_.size(); ++i) {

@@ -14,8 +14,8 @@
 ///     few_peaks            R and D_p come from fewer than 30 peaks: their errors are rough
 ///     radius_uncertain, density_uncertain     the error of R, of D_p is above 30 %
 ///
-/// Reference   profile/fractal_fit.hpp, profile/power_spectrum.hpp, measured/surface_parameters.hpp; the limits are this
-///             project's.
+/// Reference   profile/fractal_fit.hpp, profile/power_spectrum.hpp, measured/surface_parameters.hpp; the limits are
+///             this project's.
 /// Units       none: slopes, ratios and counts
 /// Valid       what fit_fractal(), fit_spectrum() and surface_parameters() return
 
@@ -55,7 +55,7 @@ template <Real T>
     std::vector<MeasuredConcern> found;
     if (fit.curved) found.push_back(MeasuredConcern::curved);
     if (fit.automatic_window && fit.flattest_lag > T(0) && fit.flattest_slope < T(0.2) &&
-        (fit.behind_plateau || fit.slope_least > fit.flattest_slope + T(0.5)))
+        (fit.behind_plateau || fit.min_slope > fit.flattest_slope + T(0.5)))
         found.push_back(MeasuredConcern::saturated);
     if (fit.log_roughness_error > numbers::ln10_v<T>) found.push_back(MeasuredConcern::roughness_uncertain);
     return found;

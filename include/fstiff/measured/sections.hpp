@@ -22,8 +22,8 @@
 /// Units       lengths, G [m], S [m^2]
 /// Valid       maps of 16 points a side at least; remove the form first, a plane at least, with level()
 /// Accuracy    S 1e-13. D of self-affine maps of 256 x 256 points, H = 0.3 to 0.8: 2 - H within 0.06 on the mean, which
-///             is what the ends of the spectrum do to S; the errors, of sampling alone, are 0.6 to 1.1 times the scatter
-///             (tests/measured/sections_test.cpp)
+///             is what the ends of the spectrum do to S; the errors, of sampling alone, are 0.6 to 1.1 times the
+///             scatter (tests/measured/sections_test.cpp)
 
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/topography/form.hpp>
@@ -62,7 +62,7 @@ template <Real T>
                                                              const SectionResampling& resampling = {});
 
 /// D and G along x and along y. A direction whose structure function allows no fit has the reason instead.
-template <Real T>
+template <Real T = double>
 struct DirectionalFit {
     std::optional<FractalFit<T>> x, y;
     std::string why_no_fit_x, why_no_fit_y;  ///< empty when there is one
@@ -79,8 +79,8 @@ struct DirectionalFit {
 
 /// Fits both directions of \p map. Of \p options, resamples and seed are those of the rows; a window or a resolution is
 /// that of both directions.
-/// \throws domain_error for a map or an option out of range; a tip radius is refused, since the lags that it shaped need
-/// the heights of one profile: give the resolution.
+/// \throws domain_error for a map or an option out of range; a tip radius is refused, since the lags that it shaped
+/// need the heights of one profile: give the resolution.
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {});
 template <Real T>

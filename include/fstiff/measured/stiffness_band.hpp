@@ -8,14 +8,15 @@
 ///                                              112.6e9, {.samples = 400, .seed = 1});
 ///     band[0].low, band[0].median, band[0].high       K [Pa/m] at pressures[0]: 5, 50 and 95 %
 ///
-/// Every sample is a contact of its own, with sigma, R, D_p, D, r and theta drawn together by their errors and correlation
-/// (measured/uncertain_surface): 400 samples at 20 pressures are 8000 states, a second or less. A sample that does not
-/// reach a pressure is left out there and counted in SampledBand::failed.
+/// Every sample is a contact of its own, with sigma, R, D_p, D, r and theta drawn together by their errors and
+/// correlation (measured/uncertain_surface): 400 samples at 20 pressures are 8000 states, a second or less. A sample
+/// that does not reach a pressure is left out there and counted in SampledBand::failed.
 ///
 /// Reference   measured/sampled_band.hpp, contact/rough_contact.hpp
 /// Units       SI
 /// Valid       as RoughContact, for every surface that is drawn; r and theta known, for the first form
-/// Accuracy    that of measured/sampled_band.hpp; the same seed gives the same band (tests/measured/stiffness_band_test.cpp)
+/// Accuracy    that of measured/sampled_band.hpp; the same seed gives the same band
+///             (tests/measured/stiffness_band_test.cpp)
 
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -34,8 +35,8 @@ template <Real T>
     return {at(Parameter::rms_height), at(Parameter::peak_radius), at(Parameter::peak_density), T(0)};
 }
 
-/// The band of the stiffness of any contact: \p contact_of takes a drawn surface, an array in the order of Parameter, and
-/// returns what has at_pressure.
+/// The band of the stiffness of any contact: \p contact_of takes a drawn surface, an array in the order of Parameter,
+/// and returns what has at_pressure.
 /// \throws domain_error for a pressure that is not finite and greater than 0, as sampled_band, and as \p contact_of.
 template <Real T, class Pressures, class ContactOf>
 [[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const UncertainSurface<T>& surface, const Pressures& pressures,
@@ -66,7 +67,7 @@ template <Real T, class Pressures, class LawOf>
         surface, pressures,
         [&](const std::array<T, surface_parameter_count>& drawn) {
             return RoughContact(roughness_of(drawn),
-                                PeakDensity<T>(drawn[place(Parameter::r)], drawn[place(Parameter::theta)]),
+                                PeakDistribution<T>(drawn[place(Parameter::r)], drawn[place(Parameter::theta)]),
                                 law_of(drawn[place(Parameter::fractal_dimension)]), effective_modulus, contact);
         },
         options);

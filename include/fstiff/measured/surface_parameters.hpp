@@ -48,7 +48,7 @@
 namespace fstiff {
 
 /// A measured value and its standard deviation.
-template <Real T>
+template <Real T = double>
 struct Measurement {
     T value{}, error{};
 };
@@ -62,7 +62,7 @@ template <>
 inline constexpr auto names<PeakSource> = name_list<PeakSource>({{PeakSource::islands, "islands"},
                                                                  {PeakSource::summits, "summits"}});
 
-template <Real T>
+template <Real T = double>
 struct SurfaceParameterOptions {
     PeakSource peaks = PeakSource::islands;  ///< of a map
     IslandOptions<T> islands{};
@@ -84,7 +84,7 @@ template <Real T>
     return one;
 }
 
-template <Real T>
+template <Real T = double>
 struct SurfaceParameters {
     Measurement<T> rms_height;       ///< sigma [m]
     Measurement<T> peak_radius;      ///< R [m]

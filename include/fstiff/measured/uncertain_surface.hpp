@@ -31,7 +31,7 @@
 namespace fstiff {
 
 /// The parameters that enter the contact, with errors.
-template <Real T>
+template <Real T = double>
 struct UncertainSurface {
     std::array<T, surface_parameter_count> value{}, error{};  ///< in the order of Parameter
     std::array<bool, surface_parameter_count> known{};        ///< D, r and theta may not be
@@ -54,7 +54,7 @@ template <Real T>
 [[nodiscard]] UncertainSurface<T> uncertain(const SurfaceParameters<T>& measured);
 
 /// Draws surfaces, one a call.
-template <Real T>
+template <Real T = double>
 class SurfaceSampler {
 public:
     /// \throws domain_error as UncertainSurface::validate().

@@ -36,7 +36,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct FractalFitOptions {
     std::optional<LagWindow<T>> window{};  ///< automatic when not given
     StructureConvention convention = StructureConvention::exact;
@@ -50,7 +50,7 @@ struct FractalFitOptions {
 };
 
 /// S of one profile or the mean of several, for fit_fractal().
-template <Real T>
+template <Real T = double>
 struct MeasuredStructureFunction {
     StructureFunction<T> structure_function;  ///< at some lags, rising; `pairs` are those of one profile
     T spacing{};                              ///< [m]
@@ -63,7 +63,7 @@ struct MeasuredStructureFunction {
         resample{};
 };
 
-template <Real T>
+template <Real T = double>
 struct FractalFit {
     Fractal<T> fractal;              ///< D and G [m]
     T dimension_error{};             ///< standard deviation of D
@@ -88,8 +88,8 @@ struct FractalFit {
                          ///< allow more than 0.2
     T slope_shortest{};  ///< local slope of ln S at the shortest lag used
     T slope_longest{};   ///< and at the longest
-    T slope_least{};     ///< least local slope over the lags used
-    T slope_greatest{};  ///< and greatest
+    T min_slope{};       ///< least local slope over the lags used
+    T max_slope{};       ///< and greatest
     T flattest_lag{};    ///< where the local slope is least among the lags searched that are shorter than the window
                          ///< [m]; 0: there are none
     T flattest_slope{};  ///< that slope: near 0, a roughness that has saturated below the waviness of the window
@@ -221,12 +221,12 @@ void set_window(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
     result.lags = static_cast<std::size_t>(range.count());
     result.slope_shortest = static_cast<T>(log.slope[range.first]);
     result.slope_longest = static_cast<T>(log.slope[range.last]);
-    result.slope_least = result.slope_greatest = result.slope_shortest;
+    result.min_slope = result.max_slope = result.slope_shortest;
     for (Eigen::Index k = 0; k <= range.last; ++k) {
         const T here = static_cast<T>(log.slope[k]);
         if (k >= range.first) {
-            result.slope_least = std::min(result.slope_least, here);
-            result.slope_greatest = std::max(result.slope_greatest, here);
+            result.min_slope = std::min(result.min_slope, here);
+            result.max_slope = std::max(result.max_slope, here);
         } else if (log.lag[k] >= std::log(log.shortest()) &&
                    (result.flattest_lag == T(0) || here < result.flattest_slope)) {
             result.flattest_lag = lag(k);

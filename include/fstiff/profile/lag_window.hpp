@@ -7,10 +7,10 @@
 /// factor of 2.25) keeps to the slope of the range within 0.2, or 1.5 sqrt(n/N) where that is more, and lies between
 /// 0.05 and 1.9: 2 is a profile that is smooth below its resolution, or tilted; 0 one that has saturated. When there is
 /// none, 0.2 becomes 0.3, 0.45, 0.6, and the fit is flagged as curved. Lags of 4 samples to a tenth of the points
-/// are searched; 1 sample to a quarter for a profile of fewer than 400 points. Lags below the resolution, or that may show
-/// the tip (profile/tip_cutoff.hpp), are left out of everything.
-/// A range behind a plateau is waviness over a roughness that has saturated: some shorter lag has a slope below 0.2, and
-/// the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
+/// are searched; 1 sample to a quarter for a profile of fewer than 400 points. Lags below the resolution, or that may
+/// show the tip (profile/tip_cutoff.hpp), are left out of everything.
+/// A range behind a plateau is waviness over a roughness that has saturated: some shorter lag has a slope below 0.2,
+/// and the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
 /// tolerance above 0.2 only when there is none at all.
 ///
 /// Units       lags [m]; inside, in samples
@@ -34,7 +34,7 @@
 namespace fstiff {
 
 /// A range of lags [m], both ends included.
-template <Real T>
+template <Real T = double>
 struct LagWindow {
     T from{}, to{};
 };
@@ -75,8 +75,8 @@ template <Real T>
 using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Half a decade of lags; a little less, because lags are whole numbers of samples.
-inline constexpr double least_window_ratio = 3.1;
-inline constexpr std::size_t least_window_lags = 4;
+inline constexpr double min_window_ratio = 3.1;
+inline constexpr std::size_t min_window_lags = 4;
 
 /// Lags below \p from are not used.
 template <Real T>
@@ -140,14 +140,14 @@ LogStructure<Accumulator<T>> log_structure(const StructureFunction<T>& s, T spac
         value.push_back(std::log(static_cast<F>(s.value[k])) - 2 * std::log(static_cast<F>(spacing)));
     }
     const bool limited = reliable.from > T(0);
-    if (limited && (log.step.size() < least_window_lags ||
-                    static_cast<double>(log.step.back()) < least_window_ratio * static_cast<double>(log.step.front())))
+    if (limited && (log.step.size() < min_window_lags ||
+                    static_cast<double>(log.step.back()) < min_window_ratio * static_cast<double>(log.step.front())))
         throw domain_error(
             {.parameter = "window",
              .reason = "no half decade of lags is left" + reliable.note(static_cast<T>(points - 1) * spacing)});
-    if (log.step.size() < least_window_lags)
+    if (log.step.size() < min_window_lags)
         throw domain_error("profile has differing heights at " + std::to_string(log.step.size()) +
-                           " lags: must be at least " + std::to_string(least_window_lags));
+                           " lags: must be at least " + std::to_string(min_window_lags));
     const auto size = static_cast<Eigen::Index>(lag.size());
     log.lag = Eigen::Map<const Vector<F>>(lag.data(), size);
     log.value = Eigen::Map<const Vector<F>>(value.data(), size);
@@ -168,8 +168,8 @@ bool is_behind_plateau(T flattest, T slope) {
     return flattest < T(0.2) && slope > flattest + T(0.3);
 }
 
-/// The longest straight range among the lags that are searched, where the local slopes may differ from that of the range
-/// by \p tolerance, before a plateau or (\p behind_plateau) behind one.
+/// The longest straight range among the lags that are searched, where the local slopes may differ from that of the
+/// range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
 template <Real T>
 std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool behind_plateau) {
     const Vector<T>&x = log.lag, &y = log.value, &local = log.slope;
@@ -178,7 +178,7 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
     for (Eigen::Index k = 0; k < size; ++k)
         allowed[k] = std::max(tolerance, T(1.5) * std::sqrt(std::exp(x[k]) / static_cast<T>(log.points)));
     const T from = std::log(log.shortest()) - T(1e-9), to = std::log(log.longest()) + T(1e-9);
-    const T least = std::log(static_cast<T>(least_window_ratio));
+    const T least = std::log(static_cast<T>(min_window_ratio));
     std::optional<IndexRange> best;
     T best_length = 0, flattest = std::numeric_limits<T>::infinity();
     for (Eigen::Index a = 0; a < size; ++a) {
@@ -187,7 +187,7 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
         for (Eigen::Index b = size - 1; b > a; --b) {
             if (x[b] > to) continue;
             const T length = x[b] - x[a];
-            if (length < least || length <= best_length || b - a + 1 < static_cast<Eigen::Index>(least_window_lags))
+            if (length < least || length <= best_length || b - a + 1 < static_cast<Eigen::Index>(min_window_lags))
                 break;
             const T mean = regression_slope(x, y, a, b);
             const Eigen::Index count = b - a + 1;
@@ -228,14 +228,14 @@ ChosenRange<Accumulator<T>> given_range(const LogStructure<Accumulator<T>>& log,
             range.last = k;
         }
     const auto held = range.last < range.first ? Eigen::Index(0) : range.count();
-    if (held < static_cast<Eigen::Index>(least_window_lags) ||
-        log.lag[range.last] - log.lag[range.first] < std::log(static_cast<F>(least_window_ratio))) {
+    if (held < static_cast<Eigen::Index>(min_window_lags) ||
+        log.lag[range.last] - log.lag[range.first] < std::log(static_cast<F>(min_window_ratio))) {
         const T length = static_cast<T>(log.points - 1) * spacing;
         const auto metres = [](T value) { return rounded_text(value, 4) + " m"; };
         throw domain_error({.parameter = "window",
                             .value = metres(window.from) + " to " + metres(window.to),
                             .reason = "holds " + std::to_string(held) + " lags; must hold at least " +
-                                      std::to_string(least_window_lags) + " and half a decade, between " +
+                                      std::to_string(min_window_lags) + " and half a decade, between " +
                                       metres(spacing) + " and " + metres(length) + reliable.note(length)});
     }
     return {range, F(0), false};

@@ -17,7 +17,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct LevelledProfile {
     Profile<T> profile;
     Form removed = Form::none;

@@ -23,7 +23,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct PeakStatistics {
     T rms_height{};          ///< sigma [m]
     T rms_slope{};           ///< sigma_m, of neighbours

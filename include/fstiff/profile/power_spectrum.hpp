@@ -9,8 +9,9 @@
 ///
 /// One-sided, Hann window w, mean weighted by the window, so that C(0) = 0. Missing points inside are bridged by
 /// straight lines, those at the ends cut off. D is a weighted line through the means of C over eighths of an octave: a
-/// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to sqrt(psi'(v)). Neighbours of
-/// a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18 M/N.
+/// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to sqrt(psi'(v)).
+/// Neighbours of a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18
+/// M/N.
 ///
 /// The spectrum knows D less well than the structure function knows it, but takes no notice of a tilt, and fails
 /// differently: two values that disagree by more than their errors tell that the profile is no power law.
@@ -19,8 +20,8 @@
 ///             Audio 15 (1967) 70; Harris, Proc. IEEE 66 (1978) 51 (windows).
 /// Units       q [rad/m], C [m^3], wavelengths [m]
 /// Valid       16 points at least, heights that vary; wavelengths of 2 spacings to the length of the profile
-/// Accuracy    Parseval 1e-13; D of 100 fractional Brownian profiles of 4096 points, H = 0.3, 0.5, 0.8: mean within 0.02,
-///             scatter 0.8 to 1.25 of its error (tests/profile/power_spectrum_test.cpp)
+/// Accuracy    Parseval 1e-13; D of 100 fractional Brownian profiles of 4096 points, H = 0.3, 0.5, 0.8: mean within
+///             0.02, scatter 0.8 to 1.25 of its error (tests/profile/power_spectrum_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
@@ -31,7 +32,7 @@
 namespace fstiff {
 
 /// One-sided power spectrum; k = 0 ... M/2.
-template <Real T>
+template <Real T = double>
 struct PowerSpectrum {
     std::vector<T> wavenumber;  ///< q [rad/m], from 0 in steps of `step`
     std::vector<T> value;       ///< C [m^3]
@@ -45,12 +46,12 @@ struct PowerSpectrum {
 };
 
 /// A range of wavelengths [m], both ends included.
-template <Real T>
+template <Real T = double>
 struct WavelengthWindow {
     T from{}, to{};
 };
 
-template <Real T>
+template <Real T = double>
 struct SpectralFit {
     T dimension{};               ///< D; outside (1, 2) the window holds no self-affine profile
     T dimension_error{};         ///< standard deviation of D for a Gaussian profile

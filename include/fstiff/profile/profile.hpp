@@ -19,7 +19,7 @@
 namespace fstiff {
 
 /// A profile in SI units. What is measured of it (mean, rms) takes the points that exist.
-template <Real T>
+template <Real T = double>
 struct Profile {
     std::vector<T> heights;  ///< z(i spacing) [m]; NaN marks a missing point
     T spacing{};             ///< between neighbours [m]

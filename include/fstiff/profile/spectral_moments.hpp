@@ -24,7 +24,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct SpectralMoments {
     T m0{};  ///< [m^2]
     T m2{};  ///< of neighbours

@@ -27,7 +27,7 @@
 namespace fstiff::detail {
 
 /// A weighted linear fit of ln S.
-template <Real T>
+template <Real T = double>
 struct LogFit {
     Matrix<T> solver;  ///< coefficients = solver * y; row 0 gives ln S at the reference lag, row 1 the slope
     Vector<T> coefficients;

@@ -22,7 +22,7 @@
 namespace fstiff {
 
 /// S at some lags; the vectors have one length. A lag at which no pair exists is left out.
-template <Real T>
+template <Real T = double>
 struct StructureFunction {
     std::vector<std::size_t> step;   ///< lag in samples
     std::vector<T> lag;              ///< [m]

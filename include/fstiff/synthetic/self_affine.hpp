@@ -12,15 +12,17 @@
 /// q counts waves per length. Between the cut-offs a section of the map is a profile of the same H, and D = 2 - H.
 /// The mean of every realisation is 0. Its rms is the one asked for (exact_rms), or has it as its mean square over all
 /// seeds. The random numbers of a wave depend on the seed and on its waves per period alone: the same seed on a finer
-/// grid over the same period has the same long waves, and with the same cut-offs and exact_rms = false the same surface.
+/// grid over the same period has the same long waves, and with the same cut-offs and exact_rms = false the same
+/// surface.
 ///
 /// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017)
 ///             013001 for the spectra of profiles and maps.
 /// Units       lengths, heights [m]
 /// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most; fastest
 ///             where the points of a side are products of 2, 3 and 5
-/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/synthetic/self_affine_test.cpp). The
-///             random bits are the same on every platform; heights agree to the rounding of the local log, cos and pow.
+/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/synthetic/self_affine_test.cpp).
+///             The random bits are the same on every platform; heights agree to the rounding of the local log, cos and
+///             pow.
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
@@ -48,7 +50,7 @@ template <>
 inline constexpr auto names<LongWaves> = name_list<LongWaves>({{LongWaves::plateau, "plateau"},
                                                                {LongWaves::none, "none"}});
 
-template <Real T>
+template <Real T = double>
 struct SelfAffineOptions {
     T hurst{};                ///< H
     T rms{};                  ///< [m]

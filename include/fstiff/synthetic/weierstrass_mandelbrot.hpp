@@ -19,8 +19,8 @@
 /// Valid       1 < D < 2, G > 0, gamma > 1, longest >= shortest > 0, at most 10000 terms
 /// Accuracy    1e-12 of the amplitudes for 2^16 points in double: phases are kept as 64-bit fractions of a turn, which
 ///             do not drift (tests/synthetic/weierstrass_mandelbrot_test.cpp). Random phases are integers, the same on
-///             every platform; heights then agree to the rounding of the local cos and pow. Where long double is double the step of a phase
-///             is rounded to 53 bits, which is 2e-11 of the amplitudes after 2^16 points.
+///             every platform; heights then agree to the rounding of the local cos and pow. Where long double is double
+///             the step of a phase is rounded to 53 bits, which is 2e-11 of the amplitudes after 2^16 points.
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -38,7 +38,7 @@ namespace fstiff {
 
 enum class Phases { random, zero };
 
-template <Real T>
+template <Real T = double>
 struct WeierstrassMandelbrotOptions {
     T longest_wavelength{};   ///< lambda_0 [m]
     T shortest_wavelength{};  ///< terms with lambda_j below this are left out [m]
@@ -47,7 +47,7 @@ struct WeierstrassMandelbrotOptions {
     std::uint64_t seed = 1;  ///< of the random phases
 };
 
-template <Real T>
+template <Real T = double>
 class WeierstrassMandelbrot {
 public:
     /// \throws domain_error naming the parameter that is out of range.

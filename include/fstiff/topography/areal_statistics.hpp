@@ -33,7 +33,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct ArealStatistics {
     T mean_height{};         ///< [m]
     T rms_height{};          ///< Sq = sigma [m]

@@ -40,7 +40,7 @@ template <Real T>
 [[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form);
 
 /// A map without its form, which knows what was removed.
-template <Real T>
+template <Real T = double>
 struct LevelledMap {
     HeightMap<T> map;
     MapForm removed = MapForm::none;

@@ -18,7 +18,7 @@
 namespace fstiff {
 
 /// A map in SI units. heights(j, i) is the height at x = i dx, y = j dy: a row of the array is a profile along x.
-template <Real T>
+template <Real T = double>
 struct HeightMap {
     using Array = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

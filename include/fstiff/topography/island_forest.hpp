@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Islands that grow while points are raised out of the water one by one: union-find with their number, area and height.
+/// Islands that grow while points are raised out of the water one by one: union-find with their number, area and
+/// height.
 ///
 /// Reference   Tarjan, J. ACM 22 (1975)
 /// Valid       maps of 2^31 - 1 points at most; the heights of a map in falling order
@@ -35,11 +36,11 @@ template <>
 inline constexpr auto names<IslandHeight> = name_list<IslandHeight>({{IslandHeight::peak, "peak"},
                                                                      {IslandHeight::twice_mean, "twice-mean"}});
 
-template <Real T>
+template <Real T = double>
 struct IslandOptions {
     Connectivity connectivity = Connectivity::eight;
     BorderIslands border = BorderIslands::kept;
-    std::size_t least_points = 1;  ///< smaller islands do not count
+    std::size_t min_points = 1;  ///< smaller islands do not count
     IslandHeight height = IslandHeight::peak;
     std::vector<T> levels{};  ///< cutting levels [m], in any order; none: by bearing area
     std::size_t quantiles =
@@ -80,7 +81,7 @@ public:
           eight_(options.connectivity == Connectivity::eight),
           drop_border_(options.border == BorderIslands::dropped),
           twice_mean_(options.height == IslandHeight::twice_mean),
-          least_points_(options.least_points),
+          min_points_(options.min_points),
           datum_(datum),
           parent_(static_cast<std::size_t>(map.size()), under_water),
           peak_(parent_.size()),
@@ -156,7 +157,7 @@ private:
 
     void account(std::int32_t root, int sign) {
         const std::int64_t points = -static_cast<std::int64_t>(parent_[at(root)]);
-        if (static_cast<std::size_t>(points) < least_points_ || (drop_border_ && at_border_[at(root)] != 0)) return;
+        if (static_cast<std::size_t>(points) < min_points_ || (drop_border_ && at_border_[at(root)] != 0)) return;
         const S height =
             twice_mean_ ? 2 * sum_[at(root)] / static_cast<S>(points) : static_cast<S>(z_[peak_[at(root)]]);
         total_.add(sign, points, height);
@@ -166,7 +167,7 @@ private:
     const T* z_;
     std::int32_t columns_, rows_;
     bool eight_, drop_border_, twice_mean_;
-    std::size_t least_points_;
+    std::size_t min_points_;
     S datum_;
     std::vector<std::int32_t> parent_, peak_;
     std::vector<unsigned char> at_border_;

@@ -4,9 +4,9 @@
 /// The representative islands of a map, those at the level where there are most, and how much they vary.
 ///
 /// The representative island is that of the level at which the density is greatest, without smoothing; of equal ones
-/// the highest level. Its spread comes from tiles: an island belongs to the tile of its highest point, so that no island
-/// is cut; the tiles are drawn with replacement, their curves added, the maximum is sought again. The standard deviation
-/// of that, times sqrt(n/(n-1)) for n tiles, contains what the choice of the level adds.
+/// the highest level. Its spread comes from tiles: an island belongs to the tile of its highest point, so that no
+/// island is cut; the tiles are drawn with replacement, their curves added, the maximum is sought again. The standard
+/// deviation of that, times sqrt(n/(n-1)) for n tiles, contains what the choice of the level adds.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4; Efron, Ann. Stat. 7 (1979)
 /// Units       level, R [m], density [1/m^2]
@@ -26,7 +26,7 @@ struct IslandSpread {
     ProgressHook progress{};  ///< of the resamples
 };
 
-template <Real T>
+template <Real T = double>
 struct RepresentativeIslands {
     std::size_t index{};  ///< in the curve
     T level{};            ///< [m]
@@ -59,8 +59,8 @@ struct TileTotal {
     void add(const TileTotal& other) { islands += other.islands, points += other.points, height += other.height; }
 };
 
-/// Sets the errors of \p result from resamples of the tiles \p held, \p area points each; \p lines are those of all tiles
-/// at the highest level, then at the next.
+/// Sets the errors of \p result from resamples of the tiles \p held, \p area points each; \p lines are those of all
+/// tiles at the highest level, then at the next.
 template <Real T>
 void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
                     const std::vector<TileTotal<Accumulator<T>>>& lines, const std::vector<std::size_t>& held,

@@ -33,7 +33,7 @@ namespace fstiff {
 
 /// Islands against the cutting level, from the highest level to the lowest; the vectors have one length. Where no
 /// island counts, means and radius are 0.
-template <Real T>
+template <Real T = double>
 struct IslandCurve {
     std::vector<T> level;         ///< [m]
     std::vector<T> bearing_area;  ///< share of the points that stands above the level, counted islands or not
@@ -98,7 +98,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     map.validate();
     if (map.size() > std::numeric_limits<std::int32_t>::max())
         throw domain_error("map of " + std::to_string(map.size()) + " points: must be at most 2^31 - 1");
-    require(options.least_points >= 1, "least points of an island", options.least_points, "at least 1");
+    require(options.min_points >= 1, "least points of an island", options.min_points, "at least 1");
     for (const T level : options.levels)
         require(std::abs(level) <= std::numeric_limits<T>::max(), "cutting level", level, "finite");
     const T* const z = map.heights.data();

@@ -105,9 +105,8 @@ bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.wi
 std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit) {
     switch (concern) {
         case MeasuredConcern::curved:
-            return "the local slope of S varies between " + rounded(fit.slope_least, 3) + " and " +
-                   rounded(fit.slope_greatest, 3) +
-                   " over the window: this is no single power law, and D is a mean over it";
+            return "the local slope of S varies between " + rounded(fit.min_slope, 3) + " and " +
+                   rounded(fit.max_slope, 3) + " over the window: this is no single power law, and D is a mean over it";
         case MeasuredConcern::saturated:
             return "S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
                    rounded(fit.flattest_lag * 1e6, 3) +
@@ -197,7 +196,7 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["reliable_from_m"] = fit.reliable_from;
     document["lags_in_window"] = fit.lags;
     document["slope_at_window_ends"] = Json(std::vector<double>{fit.slope_shortest, fit.slope_longest});
-    document["slope_range_in_window"] = Json(std::vector<double>{fit.slope_least, fit.slope_greatest});
+    document["slope_range_in_window"] = Json(std::vector<double>{fit.min_slope, fit.max_slope});
     document["curved"] = fit.curved;
     document["behind_plateau"] = fit.behind_plateau;
     document["log_periodic_terms"] = fit.log_periodic;

@@ -34,7 +34,7 @@ struct Options {
 };
 
 /// Of one document: 2^22 heights are some 90 MB of text.
-constexpr std::size_t most_points = std::size_t(1) << 22;
+constexpr std::size_t max_points = std::size_t(1) << 22;
 
 using Surface = std::variant<Profile<double>, HeightMap<double>>;
 using Parameters = std::vector<std::pair<std::string, std::string>>;
@@ -60,7 +60,7 @@ void check_options(const Options& options) {
     only(options.long_waves != LongWaves::plateau, !wm, "--long-waves", false);
     only(options.rows != 0, map, "--rows", false);
     const std::size_t rows = !map ? 1 : options.rows == 0 ? options.points : options.rows;
-    if (options.points > most_points || rows > most_points / options.points)
+    if (options.points > max_points || rows > max_points / options.points)
         throw domain_error("points = " + std::to_string(options.points) + " x " + std::to_string(rows) +
                            ": must be at most 2^22 (4194304) in all");
 }
@@ -161,9 +161,9 @@ Command add_generate(CLI::App& app) {
         .required()
         .one_of({"wm", "profile", "map"});
     command.option("--points", options->points, "of the profile, default 4096; of a row of the map, default 256")
-        .between(std::size_t(16), most_points);
+        .between(std::size_t(16), max_points);
     command.option("--rows", options->rows, "of the map; default as many as points")
-        .between(std::size_t(16), most_points);
+        .between(std::size_t(16), max_points);
     command.option("--spacing", options->spacing, "between points, such as \"0.5 um\"");
     command.option("--dimension", options->dimension, "D of a wm profile, between 1 and 2");
     command.option("--roughness", options->roughness, "G of a wm profile, such as \"12 nm\"");

@@ -218,7 +218,7 @@ Json parameter_json(const Fit& fit, const IdentifiedParameter<double>& p) {
     const ParameterRow& row = row_of(p.parameter);
     Json one{{"name", row.short_name}, {"unit", row.unit}, {"start", fit.start[p.parameter]}};
     if (fit.found.status == FitStatus::singular)
-        one["looseness"] = p.looseness;
+        one["looseness"] = p.null_share;
     else
         one["value"] = p.value;
     if (p.at_bound) one["at_bound"] = true;

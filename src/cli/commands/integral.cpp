@@ -7,7 +7,7 @@
 #include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/io/quantity.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 
 #include <algorithm>
 #include <array>
@@ -113,9 +113,9 @@ Input read_input(const std::string& file) {
     return input;
 }
 
-constexpr double least_tolerance = 1.2e-14, largest_tolerance = 0.1;
+constexpr double min_tolerance = 1.2e-14, max_tolerance = 0.1;
 
-using Integral = std::function<Estimate<double>(double a, double b, const PeakDensity<double>&, double eta)>;
+using Integral = std::function<Estimate<double>(double a, double b, const PeakDistribution<double>&, double eta)>;
 
 Integral integral(const Options& options) {
     if (options.method == "paper") return paper_integral<double>;
@@ -135,14 +135,14 @@ Estimate<double> compute(const Input& input, std::size_t row, const Integral& me
         for (std::size_t i = 0; i < inputs.size(); ++i)
             x[i] = io::parse_number(plain(input.rows[row][input.column[i]]), inputs[i]);
         const auto [a, b, r, theta, eta] = x;
-        return method(a, b, PeakDensity<double>(r, theta), eta);
+        return method(a, b, PeakDistribution<double>(r, theta), eta);
     });
 }
 
 Report execute(const Options& options) {
-    if (options.tolerance && !(*options.tolerance >= least_tolerance && *options.tolerance <= largest_tolerance))
-        throw Usage("--tolerance = " + shortest(*options.tolerance) + ": must be between " + shortest(least_tolerance) +
-                    " and " + shortest(largest_tolerance));
+    if (options.tolerance && !(*options.tolerance >= min_tolerance && *options.tolerance <= max_tolerance))
+        throw Usage("--tolerance = " + shortest(*options.tolerance) + ": must be between " + shortest(min_tolerance) +
+                    " and " + shortest(max_tolerance));
     const Integral method = integral(options);
     const Input input = read_input(options.file);
 

@@ -21,7 +21,7 @@ struct Options {
     int neighbours = 8;
     BorderIslands border = BorderIslands::kept;
     IslandHeight height = IslandHeight::peak;
-    std::size_t least_points = 1, levels = IslandOptions<double>{}.quantiles;
+    std::size_t min_points = 1, levels = IslandOptions<double>{}.quantiles;
     IslandSpread spread;
 };
 
@@ -34,7 +34,7 @@ Result sweep(const Options& options, const SurfaceInput& input) {
     IslandOptions<double> how;
     how.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
     how.border = options.border;
-    how.least_points = options.least_points;
+    how.min_points = options.min_points;
     how.height = options.height;
     how.quantiles = options.levels;
     IslandSpread spread = options.spread;
@@ -92,7 +92,7 @@ Json json(const Options& options, const SurfaceInput& input, const Result& resul
     Json inputs = json_inputs(options.surface, result.levelled.form);
     inputs.update({{"neighbours", options.neighbours},
                    {"border", name_of(options.border)},
-                   {"least_points", options.least_points},
+                   {"least_points", options.min_points},
                    {"island_height", name_of(options.height)},
                    {"levels", options.levels},
                    {"tiles", options.spread.tiles},
@@ -133,7 +133,7 @@ std::string table(const Options& options, const SurfaceInput& input, const Resul
     text += "  Sq       " + rounded(result.levelled.rms_as_read * 1e6) + " µm as read, " +
             rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form + ")\n";
     text += "  islands  of " + std::to_string(options.neighbours) + " neighbours, of " +
-            std::to_string(options.least_points) + " points at least, at the border " +
+            std::to_string(options.min_points) + " points at least, at the border " +
             (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +
             std::string(name_of(options.height)) + "; " + std::to_string(r.curve.size()) + " levels\n\n";
     const auto error = [&](double value, const std::string& unit) {
@@ -178,7 +178,7 @@ Command add_islands(CLI::App& app) {
     add_surface_options(command, options->surface, SurfaceKind::map);
     command.option("--neighbours", options->neighbours, "of a point: 8 (default) or 4").one_of({4, 8});
     command.option("--border", options->border, "islands that reach the edge of the map: keep (default) or drop");
-    command.option("--least-points", options->least_points, "of an island that counts; default 1");
+    command.option("--least-points", options->min_points, "of an island that counts; default 1");
     command.option("--island-height", options->height,
                    "of an island: peak (default), its highest point, or twice-mean");
     command.option("--levels", options->levels,

@@ -6,7 +6,7 @@
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct Options {
 };
 
 struct Source {
-    PeakDensity<double> density;
+    PeakDistribution<double> density;
     std::string from;
     std::optional<SurfaceInput> input;
     std::optional<PreparedProfile> levelled;
@@ -41,21 +41,21 @@ Source choose(const Options& options) {
         throw Usage("give one of --r and --theta, --theta and --exponential, --rho1 and --rho2, --profile");
     if (correlations) {
         if (!options.rho1 || !options.rho2) throw Usage("--rho1 and --rho2 belong together; give both");
-        return {PeakDensity<double>::from_autocorrelation(*options.rho1, *options.rho2), "rho1, rho2", {}, {}, {}};
+        return {PeakDistribution<double>::from_autocorrelation(*options.rho1, *options.rho2), "rho1, rho2", {}, {}, {}};
     }
     if (file) {
         SurfaceInput input = read_surface_input(options.surface);
         PreparedProfile levelled = level_profile(options.surface, input);
         const auto statistics = about_file(options.surface.file, [&] { return peak_statistics(levelled.profile); });
-        return {PeakDensity<double>(statistics.r, statistics.theta), "profile", std::move(input), std::move(levelled),
-                statistics};
+        return {PeakDistribution<double>(statistics.r, statistics.theta), "profile", std::move(input),
+                std::move(levelled), statistics};
     }
     if (options.theta.empty() || options.exponential == options.r.has_value())
         throw Usage("--theta needs one of --r and --exponential beside it");
     const double theta = io::parse_angle(options.theta, "--theta");
     if (options.exponential)
-        return {PeakDensity<double>::exponential(theta), "exponential autocorrelation", {}, {}, {}};
-    return {PeakDensity<double>(*options.r, theta), "r, theta", {}, {}, {}};
+        return {PeakDistribution<double>::exponential(theta), "exponential autocorrelation", {}, {}, {}};
+    return {PeakDistribution<double>(*options.r, theta), "r, theta", {}, {}, {}};
 }
 
 Numbers moments(const Source& source) {

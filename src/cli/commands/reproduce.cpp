@@ -14,7 +14,7 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/version.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
@@ -133,7 +133,7 @@ Picture figure_2() {
     for (const auto& [r, name, stroke] : {std::tuple{1.0 / 2, "1/2", Stroke::dotted},
                                           {1.0 / 3, "1/3", Stroke::solid},
                                           {1.0 / 5, "1/5", Stroke::dashed}}) {
-        const PeakDensity<double> peaks(r, pi / 3);
+        const PeakDistribution<double> peaks(r, pi / 3);
         PlotLine line{.label = std::string("r = ") + name, .x = {}, .y = {}, .colour = colour++, .stroke = stroke};
         for (int k = -80; k <= 80; ++k) {
             line.x.push_back(k / 20.0);
@@ -269,8 +269,8 @@ Picture figure_6(Reproduction& all) {
 /// Fig. 7, 8 or 9, and the numbers behind the conclusions.
 Picture stiffness_figure(const Surface& surface, Reproduction& all) {
     const double modulus = effective_modulus(steel, steel);
-    const PeakDensity<double> quarter = PeakDensity<double>::exponential(pi / 4),
-                              third = PeakDensity<double>::exponential(pi / 3);
+    const PeakDistribution<double> quarter = PeakDistribution<double>::exponential(pi / 4),
+                                   third = PeakDistribution<double>::exponential(pi / 3);
     const FractalLaw<double> fractal(surface.fractal.dimension);
     const HertzLaw<double> hertz;
     const RoughContactOptions<double> alone{},

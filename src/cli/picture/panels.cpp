@@ -49,8 +49,8 @@ std::optional<PlotWindow> ultrasonic_window(const Scene& scene) {
     const Waves& waves = *scene.ultrasound;
     const auto range = resolvable_stiffness(waves.longitudinal, waves.angular());
     if (!range) return std::nullopt;
-    return PlotWindow{"|R| " + rounded(range->least_reflection, 2) + " to " + rounded(range->most_reflection, 2) +
-                          " at " + rounded(waves.frequency / 1e6, 3) + " MHz",
+    return PlotWindow{"|R| " + rounded(range->min_reflection, 2) + " to " + rounded(range->max_reflection, 2) + " at " +
+                          rounded(waves.frequency / 1e6, 3) + " MHz",
                       range->low / GPa_per_um, range->high / GPa_per_um, true};
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Makes the tables of a compiled law: a few dozen exact integrals, a Chebyshev interpolation of log p by sections, its inverse,
-/// polynomials cut from both, and the error of them measured against the model. It is steered by what the contact gives: its
-/// log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and stiffness_over_slope(); without the last one,
-/// log K is interpolated as log p is, from log_stiffness(eta).
+/// Makes the tables of a tabulated law: a few dozen exact integrals, a Chebyshev interpolation of log p by sections,
+/// its inverse, polynomials cut from both, and the error of them measured against the model. It is steered by what the
+/// contact gives: its log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and
+/// stiffness_over_slope(); without the last one, log K is interpolated as log p is, from log_stiffness(eta).
 ///
 /// Units       SI; eta is the separation over the rms height
 /// Valid       as contact/contact_law
@@ -30,24 +30,24 @@ namespace fstiff::detail {
 
 /// The work of ContactLaw::compile, in the order of its functions.
 template <ReadableReal T, class Contact>
-class LawCompiler {
+class LawTabulator {
 public:
-    LawCompiler(const Contact& contact, T pressure_min, T pressure_max) : contact_(contact) {
-        law_.pressure_min = pressure_min;
-        law_.pressure_max = pressure_max;
+    LawTabulator(const Contact& contact, T min_pressure, T max_pressure) : contact_(contact) {
+        law_.min_pressure = min_pressure;
+        law_.max_pressure = max_pressure;
         if constexpr (proportional)
             law_.stiffness_over_slope = contact.stiffness_over_slope();
         else
             law_.stiffness_over_slope = T(0);
-        law_.stiffness = law_.gap = BinaryPieces<T>(pressure_min, pressure_max);
+        law_.stiffness = law_.separation = BinaryPieces<T>(min_pressure, max_pressure);
         law_.evaluations = 1;
-        middle_ = std::sqrt(pressure_min) * std::sqrt(pressure_max);
+        middle_ = std::sqrt(min_pressure) * std::sqrt(max_pressure);
     }
 
-    [[nodiscard]] LawTables<T> compile() {
+    [[nodiscard]] LawTables<T> tabulate() {
         interpolate_pressure();
         if constexpr (!proportional) interpolate_stiffness();
-        cut_by_gap();
+        cut_by_separation();
         interpolate_eta();
         cut_by_pressure();
         measure_error();
@@ -65,10 +65,10 @@ private:
 
     template <class V>
     struct State {
-        V gap, pressure, minus_dp_dgap;
-        V stretch;  ///< d gap/d eta over the rms height
+        V separation, pressure, minus_dp_dd;
+        V stretch;  ///< d separation/d eta over the rms height
     };
-    /// With the bulk in series the gap is shorter and the slope smaller. \p slope is d log p/d eta.
+    /// With the bulk in series the separation is shorter and the slope smaller. \p slope is d log p/d eta.
     template <class V>
     [[nodiscard]] State<V> in_series(const V& eta, const V& p, const V& slope) const {
         const V k = p * slope * V::all(-1 / rms_), stretch = multiply_add(k, V::all(bulk_), V::all(1));
@@ -79,11 +79,11 @@ private:
         return in_series(eta, V::all(middle_) * exp(log_pressure_(eta)), slope_(eta));
     }
 
-    /// K at eta, of -dp/dgap there where it is a constant times that.
+    /// K at eta, of -dp/dd there where it is a constant times that.
     template <class V>
     [[nodiscard]] V stiffness_of(const State<V>& found, const V& eta) const {
         if constexpr (proportional)
-            return found.minus_dp_dgap * V::all(law_.stiffness_over_slope);
+            return found.minus_dp_dd * V::all(law_.stiffness_over_slope);
         else
             return stiffness_in_series(V::all(stiffness_unit_) * exp(log_stiffness_(eta)));
     }
@@ -107,13 +107,14 @@ private:
 
     [[nodiscard]] static auto* row(auto& pieces, Eigen::Index i) { return pieces.rows.data() + i * Row::terms; }
 
-    /// log p, over the middle of its range to keep its digits, against the effective eta; from the separation of the highest
-    /// pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach.
+    /// log p, over the middle of its range to keep its digits, against the effective eta; from the separation of the
+    /// highest pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach.
     void interpolate_pressure() {
         const auto end = [this](T pressure) { return contact_.at_pressure(pressure, Quantity::pressure).eta; };
-        closest_ = end(law_.pressure_max);
-        furthest_ = end(law_.pressure_min);
-        // log p is concave in eta: 10 % more than the slope says is enough; never so short that the slope would be all rounding
+        closest_ = end(law_.max_pressure);
+        furthest_ = end(law_.min_pressure);
+        // log p is concave in eta: 10 % more than the slope says is enough; never so short that the slope would be all
+        // rounding
         const T beyond = T(0.13);  // log(9/8) and 10 %
         const T slack =
             std::max(-beyond / contact_.log_pressure(closest_).slope, T(0.1) * (1 - (furthest_ - closest_)));
@@ -138,7 +139,8 @@ private:
         const auto log_at = [&](T eta) {
             ++law_.evaluations;
             const LogValue<T> k = contact_.log_stiffness(eta);
-            require(std::isfinite(k.log), "stiffness", std::exp(k.log), "finite and greater than 0 for a compiled law");
+            require(std::isfinite(k.log), "stiffness", std::exp(k.log),
+                    "finite and greater than 0 for a tabulated law");
             error = std::max(error, k.error);
             return k.log;
         };
@@ -148,39 +150,40 @@ private:
     }
 
     /// Pieces over which log p changes by a quarter or so.
-    void cut_by_gap() {
+    void cut_by_separation() {
         const auto low = at(One::all(closest_)), high = at(One::all(furthest_));
-        const T from = low.gap.p, length = high.gap.p - from;
-        const T steepest = std::max(low.minus_dp_dgap.p / low.pressure.p, high.minus_dp_dgap.p / high.pressure.p);
+        const T from = low.separation.p, length = high.separation.p - from;
+        const T steepest = std::max(low.minus_dp_dd.p / low.pressure.p, high.minus_dp_dd.p / high.pressure.p);
         const auto pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * length)) + 1;
         const T width = length / T(pieces);
-        law_.by_gap = UniformPieces<T>(from, high.gap.p, pieces);
-        if constexpr (!proportional) law_.own_stiffness = law_.by_gap;
+        law_.by_separation = UniformPieces<T>(from, high.separation.p, pieces);
+        if constexpr (!proportional) law_.own_stiffness = law_.by_separation;
         law_.set_scales();
         shortest_change_ = steepest * width;
         T last = closest_;
         for (Eigen::Index i = 0; i < pieces; ++i) {
-            const Nodes eta = eta_of_gap(nodes(from + width * T(i), from + width * T(i + 1)), last);
+            const Nodes eta = eta_of_separation(nodes(from + width * T(i), from + width * T(i + 1)), last);
             const State<Nodes> found = at(eta);
-            T* const c = row(law_.by_gap, i);
+            T* const c = row(law_.by_separation, i);
             lobatto_.fit(found.pressure).store(c);
             if constexpr (!proportional) lobatto_.fit(stiffness_of(found, eta)).store(row(law_.own_stiffness, i));
             // against the series the slope is worst at the ends of a piece
             std::array<T, Row::terms> tangent;
-            (found.minus_dp_dgap * Nodes::all(-width / 2)).store(tangent.data());
+            (found.minus_dp_dd * Nodes::all(-width / 2)).store(tangent.data());
             at_ends_ = std::max({at_ends_, std::abs(Row::derivative(c, T(-1)) / tangent.front() - 1),
                                  std::abs(Row::derivative(c, T(1)) / tangent.back() - 1)});
         }
     }
 
-    /// eta rms - p bulk = gap, concave: Newton's method rises to the roots from \p last, which becomes the last of them.
-    [[nodiscard]] Nodes eta_of_gap(const Nodes& gap, T& last) const {
-        if (bulk_ == 0) return gap / Nodes::all(rms_);
+    /// eta rms - p bulk = separation, concave: Newton's method rises to the roots from \p last, which becomes the last
+    /// of them.
+    [[nodiscard]] Nodes eta_of_separation(const Nodes& separation, T& last) const {
+        if (bulk_ == 0) return separation / Nodes::all(rms_);
         Nodes eta = Nodes::all(last);
         std::array<T, Row::terms> one;
         for (int iteration = 0; iteration < 50; ++iteration) {
             const State<Nodes> found = at(eta);
-            const Nodes step = (gap - found.gap) / (found.stretch * Nodes::all(rms_));
+            const Nodes step = (separation - found.separation) / (found.stretch * Nodes::all(rms_));
             eta = min(max(eta + step, Nodes::all(begin_)), Nodes::all(end_));
             max(step, Nodes::all(0) - step).store(one.data());
             if (*std::max_element(one.begin(), one.end()) <= close_enough_) break;
@@ -190,8 +193,8 @@ private:
         return eta;
     }
 
-    /// eta against log p: the inverse of the series, by Newton's method from node to node, again by sections; its tail falls
-    /// by a digit or more with every coefficient.
+    /// eta against log p: the inverse of the series, by Newton's method from node to node, again by sections; its tail
+    /// falls by a digit or more with every coefficient.
     void interpolate_eta() {
         T eta = closest_;
         const auto solve = [&](T log_p) {
@@ -216,7 +219,7 @@ private:
             const Nodes eta = eta_of_(log(p / Nodes::all(middle_)));
             const State<Nodes> found = in_series(eta, p, slope_(eta));
             (lobatto_.fit(stiffness_of(found, eta)) * scale).store(row(law_.stiffness, i));
-            (lobatto_.fit(found.gap) * scale).store(row(law_.gap, i));
+            (lobatto_.fit(found.separation) * scale).store(row(law_.separation, i));
         }
     }
 
@@ -228,18 +231,19 @@ private:
         for (std::size_t i = 0; i < checks; ++i) {
             const T eta = closest_ + (furthest_ - closest_) * (T(i) + T(0.37)) / T(checks);
             const LogSlope<T> model = contact_.log_pressure(eta);
-            const T p = std::clamp(std::exp(model.log), law_.pressure_min, law_.pressure_max);
+            const T p = std::clamp(std::exp(model.log), law_.min_pressure, law_.max_pressure);
             const auto truth = in_series(One::all(eta), One::all(p), One::all(model.slope));
-            const T gap = truth.gap.p, k = true_stiffness(truth, eta);
+            const T separation = truth.separation.p, k = true_stiffness(truth, eta);
             worst(law_.stiffness.value(p) / k - 1);
-            worst((law_.gap_at(p) - gap) / rms_);
-            const auto at = law_.at_gap(std::clamp(gap, law_.by_gap.begin, law_.by_gap.end));
+            worst((law_.separation_at(p) - separation) / rms_);
+            const auto at =
+                law_.at_separation(std::clamp(separation, law_.by_separation.begin, law_.by_separation.end));
             worst(at.pressure / p - 1);
             worst(at.stiffness / k - 1);
-            if constexpr (!proportional) worst(at.slope / truth.minus_dp_dgap.p - 1);
+            if constexpr (!proportional) worst(at.slope / truth.minus_dp_dd.p - 1);
         }
-        // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a short range
-        // carries the rounding of the few digits in which p changes there
+        // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a
+        // short range carries the rounding of the few digits in which p changes there
         constexpr T rounding = T(4 * Row::terms * Row::terms) * epsilon;
         law_.relative_error =
             6 * found + T(1.5) * at_ends_ + rounding * std::max(T(1), 1 / (pieces_per_e * shortest_change_));
@@ -253,11 +257,11 @@ private:
                     if (!(way * Row::derivative(row(pieces, i), half * T(k) / 8) > 0)) return false;
             return true;
         };
-        if (!(moves(law_.stiffness, BinaryPieces<T>::half, T(1)) && moves(law_.by_gap, T(1), T(-1)) &&
+        if (!(moves(law_.stiffness, BinaryPieces<T>::half, T(1)) && moves(law_.by_separation, T(1), T(-1)) &&
               moves(law_.own_stiffness, T(1), T(-1))))
             throw domain_error(
                 Refusal{.parameter = "pressure range",
-                        .reason = "the compiled law would not be monotone; must be one where K and p are"});
+                        .reason = "the tabulated law would not be monotone; must be one where K and p are"});
     }
 
     const Contact& contact_;
@@ -275,8 +279,8 @@ private:
     T closest_{}, furthest_{};           ///< eta at the ends of the range
     T begin_{}, end_{};                  ///< and of the series
     T error_{};                          ///< of the integrals
-    T at_ends_{};                        ///< of the slope, at the ends of the pieces by gap
-    T shortest_change_{};                ///< of log p over a piece by gap
+    T at_ends_{};                        ///< of the slope, at the ends of the pieces by separation
+    T shortest_change_{};                ///< of log p over a piece by separation
 };
 
 }  // namespace fstiff::detail

@@ -24,7 +24,7 @@
 /// Units       dimensionless, theta in radians
 /// Valid       0 <= r < 1, 0 < theta < pi/2
 /// Accuracy    density 20 epsilon where it is not negligible; moments of t 8 epsilon; central moments lose 1/Var^2 t
-///             more (tests/peaks/peak_density_test.cpp)
+///             more (tests/peaks/peak_distribution_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -35,12 +35,12 @@
 
 namespace fstiff {
 
-/// The density (4.4) for one r and one theta, its moments and its marginal.
-template <Real T>
-class PeakDensity {
+/// The distribution of peaks (4.4) for one r and one theta: its density, its moments and its marginal.
+template <Real T = double>
+class PeakDistribution {
 public:
     /// \throws domain_error unless 0 <= r < 1 and 0 < theta < pi/2.
-    PeakDensity(T r, T theta) : r_(r), theta_(theta) {
+    PeakDistribution(T r, T theta) : r_(r), theta_(theta) {
         require(r >= 0 && r < 1, "r", r, "at least 0 and less than 1");
         require(theta > 0 && theta < numbers::pi_v<T> / 2, "theta", theta,
                 "between 0 and pi/2, both excluded (radians)");
@@ -48,7 +48,7 @@ public:
 
     /// From the autocorrelation of the profile at one and at two sampling steps.
     /// \throws domain_error unless -1 < rho1 < 1 and 2 rho1^2 - 1 < rho2 < 1: what three ordinates allow.
-    static PeakDensity from_autocorrelation(T rho1, T rho2) {
+    static PeakDistribution from_autocorrelation(T rho1, T rho2) {
         require(rho1 > -1 && rho1 < 1, "rho1", rho1, "between -1 and 1, both excluded");
         require(rho2 > 2 * rho1 * rho1 - 1 && rho2 < 1, "rho2", rho2, "between 2 rho1^2 - 1 and 1, both excluded");
         const T curvature = (3 - 4 * rho1) + rho2;  // sigma_kappa^2 h^4 / (2 sigma^2)
@@ -59,7 +59,7 @@ public:
     /// The peaks of a profile of exponential autocorrelation: 1 - r^2 = cot^2(theta).
     /// \throws domain_error unless pi/4 <= theta <= pi/3: what rho2 = rho1^2 allows (a rounding beyond an end counts as
     /// the end).
-    static PeakDensity exponential(T theta) {
+    static PeakDistribution exponential(T theta) {
         constexpr T pi = numbers::pi_v<T>;
         constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
         require(theta >= pi / 4 - slack && theta <= pi / 3 + slack, "theta", theta,
@@ -85,9 +85,9 @@ public:
 
     /// Density of the peak height zeta alone (Fig. 2).
     [[nodiscard]] T height_marginal(T zeta) const {
-        // exp(-zeta^2/2) times erf(k t) under a Gaussian in t of mean r zeta and width c: the trapezoidal rule in t where
-        // that Gaussian stays clear of t = 0; elsewhere in u, t = s exp(u - exp(-u)) with s the smaller of c and 1/k,
-        // which grades the nodes towards t = 0
+        // exp(-zeta^2/2) times erf(k t) under a Gaussian in t of mean r zeta and width c: the trapezoidal rule in t
+        // where that Gaussian stays clear of t = 0; elsewhere in u, t = s exp(u - exp(-u)) with s the smaller of c and
+        // 1/k, which grades the nodes towards t = 0
         const T reach = std::sqrt(-2 * std::log(std::numeric_limits<T>::epsilon())) + T(0.5);
         const T k = std::tan(theta_) / numbers::sqrt2_v<T>;
         const T width = c();
