@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole contact: the separation for a pressure, and the compiled law.
+// A whole contact: the separation for a pressure, and the tabulated law.
 #include "methods.hpp"
 #include "row.hpp"
 
@@ -38,7 +38,7 @@ struct Gaps {
 const Rows rows([] {
     constexpr double law_bound = 1e-10;
     const auto law = []() -> const fstiff::ContactLaw<double>& {
-        static const auto compiled = compiled_law();
+        static const auto compiled = tabulated_law();
         return compiled;
     };
     const auto size = [] { return law_points().size(); };
@@ -68,16 +68,19 @@ const Rows rows([] {
                 return last = l.stiffness(points[i].pressure + tiny * last);
             });
         });
-    const auto gap_accuracy = [=] {
-        return worse(law_accuracy(
-                         0, [&](const LawPoint& at) { return law().at_gap(at.separation).pressure; }, true_pressure),
-                     law_accuracy(
-                         0, [&](const LawPoint& at) { return law().at_gap(at.separation).stiffness; }, true_stiffness));
+    const auto separation_accuracy = [=] {
+        return worse(
+            law_accuracy(
+                0, [&](const LawPoint& at) { return law().at_separation(at.separation).pressure; }, true_pressure),
+            law_accuracy(
+                0, [&](const LawPoint& at) { return law().at_separation(at.separation).stiffness; }, true_stiffness));
     };
-    verified_row("law/pressure_and_stiffness_of_gap/scalar", law_bound, gap_accuracy, [=](benchmark::State& state) {
-        time_elements(state, size(),
-                      [&l = law(), &points = law_points()](std::size_t i) { return l.at_gap(points[i].separation); });
-    });
+    verified_row("law/pressure_and_stiffness_of_gap/scalar", law_bound, separation_accuracy,
+                 [=](benchmark::State& state) {
+                     time_elements(state, size(), [&l = law(), &points = law_points()](std::size_t i) {
+                         return l.at_separation(points[i].separation);
+                     });
+                 });
     verified_row(
         "law/stiffness_of_pressure/batch", law_bound,
         [=] {
@@ -98,7 +101,7 @@ const Rows rows([] {
         "law/pressure_and_stiffness_of_gap/batch", law_bound,
         [=] {
             Gaps g;
-            law().at_gap(g.separation, g.pressure_out, g.stiffness);
+            law().at_separation(g.separation, g.pressure_out, g.stiffness);
             const auto index = [](const LawPoint& at) { return &at - law_points().data(); };
             return worse(law_accuracy(
                              0, [&](const LawPoint& at) { return g.pressure_out[index(at)]; }, true_pressure),
@@ -108,7 +111,7 @@ const Rows rows([] {
         [=](benchmark::State& state) {
             Gaps g;
             while (state.KeepRunningBatch(g.separation.size())) {
-                law().at_gap(g.separation, g.pressure_out, g.stiffness);
+                law().at_separation(g.separation, g.pressure_out, g.stiffness);
                 benchmark::DoNotOptimize(g.stiffness.data());
                 benchmark::DoNotOptimize(g.pressure_out.data());
                 benchmark::ClobberMemory();
@@ -123,8 +126,8 @@ const Rows rows([] {
         [=](benchmark::State& state) {
             const auto contact = sand_blasted_contact();
             for (auto _ : state) {
-                const auto compiled = fstiff::ContactLaw<double>::compile(
-                    contact, {.pressure_min = pressure_min, .pressure_max = pressure_max});
+                const auto compiled = fstiff::ContactLaw<double>::tabulate(
+                    contact, {.min_pressure = min_pressure, .max_pressure = max_pressure});
                 benchmark::DoNotOptimize(&compiled);
             }
         });

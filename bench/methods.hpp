@@ -35,7 +35,8 @@ inline const Which one{2};     ///< stiffness
 /// contact_integrals.
 template <Quantity wanted>
 Values reduced(const Problem& p, double tolerance) {
-    const auto j = fstiff::contact_integrals(fstiff::PeakDensity<double>(p.r, p.theta), p.eta, wanted, {tolerance});
+    const auto j =
+        fstiff::contact_integrals(fstiff::PeakDistribution<double>(p.r, p.theta), p.eta, wanted, {tolerance});
     return {{j.contacts.value, j.load.value, j.stiffness.value, j.area.value},
             {j.contacts.error, j.load.error, j.stiffness.error, j.area.error},
             std::max(j.contacts.evaluations, j.stiffness.evaluations)};
@@ -45,7 +46,7 @@ Values reduced(const Problem& p, double tolerance) {
 template <class Integral>
 Values one_by_one(const Problem& p, const Which& which, const Integral& integral) {
     Values out;
-    const fstiff::PeakDensity<double> peaks(p.r, p.theta);
+    const fstiff::PeakDistribution<double> peaks(p.r, p.theta);
     for (const std::size_t i : which) {
         const fstiff::Estimate<double> j = integral(powers[i][0], powers[i][1], peaks, p.eta);
         out.value[i] = j.value;
@@ -55,9 +56,10 @@ Values one_by_one(const Problem& p, const Which& which, const Integral& integral
     return out;
 }
 inline Values tensor(const Problem& p, const Which& which, double tolerance) {
-    return one_by_one(p, which, [tolerance](double a, double b, const fstiff::PeakDensity<double>& peaks, double eta) {
-        return fstiff::tensor_integral(a, b, peaks, eta, {tolerance});
-    });
+    return one_by_one(p, which,
+                      [tolerance](double a, double b, const fstiff::PeakDistribution<double>& peaks, double eta) {
+                          return fstiff::tensor_integral(a, b, peaks, eta, {tolerance});
+                      });
 }
 inline Values paper(const Problem& p, const Which& which) {
     return one_by_one(p, which, fstiff::paper_integral<double>);
@@ -115,13 +117,13 @@ Values kernel(const Problem& p, double tolerance) {
             return Law{};
     }();
     const auto j =
-        fstiff::scaled_tensor_integral<axis>(law, fstiff::PeakDensity<double>(p.r, p.theta), p.eta, {tolerance});
+        fstiff::scaled_tensor_integral<axis>(law, fstiff::PeakDistribution<double>(p.r, p.theta), p.eta, {tolerance});
     return {{0, j.value, 0, 0}, {0, j.error, 0, 0}, j.evaluations};
 }
 inline const Which load{1};
 
-/// The integral of \p Law over the peaks, without exp(-eta^2/2) for eta > 0: nested panels that are split at the kink, slow,
-/// and independent of fstiff but for the nodes; 1e-13 on the plain grid.
+/// The integral of \p Law over the peaks, without exp(-eta^2/2) for eta > 0: nested panels that are split at the kink,
+/// slow, and independent of fstiff but for the nodes; 1e-13 on the plain grid.
 template <class Law>
 double reference(double r, double theta, double eta, const Law& law) {
     const double c = std::sqrt((1 - r) * (1 + r)), k = std::tan(theta) / std::sqrt(2.0), floor = std::max(eta, 0.0);
@@ -156,12 +158,12 @@ inline constexpr double rms_height = 0.832e-6, peak_radius = 40e-6, peak_density
 inline fstiff::RoughContact<double, fstiff::FractalLaw<double>> sand_blasted_contact() {
     const fstiff::Roughness<double> surface{
         .rms_height = rms_height, .peak_radius = peak_radius, .peak_density = peak_density};
-    return {surface, fstiff::PeakDensity<double>(0.5, 1), fstiff::FractalLaw<double>(fractal_dimension), modulus};
+    return {surface, fstiff::PeakDistribution<double>(0.5, 1), fstiff::FractalLaw<double>(fractal_dimension), modulus};
 }
-inline constexpr double pressure_min = 1e5, pressure_max = 1e8;
-inline fstiff::ContactLaw<double> compiled_law() {
-    return fstiff::ContactLaw<double>::compile(sand_blasted_contact(),
-                                               {.pressure_min = pressure_min, .pressure_max = pressure_max});
+inline constexpr double min_pressure = 1e5, max_pressure = 1e8;
+inline fstiff::ContactLaw<double> tabulated_law() {
+    return fstiff::ContactLaw<double>::tabulate(sand_blasted_contact(),
+                                                {.min_pressure = min_pressure, .max_pressure = max_pressure});
 }
 
 /// A point of the contact, by eqs. (4.9), (4.10), (3.7), (3.14) and reference().
@@ -173,13 +175,14 @@ inline const std::vector<LawPoint>& law_points() {
         const double curvature = 3 * std::sqrt(std::numbers::pi) / (8 * peak_radius);
         const double root = std::sqrt(rms_height * curvature);
         const double stiffness_factor = 2.0 * 2 / 3 * (3 - fractal_dimension) / (2 - fractal_dimension);
-        const auto gaps = compiled_law().gaps();
+        const auto separations = tabulated_law().separations();
         std::vector<LawPoint> out(512);
         double fraction = 0;
         for (LawPoint& at : out) {
             fraction =
                 std::fmod(fraction + 0.6180339887498949, 1.0);  // golden section: fills the range evenly, in no order
-            const double eta = (gaps[0] + (gaps[1] - gaps[0]) * (0.001 + 0.998 * fraction)) / rms_height;
+            const double eta =
+                (separations[0] + (separations[1] - separations[0]) * (0.001 + 0.998 * fraction)) / rms_height;
             const double scale = modulus * peak_density * rms_height / root * std::exp(-std::max(eta, 0.0) * eta / 2);
             at = {4.0 / 3 * scale * rms_height * reference(0.5, 1, eta, HertzByUser{}), eta * rms_height,
                   stiffness_factor * scale * reference(0.5, 1, eta, HertzStiffnessByUser{})};

@@ -6,8 +6,8 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/structure_function.hpp>
-#include <fstiff/surface/self_affine.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/islands.hpp>
 
 namespace {
@@ -25,7 +25,7 @@ fstiff::WeierstrassMandelbrot<double> waves(fstiff::Phases phases) {
 /// z(x) by (2.1) with zero phases, in long double, over the root of the variance.
 Accuracy generation_accuracy(std::size_t points, double spacing) {
     const auto profile = waves(fstiff::Phases::zero);
-    const std::vector<double> heights = profile.sample(points, spacing);
+    const std::vector<double> heights = profile.sample(points, spacing).heights;
     const double rms = std::sqrt(profile.variance());
     AccuracyCollector collector;
     for (std::size_t i = 0; i < points; i += 37) {
@@ -46,8 +46,7 @@ Accuracy generation_accuracy(std::size_t points, double spacing) {
 }
 
 const fstiff::Profile<double>& long_profile() {
-    static const fstiff::Profile<double> profile{waves(fstiff::Phases::random).sample(100000, shortest / 2),
-                                                 shortest / 2};
+    static const fstiff::Profile<double> profile = waves(fstiff::Phases::random).sample(100000, shortest / 2);
     return profile;
 }
 
@@ -71,8 +70,7 @@ Accuracy structure_accuracy() {
 }
 
 const fstiff::Profile<double>& million() {
-    static const fstiff::Profile<double> profile{waves(fstiff::Phases::random).sample(1000000, shortest / 2),
-                                                 shortest / 2};
+    static const fstiff::Profile<double> profile = waves(fstiff::Phases::random).sample(1000000, shortest / 2);
     return profile;
 }
 
@@ -111,12 +109,8 @@ Accuracy transform_accuracy() {
 }
 
 const fstiff::HeightMap<double>& map() {
-    static const fstiff::HeightMap<double> made = [] {
-        const auto surface = fstiff::self_affine_map<double>(
-            {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = 64e-6, .shortest_wavelength = 8e-6}, 2048, 2048, 1e-6,
-            1e-6);
-        return fstiff::HeightMap<double>{surface, 1e-6, 1e-6};
-    }();
+    static const fstiff::HeightMap<double> made = fstiff::self_affine_map<double>(
+        {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = 64e-6, .shortest_wavelength = 8e-6}, 2048, 2048, 1e-6, 1e-6);
     return made;
 }
 
@@ -129,7 +123,7 @@ const Rows rows([] {
             const auto profile = waves(fstiff::Phases::random);
             for (auto _ : state) {
                 const auto heights = profile.sample(points, spacing);
-                benchmark::DoNotOptimize(heights.data());
+                benchmark::DoNotOptimize(heights.heights.data());
             }
         });
     verified_row("profile/structure_function/100000", 1e-12, structure_accuracy, [](benchmark::State& state) {

@@ -167,11 +167,11 @@ class Report:
         at_most("values beyond their error estimate, both grids", sum(beyond) if beyond else None, 0, lambda n: f"{n:.0f}")
         for which in ("stiffness_of_pressure", "pressure_and_stiffness_of_gap"):
             text = "K(p)" if which.startswith("stiffness") else "{p, K}(gap)"
-            at_most(f"compiled law, {text}, scalar", self.ns(f"law/{which}/scalar"), 8, show_time)
-            at_most(f"compiled law, {text}, batch", self.ns(f"law/{which}/batch"), 1.5 if text == "K(p)" else 2.5, show_time)
+            at_most(f"tabulated law, {text}, scalar", self.ns(f"law/{which}/scalar"), 8, show_time)
+            at_most(f"tabulated law, {text}, batch", self.ns(f"law/{which}/batch"), 1.5 if text == "K(p)" else 2.5, show_time)
         law = [row["rel_err_max"] for name, row in self.rows.items() if name.startswith("law/")]
-        at_most("compiled law: relative error", max(law) if law else None, 1e-10, show_error)
-        at_most("compiled law: build", self.ns("law/compile"), 50e3, show_time)
+        at_most("tabulated law: relative error", max(law) if law else None, 1e-10, show_error)
+        at_most("tabulated law: build", self.ns("law/compile"), 50e3, show_time)
         at_most("heap allocations of an evaluation (bench/baseline.csv)", self.allocations(), 0, lambda n: f"{n:.0f}")
         at_most("kernel in two dimensions, smooth law of a user, 1e-12", self.ns("kernel/gradual_yield/1e-12"), 2e3, show_time)
         at_most("the same, law that names its kink, 1e-6", self.ns("kernel/elastic_plastic/1e-06"), 10e3, show_time)
@@ -183,7 +183,7 @@ class Report:
                     lambda n: f"{n:.0f} of {sum(row['values'] for row in kink):.0f}" if n else "0")
         portable = (self.results.get("portable") or {}).get("ns", {})
         for name, text in (("integrals/fstiff/four/plain/1e-12", "four integrals"), ("kernel/gradual_yield/1e-12", "kernel, smooth law"),
-                           ("law/stiffness_of_pressure/scalar", "compiled law")):
+                           ("law/stiffness_of_pressure/scalar", "tabulated law")):
             slower = portable[name] / self.ns(name) if name in portable and self.ns(name) else None
             at_most(f"{text}: plain -O2 slower than -O3 -march=native", slower, 4, lambda x: f"{ratio(x)} times")
         return out
@@ -218,7 +218,7 @@ class Report:
                 body.append(line)
             head = ["method", "asked for", "time", "largest relative error", "median", "evaluations", "time over fstiff at 1e-12"]
             lines += table(head + (["values off by more than 1e-6"] if grid == "hard" else []), body)
-        for prefix, title in (("kernel", "Kernel in two dimensions, laws of a user"), ("law", "Compiled law, 1e5 to 1e8 Pa"), ("contact", "A contact at a pressure or a separation"),
+        for prefix, title in (("kernel", "Kernel in two dimensions, laws of a user"), ("law", "Tabulated law, 1e5 to 1e8 Pa"), ("contact", "A contact at a pressure or a separation"),
                               ("profile", "Profiles"), ("topography", "Maps")):
             found = [(name.split("/", 1)[1], row) for name, row in self.rows.items() if name.startswith(prefix + "/")]
             if not found:
@@ -242,7 +242,7 @@ class Report:
             ("gauss_legendre-eigen/four/plain/50x50", "the paper's 50 x 50 points, Eigen"),
         )
         lines = [[label, *cells(self.rows["integrals/" + name])] for name, label in wanted if "integrals/" + name in self.rows]
-        for name, label in (("kernel/gradual_yield/1e-12", "fstiff, law of a user in two dimensions, 1e-12"), ("law/stiffness_of_pressure/scalar", "fstiff, compiled law K(p)"),
+        for name, label in (("kernel/gradual_yield/1e-12", "fstiff, law of a user in two dimensions, 1e-12"), ("law/stiffness_of_pressure/scalar", "fstiff, tabulated law K(p)"),
                             ("contact/at_pressure/all", "fstiff, a contact at a given pressure")):
             if name in self.rows:
                 lines.append([label, *cells(self.rows[name])])

@@ -25,16 +25,16 @@ heights = [(7 * i) % 10 - 3 for i in range(20)]
 
 # --- profiles ---
 rows = lambda sep: "".join(f"{i / 2}{sep}{z / 10}\n" for i, z in enumerate(heights))
-put("delimited", "comma.csv", "x [um],z [nm]\n" + rows(","))
-put("delimited", "decimal-comma.csv", "x (um);z (nm)\n" + rows(";").replace(".", ","))
-put("delimited", "blanks.txt", "# x/um z/um\n" + rows("  "))
-put("delimited", "tab-missing.txt", "x [mm]\tz [um]\n" + rows("\t").replace("0.4\n", "\n"))
-put("delimited", "stated-spacing.txt", "Resolution,0.5 um/sample\nz [um]\n" + "".join(f"{z}\n" for z in heights))
-put("delimited", "cp1252-crcrlf.csv", ("x \xb5m,z \xb5m\r\r\n" + rows(",").replace("\n", "\r\r\n")).encode("cp1252"))
-put("delimited", "falling.txt", "x [um] z [um]\n" + "".join(f"{9 - i / 2} {z}\n" for i, z in enumerate(heights)))
-put("delimited", "huge.txt", "x [um],z [um]\n" + "".join(f"{i},{z}e308\n" for i, z in enumerate(heights)))
-put("delimited", "binary.txt", b"0 1\n\0\xff\n")
-put("delimited", "hole.txt", "x [um],z [um]\n" + "".join(f"{i + (i > 9)},{z}\n" for i, z in enumerate(heights)))
+put("profile_text", "comma.csv", "x [um],z [nm]\n" + rows(","))
+put("profile_text", "decimal-comma.csv", "x (um);z (nm)\n" + rows(";").replace(".", ","))
+put("profile_text", "blanks.txt", "# x/um z/um\n" + rows("  "))
+put("profile_text", "tab-missing.txt", "x [mm]\tz [um]\n" + rows("\t").replace("0.4\n", "\n"))
+put("profile_text", "stated-spacing.txt", "Resolution,0.5 um/sample\nz [um]\n" + "".join(f"{z}\n" for z in heights))
+put("profile_text", "cp1252-crcrlf.csv", ("x \xb5m,z \xb5m\r\r\n" + rows(",").replace("\n", "\r\r\n")).encode("cp1252"))
+put("profile_text", "falling.txt", "x [um] z [um]\n" + "".join(f"{9 - i / 2} {z}\n" for i, z in enumerate(heights)))
+put("profile_text", "huge.txt", "x [um],z [um]\n" + "".join(f"{i},{z}e308\n" for i, z in enumerate(heights)))
+put("profile_text", "binary.txt", b"0 1\n\0\xff\n")
+put("profile_text", "hole.txt", "x [um],z [um]\n" + "".join(f"{i + (i > 9)},{z}\n" for i, z in enumerate(heights)))
 
 # --- maps as text ---
 matrix = lambda sep: "".join(sep.join(str(heights[(5 * j + i) % 20] / 8) for i in range(5)) + "\n" for j in range(4))

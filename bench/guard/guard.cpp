@@ -106,20 +106,21 @@ std::vector<Row> laws() {
         return {at.stiffness.value, p.stiffness, static_cast<double>(at.stiffness.evaluations)};
     }));
 
-    const auto law = compiled_law();
+    const auto law = tabulated_law();
     out.push_back(law_row("law/stiffness_of_pressure/scalar", [&](const LawPoint& p) {
         return Checked{law.stiffness(p.pressure), p.stiffness, 0};
     }));
     out.push_back(law_row("law/pressure_and_stiffness_of_gap/scalar", [&](const LawPoint& p) {
-        const auto at = law.at_gap(p.separation);
+        const auto at = law.at_separation(p.separation);
         const bool load_is_worse =
             test::relative_error(at.pressure, p.pressure) > test::relative_error(at.stiffness, p.stiffness);
         return load_is_worse ? Checked{at.pressure, p.pressure, 0} : Checked{at.stiffness, p.stiffness, 0};
     }));
-    Eigen::ArrayXd in(static_cast<Eigen::Index>(law_points().size())), gaps = in, pressures = in, stiffnesses = in;
+    Eigen::ArrayXd in(static_cast<Eigen::Index>(law_points().size())), separations = in, pressures = in,
+                                                                       stiffnesses = in;
     for (Eigen::Index i = 0; i < in.size(); ++i) {
         in[i] = law_points()[static_cast<std::size_t>(i)].pressure;
-        gaps[i] = law_points()[static_cast<std::size_t>(i)].separation;
+        separations[i] = law_points()[static_cast<std::size_t>(i)].separation;
     }
     law.stiffness(in, stiffnesses);
     Row batch = law_row("law/stiffness_of_pressure/batch", [&](const LawPoint& p) {
@@ -127,14 +128,14 @@ std::vector<Row> laws() {
     });
     batch.allocations = allocations_of([&] { law.stiffness(in, stiffnesses); });
     out.push_back(batch);
-    law.at_gap(gaps, pressures, stiffnesses);
+    law.at_separation(separations, pressures, stiffnesses);
     batch = law_row("law/pressure_and_stiffness_of_gap/batch", [&](const LawPoint& p) {
         return Checked{stiffnesses[&p - law_points().data()], p.stiffness, 0};
     });
-    batch.allocations = allocations_of([&] { law.at_gap(gaps, pressures, stiffnesses); });
+    batch.allocations = allocations_of([&] { law.at_separation(separations, pressures, stiffnesses); });
     out.push_back(batch);
     out.push_back({"law/compile", static_cast<double>(law.evaluations()), law.relative_error(), 0,
-                   allocations_of([] { static_cast<void>(compiled_law()); })});
+                   allocations_of([] { static_cast<void>(tabulated_law()); })});
     return out;
 }
 

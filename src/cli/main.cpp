@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff: normal contact stiffness of rough surfaces. Exit codes are listed in output.hpp and at the end of --help.
-#include "commands.hpp"
+#include "commands/commands.hpp"
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
@@ -13,6 +13,7 @@
 namespace {
 
 using namespace fstiff::cli;
+using fstiff::scene::option_error;
 
 /// One line on standard error, whatever the message holds.
 void say(std::string message) {
@@ -50,6 +51,9 @@ int main(int argc, char** argv) {
     try {
         return run_main(argc, argv);
     } catch (const Usage& error) {
+        say(error.what());
+        return usage_error;
+    } catch (const option_error& error) {
         say(error.what());
         return usage_error;
     } catch (const fstiff::domain_error& error) {

@@ -18,7 +18,8 @@ TEST_CASE("load, area and stiffness of one plastic asperity: the table to 1e-13"
     for (std::size_t row = 0; row < table.size(); ++row) {
         const double E = table.input(row, "effective_modulus_Pa"), R = table.input(row, "radius_m");
         const double omega = table.input(row, "interference_m"), H = table.input(row, "hardness_Pa");
-        const PlasticMaterial<double> material{E, table.input(row, "yield_strength_Pa"), table.input(row, "poisson"), H};
+        const PlasticMaterial<double> material{E, table.input(row, "yield_strength_Pa"), table.input(row, "poisson"),
+                                               H};
         const std::string name = table.text(row, "law");
         ++rows[name];
         CAPTURE(row, name);
@@ -53,7 +54,8 @@ TEST_CASE("below its first kink a plastic law is Hertz's") {
 
 TEST_CASE("the mean pressure of a plastic asperity is the hardness") {
     const PlasticLaw<double> law(1.12e9, 112e9);
-    for (const double omega : {1e-9, 3e-7}) CHECK(test::ulps(law.load(omega, 2e-5) * 112e9 / law.area(omega, 2e-5), 1.12e9) <= 4);
+    for (const double omega : {1e-9, 3e-7})
+        CHECK(test::ulps(law.load(omega, 2e-5) * 112e9 / law.area(omega, 2e-5), 1.12e9) <= 4);
     static_assert(PowerLaw<PlasticLaw<double>>);
 }
 

@@ -13,7 +13,7 @@ foreach(missing load stiffness area)
 struct Law {
 ${members}};
 auto contact() {
-    return fstiff::RoughContact(fstiff::Roughness<double>{1e-6, 1e-5, 1e9}, fstiff::PeakDensity<double>(0.5, 1), Law{}, 1e11);
+    return fstiff::RoughContact(fstiff::Roughness<double>{1e-6, 1e-5, 1e9}, fstiff::PeakDistribution<double>(0.5, 1), Law{}, 1e11);
 }
 ")
     execute_process(

@@ -63,14 +63,14 @@ TEST_CASE("The command gives what the library gives, to the last digit") {
     const auto outcome = test::fstiff(read_metres + " --format json", one_column(profile));
     REQUIRE(outcome.status == 0);
     const auto document = nlohmann::json::parse(outcome.out);
-    const auto flat = fstiff::detrend(profile, fstiff::Form::line);
-    const auto fit = fstiff::fit_fractal(flat, {.removed = fstiff::Form::line});
+    const auto flat = fstiff::level(profile, fstiff::Form::line);
+    const auto fit = fstiff::fit_fractal(flat);
     CHECK(document["fractal_dimension"].get<double>() == fit.fractal.dimension);
     CHECK(document["fractal_dimension_error"].get<double>() == fit.dimension_error);
     CHECK(document["fractal_roughness_m"].get<double>() == fit.fractal.roughness);
     CHECK(document["fractal_roughness_error_m"].get<double>() == fit.roughness_error);
     CHECK(document["window_m"] == nlohmann::json{fit.window.from, fit.window.to});
-    CHECK(document["rms_height_m"].get<double>() == fstiff::rms_height(flat));
+    CHECK(document["rms_height_m"].get<double>() == fstiff::rms_height(flat.profile));
     CHECK(document["rms_height_before_detrend_m"].get<double>() == fstiff::rms_height(profile));
     CHECK(document["points"] == 4096);
     CHECK(document["spacing_m"].get<double>() == 0.5e-6);
@@ -278,31 +278,30 @@ TEST_CASE("Tip, resolution, seed and filter do in the command what they do in th
         REQUIRE(outcome.status == 0);
         return nlohmann::json::parse(outcome.out);
     };
-    const auto flat = fstiff::detrend(profile, fstiff::Form::line);
+    const auto flat = fstiff::level(profile, fstiff::Form::line);
     const auto same = [](const nlohmann::json& document, const fstiff::FractalFit<double>& fit) {
         CHECK(document["fractal_dimension"] == fit.fractal.dimension);
         CHECK(document["fractal_dimension_bootstrap_error"] == fit.bootstrap_dimension_error);
         CHECK(document["reliable_from_m"] == fit.reliable_from);
         CHECK(document["ordinary_least_squares"]["fractal_dimension"] == fit.line_dimension);
     };
-    same(json("--resolution '4 um'"), fstiff::fit_fractal(flat, {.removed = fstiff::Form::line, .resolution = 4e-6}));
+    same(json("--resolution '4 um'"), fstiff::fit_fractal(flat, {.resolution = 4e-6}));
     CHECK(json("--resolution '4 um'")["window_m"][0].get<double>() >= 4e-6 * (1 - 1e-12));
-    same(json("--tip-radius '5 um'"), fstiff::fit_fractal(flat, {.removed = fstiff::Form::line, .tip_radius = 5e-6}));
-    same(json("--seed 5 --resamples 50"),
-         fstiff::fit_fractal(flat, {.seed = 5, .resamples = 50, .removed = fstiff::Form::line}));
-    const auto filtered = fstiff::gaussian_roughness(flat, 200e-6);
+    same(json("--tip-radius '5 um'"), fstiff::fit_fractal(flat, {.tip_radius = 5e-6}));
+    same(json("--seed 5 --resamples 50"), fstiff::fit_fractal(flat, {.seed = 5, .resamples = 50}));
+    const auto filtered = fstiff::gaussian_roughness(flat.profile, 200e-6);
     const auto document = json("--detrend gaussian --cutoff '200 um'");
     same(document, fstiff::fit_fractal(filtered));
     CHECK(document["rms_height_m"] == fstiff::rms_height(filtered));
-    const auto moments = fstiff::spectral_moments(flat);
+    const auto moments = fstiff::spectral_moments(flat.profile);
     CHECK(json("")["spectral_moments"]["m4_per_m2"] == moments.m4);
     CHECK(json("")["spectral_moments"]["nayak_alpha"] == moments.bandwidth());
-    const auto peaks = fstiff::peak_statistics(flat);
+    const auto peaks = fstiff::peak_statistics(flat.profile);
     CHECK(json("")["peak_statistics"]["theta"] == peaks.theta);
     CHECK(json("")["peak_statistics"]["peak_ratio"] == peaks.peak_ratio());
     CHECK(json("")["peak_statistics"]["counted_peak_ratio"] == peaks.counted_peak_ratio);
     CHECK(json("")["power_spectrum"]["fractal_dimension"] ==
-          fstiff::fit_spectrum(fstiff::power_spectrum(flat)).dimension);
+          fstiff::fit_spectrum(fstiff::power_spectrum(flat.profile)).dimension);
     CHECK(json("--all-lags")["structure_function"]["lag_m"].size() == 4095);
 
     test::check_refused(read_metres + " --detrend gaussian", 2, {"--cutoff"}, text);

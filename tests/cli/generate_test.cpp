@@ -2,8 +2,8 @@
 #include "command.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/surface/self_affine.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +27,7 @@ TEST_CASE("A generated file holds the heights of the library, bit for bit") {
         const auto read =
             surface_of("wm --points 300 --spacing '0.5 um' --dimension 1.4 --roughness '2 nm' --gamma 1.7 --seed 9");
         REQUIRE(read.is_profile());
-        CHECK(read.profile().heights == wm.sample(300, 0.5e-6));
+        CHECK(read.profile().heights == wm.sample(300, 0.5e-6).heights);
         CHECK(read.profile().spacing == 0.5e-6);
     }
     fstiff::SelfAffineOptions<double> how;
@@ -42,12 +42,12 @@ TEST_CASE("A generated file holds the heights of the library, bit for bit") {
             "profile --points 512 --spacing '1 um' --hurst 0.7 --rms '1 um' --seed 5 --longest '50 um' "
             "--shortest '4 um' --long-waves none");
         REQUIRE(read.is_profile());
-        CHECK(read.profile().heights == fstiff::self_affine_profile(how, 512, 1e-6));
+        CHECK(read.profile().heights == fstiff::self_affine_profile(how, 512, 1e-6).heights);
     }
     SECTION("self-affine map, of three forms") {
         how.longest_wavelength = 64e-6;
         how.shortest_wavelength = 2e-6;
-        const auto heights = fstiff::self_affine_map(how, 64, 32, 1e-6, 1e-6);
+        const auto heights = fstiff::self_affine_map(how, 64, 32, 1e-6, 1e-6).heights;
         for (const std::string form : {"csv", "sdf", "sdf-text"}) {
             INFO(form);
             const auto read = surface_of(

@@ -256,3 +256,50 @@ TEST_CASE("identify refuses what it cannot fit, in one sentence") {
     folder.write("scene.toml", scene("0.8 um", "500 /mm^2", "\"greenwood_williamson\""));
     refused(start + "--fit sigma", 3, {"contact.laws", "no derivatives"}, data);
 }
+
+TEST_CASE("What run prints as CSV, identify takes") {
+    const test::Folder folder;
+    folder.write("one.toml", scene());
+    folder.write("start.toml", scene("1 um", "300 /mm^2"));
+    // one curve with r and reflections beside the stiffness: its r is the correlation, its errors are bounds
+    const auto outcome = test::shell("fstiff run '" + folder / "one.toml" + "' --format csv | fstiff identify '" +
+                                     folder / "start.toml" + "' --measured - --fit sigma,Dp --format json");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const auto document = nlohmann::json::parse(outcome.out);
+    CHECK(document["measured"]["quantity"] == "stiffness");
+    CHECK(document["measured"]["has_errors"] == false);
+    const auto& fit = document["fits"][0];
+    CHECK(fit["errors_known"] == false);
+    CHECK(test::relative_error(value(fit, 0), 0.832e-6) < 1e-9);
+    CHECK(test::relative_error(value(fit, 1), 500e6) < 1e-9);
+    CHECK(fit["rows"].size() == 12);
+    CHECK(!fit["rows"][0].contains("error"));
+
+    // several curves: every fit takes the rows of its own law and peaks, so that nothing is to change
+    const auto all = test::shell("fstiff run --format csv | fstiff identify --measured - --fit sigma,Dp --format json");
+    INFO(all.err);
+    REQUIRE(all.status == 0);
+    const auto several = nlohmann::json::parse(all.out);
+    REQUIRE(several["fits"].size() == 4);
+    for (const auto& one : several["fits"]) {
+        CHECK(one["rows"].size() == 31);
+        CHECK(test::relative_error(value(one, 0), 0.832e-6) < 1e-9);
+        CHECK(test::relative_error(value(one, 1), 500e6) < 1e-9);
+    }
+
+    // the curve of one law, fitted by another
+    const auto other =
+        test::shell("fstiff run '" + folder / "one.toml" +
+                    "' --format csv | fstiff identify --measured - --law fractal --fit Dp --format json");
+    INFO(other.err);
+    CHECK(other.status == 0);
+}
+
+TEST_CASE("Several computed curves of which none is of the scene are refused") {
+    const test::Folder folder;
+    folder.write("scene.toml", scene());
+    folder.write("run.csv", test::fstiff("run --format csv").out);
+    test::check_refused("identify '" + folder / "scene.toml" + "' --measured '" + folder / "run.csv" + "' --fit sigma",
+                        3, {"run.csv", "holds 5 computed curves", "must hold one curve"});
+}

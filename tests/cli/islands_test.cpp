@@ -5,7 +5,7 @@
 
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/topography/form.hpp>
-#include <fstiff/topography/islands.hpp>
+#include <fstiff/topography/island_spread.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -58,7 +58,7 @@ TEST_CASE("The command sweeps the islands as the library does, to the last digit
     fstiff::IslandOptions<double> other;
     other.connectivity = fstiff::Connectivity::four;
     other.border = fstiff::BorderIslands::dropped;
-    other.least_points = 3;
+    other.min_points = 3;
     other.height = fstiff::IslandHeight::twice_mean;
     other.quantiles = 50;
     check("--neighbours 4 --border drop --least-points 3 --island-height twice-mean --levels 50 --detrend quadratic",

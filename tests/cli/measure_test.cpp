@@ -85,9 +85,8 @@ TEST_CASE("The command measures what the library measures, to the last digit") {
     }
     SECTION("of a profile") {
         const std::string text = profile_text();
-        const auto profile = fstiff::detrend(fstiff::io::read_surface(text, "profile").profile(), fstiff::Form::line);
+        const auto profile = fstiff::level(fstiff::io::read_surface(text, "profile").profile(), fstiff::Form::line);
         fstiff::SurfaceParameterOptions<double> how;
-        how.fit.removed = fstiff::Form::line;
         how.seed = how.fit.seed = 7;
         how.resamples = 100;
         check_measured(json_of("measure - --seed 7 --resamples 100", text)["surface"],

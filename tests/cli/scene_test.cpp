@@ -2,7 +2,7 @@
 #include "cli/command.hpp"
 #include "support/skip.hpp"
 
-#include "../../src/cli/builtin_scene.hpp"
+#include "scene/scene.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -35,7 +35,7 @@ void check_scene_refused(const std::string& scene, const std::vector<std::string
 }  // namespace
 
 TEST_CASE("The built-in scene is the text of data/sand_blasted_fine.toml") {
-    CHECK(test::read(FSTIFF_SCENES "/sand_blasted_fine.toml") == fstiff::cli::builtin_scene);
+    CHECK(test::read(FSTIFF_SCENES "/sand_blasted_fine.toml") == fstiff::scene::builtin_scene);
     const auto built_in = test::fstiff("run --format csv");
     const auto from_file = test::fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --format csv");
     CHECK(built_in.status == 0);

@@ -110,7 +110,7 @@ void same(const A& a, const B& b, double bound) {
 
 TEST_CASE("a law without powers gives what its powers give") {
     for (const auto& [r, theta] : {std::pair(0.0, 0.8), std::pair(0.5, 1.0), std::pair(0.9, 1.2)}) {
-        const PeakDensity<double> peaks(r, theta);
+        const PeakDistribution<double> peaks(r, theta);
         INFO("r " << r);
         same(RoughContact(fine, peaks, HertzByUser{}, modulus), RoughContact(fine, peaks, HertzLaw<double>{}, modulus),
              1e-11);
@@ -121,7 +121,7 @@ TEST_CASE("a law without powers gives what its powers give") {
 }
 
 TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {
-    const PeakDensity<double> peaks(0.5, 1);
+    const PeakDistribution<double> peaks(0.5, 1);
     const double hardness = 1.12e9;
     const RoughContact contact(fine, peaks, PlasticByUser{hardness / modulus}, modulus);
     const double curvature = rms_curvature(fine, peaks);
@@ -148,7 +148,7 @@ TEST_CASE("each quantity of a law has powers of its own: plastic peaks") {
 }
 
 TEST_CASE("three powers of R at one power of omega take three passes") {
-    const PeakDensity<double> peaks(0.5, 1);
+    const PeakDistribution<double> peaks(0.5, 1);
     const double eta = 0.7, curvature = rms_curvature(fine, peaks);
     const auto at = RoughContact(fine, peaks, ThreePowers{}, modulus).at_separation(eta * fine.rms_height);
     const auto j = [&](double a, double b) { return fine.peak_density * contact_integral(a, b, peaks, eta).value; };
@@ -172,14 +172,14 @@ TEST_CASE("the loading stiffness of a law with a kink is the slope of its pressu
             CHECK(test::relative_error(back.stiffness.value, at.stiffness.value) < 1e-9);
         }
     };
-    check(RoughContact(fine, PeakDensity<double>(0.5, 1), YieldByUser{}, modulus));
+    check(RoughContact(fine, PeakDistribution<double>(0.5, 1), YieldByUser{}, modulus));
     check(RoughContact(fine, SingleRadius<double>{}, YieldByUser{}, modulus));
     check(RoughContact(fine, SingleRadius<double>{Heights::exponential}, YieldByUser{}, modulus));
 }
 
-TEST_CASE("the layer of springs: a contact, a curve and a compiled law") {
-    const RoughContact contact(fine, PeakDensity<double>(0.5, 1), FoundationLaw{1e-6}, modulus);
-    const auto law = ContactLaw<double>::compile(contact, {.pressure_min = 1e5, .pressure_max = 1e7});
+TEST_CASE("the layer of springs: a contact, a curve and a tabulated law") {
+    const RoughContact contact(fine, PeakDistribution<double>(0.5, 1), FoundationLaw{1e-6}, modulus);
+    const auto law = ContactLaw<double>::tabulate(contact, {.min_pressure = 1e5, .max_pressure = 1e7});
     for (const double p : {2e5, 1e6, 9e6}) {
         const auto at = contact.at_pressure(p);
         CHECK(test::relative_error(at.stiffness.value, at.loading_stiffness.value) < 1e-9);
@@ -202,7 +202,7 @@ TEST_CASE("interaction is in series with every law, and with peaks of one radius
                                        at.loading_stiffness.value) < 1e-8);
         }
     };
-    const PeakDensity<double> peaks(0.5, 1);
+    const PeakDistribution<double> peaks(0.5, 1);
     check(RoughContact(fine, peaks, FractalConsistentLaw<double>(1.62), modulus),
           RoughContact(fine, peaks, FractalConsistentLaw<double>(1.62), modulus, interacting));
     check(GreenwoodWilliamson<double>(fine, modulus),

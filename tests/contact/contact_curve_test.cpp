@@ -16,7 +16,7 @@ using namespace fstiff;
 namespace {
 
 const Roughness<double> fine{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
-const auto peaks = PeakDensity<double>::exponential(std::numbers::pi / 3);
+const auto peaks = PeakDistribution<double>::exponential(std::numbers::pi / 3);
 
 bool same(const ContactState<double>& a, const ContactState<double>& b) {
     return a.eta == b.eta && a.separation.value == b.separation.value && a.pressure.value == b.pressure.value &&
@@ -27,12 +27,12 @@ bool same(const ContactState<double>& a, const ContactState<double>& b) {
 
 /// K = p; knows pressures up to 10, and has numbers up to 8.
 struct Short {
-    ContactState<double> at_pressure(double pressure, Quantity) const {
-        require(pressure <= 10, "pressure", pressure, "at most 10");
+    ContactPoint<double> point_at_pressure(double pressure, Quantity) const {
+        if (pressure > 10) return ContactPoint<double>::out_of_reach("pressure = 11: must be at most 10");
         ContactState<double> state;
         state.pressure.value = pressure;
         state.stiffness.value = pressure > 8 ? std::numeric_limits<double>::max() : pressure;
-        return state;
+        return ContactPoint<double>::of(state);
     }
 };
 
@@ -76,7 +76,16 @@ TEST_CASE("A point that the model does not reach leaves the others alone") {
     const auto far = curve_at_pressures(contact, std::vector{1e-300, 1e6, 1e200});
     CHECK((far[0].status == PointStatus::out_of_reach && far[1].ok() && far[2].status == PointStatus::out_of_reach));
     CHECK(far[0].reason == test::refusal([&] { (void)contact.at_pressure(1e-300); }));
-    CHECK(curve_at_separations(contact, std::vector{1.0, 1e-6})[0].status == PointStatus::out_of_reach);
+    const auto apart = curve_at_separations(contact, std::vector{1.0, 1e-6});
+    CHECK((apart[0].status == PointStatus::out_of_reach && apart[1].ok()));
+    CHECK(apart[0].reason == test::refusal([&] { (void)contact.at_separation(1.0); }));
+    // with the interaction as printed, planes that the pressure presses through one another
+    const RoughContact printed(fine, peaks, HertzLaw<double>{}, 112.6e9,
+                               {.interaction = {InteractionReading::as_printed, 1.0}});
+    const auto sunk = curve_at_pressures(printed, std::vector{1e9, 1e5});
+    CHECK((sunk[0].status == PointStatus::out_of_reach && sunk[1].ok()));
+    CHECK(sunk[0].reason == test::refusal([&] { (void)printed.at_pressure(1e9); }));
+    CHECK(sunk[0].reason.starts_with("eta_new = "));
 }
 
 TEST_CASE("What is no pressure or separation is refused before anything is computed") {

@@ -20,7 +20,7 @@ Hybrid hybrid_at(const test::Table& table, std::size_t row) {
     const Roughness<double> surface{at("rms_height"), at("peak_radius"), at("peak_density")};
     const SurfaceMoments<double> moments{at("m0"), at("m2"), at("m4")};
     const double E = at("effective_modulus");
-    return {RoughContact(surface, PeakDensity<double>(at("r"), at("theta")), HertzLaw<double>{}, E),
+    return {RoughContact(surface, PeakDistribution<double>(at("r"), at("theta")), HertzLaw<double>{}, E),
             PerssonContact<double>(band_of_moments(moments, at("hurst")), E)};
 }
 
@@ -81,8 +81,9 @@ TEST_CASE("the hybrid law of three moments against boundary elements") {
         const SurfaceMoments<double> moments{bem.input(row, "m0"), bem.input(row, "m2"), bem.input(row, "m4")};
         const Roughness<double> surface{std::sqrt(moments.m0), 1 / of("mean_summit_curvature_times_L"),
                                         of("summit_density_8_times_L2")};
-        const Hybrid contact(RoughContact(surface, PeakDensity<double>(of("r"), of("theta")), HertzLaw<double>{}, 1.0),
-                             PerssonContact<double>(band_of_moments(moments, of("hurst")), 1.0));
+        const Hybrid contact(
+            RoughContact(surface, PeakDistribution<double>(of("r"), of("theta")), HertzLaw<double>{}, 1.0),
+            PerssonContact<double>(band_of_moments(moments, of("hurst")), 1.0));
         const double ratio = contact.stiffness(bem.input(row, "p_over_E")) / bem.input(row, "stiffness_times_L_over_E");
         const double off = std::abs(ratio - 1);
         ++points;

@@ -22,11 +22,11 @@ constexpr double pi = std::numbers::pi;
 const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
 
 const Roughness<double> fine = test::sand_blasted_fine.roughness();
-const PeakDensity<double> quarter(0, pi / 4), third = PeakDensity<double>::exponential(pi / 3);
+const PeakDistribution<double> quarter(0, pi / 4), third = PeakDistribution<double>::exponential(pi / 3);
 
 template <class Law>
 RoughContact<double, Law> contact(const Law& law, const RoughContactOptions<double>& options = {},
-                                  const PeakDensity<double>& peaks = third) {
+                                  const PeakDistribution<double>& peaks = third) {
     return {fine, peaks, law, modulus, options};
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("the curves of Table 1 to 1e-10") {
         const test::PaperSurface& surface = test::paper_surface(table.text(row, "surface"));
         const Roughness<double> roughness = surface.roughness();
         const double dimension = surface.fractal_dimension;
-        const PeakDensity<double> peaks(table.input(row, "r"), table.input(row, "theta"));
+        const PeakDistribution<double> peaks(table.input(row, "r"), table.input(row, "theta"));
         const double pressure = table.input(row, "pressure_Pa");
         const auto same = [&](double value, const char* column) {
             INFO("row " << row + 2 << ' ' << column << ' ' << value);
@@ -69,8 +69,8 @@ TEST_CASE("pressure and separation are each other's inverse, within the errors r
 #ifdef FSTIFF_TEST_LONG_DOUBLE
         // long double is the truth of double
         const auto truth = RoughContact(test::sand_blasted_fine.roughness<long double>(),
-                                        PeakDensity<long double>(third.r(), third.theta()), HertzLaw<long double>{},
-                                        static_cast<long double>(modulus))
+                                        PeakDistribution<long double>(third.r(), third.theta()),
+                                        HertzLaw<long double>{}, static_cast<long double>(modulus))
                                .at_pressure(pressure);
         CHECK(std::abs(at.stiffness.value - static_cast<double>(truth.stiffness.value)) <=
               at.stiffness.error + 1e-15 * at.stiffness.value);
@@ -205,7 +205,7 @@ TEST_CASE("the curvature scale: the printed one, and the one whose peaks have th
     const double consistent = rms_curvature(fine, third, CurvatureScale::consistent);
     CHECK(test::ulps(consistent * third.mean_curvature(), 1 / fine.peak_radius) <= 4);
     // at equal eta K goes as sigma_kappa^(-1/2): lower by 0.866 and 0.830
-    const auto ratio = [](const PeakDensity<double>& peaks) {
+    const auto ratio = [](const PeakDistribution<double>& peaks) {
         const RoughContactOptions<double> options{.curvature = CurvatureScale::consistent};
         return contact(HertzLaw<double>{}, options, peaks).at_separation(1e-6).stiffness.value /
                contact(HertzLaw<double>{}, {}, peaks).at_separation(1e-6).stiffness.value;
@@ -221,7 +221,7 @@ TEST_CASE("the validity figures of Table 1") {
     CHECK(std::abs(plasticity_index(test::paper_surface("electrical_discharge").roughness(), modulus, 400e6) - 69) <
           0.5);
     const double product = fine.rms_height * fine.peak_radius * fine.peak_density;
-    CHECK((product < minimum_gaussian_product<double> && std::abs(product - 0.0166) < 1e-4));
+    CHECK((product < min_gaussian_product<double> && std::abs(product - 0.0166) < 1e-4));
     CHECK_FALSE(rms_gradient(fine, quarter).has_value());
     const double gradient = rms_gradient(fine, third).value();
     CHECK(test::ulps(gradient, std::sqrt(2 * third.r() * fine.rms_height * rms_curvature(fine, third))) <= 4);
@@ -231,7 +231,7 @@ TEST_CASE("the validity figures of Table 1") {
 
 TEST_CASE("every scalar type runs the same contact") {
     const RoughContact single(test::sand_blasted_fine.roughness<float>(),
-                              PeakDensity<float>::exponential(std::numbers::pi_v<float> / 3), HertzLaw<float>{},
+                              PeakDistribution<float>::exponential(std::numbers::pi_v<float> / 3), HertzLaw<float>{},
                               112.6e9F);
     const RoughContact twice(fine, third, HertzLaw<double>{}, 112.6e9);
     for (const float pressure : {1e5F, 1e7F, 1e9F})
@@ -267,15 +267,16 @@ TEST_CASE("parameters and points out of reach are refused in one sentence") {
 
 TEST_CASE("a separation that a pressure gave is taken, with interaction however long") {
     // the upper end of the bracket was beyond what the integrals take
-    const RoughContact contact(Roughness<double>{0.1e-6, 1e-6, 1e11}, PeakDensity<double>(0.3, 0.9), HertzLaw<double>{},
-                               112.6e9, {.interaction = {InteractionReading::effective_separation, 0.1}});
+    const RoughContact contact(Roughness<double>{0.1e-6, 1e-6, 1e11}, PeakDistribution<double>(0.3, 0.9),
+                               HertzLaw<double>{}, 112.6e9,
+                               {.interaction = {InteractionReading::effective_separation, 0.1}});
     const auto at = contact.at_pressure(1e7);
     CHECK(test::relative_error(contact.at_separation(at.separation.value).pressure.value, 1e7) < 1e-6);
 }
 
 TEST_CASE("a separation out of range is refused with the bounds in its own unit") {
-    const RoughContact contact(Roughness<double>{1e-6, 40e-6, 500e6}, PeakDensity<double>(0.3, 0.9), HertzLaw<double>{},
-                               112.6e9);
+    const RoughContact contact(Roughness<double>{1e-6, 40e-6, 500e6}, PeakDistribution<double>(0.3, 0.9),
+                               HertzLaw<double>{}, 112.6e9);
     CHECK(test::refusal([&] { static_cast<void>(contact.at_separation(-0.00149)); }) ==
           "separation = -0.00149: must be between -0.001 and 1 m, -1000 and 1e6 rms heights");
 }

@@ -12,8 +12,8 @@
 
 using namespace fstiff;
 
-static_assert(Contact<SummitContact<double>, double>);
-static_assert(Contact<HybridContact<double, SummitContact<double>>, double>);
+static_assert(ProportionalContact<SummitContact<double>, double>);
+static_assert(ProportionalContact<HybridContact<double, SummitContact<double>>, double>);
 
 namespace {
 
@@ -51,7 +51,8 @@ TEST_CASE("pressure and separation undo each other, K is the slope, whatever the
         const double d = state.separation.value, h = 1e-4 * (summits.summits[0].height - d);
         CAPTURE(p, d);
         // d is rounded
-        CHECK(test::relative_error(contact.at_separation(d).pressure.value, p) < 1e-11 + 1e-15 * d * state.stiffness.value / p);
+        CHECK(test::relative_error(contact.at_separation(d).pressure.value, p) <
+              1e-11 + 1e-15 * d * state.stiffness.value / p);
         CHECK(state.separation.error < 1e-14 * 1e-4);
         const double slope =
             (contact.at_separation(d - h).pressure.value - contact.at_separation(d + h).pressure.value) / (2 * h);

@@ -16,14 +16,15 @@
 #include <array>
 #include <vector>
 
-using fstiff::PeakDensity;
+using fstiff::PeakDistribution;
 
 TEST_CASE("two dimensions give the plain table to 1e-12, and cover their error") {
     const test::Table table("integrals_plain.csv");
     for (std::size_t row = 0; row < table.size(); ++row) {
         const auto in = [&](const char* column) { return table.input(row, column); };
         const auto truth = static_cast<double>(table.number(row, "value"));
-        const auto j = fstiff::tensor_integral(in("a"), in("b"), PeakDensity<double>(in("r"), in("theta")), in("eta"));
+        const auto j =
+            fstiff::tensor_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
         INFO("row " << row + 2 << " value " << j.value << " error " << test::relative_error(j.value, truth));
         CHECK(test::relative_error(j.value, truth) < 1e-12);
         CHECK(std::abs(j.value - truth) <= std::max(j.error, 1e-15 * truth));
@@ -36,7 +37,7 @@ TEST_CASE("two dimensions agree with one wherever their mesh resolves the integr
             for (const double eta : {-60.0, -2.0, 0.3, 5.0, 30.0})
                 for (const auto& [a, b] :
                      {std::pair(0.0, 0.0), std::pair(0.5, -0.5), std::pair(1.5, -0.5), std::pair(1.0, -1.0)}) {
-                    const PeakDensity<double> peaks(r, theta);
+                    const PeakDistribution<double> peaks(r, theta);
                     const auto slow = fstiff::tensor_integral(a, b, peaks, eta);
                     const auto fast = fstiff::contact_integral(a, b, peaks, eta);
                     INFO("r " << r << " theta " << theta << " eta " << eta << " a " << a);
@@ -55,7 +56,7 @@ double kinked(double excess, double t) {
 }
 
 struct Inner {
-    const PeakDensity<double>* peaks;
+    const PeakDistribution<double>* peaks;
     double eta, t;
     gsl_integration_workspace* workspace;
 };
@@ -90,7 +91,7 @@ static_assert(fstiff::KinkedLaw<Kinked, double>);
 }  // namespace
 
 TEST_CASE("a law with a kink: right to its error estimate, against GSL's adaptive rule split at the kink") {
-    const PeakDensity<double> peaks(0.5, 1);
+    const PeakDistribution<double> peaks(0.5, 1);
     for (const double eta : {0.0, 2.0}) {
         Inner in{&peaks, eta, 1, gsl_integration_workspace_alloc(500)};
         gsl_integration_workspace* outer = gsl_integration_workspace_alloc(500);
@@ -235,8 +236,8 @@ void covers_its_error(double bound) {
         for (const double eta : {-3.0, -0.5, 0.7, 3.0, 8.0}) {
             const double truth = by_panels(law, r, theta, eta);
             for (const double tolerance : {1e-3, 1e-6, 1e-8}) {
-                const auto j = fstiff::scaled_tensor_integral<fstiff::Axis::graded>(law, PeakDensity<double>(r, theta),
-                                                                                    eta, {tolerance});
+                const auto j = fstiff::scaled_tensor_integral<fstiff::Axis::graded>(
+                    law, PeakDistribution<double>(r, theta), eta, {tolerance});
                 INFO("r " << r << " theta " << theta << " eta " << eta << " tolerance " << tolerance << " error "
                           << j.value / truth - 1 << " estimate " << j.error / truth << " nodes " << j.evaluations);
                 CHECK(std::abs(j.value - truth) <= j.error + 2e-12 * truth);  // what the panels leave
@@ -272,7 +273,7 @@ TEST_CASE("a law that names a kink where there is none is integrated as if it ha
     struct NoKink : Kinked {
         Eight operator()(const Eight& excess, double t) const { return excess * excess.sqrt() / std::sqrt(t); }
     };
-    const PeakDensity<double> peaks(0.5, 1);
+    const PeakDistribution<double> peaks(0.5, 1);
     for (const double eta : {-2.0, 0.0, 3.0}) {
         const double truth =
             fstiff::contact_integral(1.5, -0.5, peaks, eta).value * std::exp(std::max(eta, 0.0) * eta / 2);
@@ -294,7 +295,7 @@ TEST_CASE("the end of a window that falls on a kink changes nothing") {
         }
         Eight operator()(const Eight& excess, double t) const { return excess / std::sqrt(t); }
     };
-    const PeakDensity<double> peaks(0.5, 1);
+    const PeakDistribution<double> peaks(0.5, 1);
     const auto smooth = [](const Eight& excess, double t) -> Eight { return excess / std::sqrt(t); };
     const double truth = fstiff::scaled_tensor_integral<fstiff::Axis::graded>(smooth, peaks, -3.0).value;
     for (const double depth : {26.0, 27.42, 27.4206807, 28.0}) {
@@ -307,13 +308,13 @@ TEST_CASE("the end of a window that falls on a kink changes nothing") {
 
 TEST_CASE("float and long double run the same kernel") {
     CHECK(test::relative_error(
-              fstiff::tensor_integral(0.5F, -0.5F, PeakDensity<float>(0.5F, 1.0F), 1.0F).value,
-              static_cast<float>(fstiff::contact_integral(0.5, -0.5, PeakDensity<double>(0.5, 1.0), 1.0).value)) <
+              fstiff::tensor_integral(0.5F, -0.5F, PeakDistribution<float>(0.5F, 1.0F), 1.0F).value,
+              static_cast<float>(fstiff::contact_integral(0.5, -0.5, PeakDistribution<double>(0.5, 1.0), 1.0).value)) <
           1e-5F);
 #ifdef FSTIFF_TEST_LONG_DOUBLE
     CHECK(test::relative_error(
-              fstiff::tensor_integral(0.5L, -0.5L, PeakDensity<long double>(0.5L, 1.0L), 1.0L).value,
-              fstiff::contact_integral(0.5L, -0.5L, PeakDensity<long double>(0.5L, 1.0L), 1.0L).value) < 1e-15L);
+              fstiff::tensor_integral(0.5L, -0.5L, PeakDistribution<long double>(0.5L, 1.0L), 1.0L).value,
+              fstiff::contact_integral(0.5L, -0.5L, PeakDistribution<long double>(0.5L, 1.0L), 1.0L).value) < 1e-15L);
 #endif
 }
 
@@ -323,7 +324,8 @@ TEST_CASE("the paper's rule: four digits on plain problems, as it is known for")
     for (std::size_t row = 0; row < table.size(); ++row) {
         const auto in = [&](const char* column) { return table.input(row, column); };
         const auto truth = static_cast<double>(table.number(row, "value"));
-        const auto j = fstiff::paper_integral(in("a"), in("b"), PeakDensity<double>(in("r"), in("theta")), in("eta"));
+        const auto j =
+            fstiff::paper_integral(in("a"), in("b"), PeakDistribution<double>(in("r"), in("theta")), in("eta"));
         worst = std::max(worst, test::relative_error(j.value, truth));
         INFO("row " << row + 2 << " error " << test::relative_error(j.value, truth) << " estimate " << j.error / truth);
         CHECK(std::abs(j.value - truth) <= j.error);
@@ -331,6 +333,6 @@ TEST_CASE("the paper's rule: four digits on plain problems, as it is known for")
     CHECK(worst < 3e-4);
     CHECK(worst > 1e-6);  // were it better, the comparison would not be with the paper's rule
     CHECK(test::refusal([] {
-              static_cast<void>(fstiff::paper_integral(0.3, 0.0, PeakDensity<double>(0.5, 1), 0.0));
+              static_cast<void>(fstiff::paper_integral(0.3, 0.0, PeakDistribution<double>(0.5, 1), 0.0));
           }).starts_with("a = 0.3"));
 }

@@ -22,7 +22,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
 const double nominal_length = std::sqrt(195e-6);  // L = sqrt(A0)
-const PeakDensity<double> quarter(0, pi / 4), third = PeakDensity<double>::exponential(pi / 3);
+const PeakDistribution<double> quarter(0, pi / 4), third = PeakDistribution<double>::exponential(pi / 3);
 
 using test::paper_surfaces;
 using Surface = test::PaperSurface;
@@ -30,7 +30,7 @@ using Surface = test::PaperSurface;
 /// Whether \p value, rounded to the digit that \p unit is, reads \p quoted.
 bool reads(double value, double quoted, double unit) { return std::abs(value - quoted) <= 0.5000001 * unit; }
 
-double hertz_stiffness(const Surface& surface, double pressure, const PeakDensity<double>& peaks,
+double hertz_stiffness(const Surface& surface, double pressure, const PeakDistribution<double>& peaks,
                        Interaction<double> interaction = {}) {
     const RoughContactOptions<double> options{.interaction = interaction};
     return RoughContact(surface.roughness(), peaks, HertzLaw<double>{}, modulus, options)
@@ -115,7 +115,7 @@ TEST_CASE("Table 1: sigma R D_p against the least of an isotropic Gaussian surfa
         const Surface& r = paper_surfaces[i];
         CHECK(reads(r.rms_height * r.peak_radius * r.peak_density, products[i], 0.0001));
     }
-    CHECK(reads(0.02036 * std::sqrt(1.5), minimum_gaussian_product<double>, 0.0001));
+    CHECK(reads(0.02036 * std::sqrt(1.5), min_gaussian_product<double>, 0.0001));
 }
 
 TEST_CASE("The conclusions: fractal over Greenwood-Williamson, and the influence of theta") {

@@ -67,7 +67,8 @@ TEST_CASE("a wave is Westergaard's, the better the finer the grid") {
             const double off = test::relative_error(state.stiffness, K);
             CAPTURE(share, cells, off, state.contact_fraction, 2 * a);
             CHECK(state.converged);
-            CHECK(std::abs(state.contact_fraction - 2 * a) <= 2.01 / static_cast<double>(cells));  // a point at each edge
+            CHECK(std::abs(state.contact_fraction - 2 * a) <=
+                  2.01 / static_cast<double>(cells));  // a point at each edge
             CHECK(off < 6.0 / static_cast<double>(cells) / std::min(1 - share, share));
             last = off;
         }
@@ -81,7 +82,8 @@ TEST_CASE("a map mirrored by the solver is the map mirrored by hand") {
     part.dx = part.dy = whole.dx = whole.dy = map.dx;
     part.heights = map.heights.block(0, 0, 40, 60);
     whole.heights.resize(80, 120);
-    whole.heights << part.heights, part.heights.rowwise().reverse(), part.heights.colwise().reverse(), part.heights.reverse();
+    whole.heights << part.heights, part.heights.rowwise().reverse(), part.heights.colwise().reverse(),
+        part.heights.reverse();
     BoundaryElements<double> mirrored(part, 1.0), repeated(whole, 1.0, {.edges = Edges::periodic});
     const auto a = mirrored.at_pressure(1e-3), b = repeated.at_pressure(1e-3);
     CHECK(a.contact_fraction == b.contact_fraction);

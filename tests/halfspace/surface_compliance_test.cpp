@@ -11,10 +11,12 @@ using namespace fstiff;
 
 TEST_CASE("a wave of pressure deflects by 2/(E |q|) of it") {
     for (const auto edges : {Edges::periodic, Edges::mirrored})
-        for (const auto& [rows, columns] : {std::pair(16, 24), std::pair(15, 21), std::pair(53, 8), std::pair(7, 101)}) {
+        for (const auto& [rows, columns] :
+             {std::pair(16, 24), std::pair(15, 21), std::pair(53, 8), std::pair(7, 101)}) {
             const double dx = 2e-7, dy = 3e-7, fold = edges == Edges::mirrored ? 1 : 2;
             SurfaceCompliance<double> compliance(rows, columns, dx, dy, edges);
-            const double qx = fold * std::numbers::pi * 3 / (columns * dx), qy = fold * std::numbers::pi * 2 / (rows * dy);
+            const double qx = fold * std::numbers::pi * 3 / (columns * dx),
+                         qy = fold * std::numbers::pi * 2 / (rows * dy);
             GridField<double> field(rows, columns), truth(rows, columns);
             for (int j = 0; j < rows; ++j)
                 for (int i = 0; i < columns; ++i) {

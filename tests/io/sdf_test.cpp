@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/sdf.hpp>
+#include <fstiff/io/write_sdf.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -195,51 +196,4 @@ TEST_CASE("A file of one profile needs no Yscale") {
     CHECK(found.map.rows() == 1);
     CHECK(found.map.dy == 1e-6);
     CHECK(found.map.heights(0, 0) == 4.5);
-}
-
-TEST_CASE("What is written comes back bit for bit, text and binary") {
-    const bool binary = GENERATE(true, false);
-    const HeightMap<double> map = rough_map();
-    std::ostringstream output;
-    io::write_sdf(output, map, {.binary = binary, .manufacturer = "me", .date = "311219991234"});
-    const auto back = read(output.str());
-    CHECK(back.record.version == "ISO-1.0");
-    CHECK(back.record.manufacturer == "me");
-    CHECK(back.map.dx == map.dx);
-    CHECK(back.map.dy == map.dy);
-    REQUIRE(back.map.size() == map.size());
-    for (Eigen::Index i = 0; i < map.size(); ++i) {
-        const double old = map.heights.data()[i], now = back.map.heights.data()[i];
-        CHECK(((std::isnan(old) && std::isnan(now)) ||
-               std::bit_cast<std::uint64_t>(old) == std::bit_cast<std::uint64_t>(now)));
-    }
-    // the header as another program counts its bytes
-    if (binary) CHECK(output.str().size() == 81 + 35 * 8);
-}
-
-TEST_CASE("A profile is written as a file of one profile, a long side as version 2.0") {
-    Profile<double> profile{{}, 1e-7};
-    for (int i = 0; i < 70000; ++i) profile.heights.push_back(i % 17 * 1e-9);
-    std::ostringstream output;
-    io::write_sdf(output, profile);
-    const auto back = read(output.str());
-    CHECK(back.record.version == "ISO-2.0");
-    REQUIRE(back.map.columns() == 70000);
-    CHECK(back.map.heights(0, 16) == 16e-9);
-    CHECK(back.map.dx == 1e-7);
-}
-
-TEST_CASE("What a file cannot hold is not written") {
-    HeightMap<double> map = rough_map();
-    std::ostringstream output;
-    const auto refused = [&](const io::SdfOptions& options) {
-        return test::refusal([&] { io::write_sdf(output, map, options); });
-    };
-    CHECK(has(refused({.manufacturer = "elevenchars"}), "at most 10"));
-    CHECK(has(refused({.date = "today"}), "12 digits"));
-    map.heights(0, 0) = std::numeric_limits<double>::lowest();
-    CHECK(has(refused({}), "stands for a missing point"));
-    map.heights(0, 0) = std::numeric_limits<double>::infinity();
-    CHECK(has(refused({}), "infinite"));
-    CHECK(output.str().empty());
 }

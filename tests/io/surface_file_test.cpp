@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/surface_file.hpp>
+#include <fstiff/io/write_sdf.hpp>
 #ifdef FSTIFF_HAS_X3P
 #include <fstiff/io/x3p.hpp>
 #endif
@@ -87,7 +88,7 @@ TEST_CASE("Measured files equal what independent readers find, number for number
         std::vector<double> present;
         for (Eigen::Index k = 0; k < map.size(); ++k)
             if (const double z = map.heights.data()[k]; !std::isnan(z)) present.push_back(z);
-        detail::CompensatedSum<double> sum, squares;
+        CompensatedSum<double> sum, squares;
         for (const double z : present) {
             low = std::min(low, z);
             high = std::max(high, z);

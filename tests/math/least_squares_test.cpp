@@ -82,8 +82,8 @@ TEST_CASE("what the residuals do not depend on is called singular, with the dire
     CHECK(fit.covariance.size() == 0);
     CHECK(fit.sum_of_squares < 1e-12);
     CHECK(std::abs(fit.parameters(1) * fit.parameters(2) - 2) < 1e-6);
-    CHECK(std::abs(fit.loose(0)) < 1e-7);
-    CHECK(std::abs(std::abs(fit.loose(1)) - std::sqrt(0.5)) < 1e-7);
+    CHECK(std::abs(fit.null_direction(0)) < 1e-7);
+    CHECK(std::abs(std::abs(fit.null_direction(1)) - std::sqrt(0.5)) < 1e-7);
 }
 
 TEST_CASE("least squares refuses too few points and a start outside") {

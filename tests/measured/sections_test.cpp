@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/measured/sections.hpp>
-#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include "support/accuracy.hpp"
@@ -15,7 +15,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 /// Self-affine, waves up to the side; D = 2 - hurst in every direction.
 HeightMap<double> self_affine(double hurst, std::size_t columns, std::size_t rows, std::uint64_t seed, double dx = 1e-6,
                               double dy = 1e-6) {
-    return {self_affine_map<double>({.hurst = hurst, .rms = 1e-6, .seed = seed}, columns, rows, dx, dy), dx, dy};
+    return self_affine_map<double>({.hurst = hurst, .rms = 1e-6, .seed = seed}, columns, rows, dx, dy);
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ HeightMap<double> self_affine(double hurst, std::size_t columns, std::size_t row
 TEST_CASE("Sections are the rows and the columns of the map") {
     auto map = self_affine(0.5, 20, 16, 1, 1e-6, 2e-6);
     map.heights(3, 4) = missing;
-    const auto x = section_along_x(map, 3), y = section_along_y(map, 4);
+    const auto x = section(map, Direction::x, 3), y = section(map, Direction::y, 4);
     REQUIRE(x.size() == 20);
     REQUIRE(y.size() == 16);
     CHECK(x.spacing == 1e-6);
@@ -32,8 +32,8 @@ TEST_CASE("Sections are the rows and the columns of the map") {
     CHECK(y.heights[5] == map.heights(5, 4));
     CHECK(std::isnan(x.heights[4]));
     CHECK(std::isnan(y.heights[3]));
-    CHECK(test::refusal([&] { (void)section_along_x(map, 16); }) == "row = 16: must be between 0 and 15");
-    CHECK(test::refusal([&] { (void)section_along_y(map, -1); }) == "column = -1: must be between 0 and 19");
+    CHECK(test::refusal([&] { (void)section(map, Direction::x, 16); }) == "row = 16: must be between 0 and 15");
+    CHECK(test::refusal([&] { (void)section(map, Direction::y, -1); }) == "column = -1: must be between 0 and 19");
 }
 
 TEST_CASE("The mean structure function is that of all sections, whatever is missing and however high the map") {
@@ -55,7 +55,7 @@ TEST_CASE("The mean structure function is that of all sections, whatever is miss
             // section by section with the structure function of profiles: the independent code
             long double sum = 0, pairs = 0;
             for (Eigen::Index j = 0; j < (x ? map.rows() : map.columns()); ++j) {
-                const auto f = structure_function(x ? section_along_x(map, j) : section_along_y(map, j),
+                const auto f = structure_function(x ? section(map, Direction::x, j) : section(map, Direction::y, j),
                                                   std::span<const std::size_t>(&s.step[k], 1));
                 sum += static_cast<long double>(f.value[0]) * static_cast<long double>(f.pairs[0]);
                 pairs += static_cast<long double>(f.pairs[0]);
@@ -74,7 +74,7 @@ TEST_CASE("D along x and along y is 2 - H, and isotropic maps are not called ani
         for (std::uint64_t seed = 1; seed <= 13; ++seed) {
             const auto map = remove_form(self_affine(hurst, 256, 256, seed), MapForm::plane);
             const auto fit = fit_directions(map);
-            INFO(hurst << ", seed " << seed << ": " << fit.x_refusal << fit.y_refusal);
+            INFO(hurst << ", seed " << seed << ": " << fit.why_no_fit_x << fit.why_no_fit_y);
             REQUIRE(fit.x);
             REQUIRE(fit.y);
             for (const auto* one : {&*fit.x, &*fit.y}) {
@@ -104,9 +104,9 @@ TEST_CASE("Isotropic maps whose windows fall apart are not called anisotropic") 
     // at the long one, and D of each by itself differed by up to 0.3
     int apart = 0, warned = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        const auto heights = self_affine_map<double>(
-            {.hurst = 0.5, .rms = 1e-6, .longest_wavelength = 32e-6, .seed = seed}, 128, 128, 0.5e-6, 0.5e-6);
-        const auto fit = fit_directions(remove_form(HeightMap<double>{heights, 0.5e-6, 0.5e-6}, MapForm::plane));
+        const auto map = self_affine_map<double>({.hurst = 0.5, .rms = 1e-6, .longest_wavelength = 32e-6, .seed = seed},
+                                                 128, 128, 0.5e-6, 0.5e-6);
+        const auto fit = fit_directions(remove_form(map, MapForm::plane));
         REQUIRE(fit.x);
         REQUIRE(fit.y);
         apart += std::abs(fit.x->fractal.dimension - fit.y->fractal.dimension) > 0.12 ? 1 : 0;
@@ -129,7 +129,8 @@ TEST_CASE("A map that is stretched, or rougher along one side, is called anisotr
     const auto smooth = self_affine_profile<double>({.hurst = 0.8, .rms = 1e-6, .seed = 6}, 256, 1e-6);
     for (Eigen::Index j = 0; j < 256; ++j)
         for (Eigen::Index i = 0; i < 256; ++i)
-            map.heights(j, i) = rough[static_cast<std::size_t>(i)] + smooth[static_cast<std::size_t>(j)];
+            map.heights(j, i) =
+                rough.heights[static_cast<std::size_t>(i)] + smooth.heights[static_cast<std::size_t>(j)];
     map.dx = map.dy;
     const auto ridged = fit_directions(map);
     REQUIRE(ridged.x);
@@ -184,6 +185,6 @@ TEST_CASE("Maps without sections to fit say why") {
     for (Eigen::Index j = 0; j < 64; ++j) ridges.heights.row(j) = map.heights.row(0);
     const auto fit = fit_directions(ridges);
     CHECK(!fit.y);
-    CHECK(!fit.y_refusal.empty());
+    CHECK(!fit.why_no_fit_y.empty());
     CHECK(fit.dimension_difference == 0);
 }

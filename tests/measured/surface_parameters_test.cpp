@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/map_text.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
-#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 
@@ -43,7 +44,7 @@ struct Spectrum {
     [[nodiscard]] double density() const { return m4 / (6 * pi * std::sqrt(3.0) * m2); }  // Nayak
 };
 
-/// What surface/self_affine.hpp says that it makes, added up on its own.
+/// What synthetic/self_affine.hpp says that it makes, added up on its own.
 Spectrum spectrum_of(const SelfAffineOptions<double>& o, int columns, int rows, double step) {
     Spectrum s;
     const bool map = rows > 1;
@@ -67,7 +68,7 @@ Profile<double> short_profile(double hurst, std::uint64_t seed) {
                                                 .exact_rms = false,
                                                 .seed = seed},
                                                8192, 1e-6);
-    return {{z.begin(), z.begin() + 2048}, 1e-6};
+    return {{z.heights.begin(), z.heights.begin() + 2048}, 1e-6};
 }
 HeightMap<double> short_map(double hurst, std::uint64_t seed, Eigen::Index side = 96) {
     const SelfAffineOptions<double> options{.hurst = hurst,
@@ -77,7 +78,7 @@ HeightMap<double> short_map(double hurst, std::uint64_t seed, Eigen::Index side 
                                             .exact_rms = false,
                                             .seed = seed};
     const auto n = static_cast<std::size_t>(2 * side);
-    return {self_affine_map<double>(options, n, n, 1e-6, 1e-6).topLeftCorner(side, side), 1e-6, 1e-6};
+    return {self_affine_map<double>(options, n, n, 1e-6, 1e-6).heights.topLeftCorner(side, side), 1e-6, 1e-6};
 }
 
 /// Points and triples of neighbours in the rows, in long double; what is missing is left out.
@@ -147,9 +148,9 @@ void check_sound(const SurfaceParameters<double>& s) {
         CHECK((std::isfinite(one.value) && one.value > 0));
         CHECK((std::isfinite(one.error) && one.error >= 0));
     }
-    CHECK(s.r.has_value() == s.peaks_refusal.empty());
+    CHECK(s.r.has_value() == s.why_no_peaks.empty());
     CHECK(s.theta.has_value() == s.r.has_value());
-    CHECK(s.fractal_dimension.has_value() == s.fractal_refusal.empty());
+    CHECK(s.fractal_dimension.has_value() == s.why_no_dimension.empty());
     if (s.r) {
         CHECK((s.r->value >= 0 && s.r->value < 1 && std::isfinite(s.r->error)));
         CHECK((s.theta->value > 0 && s.theta->value < pi / 2 && std::isfinite(s.theta->error)));
@@ -177,7 +178,7 @@ TEST_CASE("A profile of known spectrum gives back sigma, R, D_p, r and theta") {
                                             .shortest_wavelength = 16e-6,
                                             .exact_rms = false,
                                             .seed = 1};
-    const Profile<double> profile{self_affine_profile(options, 30000, 1e-6), 1e-6};
+    const auto profile = self_affine_profile(options, 30000, 1e-6);
     const auto truth = spectrum_of(options, 30000, 1, 1e-6);
     const auto found = surface_parameters(profile);
     check_sound(found);
@@ -217,7 +218,7 @@ TEST_CASE("A map of known spectrum gives back sigma, R, D_p, r and theta") {
                                             .shortest_wavelength = 16e-6,
                                             .exact_rms = false,
                                             .seed = 2};
-    const HeightMap<double> map{self_affine_map(options, 320, 320, 1e-6, 1e-6), 1e-6, 1e-6};
+    const auto map = self_affine_map(options, 320, 320, 1e-6, 1e-6);
     const auto truth = spectrum_of(options, 320, 320, 1e-6);
     const auto summits = surface_parameters(map, {.peaks = PeakSource::summits});
     const auto islands = surface_parameters(map);
@@ -301,7 +302,7 @@ TEST_CASE("A Weierstrass-Mandelbrot profile has the mean squares of its waves, a
         const double a = std::pow(fractal.roughness, fractal.dimension - 1) * std::pow(wave, 2 - fractal.dimension);
         truth.add(a * a / 2, 1 / wave, step);
     }
-    const auto found = surface_parameters(Profile<double>{wm.sample(30000, step), step});
+    const auto found = surface_parameters(wm.sample(30000, step));
     check_sound(found);
     // 30 of the longest waves, of which the products of different ones average out as 1/30
     CHECK(test::relative_error(found.rms_height.value, truth.sigma()) <= 0.02);
@@ -312,7 +313,7 @@ TEST_CASE("A Weierstrass-Mandelbrot profile has the mean squares of its waves, a
     const std::size_t points = 1 << 15;
     const WeierstrassMandelbrot<double> whole(
         fractal, {.longest_wavelength = points * step, .shortest_wavelength = 2 * step, .gamma = gamma, .seed = 4});
-    const auto fitted = surface_parameters(Profile<double>{whole.sample(points, step), step});
+    const auto fitted = surface_parameters(whole.sample(points, step));
     REQUIRE(fitted.fractal_dimension);
     CHECK(std::abs(fitted.fractal_dimension->value - fractal.dimension) <=
           std::max(0.02, 3 * fitted.fractal_dimension->error));
@@ -334,7 +335,7 @@ TEST_CASE("A sine has the curvature and the peaks of a sine, and no r and theta"
     CHECK(test::relative_error(found.rms_height.value, 3e-6 / std::sqrt(2.0)) <= 2.0 / (per_wave * waves));
     CHECK(test::relative_error(found.max_peak_height.value, 3e-6) <= 0.003);  // 1 - cos(pi/50), and the mean
     CHECK(!found.r);
-    CHECK(found.peaks_refusal.find("r = 1.00") == 0);
+    CHECK(found.why_no_peaks.find("r = 1.00") == 0);
 }
 
 TEST_CASE("The errors stated are the scatter of many surfaces") {
@@ -379,7 +380,8 @@ TEST_CASE("Waves longer than the profile: the error of sigma is too small, those
                                                     .exact_rms = false,
                                                     .seed = seed},
                                                    4096, 1e-6);
-        scatter.add(surface_parameters(detrend(Profile<double>{{z.begin(), z.begin() + 1024}, 1e-6}, Form::line)));
+        scatter.add(surface_parameters(
+            detrend(Profile<double>{{z.heights.begin(), z.heights.begin() + 1024}, 1e-6}, Form::line)));
     }
     CAPTURE(scatter.ratio(0), scatter.ratio(1), scatter.ratio(2), scatter.ratio(4), scatter.ratio(5));
     for (const Eigen::Index i : {1, 2, 5}) {
@@ -392,10 +394,8 @@ TEST_CASE("Waves longer than the profile: the error of sigma is too small, those
 }
 
 TEST_CASE("D and G of a map are those of both directions, by weight") {
-    const auto map = remove_form(
-        HeightMap<double>{self_affine_map<double>({.hurst = 0.4, .rms = 1e-6, .seed = 6}, 128, 96, 1e-6, 1e-6), 1e-6,
-                          1e-6},
-        MapForm::plane);
+    const auto map = remove_form(self_affine_map<double>({.hurst = 0.4, .rms = 1e-6, .seed = 6}, 128, 96, 1e-6, 1e-6),
+                                 MapForm::plane);
     const auto fit = fit_directions(map);
     REQUIRE(fit.x);
     REQUIRE(fit.y);
@@ -462,11 +462,9 @@ TEST_CASE("Another unit of length or of height changes the numbers by that unit 
     const auto line_there = surface_parameters(other);
     compare(line_there, line);
     CHECK(test::relative_error(line_there.block_length / length, line.block_length) <= tolerance);
-    auto map = remove_form(
-        HeightMap<double>{self_affine_map<double>({.hurst = 0.5, .rms = 1e-6, .shortest_wavelength = 4e-6, .seed = 7},
-                                                  96, 64, 1e-6, 1e-6),
-                          1e-6, 1e-6},
-        MapForm::plane);
+    auto map = remove_form(self_affine_map<double>({.hurst = 0.5, .rms = 1e-6, .shortest_wavelength = 4e-6, .seed = 7},
+                                                   96, 64, 1e-6, 1e-6),
+                           MapForm::plane);
     map.heights(5, 5) = missing;
     const HeightMap<double> map_there{map.heights * height, map.dx * length, map.dy * length};
     for (const PeakSource peaks : {PeakSource::islands, PeakSource::summits})
@@ -503,14 +501,13 @@ TEST_CASE("A map that is not rough along its rows keeps the errors of its height
     const auto found = surface_parameters(map);
     check_sound(found);
     CHECK(!found.r);
-    CHECK(found.peaks_refusal ==
-          "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta");
+    CHECK(found.why_no_peaks == "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta");
     CHECK(found.rms_height.error > 0.01 * found.rms_height.value);
     // tilted along x as well: straight, but for the rounding of the heights
     for (Eigen::Index i = 0; i < map.columns(); ++i) map.heights.col(i) += 1e-6 * static_cast<double>(i);
     const auto tilted = surface_parameters(map);
     check_sound(tilted);
-    CHECK(tilted.peaks_refusal.find("must be less than 1") != std::string::npos);
+    CHECK(tilted.why_no_peaks.find("must be less than 1") != std::string::npos);
 }
 
 TEST_CASE("Peaks apart from one another are a zigzag whose r is small: theta is what is refused") {
@@ -521,14 +518,13 @@ TEST_CASE("Peaks apart from one another are a zigzag whose r is small: theta is 
     }
     const auto found = surface_parameters(peaks);
     check_sound(found);
-    CHECK(found.peaks_refusal ==
-          "theta = pi/2, must be less: every point stands above or below both of its neighbours");
+    CHECK(found.why_no_peaks == "theta = pi/2, must be less: every point stands above or below both of its neighbours");
     CHECK(found.peak_radius.error <= 1e-12 * found.peak_radius.value);  // all are alike
 }
 
 TEST_CASE("Small maps have the errors of their summits") {
     // tiles of 2 x 2 points: summits need neighbours in the tiles beside
-    const HeightMap<double> map{self_affine_map<double>({.hurst = 0.2, .rms = 1e-6}, 8, 8, 1e-6, 1e-6), 1e-6, 1e-6};
+    const auto map = self_affine_map<double>({.hurst = 0.2, .rms = 1e-6}, 8, 8, 1e-6, 1e-6);
     const auto found = surface_parameters(map, {.peaks = PeakSource::summits});
     check_sound(found);
     CHECK(found.peaks_counted >= 2);
@@ -662,7 +658,7 @@ TEST_CASE("The fits and the islands behind the numbers are kept, and are those o
     REQUIRE((!m.profile_fit && m.map_fit && m.islands));
     const auto both = fit_directions(map, how.fit);
     CHECK((m.map_fit->x.has_value() == both.x.has_value() && m.map_fit->y.has_value() == both.y.has_value()));
-    CHECK((m.map_fit->x_refusal == both.x_refusal && m.map_fit->y_refusal == both.y_refusal));
+    CHECK((m.map_fit->why_no_fit_x == both.why_no_fit_x && m.map_fit->why_no_fit_y == both.why_no_fit_y));
     const auto alone = island_curve(map);
     CHECK((m.islands->curve.density == alone.density && m.islands->curve.bearing_area == alone.bearing_area));
     CHECK((m.islands->density == m.peak_density.value && m.islands->radius == m.peak_radius.value));
@@ -671,5 +667,5 @@ TEST_CASE("The fits and the islands behind the numbers are kept, and are those o
 
     const auto flat =
         surface_parameters(Profile<double>{{profile.heights.begin(), profile.heights.begin() + 20}, 1e-6}, how);
-    CHECK(flat.profile_fit.has_value() == flat.fractal_refusal.empty());
+    CHECK(flat.profile_fit.has_value() == flat.why_no_dimension.empty());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/detrend.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -46,7 +46,7 @@ std::vector<double> weierstrass(std::size_t points, double dimension) {
     const WeierstrassMandelbrot<double> wm(
         {dimension, 1.2e-10},
         {.longest_wavelength = static_cast<double>(points) * h, .shortest_wavelength = 2 * h, .seed = 3});
-    return wm.sample(points, h);
+    return wm.sample(points, h).heights;
 }
 
 const Shape shapes[]{

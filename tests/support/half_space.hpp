@@ -40,7 +40,7 @@ inline std::vector<HalfSpaceRatio> half_space_ratios() {
         const Roughness<double> surface{.rms_height = surfaces.input(i, "rms_height_over_L"),
                                         .peak_radius = 1 / surfaces.input(i, "mean_summit_curvature_times_L"),
                                         .peak_density = surfaces.input(i, "summit_density_8_times_L2")};
-        const PeakDensity<double> peaks(surfaces.input(i, "r"), surfaces.input(i, "theta"));
+        const PeakDistribution<double> peaks(surfaces.input(i, "r"), surfaces.input(i, "theta"));
         const double dimension = 2 - surfaces.input(i, "hurst"), modulus = 1;
         const auto law = [&](const auto& asperity) {
             return [contact = RoughContact(surface, peaks, asperity, modulus)](double p) {

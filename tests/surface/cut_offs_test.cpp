@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cut-offs against the surfaces that the generators make with them.
 #include <fstiff/surface/cut_offs.hpp>
-#include <fstiff/surface/self_affine.hpp>
-#include <fstiff/surface/weierstrass_mandelbrot.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -57,7 +57,7 @@ TEST_CASE("sections of a Gaussian map from the longest wave down have the D and 
                                                      points, points, spacing, spacing);
             const auto n = static_cast<Eigen::Index>(lag);
             const auto size = static_cast<Eigen::Index>(points);
-            mean += (map.rightCols(size - n) - map.leftCols(size - n)).square().mean() / seeds;
+            mean += (map.heights.rightCols(size - n) - map.heights.leftCols(size - n)).square().mean() / seeds;
         }
         const double tau = static_cast<double>(lag) * spacing;
         worst = std::max(worst, test::relative_error(mean, structure_function_at(tau, row.fractal)));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/profile/structure_function.hpp>
-#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <array>
 #include <numbers>
 
 using namespace fstiff;
@@ -16,14 +17,13 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 HeightMap<double> gaussian(std::size_t columns, std::size_t rows, double shortest, std::uint64_t seed,
                            double spacing = 1e-6) {
-    return {self_affine_map<double>({.hurst = 0.8,
-                                     .rms = 1e-6,
-                                     .longest_wavelength = 4 * shortest,
-                                     .shortest_wavelength = shortest,
-                                     .exact_rms = false,
-                                     .seed = seed},
-                                    columns, rows, spacing, spacing),
-            spacing, spacing};
+    return self_affine_map<double>({.hurst = 0.8,
+                                    .rms = 1e-6,
+                                    .longest_wavelength = 4 * shortest,
+                                    .shortest_wavelength = shortest,
+                                    .exact_rms = false,
+                                    .seed = seed},
+                                   columns, rows, spacing, spacing);
 }
 
 /// What the difference of two results is, relative, at its worst; lengths of \p b in another unit.
@@ -221,4 +221,31 @@ TEST_CASE("Maps that have no statistics are refused") {
     CHECK(says(map).find("moment of the map = ") == 0);
     map.dy = missing;
     CHECK(says(map).find("dy = ") == 0);
+}
+
+TEST_CASE("Sines have the mean square curvature of the second difference, exactly") {
+    // a wave of phase k i + l j has second differences -4 sin^2(k/2) of it along x. Over whole periods of triples their
+    // squares are half of that, and waves of other k do not mix: one period of the triples is two points less than the map.
+    struct Wave {
+        double amplitude;
+        int periods_x, periods_y;
+    };
+    constexpr double dx = 0.4e-6, dy = 0.7e-6;
+    constexpr int columns = 98, rows = 74;
+    const std::array<Wave, 4> waves{{{3e-7, 1, 5}, {1e-7, 7, -2}, {0.4e-7, 13, 9}, {0.1e-7, 31, 23}}};
+    HeightMap<double> map{HeightMap<double>::Array::Constant(rows, columns, 2e-6), dx, dy};
+    double m4_x = 0, m4_y = 0;
+    const auto bend = [](double phase, double step) { return 4 * std::pow(std::sin(phase / 2), 2) / (step * step); };
+    for (const Wave& wave : waves) {
+        const double k = 2 * std::numbers::pi * wave.periods_x / (columns - 2);
+        const double l = 2 * std::numbers::pi * wave.periods_y / (rows - 2);
+        for (int j = 0; j < rows; ++j)
+            for (int i = 0; i < columns; ++i) map.heights(j, i) += wave.amplitude * std::sin(k * i + l * j + 0.3);
+        m4_x += std::pow(wave.amplitude * bend(k, dx), 2) / 2;
+        m4_y += std::pow(wave.amplitude * bend(l, dy), 2) / 2;
+    }
+    const auto found = areal_statistics(map);
+    CHECK(test::relative_error(found.m4_x, m4_x) <= 1e-13);
+    CHECK(test::relative_error(found.m4_y, m4_y) <= 1e-13);
+    CHECK(test::relative_error(found.m4, (m4_x + m4_y) / 2) <= 1e-13);
 }

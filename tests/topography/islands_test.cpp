@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/surface/self_affine.hpp>
-#include <fstiff/topography/islands.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/topography/island_spread.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -51,7 +51,7 @@ Level slow(const HeightMap<double>& map, double level, const IslandOptions<doubl
                     if (o.connectivity == Connectivity::eight || x == 0 || y == 0) visit(j + y, i + x);
         }
         result.above += size;
-        if (size < o.least_points || size == 0 || (border && o.border == BorderIslands::dropped)) continue;
+        if (size < o.min_points || size == 0 || (border && o.border == BorderIslands::dropped)) continue;
         ++result.islands;
         points += size;
         heights += o.height == IslandHeight::peak ? top : 2 * sum / static_cast<long double>(size);
@@ -65,7 +65,7 @@ Level slow(const HeightMap<double>& map, double level, const IslandOptions<doubl
 }
 
 /// Values that look random, from 0 to 1, the same everywhere.
-double noise(std::uint64_t& state) { return static_cast<double>(detail::splitmix64(state) >> 11) * 0x1p-53; }
+double noise(std::uint64_t& state) { return static_cast<double>(splitmix64(state) >> 11) * 0x1p-53; }
 
 enum class Kind { noise, ties, waves, holes, offset };
 
@@ -86,13 +86,12 @@ HeightMap<double> some_map(Kind kind, Eigen::Index columns, Eigen::Index rows, s
 }
 
 HeightMap<double> gaussian(double hurst, double longest, double shortest, std::size_t points, std::uint64_t seed) {
-    return {self_affine_map<double>({.hurst = hurst,
-                                     .rms = 1e-6,
-                                     .longest_wavelength = longest * 1e-6,
-                                     .shortest_wavelength = shortest * 1e-6,
-                                     .seed = seed},
-                                    points, points, 1e-6, 1e-6),
-            1e-6, 1e-6};
+    return self_affine_map<double>({.hurst = hurst,
+                                    .rms = 1e-6,
+                                    .longest_wavelength = longest * 1e-6,
+                                    .shortest_wavelength = shortest * 1e-6,
+                                    .seed = seed},
+                                   points, points, 1e-6, 1e-6);
 }
 
 /// Mean square slope along x and y, over the period of the map.
@@ -136,7 +135,7 @@ TEST_CASE("Every level of the sweep is what labelling that level alone gives") {
                         const auto map = some_map(kind, columns, rows, least + 7);
                         const IslandOptions<double> o{.connectivity = connectivity,
                                                       .border = border,
-                                                      .least_points = least,
+                                                      .min_points = least,
                                                       .height = height,
                                                       .quantiles = 0};
                         const auto curve = island_curve(map, o);
@@ -273,7 +272,7 @@ TEST_CASE("Islands less lakes are the Euler characteristic of a Gaussian field")
 }
 
 TEST_CASE("A map turned by a right angle, mirrored or lifted has the same islands") {
-    const IslandOptions<double> o{.border = BorderIslands::dropped, .least_points = 3};
+    const IslandOptions<double> o{.border = BorderIslands::dropped, .min_points = 3};
     auto map = some_map(Kind::holes, 60, 45, 9);
     const auto curve = island_curve(map, o);
     const HeightMap<double> turned{map.heights.transpose(), map.dy, map.dx};
@@ -357,9 +356,9 @@ TEST_CASE("Maps and options out of range are named") {
         return test::refusal([&] { (void)representative_islands(m, o, s); });
     };
     CHECK(says(map, {}).empty());
-    CHECK(says(map, {.least_points = 0}).find("least points of an island = 0") == 0);
+    CHECK(says(map, {.min_points = 0}).find("least points of an island = 0") == 0);
     CHECK(says(map, {.levels = {0.0, missing}}).find("cutting level = ") == 0);
-    CHECK(says(map, {.least_points = 1000}).find("greatest density of islands = 0") == 0);
+    CHECK(says(map, {.min_points = 1000}).find("greatest density of islands = 0") == 0);
     CHECK(says(map, {.levels = {1.0}}).find("greatest density of islands = 0") == 0);
     CHECK(says(map, {}, {.tiles = 0}).find("tiles a side = 0") == 0);
     CHECK(says(map, {}, {.tiles = 33}).find("tiles a side = 33") == 0);
@@ -393,8 +392,7 @@ TEST_CASE("The sweep and the resamples tell how far they are, and what the hook 
         REQUIRE(done < all);
         told.emplace_back(std::string(what), static_cast<double>(done) / static_cast<double>(all));
     };
-    const auto map = HeightMap<double>{
-        self_affine_map<double>({.hurst = 0.7, .rms = 1e-6, .seed = 1}, 64, 64, 1e-6, 1e-6), 1e-6, 1e-6};
+    const auto map = self_affine_map<double>({.hurst = 0.7, .rms = 1e-6, .seed = 1}, 64, 64, 1e-6, 1e-6);
     const auto with = representative_islands(map, options, spread);
     CHECK(with.radius == representative_islands(map).radius);
     REQUIRE(told.size() == options.quantiles + spread.resamples);

@@ -26,9 +26,7 @@ TEST_CASE("each wave of a periodic map is in its shell") {
             }
         const auto spectrum = map_spectrum(map, SpectrumWindow::none);
         const double unit = turn / 2e-6;
-        const struct {
-            double waves, amplitude;
-        } shells[] = {{3, 3e-9}, {std::hypot(4.0, 6.0), 2e-9}, {11, 1e-9}};
+        const struct { double waves, amplitude; } shells[] = {{3, 3e-9}, {std::hypot(4.0, 6.0), 2e-9}, {11, 1e-9}};
         CAPTURE(columns);
         double q2 = 0, h2 = 0;
         for (const auto& wave : shells) {
@@ -36,8 +34,10 @@ TEST_CASE("each wave of a periodic map is in its shell") {
             h2 += wave.amplitude * wave.amplitude / 2;
             bool found = false;
             for (const auto& shell : spectrum.shells)
-                found = found || (test::relative_error(shell.q2_h2, std::pow(unit * wave.waves * wave.amplitude, 2) / 2) < 1e-11 &&
-                                  test::relative_error(shell.q_h2, unit * wave.waves * std::pow(wave.amplitude, 2) / 2) < 1e-11);
+                found =
+                    found ||
+                    (test::relative_error(shell.q2_h2, std::pow(unit * wave.waves * wave.amplitude, 2) / 2) < 1e-11 &&
+                     test::relative_error(shell.q_h2, unit * wave.waves * std::pow(wave.amplitude, 2) / 2) < 1e-11);
             CHECK(found);
         }
         CHECK(test::relative_error(spectrum.rms_gradient(), std::sqrt(q2)) < 1e-11);

@@ -94,6 +94,16 @@ TEST_CASE("the error of K is the spread of K from scattered R") {
     CHECK(test::relative_error(k.error / k.value, spread) < 0.016);
 }
 
+TEST_CASE("K is bounded where two errors of R reach neither 1 nor the welded joint") {
+    const Impedances<double> media{46e6, 23e6};  // welded: R = 1/3
+    const auto bounded = [&](double r, double error) { return measured_stiffness(r, error, media, 4.4e7).bounded; };
+    CHECK(bounded(0.9, 0.049));
+    CHECK_FALSE(bounded(0.9, 0.051));
+    CHECK(bounded(0.4, 0.033));
+    CHECK_FALSE(bounded(0.4, 0.034));
+    CHECK(bounded(0.4, 0.0));
+}
+
 TEST_CASE("propagation refuses what has no error") {
     const auto call = [](double r, double error) {
         return test::refusal([&] { static_cast<void>(measured_stiffness(r, error, {46e6, 46e6}, 4.4e7)); });

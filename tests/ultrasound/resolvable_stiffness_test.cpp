@@ -14,10 +14,10 @@ TEST_CASE("The ends of the range of K reflect as they should") {
         const auto range = resolvable_stiffness(media, omega);
         REQUIRE(range);
         const double weld = welded_reflection(media);
-        CHECK((range->low < range->high && range->most_reflection == 0.99));
-        CHECK(range->least_reflection == (1.01 * weld > 0.1 ? 1.01 * weld : 0.1));
+        CHECK((range->low < range->high && range->max_reflection == 0.99));
+        CHECK(range->min_reflection == (1.01 * weld > 0.1 ? 1.01 * weld : 0.1));
         CHECK(relative_error(reflection(range->low, media, omega), 0.99) < 1e-14);
-        CHECK(relative_error(reflection(range->high, media, omega), range->least_reflection) < 1e-14);
+        CHECK(relative_error(reflection(range->high, media, omega), range->min_reflection) < 1e-14);
         const auto faster = resolvable_stiffness(media, 10 * omega);
         CHECK(relative_error(faster->low, 10 * range->low) < 1e-14);
     }

@@ -50,7 +50,7 @@ template <Real T>
 [[nodiscard]] T fractal_stiffness_from_area(T area, T fractal_dimension);
 
 /// One asperity of base diameter l on a surface {D, G}.
-template <Real T>
+template <Real T = double>
 class FractalAsperity {
 public:
     /// \throws domain_error for D, G or l out of range, or an asperity whose height or radius T cannot hold.
@@ -98,7 +98,7 @@ private:
 
 /// The asperities of a surface {D, G} that are cut at one share q of their height, as functions of the approach.
 /// Every member throws domain_error for an approach that is not positive, or for a result that T cannot hold.
-template <Real T>
+template <Real T = double>
 class AsperityFamily {
 public:
     /// \throws domain_error unless 1 < D < 2, G > 0 and 0 < q <= 2.

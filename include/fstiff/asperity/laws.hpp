@@ -9,10 +9,10 @@
 ///     all                   area pi R omega                                                         eq. (3.11)
 ///     f = (2/3) (3-D)/(2-D)
 ///
-/// The paper differentiates the load along the family of asperities of a fractal surface, not for one given asperity, so
-/// that its stiffness is f >= 4/3 times the derivative of its load (docs/errata.md). FractalLaw is the paper as printed;
-/// FractalConsistentLaw integrates the load from the same stiffness, so that stiffness = d load / d omega; HertzLaw is the
-/// paper's "statistical elastic model". Loads and stiffnesses are divided by the effective modulus E.
+/// The paper differentiates the load along the family of asperities of a fractal surface, not for one given asperity,
+/// so that its stiffness is f >= 4/3 times the derivative of its load (docs/errata.md). FractalLaw is the paper as
+/// printed; FractalConsistentLaw integrates the load from the same stiffness, so that stiffness = d load / d omega;
+/// HertzLaw is the paper's "statistical elastic model". Loads and stiffnesses are divided by the effective modulus E.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.7), (3.11), (3.14).
 /// Units       omega, R [m]; load/E [m^2], stiffness/E [m], area [m^2]
@@ -27,7 +27,8 @@
 
 namespace fstiff {
 
-/// What a contact needs of an asperity law: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for approaches
+/// What a contact needs of an asperity law: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for
+/// approaches
 /// \p omega [m] (a number, or an Eigen array that is answered by an array) and the radius \p radius [m] (a number).
 template <class Law, class Omega, class Radius = Omega>
 concept AsperityLaw = requires(const Law& law, const Omega& omega, const Radius& radius) {
@@ -52,8 +53,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// A law whose load, stiffness and area are each a constant factor times half-integer powers of omega and R, such that the
-/// integrals over the peaks reduce to one dimension: omega up to 3/2 (of the load from 1 on), R up to 1.
+/// A law whose load, stiffness and area are each a constant factor times half-integer powers of omega and R, such that
+/// the integrals over the peaks reduce to one dimension: omega up to 3/2 (of the load from 1 on), R up to 1.
 template <class Law, class T = double>
 concept PowerLaw = requires(const Law& law) {
     { law.load_factor() } -> std::convertible_to<T>;
@@ -109,7 +110,7 @@ template <Real T>
 }
 
 /// Hertz: the stiffness is the derivative of the load.
-template <Real T>
+template <Real T = double>
 struct HertzLaw : detail::HertzianForm<HertzLaw<T>> {
     [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
     [[nodiscard]] static constexpr T stiffness_factor() { return T(2); }
@@ -120,7 +121,7 @@ struct HertzLaw : detail::HertzianForm<HertzLaw<T>> {
 };
 
 /// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
-template <Real T>
+template <Real T = double>
 class FractalLaw : public detail::HertzianForm<FractalLaw<T>> {
 public:
     /// \throws domain_error unless 1 < D < 2.
@@ -138,7 +139,7 @@ private:
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
-template <Real T>
+template <Real T = double>
 class FractalConsistentLaw : public detail::HertzianForm<FractalConsistentLaw<T>> {
 public:
     /// \throws domain_error unless 1 < D < 2.

@@ -14,7 +14,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct Material {
     T youngs_modulus{};  ///< E_i [Pa], > 0
     T poisson_ratio{};   ///< nu_i, in (-1, 0.5]

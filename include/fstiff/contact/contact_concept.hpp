@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What curves, compiled laws and fits ask of a contact. RoughContact has it for every law and every distribution of peaks.
+/// What curves, tabulated laws and fits ask of a contact. RoughContact has it for every law and every distribution of
+/// peaks.
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
@@ -11,19 +12,23 @@
 
 namespace fstiff {
 
-/// A contact in the scalar T: its state at a pressure [Pa] and at a separation [m], and log p with its slope against the
-/// separation over the rms height, without interaction.
+/// A contact in the scalar T: its state at a pressure [Pa] and at a separation [m], thrown out of or with a status, and
+/// log p with its slope and log K against the separation over the rms height, without interaction.
 template <class C, class T>
 concept Contact = requires(const C& contact, T x, Quantity wanted) {
     { contact.at_pressure(x, wanted) } -> std::same_as<ContactState<T>>;
     { contact.at_separation(x, wanted) } -> std::same_as<ContactState<T>>;
+    { contact.point_at_pressure(x, wanted) } -> std::same_as<ContactPoint<T>>;
+    { contact.point_at_separation(x, wanted) } -> std::same_as<ContactPoint<T>>;
     { contact.log_pressure(x) } -> std::same_as<LogSlope<T>>;
+    { contact.log_stiffness(x) } -> std::same_as<LogValue<T>>;
     { contact.rms_height() } -> std::convertible_to<T>;
     { contact.interaction() } -> std::convertible_to<Interaction<T>>;
     { contact.bulk_compliance() } -> std::convertible_to<T>;
 };
 
-/// One whose K is a constant times -dp/dd, so that one table serves both.
+/// One whose K is a constant times -dp/dd, so that one table by gap serves both; of any other contact K has a table of
+/// its own, and with interaction K itself is in series with the bulk.
 template <class C, class T>
 concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
     { contact.stiffness_over_slope() } -> std::convertible_to<T>;

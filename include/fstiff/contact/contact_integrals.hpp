@@ -9,21 +9,21 @@
 ///     real area  pi N (sigma/sigma_kappa) J[1,-1]          stiffness  2 E N sigma^(1/2) sigma_kappa^(-1/2) J[1/2,-1/2]
 ///     dJ[a,b]/deta = -a J[a-1,b]
 ///
-/// The integral over the height zeta is closed, c^(a+1) F_a(x) (math/gaussian_moment.hpp); what is left is one dimension,
-/// by a trapezoidal rule whose nodes all quantities share (contact/peak_sums.hpp).
+/// The integral over the height zeta is closed, c^(a+1) F_a(x) (math/gaussian_moment.hpp); what is left is one
+/// dimension, by a trapezoidal rule whose nodes all quantities share (contact/peak_sums.hpp).
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9).
 /// Units       dimensionless
 /// Valid       0 <= r < 1, 0 < theta < pi/2, any finite eta >= -1e6; far beyond the peaks the value underflows to 0 and
 ///             log_contact_integral goes on
-/// Accuracy    relative_tolerance, and at the default 2e-14 (double): 3e-15 relative on the plain and 6e-15 on the hard table
-///             of tests/data; the error returned covers the true one (tests/contact/contact_integrals_test.cpp)
+/// Accuracy    relative_tolerance, and at the default 2e-14 (double): 3e-15 relative on the plain and 6e-15 on the hard
+///             table of tests/data; the error returned covers the true one (tests/contact/contact_integrals_test.cpp)
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 
 #include <algorithm>
 #include <array>
@@ -33,14 +33,14 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct IntegralOptions {
     /// Relative error to aim at, between 100 epsilon and 0.1.
     T relative_tolerance = 100 * std::numeric_limits<T>::epsilon();
 };
 
 /// J[0,0], J[3/2,-1/2], J[1/2,-1/2] and J[1,-1]; what was not asked for is 0. Each value times exp(log_scale).
-template <Real T>
+template <Real T = double>
 struct ContactIntegrals {
     Estimate<T> contacts;
     Estimate<T> load;
@@ -57,20 +57,20 @@ struct ScaledIntegrals {
     T log_scale;
 };
 
-/// The integrals of a PowerSet for one density of peaks. What depends on it and on the tolerance alone is computed once, and
-/// erf at the nodes of the smooth map as long as a new eta takes the same ones.
+/// The integrals of a PowerSet for one density of peaks. What depends on it and on the tolerance alone is computed
+/// once, and erf at the nodes of the smooth map as long as a new eta takes the same ones.
 template <Real T>
 class PeakIntegrator {
 public:
     using S = Tabulated<T>;
 
     /// \throws domain_error for a tolerance out of its range.
-    PeakIntegrator(const PowerSet& minus_two_b, const PeakDensity<T>& peaks, T tolerance)
+    PeakIntegrator(const PowerSet& minus_two_b, const PeakDistribution<T>& peaks, T tolerance)
         : minus_two_b_(minus_two_b),
           tolerance_(checked(tolerance)),
           // few nodes: the fitted steps scatter more
-          digits_(static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0))),
-          problem_(peaks, S(0), digits_ + 5),
+          log_accuracy_(static_cast<S>(-std::log(tolerance) + (tolerance > T(1e-10) ? 1 : 0))),
+          problem_(peaks, S(0), log_accuracy_ + 5),
           sums_(problem_, minus_two_b, static_cast<S>(tolerance)) {}
 
     /// \throws domain_error unless |eta| <= 1e6.
@@ -78,11 +78,11 @@ public:
         require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
         problem_.move_to(static_cast<S>(eta));
         sums_.clear();
-        const PeakSums<S> sums = sums_.result(visit_nodes(problem_, digits_, sums_));
+        const PeakSums<S> sums = sums_.result(visit_nodes(problem_, log_accuracy_, sums_));
         const T floor = std::max(eta, T(0));
         ScaledIntegrals<T> out{{}, -floor * floor / 2};
-        // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error may
-        // miss: more with few nodes
+        // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error
+        // may miss: more with few nodes
         const T least = std::numeric_limits<T>::epsilon() * (T(8) + floor) + static_cast<T>(sums_.cut()) +
                         tolerance_ * (tolerance_ > T(1e-8) ? T(0.8) : T(0.2));
         const T root_c = static_cast<T>(std::sqrt(problem_.c));
@@ -104,20 +104,20 @@ private:
 
     PowerSet minus_two_b_;
     T tolerance_;
-    S digits_;
+    S log_accuracy_;
     PeakProblem<S> problem_;
     PeakAccumulator<S> sums_;
 };
 
 }  // namespace detail
 
-/// The contact integrals of one density of peaks, at separation after separation: less work for each than by the functions
-/// below. Does not allocate; not to be shared by threads.
-template <Real T>
+/// The contact integrals of one density of peaks, at separation after separation: less work for each than by the
+/// functions below. Does not allocate; not to be shared by threads.
+template <Real T = double>
 class ContactIntegrator {
 public:
     /// \throws domain_error for a tolerance out of its range.
-    explicit ContactIntegrator(const PeakDensity<T>& peaks, Quantity wanted = Quantity::all,
+    explicit ContactIntegrator(const PeakDistribution<T>& peaks, Quantity wanted = Quantity::all,
                                const IntegralOptions<T>& options = {})
         : integrate_(powers(wanted), peaks, options.relative_tolerance) {}
 
@@ -143,7 +143,7 @@ private:
 /// The integrals of \p wanted at the separation \p eta, each to be multiplied by exp(log_scale).
 /// \throws domain_error unless |eta| <= 1e6 and the tolerance is within its range.
 template <Real T>
-[[nodiscard]] ContactIntegrals<T> scaled_contact_integrals(const PeakDensity<T>& peaks, T eta,
+[[nodiscard]] ContactIntegrals<T> scaled_contact_integrals(const PeakDistribution<T>& peaks, T eta,
                                                            Quantity wanted = Quantity::all,
                                                            const IntegralOptions<T>& options = {}) {
     return ContactIntegrator<T>(peaks, wanted, options)(eta);
@@ -151,16 +151,18 @@ template <Real T>
 
 /// The integrals of \p wanted at the separation \p eta; log_scale is 0. \throws as scaled_contact_integrals.
 template <Real T>
-[[nodiscard]] ContactIntegrals<T> contact_integrals(const PeakDensity<T>& peaks, T eta, Quantity wanted = Quantity::all,
+[[nodiscard]] ContactIntegrals<T> contact_integrals(const PeakDistribution<T>& peaks, T eta,
+                                                    Quantity wanted = Quantity::all,
                                                     const IntegralOptions<T>& options = {}) {
     const ContactIntegrals<T> j = scaled_contact_integrals(peaks, eta, wanted, options);
     const T scale = detail::gaussian(std::max(eta, T(0)));
     return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, T(0)};
 }
 
-/// J[a,b] at the separation \p eta. \throws domain_error unless a is 0, 1/2, 1 or 3/2 and b is 0, -1/2 or -1, and as above.
+/// J[a,b] at the separation \p eta. \throws domain_error unless a is 0, 1/2, 1 or 3/2 and b is 0, -1/2 or -1, and as
+/// above.
 template <Real T>
-[[nodiscard]] Estimate<T> contact_integral(T a, T b, const PeakDensity<T>& peaks, T eta,
+[[nodiscard]] Estimate<T> contact_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
                                            const IntegralOptions<T>& options = {}) {
     const auto j = detail::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
     return j.of_power[static_cast<std::size_t>(2 * a)] * detail::gaussian(std::max(eta, T(0)));
@@ -168,7 +170,7 @@ template <Real T>
 
 /// log J[a,b] and its absolute error: goes on where J itself underflows. \throws as contact_integral.
 template <Real T>
-[[nodiscard]] Estimate<T> log_contact_integral(T a, T b, const PeakDensity<T>& peaks, T eta,
+[[nodiscard]] Estimate<T> log_contact_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
                                                const IntegralOptions<T>& options = {}) {
     const auto j = detail::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
     const Estimate<T>& scaled = j.of_power[static_cast<std::size_t>(2 * a)];

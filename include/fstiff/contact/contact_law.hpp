@@ -1,55 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A contact compiled into a table: stiffness and pressure in nanoseconds, for codes that evaluate the law millions of times.
+/// A contact tabulated: stiffness and pressure in nanoseconds, for codes that evaluate the law millions of times.
 ///
-///     p(gap), K(gap), -dp/dgap, gap(p), K(p), dK/dp        gap: separation of the mean planes
+///     p(d), K(d), -dp/dd, d(p), K(p), dK/dp        d: separation of the mean planes
 ///
-/// log p is interpolated once as a function of the separation, by Chebyshev series through a few dozen exact integrals, in more
-/// sections where they need it; from it tables of short polynomials are cut, one uniform in the gap and two in the binary
-/// exponent of p (math/piecewise), so that an evaluation needs neither a logarithm nor an exponential nor a search, and an
-/// array of them is evaluated four at a time where the processor can. The slope -dp/dgap is the derivative of the very
-/// polynomial that returns p(gap), for every law: it is the tangent that Newton's method in an implicit solver needs. K is that
-/// slope with HertzLaw, FractalConsistentLaw and GreenwoodWilliamson; with FractalLaw it is the slope times (2/3)(3-D)/(2-D),
-/// and tangent_is_exact() says no. Neighbouring polynomials meet at their ends; p falls and K rises monotonically (checked when
-/// the law is compiled), up to the rounding of the last digits.
+/// log p is interpolated once as a function of the separation, by Chebyshev series through a few dozen exact integrals,
+/// in more sections where they need it; from it tables of short polynomials are cut, one uniform in the separation and
+/// two in the binary exponent of p (math/piecewise), so that an evaluation needs neither a logarithm nor an exponential
+/// nor a search, and an array of them is evaluated four at a time where the processor can. The slope -dp/dd is the
+/// derivative of the very polynomial that returns p(separation), for every law: it is the tangent that Newton's method
+/// in an implicit solver needs. K is that slope with HertzLaw, FractalConsistentLaw and GreenwoodWilliamson; with
+/// FractalLaw it is the slope times (2/3)(3-D)/(2-D), and tangent_is_exact() says no. Where K is no constant times the
+/// slope (plastic and elastic-plastic peaks, and any law whose stiffness is not the derivative of its load)
+/// K(separation) has a table of its own, made in the same way. Neighbouring polynomials meet at their ends; p falls and
+/// K rises monotonically (checked when the law is tabulated), up to the rounding of the last digits.
 ///
-///     const auto law = fstiff::ContactLaw<double>::compile(contact, {.pressure_min = 1e5, .pressure_max = 1e8});
+///     const auto law = fstiff::ContactLaw<double>::tabulate(contact, {.min_pressure = 1e5, .max_pressure = 1e8});
 ///     const double K = law.stiffness(3e6);
-///     const auto [p, stiffness] = law.at_gap(1.2e-6);
-///     const auto [same_p, slope] = law.tangent_at_gap(1.2e-6);
+///     const auto [p, stiffness] = law.at_separation(1.2e-6);
+///     const auto [same_p, slope] = law.tangent_at_separation(1.2e-6);
 ///
 /// Outside the range, as OutsideRange says:
 ///
 ///     refuse       throws
-///     extrapolate  gap > gap_max: log p and log K go on linearly in the gap, to p = K = 0 for an open contact;
-///                  gap < gap_min: K goes on linearly in the gap, and p as its integral:
-///                      p = p_e exp(-(gap - gap_max) s_e/p_e)                        K = K_e p/p_e                 light
-///                      p = p_e + s_e x + s_e' x^2/2,  s = s_e + s_e' x,  x = gap_min - gap,  K/K_e = s/s_e        heavy
-///                  with p, the slope s and K of the ends (e). p is once continuously differentiable in the gap and the
-///                  slope exactly its derivative: a Newton loop sees one smooth law. The same by pressure, from p = 0 on,
-///                  where K = 0 and the gap is infinite
-///     clamp        p, K and gap are those of the nearer end, for looking up; since p is constant there, -dp/dgap and dK/dp
+///     extrapolate  d > d_max: log p and log K go on linearly in d, to p = K = 0 for an open contact;
+///                  d < d_min: K goes on linearly in d, and p as its integral:
+///                      p = p_e exp(-(d - d_max) s_e/p_e)                        K = K_e p/p_e                 light
+///                      p = p_e + s_e x + s_e' x^2/2,  s = s_e + s_e' x,  x = d_min - d,  K/K_e = s/s_e        heavy
+///                  with p, the slope s and K of the ends (e), and s_e' that of K_e' s_e/K_e. p is once continuously
+///                  differentiable in d and the slope exactly its derivative: a Newton loop sees one smooth law. The
+///                  same by pressure, from p = 0 on, where K = 0 and d is infinite
+///     clamp        p, K and d are those of the nearer end, for looking up; since p is constant there, -dp/dd and dK/dp
 ///                  are 0, K is not the tangent, and Newton's method stalls
 ///     exact        evaluates the model, in microseconds; it takes p > 0
 ///
-/// A NaN is refused under each of them. gap(p) of a pressure in the range is always a gap that at_gap takes.
+/// A NaN is refused under each of them. separation(p) of a pressure in the range is always a separation that
+/// at_separation takes.
 ///
 /// Units       SI: Pa, m, Pa/m; dK/dp in 1/m
-/// Valid       float and double; 0 < pressure_min < pressure_max within the reach of the model; no interaction or
+/// Valid       float and double; 0 < min_pressure < max_pressure within the reach of the model; no interaction or
 ///             effective_separation. A default-constructed law is empty and refuses every evaluation
-/// Accuracy    measured when it is compiled, at the ends of every piece and between the nodes, and carried: relative_error().
-///             Of 400 laws of random surfaces none is further from the model than it says. One in two says less than 4e-12
-///             and is right to 1e-12, nine in ten say less than 3e-10 and are right to 5e-11, all say less than 1e-7 and are
-///             right to 1e-8: interaction, pressures that press the planes through one another and ranges of a few percent
-///             take more.
-///             A batch differs from the scalar calls by rounding: 200 epsilon at most (tests/contact/contact_law_test.cpp)
+/// Accuracy    measured when it is tabulated, at the ends of every piece and between the nodes, and carried:
+///             relative_error(). It covers -dp/dd too where K has a table of its own, and cannot be less than the
+///             errors of the integrals: of a law without powers 1e-9 or so.
+///             Of 400 laws of random surfaces none is further from the model than it says. One in two says less than
+///             4e-12 and is right to 1e-12, nine in ten say less than 3e-10 and are right to 5e-11, all say less than
+///             1e-7 and are right to 1e-8: interaction, pressures that press the planes through one another and ranges
+///             of a few percent take more.
+///             A batch differs from the scalar calls by rounding: 200 epsilon at most
+///             (tests/contact/contact_law_test.cpp)
 /// Threads     evaluation is const and does not allocate: any number of threads may share a law
 
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/contact/law_compiler.hpp>
+#include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_tables.hpp>
+#include <fstiff/contact/law_tabulator.hpp>
 #include <fstiff/contact/law_text.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/error.hpp>
@@ -69,19 +76,19 @@
 
 namespace fstiff {
 
-template <ReadableReal T>
+template <ReadableReal T = double>
 class ContactLaw {
 public:
-    struct AtGap {
+    struct AtSeparation {
         T pressure;   ///< [Pa]
         T stiffness;  ///< K [Pa/m]
     };
     struct Tangent {
         T pressure;  ///< [Pa]
-        T slope;     ///< -dp/dgap [Pa/m] of the returned p
+        T slope;     ///< -dp/dd [Pa/m] of the returned p
     };
     struct AtPressure {
-        T gap;              ///< [m]
+        T separation;       ///< [m]
         T stiffness;        ///< K [Pa/m]
         T stiffness_slope;  ///< dK/dp [1/m] of the returned K
     };
@@ -89,25 +96,26 @@ public:
     /// Empty: refuses every evaluation, until a law is assigned to it.
     ContactLaw() = default;
 
-    /// Compiles \p contact, a RoughContact or GreenwoodWilliamson in the same scalar.
-    /// \throws domain_error for a range that the model cannot reach or that is empty, and for interaction as_printed.
-    template <ProportionalContact<T> Contact>
-    [[nodiscard]] static ContactLaw compile(const Contact& contact, const LawRange<T>& range);
+    /// Tabulates \p contact, a RoughContact of any law or another Contact in the same scalar.
+    /// \throws domain_error for a range that the model cannot reach or that is empty, for interaction as_printed, and
+    /// for a K that is not greater than 0 or does not rise with p.
+    template <Contact<T> Model>
+    [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range);
 
-    /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse, for a
-    /// negative or infinite pressure under extrapolate, for NaN, and of an empty law.
+    /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse,
+    /// for a negative or infinite pressure under extrapolate, for NaN, and of an empty law.
     [[nodiscard]] T stiffness(T pressure) const {
         if (!tables_.stiffness.contains(pressure)) [[unlikely]]
             return outside_pressure(pressure, false).stiffness;
         return tables_.stiffness.value(pressure);
     }
 
-    /// Separation of the mean planes [m] at the pressure \p pressure [Pa], within gaps() for one in the range.
+    /// Separation of the mean planes [m] at the pressure \p pressure [Pa], within separations() for one in the range.
     /// \throws as stiffness.
-    [[nodiscard]] T gap(T pressure) const {
-        if (!tables_.gap.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, false).gap;
-        return tables_.gap_at(pressure);
+    [[nodiscard]] T separation(T pressure) const {
+        if (!tables_.separation.contains(pressure)) [[unlikely]]
+            return outside_pressure(pressure, false).separation;
+        return tables_.separation_at(pressure);
     }
 
     /// dK/dp [1/m] at the pressure \p pressure [Pa]: the derivative of what stiffness() returns; outside the range with
@@ -118,60 +126,79 @@ public:
         return tables_.stiffness.derivative(pressure);
     }
 
-    /// gap(), stiffness() and stiffness_slope() at once. \throws as stiffness.
+    /// separation(), stiffness() and stiffness_slope() at once. \throws as stiffness.
     [[nodiscard]] AtPressure at_pressure(T pressure) const {
         if (!tables_.stiffness.contains(pressure)) [[unlikely]]
             return outside_pressure(pressure, true);
-        return {gap(pressure), tables_.stiffness.value(pressure), tables_.stiffness.derivative(pressure)};
+        return of_tables(tables_.at_pressure(pressure));
     }
 
-    /// p [Pa] and K [Pa/m] at the gap \p gap [m]. \throws domain_error outside gaps() under OutsideRange::refuse, for
-    /// -infinity under extrapolate, for NaN, and of an empty law.
-    [[nodiscard]] AtGap at_gap(T gap) const {
-        const Whole at = whole_at(gap);
+    /// p [Pa] and K [Pa/m] at the separation \p separation [m]. \throws domain_error outside separations() under
+    /// OutsideRange::refuse, for -infinity under extrapolate, for NaN, and of an empty law.
+    [[nodiscard]] AtSeparation at_separation(T separation) const {
+        const Whole at = whole_at(separation);
         return {at.pressure, at.stiffness};
     }
-    /// p [Pa] and -dp/dgap [Pa/m], which is K only where tangent_is_exact(). \throws as at_gap.
-    [[nodiscard]] Tangent tangent_at_gap(T gap) const {
-        const Whole at = whole_at(gap);
+    /// p [Pa] and -dp/dd [Pa/m], which is K only where tangent_is_exact(). \throws as at_separation.
+    [[nodiscard]] Tangent tangent_at_separation(T separation) const {
+        const Whole at = whole_at(separation);
         return {at.pressure, at.slope};
     }
-    [[nodiscard]] T pressure_at_gap(T gap) const { return at_gap(gap).pressure; }
-    [[nodiscard]] T stiffness_at_gap(T gap) const { return at_gap(gap).stiffness; }
-    [[nodiscard]] T slope_at_gap(T gap) const { return tangent_at_gap(gap).slope; }
+    [[nodiscard]] T pressure_at_separation(T separation) const { return at_separation(separation).pressure; }
+    [[nodiscard]] T stiffness_at_separation(T separation) const { return at_separation(separation).stiffness; }
+    [[nodiscard]] T slope_at_separation(T separation) const { return tangent_at_separation(separation).slope; }
 
-    /// stiffness() of a whole array of pressures, equal to it within rounding and relative_error(); \p out has the size of
+    /// stiffness() of a whole array of pressures, equal to it within rounding and relative_error(); \p out has the size
+    /// of
     /// \p pressures and may be the same array. \throws as stiffness, at the first element that is to be refused.
     void stiffness(const Eigen::Ref<const Eigen::ArrayX<T>>& pressures, Eigen::Ref<Eigen::ArrayX<T>> out) const {
-        require_same_size(pressures.size(), out.size());
+        detail::require_same_size(pressures.size(), out.size());
         batch(
             tables_.stiffness, pressures, std::array{out.data()},
             [](const auto& pieces, const T* p, const auto& to) { pieces.four_values(p, to[0]); },
             [this](T p) { return std::array{stiffness(p)}; });
     }
 
-    /// at_gap() of a whole array of gaps, equal to it within rounding and relative_error(); the results have the size of
-    /// \p gaps. \throws as at_gap, at the first element that is to be refused.
-    void at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>> pressures,
-                Eigen::Ref<Eigen::ArrayX<T>> stiffnesses) const {
-        at_gap(gaps, pressures, stiffnesses, tables_.stiffness_scale, &Whole::stiffness);
+    /// at_separation() of a whole array of separations, equal to it within rounding and relative_error(); the results
+    /// have the size of
+    /// \p separations. \throws as at_separation, at the first element that is to be refused.
+    void at_separation(const Eigen::Ref<const Eigen::ArrayX<T>>& separations, Eigen::Ref<Eigen::ArrayX<T>> pressures,
+                       Eigen::Ref<Eigen::ArrayX<T>> stiffnesses) const {
+        if (!tables_.has_own_stiffness())
+            return by_separation(separations, pressures, stiffnesses, &Whole::stiffness,
+                                 [scale = tables_.stiffness_scale](const auto& p, const T* separation, const auto& to) {
+                                     p.four_values(separation, scale, to[0], to[1]);
+                                 });
+        by_separation(separations, pressures, stiffnesses, &Whole::stiffness,
+                      [this](const auto& p, const T* separation, const auto& to) {
+                          T slopes[4];
+                          const T at[4]{separation[0], separation[1], separation[2],
+                                        separation[3]};  // the results may be written where the separations were
+                          p.four_values(at, T(1), to[0], slopes);
+                          static_cast<decltype(p)>(tables_.own_stiffness).four_values(at, T(1), to[1], slopes);
+                      });
     }
-    /// The same of tangent_at_gap().
-    void tangent_at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>> pressures,
-                        Eigen::Ref<Eigen::ArrayX<T>> slopes) const {
-        at_gap(gaps, pressures, slopes, tables_.slope_scale, &Whole::slope);
+    /// The same of tangent_at_separation().
+    void tangent_at_separation(const Eigen::Ref<const Eigen::ArrayX<T>>& separations,
+                               Eigen::Ref<Eigen::ArrayX<T>> pressures, Eigen::Ref<Eigen::ArrayX<T>> slopes) const {
+        by_separation(separations, pressures, slopes, &Whole::slope,
+                      [scale = tables_.slope_scale](const auto& p, const T* separation, const auto& to) {
+                          p.four_values(separation, scale, to[0], to[1]);
+                      });
     }
 
-    /// The largest relative error of p, K and (over the rms height) gap, measured when the law was compiled.
+    /// The largest relative error of p, K and (over the rms height) separation, measured when the law was tabulated.
     [[nodiscard]] T relative_error() const { return tables_.relative_error; }
-    /// Whether K is exactly -dp/dgap of the returned p, where that is not constant (OutsideRange::clamp).
+    /// Whether K is exactly -dp/dd of the returned p, where that is not constant (OutsideRange::clamp).
     [[nodiscard]] bool tangent_is_exact() const { return tables_.stiffness_over_slope == T(1); }
     /// The range [Pa] and [m]; of an empty law 0 and NaN.
-    [[nodiscard]] std::array<T, 2> pressures() const { return {tables_.pressure_min, tables_.pressure_max}; }
-    [[nodiscard]] std::array<T, 2> gaps() const { return {tables_.by_gap.begin, tables_.by_gap.end}; }
+    [[nodiscard]] std::array<T, 2> pressures() const { return {tables_.min_pressure, tables_.max_pressure}; }
+    [[nodiscard]] std::array<T, 2> separations() const {
+        return {tables_.by_separation.begin, tables_.by_separation.end};
+    }
     [[nodiscard]] OutsideRange outside() const { return tables_.outside; }
     [[nodiscard]] bool empty() const { return tables_.empty(); }
-    /// Exact integrals that were evaluated to compile the law.
+    /// Exact integrals that were evaluated to tabulate the law.
     [[nodiscard]] int evaluations() const { return tables_.evaluations; }
 
     /// The same law with another policy. \throws domain_error for exact unless the law has it: the model is not there.
@@ -184,26 +211,30 @@ public:
     /// Lines may end in LF or CRLF. \throws domain_error for text that to_text did not write.
     [[nodiscard]] static ContactLaw from_text(std::string_view text);
 
-    /// Whether all tables and the policy are the same; of two laws with OutsideRange::exact the models are not compared.
+    /// Whether all tables and the policy are the same; of two laws with OutsideRange::exact the models are not
+    /// compared.
     [[nodiscard]] bool operator==(const ContactLaw& other) const { return tables_ == other.tables_; }
 
 private:
     struct Exact {
-        T gap, pressure, stiffness;
+        T separation, pressure, stiffness, slope;
     };
     using Whole = typename detail::LawTables<T>::Whole;
 
-    Whole whole_at(T gap) const {
-        if (!tables_.by_gap.contains(gap)) [[unlikely]]
-            return outside_gap(gap);
-        return tables_.at_gap(gap);
+    Whole whole_at(T separation) const {
+        if (!tables_.by_separation.contains(separation)) [[unlikely]]
+            return outside_separation(separation);
+        return tables_.at_separation(separation);
+    }
+    static AtPressure of_tables(const typename detail::LawTables<T>::AtPressure& at) {
+        return {at.separation, at.stiffness, at.stiffness_slope};
     }
     AtPressure outside_pressure(T pressure, bool with_slope) const;
-    Whole outside_gap(T gap) const;
-    AtPressure continued_pressure(T pressure) const;
-    Whole continued_gap(T gap) const;
+    Whole outside_separation(T separation) const;
     void require_filled() const {
-        if (empty()) throw domain_error("contact law: is empty; must be compiled or read from text to be evaluated");
+        if (empty())
+            throw domain_error(Refusal{.parameter = "contact law",
+                                       .reason = "is empty; must be tabulated or read from text to be evaluated"});
     }
     /// Value and bounds with the digits that tell them apart.
     [[noreturn]] static void refuse(std::string_view name, T value, T low, T high, const char* unit) {
@@ -212,141 +243,69 @@ private:
             "between " + shortest_text(low) + " and " + shortest_text(high) + unit + ", the range of the law");
     }
 
-    void at_gap(const Eigen::Ref<const Eigen::ArrayX<T>>& gaps, Eigen::Ref<Eigen::ArrayX<T>>& pressures,
-                Eigen::Ref<Eigen::ArrayX<T>>& slopes, T scale, T Whole::*wanted) const {
-        require_same_size(gaps.size(), pressures.size());
-        require_same_size(gaps.size(), slopes.size());
-        batch(
-            tables_.by_gap, gaps, std::array{pressures.data(), slopes.data()},
-            [scale](const auto& pieces, const T* gap, const auto& to) { pieces.four_values(gap, scale, to[0], to[1]); },
-            [this, wanted](T gap) {
-                const Whole at = whole_at(gap);
-                return std::array{at.pressure, at.*wanted};
-            });
+    template <class FourAt>
+    void by_separation(const Eigen::Ref<const Eigen::ArrayX<T>>& separations, Eigen::Ref<Eigen::ArrayX<T>>& pressures,
+                       Eigen::Ref<Eigen::ArrayX<T>>& others, T Whole::*wanted, const FourAt& four) const {
+        detail::require_same_size(separations.size(), pressures.size());
+        detail::require_same_size(separations.size(), others.size());
+        batch(tables_.by_separation, separations, std::array{pressures.data(), others.data()}, four,
+              [this, wanted](T separation) {
+                  const Whole at = whole_at(separation);
+                  return std::array{at.pressure, at.*wanted};
+              });
     }
 
-    /// Elements of \p x within \p pieces go through \p four, and four are filled up where fewer are left, so that a result
-    /// does not depend on where its element stands; the others go through \p one.
     template <class Pieces, std::size_t N, class FourAt, class OneAt>
     void batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
                const FourAt& four, const OneAt& one) const {
         require_filled();
-        const auto put = [&out](Eigen::Index i, const std::array<T, N>& value) {
-            for (std::size_t n = 0; n < N; ++n) out[n][i] = value[n];
-        };
-        const Eigen::Index count = x.size();
-        if constexpr (!detail::four_at_once<T>) {
-            for (Eigen::Index i = 0; i < count; ++i) put(i, one(x[i]));
-        } else {
-            T given[4], found[N][4];
-            for (Eigen::Index i = 0; i < count; i += 4) {
-                const T* from = x.data() + i;
-                std::array<T*, N> to = out;
-                for (T*& at : to) at += i;
-                const bool whole = count - i >= 4 && pieces.contains(from[0]) && pieces.contains(from[1]) &&
-                                   pieces.contains(from[2]) && pieces.contains(from[3]);
-                if (whole) [[likely]] {
-                    four(pieces, from, to);
-                    continue;
-                }
-                const Eigen::Index left = std::min<Eigen::Index>(count - i, 4);
-                for (Eigen::Index k = 0; k < 4; ++k)
-                    given[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
-                for (std::size_t n = 0; n < N; ++n) to[n] = found[n];
-                four(pieces, given, to);
-                for (Eigen::Index k = 0; k < left; ++k) {
-                    if (!pieces.contains(from[k])) {
-                        put(i + k, one(from[k]));
-                        continue;
-                    }
-                    for (std::size_t n = 0; n < N; ++n) out[n][i + k] = found[n][k];
-                }
-            }
-        }
+        detail::law_batch(pieces, x, out, four, one);
     }
-
-    static void require_same_size(Eigen::Index a, Eigen::Index b) {
-        if (a != b)
-            throw domain_error("batch: the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
-                               " elements: must have the same number");
-    }
-
     detail::LawTables<T> tables_;
-    std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a gap
+    std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
 };
 
 template <ReadableReal T>
 auto ContactLaw<T>::outside_pressure(T pressure, bool with_slope) const -> AtPressure {
     require_filled();
     if (!detail::is_nan(pressure)) {
-        if (tables_.outside == OutsideRange::extrapolate) return continued_pressure(pressure);
+        if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
         if (tables_.outside == OutsideRange::clamp) {
             const AtPressure end =
-                at_pressure(detail::LawTables<T>::within(pressure, tables_.pressure_min, tables_.pressure_max));
-            return {end.gap, end.stiffness, T(0)};
+                at_pressure(detail::LawTables<T>::within(pressure, tables_.min_pressure, tables_.max_pressure));
+            return {end.separation, end.stiffness, T(0)};
         }
     }
     if (tables_.outside != OutsideRange::exact)
-        refuse("pressure", pressure, tables_.pressure_min, tables_.pressure_max, " Pa");
+        refuse("pressure", pressure, tables_.min_pressure, tables_.max_pressure, " Pa");
     const auto stiffness_at = [this](T p) { return exact_(p, true).stiffness; };
     const T step = std::cbrt(std::numeric_limits<T>::epsilon()) * pressure;
     const Exact at = exact_(pressure, true);
-    return {at.gap, at.stiffness,
+    return {at.separation, at.stiffness,
             with_slope ? (stiffness_at(pressure + step) - stiffness_at(pressure - step)) / (2 * step) : T(0)};
 }
 
 template <ReadableReal T>
-auto ContactLaw<T>::outside_gap(T gap) const -> Whole {
+auto ContactLaw<T>::outside_separation(T separation) const -> Whole {
     require_filled();
-    if (!detail::is_nan(gap)) {
-        if (tables_.outside == OutsideRange::extrapolate) return continued_gap(gap);
+    if (!detail::is_nan(separation)) {
+        if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
         if (tables_.outside == OutsideRange::clamp) {
-            const Whole end =
-                tables_.at_gap(detail::LawTables<T>::within(gap, tables_.by_gap.begin, tables_.by_gap.end));
+            const Whole end = tables_.at_separation(
+                detail::LawTables<T>::within(separation, tables_.by_separation.begin, tables_.by_separation.end));
             return {end.pressure, end.stiffness, T(0)};
         }
     }
-    if (tables_.outside != OutsideRange::exact) refuse("gap", gap, tables_.by_gap.begin, tables_.by_gap.end, " m");
-    const Exact at = exact_(gap, false);
-    return {at.pressure, at.stiffness, tables_.slope_of(at.stiffness)};
-}
-
-/// K/p is constant below the range, K dK/dp above it. Each continues its own table, from the value at the very end.
-template <ReadableReal T>
-auto ContactLaw<T>::continued_pressure(T pressure) const -> AtPressure {
-    require(pressure >= 0 && pressure <= std::numeric_limits<T>::max(), "pressure", pressure,
-            "finite and at least 0 Pa: the contact does not pull");
-    if (pressure < tables_.pressure_min) {
-        const AtPressure end = at_pressure(tables_.pressure_min);
-        const T rate = end.stiffness / tables_.pressure_min;
-        return {end.gap + std::log(tables_.pressure_min / pressure) / tables_.slope_of(rate), rate * pressure, rate};
-    }
-    const AtPressure end = at_pressure(tables_.pressure_max);
-    const T more = pressure - tables_.pressure_max;
-    const T growth = std::sqrt(1 + 2 * (end.stiffness_slope / end.stiffness) * more);
-    const T stiffness = end.stiffness * growth;
-    return {end.gap - 2 * more / tables_.slope_of(end.stiffness + stiffness), stiffness, end.stiffness_slope / growth};
-}
-
-template <ReadableReal T>
-auto ContactLaw<T>::continued_gap(T gap) const -> Whole {
-    if (gap > tables_.by_gap.end) {
-        const Whole end = tables_.at_gap(tables_.by_gap.end);
-        const T share = std::exp(-(gap - tables_.by_gap.end) * (end.slope / end.pressure));
-        return {end.pressure * share, end.stiffness * share, end.slope * share};
-    }
-    require(gap >= std::numeric_limits<T>::lowest(), "gap", gap, "greater than -infinity (m)");
-    const Whole end = tables_.at_gap(tables_.by_gap.begin);
-    const T less = tables_.by_gap.begin - gap;
-    const T bend = tables_.stiffness.derivative(tables_.pressure_max) * end.slope;  // dK/d less
-    const T more_slope = tables_.slope_of(bend * less);
-    return {end.pressure + less * (end.slope + more_slope / 2), end.stiffness + bend * less, end.slope + more_slope};
+    if (tables_.outside != OutsideRange::exact)
+        refuse("separation", separation, tables_.by_separation.begin, tables_.by_separation.end, " m");
+    const Exact at = exact_(separation, false);
+    return {at.pressure, at.stiffness, at.slope};
 }
 
 template <ReadableReal T>
 ContactLaw<T> ContactLaw<T>::with(OutsideRange outside) const {
     if (outside == OutsideRange::exact && !exact_)
-        throw domain_error("outside = exact: must be asked for when the law is compiled; its model is not kept else");
+        detail::refuse("outside", "exact", "asked for when the law is tabulated; its model is not kept else");
     ContactLaw other = *this;
     other.tables_.outside = outside;
     if (outside != OutsideRange::exact) other.exact_ = nullptr;
@@ -354,22 +313,26 @@ ContactLaw<T> ContactLaw<T>::with(OutsideRange outside) const {
 }
 
 template <ReadableReal T>
-template <ProportionalContact<T> Contact>
-ContactLaw<T> ContactLaw<T>::compile(const Contact& contact, const LawRange<T>& range) {
-    require(range.pressure_min >= std::numeric_limits<T>::min(), "pressure_min", range.pressure_min,
+template <Contact<T> Model>
+ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
+    require(range.min_pressure >= std::numeric_limits<T>::min(), "min_pressure", range.min_pressure,
             "finite and greater than 0, and no denormal number");
-    require(range.pressure_max > range.pressure_min && std::isfinite(range.pressure_max), "pressure_max",
-            range.pressure_max, "finite and greater than pressure_min");
+    require(range.max_pressure > range.min_pressure && std::isfinite(range.max_pressure), "max_pressure",
+            range.max_pressure, "finite and greater than min_pressure");
     require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
-            "none or effective_separation for a compiled law (as_printed is no function of one gap)");
+            "none or effective_separation for a tabulated law (as_printed is no function of one separation)");
     ContactLaw law;
-    law.tables_ = detail::LawCompiler<T, Contact>(contact, range.pressure_min, range.pressure_max).compile();
+    law.tables_ = detail::LawTabulator<T, Model>(contact, range.min_pressure, range.max_pressure).tabulate();
     law.tables_.outside = range.outside;
     if (range.outside == OutsideRange::exact)
         law.exact_ = [contact](T x, bool is_pressure) {
-            const auto state = is_pressure ? contact.at_pressure(x, Quantity::stiffness | Quantity::pressure)
-                                           : contact.at_separation(x, Quantity::stiffness | Quantity::pressure);
-            return Exact{state.separation.value, state.pressure.value, state.stiffness.value};
+            constexpr bool proportional = ProportionalContact<Model, T>;
+            constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
+                                        (proportional ? Quantity::none : Quantity::loading_stiffness);
+            const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
+            T slope = state.loading_stiffness.value;
+            if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
+            return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};
         };
     return law;
 }
@@ -378,7 +341,7 @@ template <ReadableReal T>
 std::string ContactLaw<T>::to_text() const {
     require_filled();
     if (outside() == OutsideRange::exact)
-        throw domain_error("outside = exact: must be another policy for a law that goes to text, which holds no model");
+        detail::refuse("outside", "exact", "another policy for a law that goes to text, which holds no model");
     return detail::law_text(tables_);
 }
 

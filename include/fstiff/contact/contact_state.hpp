@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What is known of a contact at one separation or pressure, and the search for the separation of a given pressure.
+/// What is known of a contact at one separation or pressure, or why nothing is, and the search for the separation of a
+/// given pressure.
 ///
 /// Units       SI, per nominal area
-/// Accuracy    the errors are absolute bounds for exact inputs; those at a given pressure contain that of the separation
+/// Accuracy    the errors are absolute bounds for exact inputs; those at a given pressure contain that of the
+///             separation
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
@@ -14,12 +16,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace fstiff {
 
 /// Quantities that were not asked for are 0, with 0 evaluations.
-template <Real T>
+template <Real T = double>
 struct ContactState {
     T eta{};                         ///< separation at which the peaks meet, over the rms height
     Estimate<T> separation;          ///< of the mean planes [m]
@@ -30,30 +36,105 @@ struct ContactState {
     Estimate<T> loading_stiffness;   ///< -dp/dd [Pa/m]: K where the stiffness of the law is the slope of its load
 };
 
-/// A decreasing function of eta as its logarithm, so that its tail does not underflow.
+/// Whether every value and error of \p state is a number that may be doubled: the tangential stiffness is up to 4/3 of
+/// K.
 template <Real T>
+[[nodiscard]] bool in_range(const ContactState<T>& state) {
+    for (const Estimate<T>* one : {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction,
+                                   &state.contact_density, &state.loading_stiffness})
+        if (!std::isfinite(2 * one->value) || !std::isfinite(2 * one->error)) return false;
+    return true;
+}
+
+enum class PointStatus {
+    ok,
+    out_of_reach,   ///< the model has no state there; ContactPoint::reason tells what it has
+    beyond_numbers  ///< a value or an error, doubled, is beyond the range of the scalar
+};
+
+/// The state at a pressure or a separation, or why there is none.
+template <Real T = double>
+struct ContactPoint {
+    PointStatus status = PointStatus::ok;
+    ContactState<T> state{};  ///< out of reach: all 0, but for a stiffness that is NaN
+    std::string reason{};     ///< of out_of_reach: what the contact said; else empty
+
+    [[nodiscard]] bool ok() const { return status == PointStatus::ok; }
+
+    [[nodiscard]] static ContactPoint of(const ContactState<T>& state) {
+        return {in_range(state) ? PointStatus::ok : PointStatus::beyond_numbers, state, {}};
+    }
+    [[nodiscard]] static ContactPoint out_of_reach(std::string reason) {
+        ContactPoint point{PointStatus::out_of_reach, {}, std::move(reason)};
+        point.state.stiffness.value = std::numeric_limits<T>::quiet_NaN();
+        return point;
+    }
+};
+
+/// A decreasing function of eta as its logarithm, so that its tail does not underflow.
+template <Real T = double>
 struct LogSlope {
     T log;    ///< log f(eta)
     T slope;  ///< d log f/d eta, < 0
     T error;  ///< relative error of f
 };
 
+/// A positive function of eta as its logarithm.
+template <Real T = double>
+struct LogValue {
+    T log;    ///< log f(eta)
+    T error;  ///< relative error of f
+};
+
 namespace detail {
 
-inline constexpr int lowest_eta = -1000;  ///< separations that are searched for a pressure
+inline constexpr int min_eta = -1000;  ///< separations that are searched for a pressure
 
 template <Real T>
 struct EtaEstimate {
     T value, error;
 };
 
+/// What a search for eta came to.
+template <Real T>
+struct EtaSearch {
+    EtaEstimate<T> eta;
+    bool found = true;
+    T log_lowest{},
+        log_highest{};  ///< if not found: the least and the greatest log f there is, less the one looked for
+};
+
+/// A state, or the refusal of one.
+template <Real T>
+struct StateOrRefusal {
+    ContactState<T> state{};
+    std::optional<domain_error> refusal{};
+
+    /// \throws the refusal.
+    [[nodiscard]] const ContactState<T>& value() const {
+        if (refusal) throw *refusal;
+        return state;
+    }
+    [[nodiscard]] ContactPoint<T> point() const {
+        return refusal ? ContactPoint<T>::out_of_reach(refusal->what()) : ContactPoint<T>::of(state);
+    }
+};
+
+/// What require() would throw.
+template <Real T>
+[[nodiscard, gnu::cold]] domain_error refusal_of(std::string_view parameter, T value, std::string_view allowed) {
+    using Shown = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
+    const std::string shown = rounded_text(static_cast<Shown>(value), std::numeric_limits<T>::digits10);
+    return domain_error(Refusal{.parameter = parameter, .value = shown, .allowed = allowed});
+}
+
 /// Where the tail of a Gaussian underflows, and an exponential one; short of it for the algebraic factors.
 template <Real T>
-T highest_gaussian_eta() {
+T max_gaussian_eta() {
     return std::sqrt(-2 * std::log(std::numeric_limits<T>::min())) - 1;
 }
 template <Real T>
-T highest_exponential_eta() {
+T max_exponential_eta() {
     return -std::log(std::numeric_limits<T>::min()) - 10;
 }
 
@@ -61,13 +142,13 @@ T highest_exponential_eta() {
 template <Real T>
 inline constexpr T rough_tolerance = T(1e-3);
 
-/// The eta up to \p highest where log f(eta) = \p target. \p log_slope takes eta and whether a rough value will do, and returns
-/// a LogSlope. log f is concave and close to its value and slope at 0 plus -eta^2/2: from that guess Halley's method, whose
-/// second derivative is the difference of two slopes, arrives in three or four evaluations, the first of them rough; a
-/// bracketed search takes over where it does not.
-/// \throws domain_error naming \p pressure when eta would leave [lowest_eta, highest] or f its range.
+/// The eta up to \p highest where log f(eta) = \p target. \p log_slope takes eta and whether a rough value will do, and
+/// returns a LogSlope. log f is concave and close to its value and slope at 0 plus -eta^2/2: from that guess Halley's
+/// method, whose second derivative is the difference of two slopes, arrives in three or four evaluations, the first of
+/// them rough; a bracketed search takes over where it does not.
+/// Not found when eta would leave [min_eta, highest] or f its range.
 template <Real T, class F>
-EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
+EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
     using Limits = std::numeric_limits<T>;
     const T rounding = Limits::epsilon() * (1 + std::abs(target));  // of the logarithms that are compared
     LogSlope<T> at = log_slope(T(0), true);
@@ -77,7 +158,7 @@ EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
     const T near = T(0.05), close = std::sqrt(Limits::epsilon());  // the next step is its square or less
     bool rough = true;
     T x = guess, last_x = 0;
-    for (int i = 0; i < 12 && x >= lowest_eta && x <= highest; ++i) {
+    for (int i = 0; i < 12 && x >= min_eta && x <= highest; ++i) {
         const T last_slope = at.slope;
         at = log_slope(x, rough);
         const T newton = (target - at.log) / at.slope;
@@ -86,7 +167,7 @@ EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
         last_x = x;
         x += step;
         if (!rough && std::abs(step) <= close)
-            return {x, step * step + (at.error + rounding) / -at.slope + Limits::epsilon() * std::abs(x)};
+            return {{x, step * step + (at.error + rounding) / -at.slope + Limits::epsilon() * std::abs(x)}};
         if (std::abs(step) <= near) rough = false;
     }
 
@@ -95,21 +176,22 @@ EtaEstimate<T> eta_of(T target, T pressure, T highest, const F& log_slope) {
         return std::pair(f.log - target, f.slope);
     };
     // closer than the rounding of the logarithms tells apart is not asked for
-    const auto found = newton_bracketed(residual, T(lowest_eta), highest, guess, 16 * rounding);
-    if (!found.converged()) {
-        const auto reached = [&](T eta) {  // log p there
-            return (std::log(pressure) - target) + log_slope(eta, false).log;
-        };
-        const T low = reached(highest), high = reached(T(lowest_eta));
-        require(std::isfinite(low) && std::isfinite(high), "pressure", pressure,
-                "possible for the scales of this surface");
-        const auto power = [](T log) { return "1e" + std::to_string(std::lround(log / numbers::ln10_v<T>)); };
-        const std::string allowed =
-            "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law";
-        require(false, "pressure", pressure, allowed);
-    }
+    const auto found = newton_bracketed(residual, T(min_eta), highest, guess, 16 * rounding);
+    if (!found.converged())
+        return {{}, false, log_slope(highest, false).log - target, log_slope(T(min_eta), false).log - target};
     at = log_slope(found.root, false);
-    return {found.root, found.error + (at.error + rounding) / -at.slope};
+    return {{found.root, found.error + (at.error + rounding) / -at.slope}};
+}
+
+/// Why there is no eta for \p pressure, of which \p search looked for the logarithm.
+template <Real T>
+[[nodiscard, gnu::cold]] domain_error unreachable_pressure(T pressure, const EtaSearch<T>& search) {
+    const T low = std::log(pressure) + search.log_lowest, high = std::log(pressure) + search.log_highest;
+    if (!std::isfinite(low) || !std::isfinite(high))
+        return refusal_of("pressure", pressure, "possible for the scales of this surface");
+    const auto power = [](T log) { return "1e" + std::to_string(std::lround(log / numbers::ln10_v<T>)); };
+    return refusal_of("pressure", pressure,
+                      "between " + power(low) + " and " + power(high) + " Pa or so for this surface and law");
 }
 
 }  // namespace detail

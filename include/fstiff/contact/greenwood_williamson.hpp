@@ -18,7 +18,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, SingleRadius<T>> {
     /// \throws domain_error naming the parameter that is out of range.
     GreenwoodWilliamson(const Roughness<T>& surface, T effective_modulus, Heights heights = Heights::gaussian,

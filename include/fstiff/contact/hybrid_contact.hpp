@@ -24,6 +24,7 @@
 
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/persson_contact.hpp>
+#include <fstiff/contact/slope_contact.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ namespace fstiff {
 
 /// \p Peaks is a contact of independent peaks: RoughContact with any law, or SummitContact.
 template <Real T, Contact<T> Peaks>
-class HybridContact {
+class HybridContact : public SlopeContact<HybridContact<T, Peaks>, T> {
 public:
     /// \throws domain_error when \p peaks has an interaction, or does not reach 2 E g.
     HybridContact(Peaks peaks, PerssonContact<T> crowded) : peaks_(std::move(peaks)), crowded_(std::move(crowded)) {
@@ -61,7 +62,8 @@ public:
             const T share = state.stiffness.error / state.stiffness.value;
             const int evaluations = state.stiffness.evaluations;
             const T K = joined(state.stiffness.value, crowded_.stiffness(pressure));
-            state.stiffness = state.loading_stiffness = {K, (share + 80 * std::numeric_limits<T>::epsilon()) * K, evaluations};
+            state.stiffness =
+                state.loading_stiffness = {K, (share + 80 * std::numeric_limits<T>::epsilon()) * K, evaluations};
         }
         if (!has(wanted, Quantity::stiffness)) state.stiffness = {};
         if (!has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = {};
@@ -108,7 +110,8 @@ public:
             const T p = std::exp(log_p);
             return std::pair(separation(p).value - d, -p / stiffness(p));
         };
-        const auto found = newton_bracketed(residual, low, high, high - T(0.5), 16 * std::numeric_limits<T>::epsilon() * (1 + std::abs(high)));
+        const auto found = newton_bracketed(residual, low, high, high - T(0.5),
+                                            16 * std::numeric_limits<T>::epsilon() * (1 + std::abs(high)));
         require(found.converged(), "eta", eta, "within the reach of the laws");
         const T p = std::exp(found.root), per_height = stiffness(p) / p;
         return {found.root, -per_height * rms_height(), found.error + separation(p).error * per_height};
@@ -117,10 +120,6 @@ public:
     [[nodiscard]] T rms_height() const { return crowded_.rms_height(); }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
     [[nodiscard]] const PerssonContact<T>& crowded() const { return crowded_; }
-    [[nodiscard]] Interaction<T> interaction() const { return {}; }
-    [[nodiscard]] T bulk_compliance() const { return T(0); }
-    /// K is -dp/dd.
-    [[nodiscard]] T stiffness_over_slope() const { return T(1); }
 
 private:
     static constexpr int panels = 24;  ///< e-folds of pressure below 2 E g: 4e-11 of it

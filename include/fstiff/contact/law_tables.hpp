@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The numbers of a compiled law, and what they say within its range: all that is written to text.
+/// The numbers of a tabulated law, and what they say within its range: all that is written to text.
 ///
-///     p(gap), -dp/dgap, K(gap)    one table, uniform in the gap         gap(p), K(p), dK/dp    two, in the binary exponent of p
+///     p(d), -dp/dd       one table, uniform in d; K(d) too where K is a constant times -dp/dd
+///     K(d)                 else a table of its own, of the same pieces
+///     d(p), K(p), dK/dp    two, in the binary exponent of p
+///
+/// and how they go on beyond the range, as contact/contact_law says of OutsideRange::extrapolate.
 ///
 /// Units       SI: Pa, m, Pa/m
-/// Valid       float and double; arguments within the tables
-/// Accuracy    relative_error, as contact/law_compiler measures it
+/// Valid       float and double; arguments within the tables, but for the functions of the continuation
+/// Accuracy    relative_error, as contact/law_tabulator measures it
 
+#include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
+
+#include <cmath>
+#include <limits>
 
 namespace fstiff {
 
@@ -21,10 +29,10 @@ enum class OutsideRange {
     extrapolate  ///< continue the law smoothly: an opening contact ends with p = K = 0
 };
 
-template <ReadableReal T>
+template <ReadableReal T = double>
 struct LawRange {
-    T pressure_min{};  ///< [Pa]
-    T pressure_max{};  ///< [Pa]
+    T min_pressure{};  ///< [Pa]
+    T max_pressure{};  ///< [Pa]
     OutsideRange outside = OutsideRange::refuse;
 };
 
@@ -35,31 +43,55 @@ struct LawTables {
     struct Whole {
         T pressure, stiffness, slope;
     };
+    struct AtPressure {
+        T separation, stiffness, stiffness_slope;
+    };
 
-    T pressure_min{}, pressure_max{};    ///< 0 of an empty law
-    T slope_scale{}, stiffness_scale{};  ///< from dp/ds to -dp/dgap and to K
-    T stiffness_over_slope = T(1);
+    T min_pressure{}, max_pressure{};    ///< 0 of an empty law
+    T slope_scale{}, stiffness_scale{};  ///< from dp/ds to -dp/dd and to K
+    T stiffness_over_slope = T(1);       ///< 0 where K has a table of its own
     T relative_error{};
     OutsideRange outside = OutsideRange::refuse;
     int evaluations = 0;
-    UniformPieces<T> by_gap;         ///< p
-    BinaryPieces<T> stiffness, gap;  ///< by pressure
+    UniformPieces<T> by_separation;  ///< p
+    UniformPieces<T> own_stiffness;  ///< K by separation, of the same pieces; empty where it is a constant times -dp/dd
+    BinaryPieces<T> stiffness, separation;  ///< by pressure
 
-    [[nodiscard]] bool empty() const { return by_gap.rows.cols() == 0; }
+    [[nodiscard]] bool empty() const { return by_separation.rows.cols() == 0; }
+    [[nodiscard]] bool has_own_stiffness() const noexcept { return stiffness_over_slope == T(0); }
 
-    [[nodiscard]] Whole at_gap(T g) const {
-        const auto [pressure, derivative] = by_gap(g);
-        return {pressure, derivative * stiffness_scale, derivative * slope_scale};
+    [[nodiscard]] Whole at_separation(T g) const {
+        const auto [pressure, derivative] = by_separation(g);
+        T k = derivative * stiffness_scale;
+        if (has_own_stiffness()) [[unlikely]]
+            k = own_stiffness(g).value;
+        return {pressure, k, derivative * slope_scale};
     }
-    /// Of two tables, so that at the ends of the range the last digits may differ: never beyond those of by_gap.
-    [[nodiscard]] T gap_at(T pressure) const { return within(gap.value(pressure), by_gap.begin, by_gap.end); }
+    /// Of two tables, so that at the ends of the range the last digits may differ: never beyond those of by_separation.
+    [[nodiscard]] T separation_at(T pressure) const {
+        return within(separation.value(pressure), by_separation.begin, by_separation.end);
+    }
 
-    /// The one place where -dp/dgap follows from K.
-    [[nodiscard]] T slope_of(T k) const noexcept { return k / stiffness_over_slope; }
+    [[nodiscard]] AtPressure at_pressure(T pressure) const {
+        return {separation_at(pressure), stiffness.value(pressure), stiffness.derivative(pressure)};
+    }
 
-    /// To be called once by_gap and stiffness_over_slope are set.
+    /// K over -dp/dd where the separation is the end \p end_separation of the range: what the continuation keeps.
+    [[nodiscard]] T ratio_at(T end_separation) const {
+        if (!has_own_stiffness()) return stiffness_over_slope;
+        const Whole end = at_separation(end_separation);
+        return end.stiffness / end.slope;
+    }
+
+    /// The law beyond the range: K/p is constant below it, K dK/dp above it. Each continues its own table, from the
+    /// value at the very end. \throws domain_error for a pressure that is negative or not finite.
+    [[nodiscard]] AtPressure continued_pressure(T pressure) const;
+    /// \throws domain_error for -infinity.
+    [[nodiscard]] Whole continued_separation(T at) const;
+
+    /// To be called once by_separation and stiffness_over_slope are set.
     void set_scales() {
-        slope_scale = -2 * by_gap.pieces_per_length;
+        slope_scale = -2 * by_separation.pieces_per_length;
         stiffness_scale = slope_scale * stiffness_over_slope;
     }
 
@@ -69,13 +101,47 @@ struct LawTables {
     [[nodiscard]] bool operator==(const LawTables& other) const {
         if (empty() || other.empty()) return empty() && other.empty();
         const auto same = [](const auto& a, const auto& b) { return a.cols() == b.cols() && (a == b).all(); };
-        return pressure_min == other.pressure_min && pressure_max == other.pressure_max &&
-               by_gap.begin == other.by_gap.begin && by_gap.end == other.by_gap.end &&
+        return min_pressure == other.min_pressure && max_pressure == other.max_pressure &&
+               by_separation.begin == other.by_separation.begin && by_separation.end == other.by_separation.end &&
                stiffness_over_slope == other.stiffness_over_slope && relative_error == other.relative_error &&
-               outside == other.outside && evaluations == other.evaluations && same(by_gap.rows, other.by_gap.rows) &&
-               same(stiffness.rows, other.stiffness.rows) && same(gap.rows, other.gap.rows);
+               outside == other.outside && evaluations == other.evaluations &&
+               same(by_separation.rows, other.by_separation.rows) && same(stiffness.rows, other.stiffness.rows) &&
+               same(separation.rows, other.separation.rows) && same(own_stiffness.rows, other.own_stiffness.rows);
     }
 };
+
+template <ReadableReal T>
+auto LawTables<T>::continued_pressure(T pressure) const -> AtPressure {
+    require(pressure >= 0 && pressure <= std::numeric_limits<T>::max(), "pressure", pressure,
+            "finite and at least 0 Pa: the contact does not pull");
+    if (pressure < min_pressure) {
+        const AtPressure end = at_pressure(min_pressure);
+        const T rate = end.stiffness / min_pressure;
+        return {end.separation + std::log(min_pressure / pressure) / (rate / ratio_at(by_separation.end)),
+                rate * pressure, rate};
+    }
+    const AtPressure end = at_pressure(max_pressure);
+    const T more = pressure - max_pressure;
+    const T growth = std::sqrt(1 + 2 * (end.stiffness_slope / end.stiffness) * more);
+    const T k = end.stiffness * growth;
+    return {end.separation - 2 * more / ((end.stiffness + k) / ratio_at(by_separation.begin)), k,
+            end.stiffness_slope / growth};
+}
+
+template <ReadableReal T>
+auto LawTables<T>::continued_separation(T at) const -> Whole {
+    if (at > by_separation.end) {
+        const Whole end = at_separation(by_separation.end);
+        const T share = std::exp(-(at - by_separation.end) * (end.slope / end.pressure));
+        return {end.pressure * share, end.stiffness * share, end.slope * share};
+    }
+    require(at >= std::numeric_limits<T>::lowest(), "separation", at, "greater than -infinity (m)");
+    const Whole end = at_separation(by_separation.begin);
+    const T less = by_separation.begin - at;
+    const T bend = stiffness.derivative(max_pressure) * end.slope;  // dK/d less
+    const T more_slope = bend * less / ratio_at(by_separation.begin);
+    return {end.pressure + less * (end.slope + more_slope / 2), end.stiffness + bend * less, end.slope + more_slope};
+}
 
 }  // namespace detail
 }  // namespace fstiff

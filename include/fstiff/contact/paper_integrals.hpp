@@ -3,13 +3,14 @@
 /// \file
 /// The contact integrals as the paper computes them: 50 x 50 Gauss-Legendre points on a box. For comparison only.
 ///
-/// The box is 0 <= t <= 8, eta <= zeta <= max(eta, 0) + 8; the paper does not give its own. The integrand has branch points
-/// on two sides of the box, which is why the rule converges slowly: no more points would help much.
+/// The box is 0 <= t <= 8, eta <= zeta <= max(eta, 0) + 8; the paper does not give its own. The integrand has branch
+/// points on two sides of the box, which is why the rule converges slowly: no more points would help much.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), remark below eq. (4.3).
 /// Units       dimensionless
-/// Accuracy    1e-5 to 2e-3 on tests/data/integrals_plain.csv; the error is the difference from 25 x 25 points and 2e-10
-///             for what the box cuts off, which covers the true one there (tests/contact/tensor_integrals_test.cpp); no digit at all for r near 1 or theta near pi/2
+/// Accuracy    1e-5 to 2e-3 on tests/data/integrals_plain.csv; the error is the difference from 25 x 25 points and
+///             2e-10 for what the box cuts off, which covers the true one there
+///             (tests/contact/tensor_integrals_test.cpp); no digit at all for r near 1 or theta near pi/2
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/core/estimate.hpp>
@@ -22,7 +23,7 @@ namespace fstiff {
 namespace detail {
 
 template <std::size_t N, Real T>
-T box_rule(T a, T b, const PeakDensity<T>& peaks, T eta) {
+T box_rule(T a, T b, const PeakDistribution<T>& peaks, T eta) {
     const auto& rule = GaussLegendre<T, N>::get();
     constexpr T half = 4;
     const T half_height = half + (std::max(eta, T(0)) - eta) / 2;
@@ -43,7 +44,7 @@ T box_rule(T a, T b, const PeakDensity<T>& peaks, T eta) {
 
 /// J[a,b] by the paper's rule. \throws domain_error as contact_integral.
 template <Real T>
-[[nodiscard]] Estimate<T> paper_integral(T a, T b, const PeakDensity<T>& peaks, T eta) {
+[[nodiscard]] Estimate<T> paper_integral(T a, T b, const PeakDistribution<T>& peaks, T eta) {
     static_cast<void>(detail::one_power(a, b));
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
     const T value = detail::box_rule<50>(a, b, peaks, eta);

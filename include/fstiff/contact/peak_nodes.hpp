@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The nodes of the contact integrals: three substitutions that make the integrand over the curvature t smooth, and the choice.
+/// The nodes of the contact integrals: three substitutions that make the integrand over the curvature t smooth, and the
+/// choice.
 ///
 ///     J[a,b] = c^a/(2 theta) int_0^inf t^b erf(k t) exp(-t^2/2) F_a(x(t)) dt,   x = (eta - r t)/c,  k = tan(theta)/sqrt 2
 ///
-/// Where the integrand lives: for x > 0 it is exp(-eta^2/2) times a Gaussian in t of mean r eta and width c times an algebraic
-/// function of x; for x < 0 it is exp(-t^2/2) |x|^a. It has a branch point at t = 0, a layer of width 1/k there, and turns on
-/// within c/r of t = eta/r. Every rule is a trapezoidal rule over the whole line in y, so that it converges geometrically, and
-/// holds the rule of twice the step within itself, whose difference is the error estimate. exp(-eta^2/2) is taken out where
-/// eta > 0: nothing over- or underflows and the far tail keeps its relative accuracy.
+/// Where the integrand lives: for x > 0 it is exp(-eta^2/2) times a Gaussian in t of mean r eta and width c times an
+/// algebraic function of x; for x < 0 it is exp(-t^2/2) |x|^a. It has a branch point at t = 0, a layer of width 1/k
+/// there, and turns on within c/r of t = eta/r. Every rule is a trapezoidal rule over the whole line in y, so that it
+/// converges geometrically, and holds the rule of twice the step within itself, whose difference is the error estimate.
+/// exp(-eta^2/2) is taken out where eta > 0: nothing over- or underflows and the far tail keeps its relative accuracy.
 ///
 ///     smooth      t = 2.1 log(1 + exp(y - 0.4 exp(-1.354 y)))   from tables; linear for large t, double exponential at t = 0
 ///     graded      t = s exp(y - exp(-y))                        all scales from s = min(1, 1/k, c + max(0, -eta)) to 1 alike
@@ -19,14 +20,14 @@
 /// The constants of the smooth map were found by search: 32 nodes for 3e-13 on all four integrals, -3 <= eta <= 4,
 /// r <= 0.82, pi/4 <= theta <= pi/3.
 ///
-/// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458 (trapezoidal rule); Takahasi and Mori, Publ. RIMS 9
-///             (1974) 721-741 (double exponential substitution).
+/// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458 (trapezoidal rule); Takahasi and Mori, Publ. RIMS
+///             9 (1974) 721-741 (double exponential substitution).
 /// Accuracy    see contact_integrals.hpp
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/lanes.hpp>
-#include <fstiff/peaks/peak_density.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
 
 #include <algorithm>
 #include <array>
@@ -41,17 +42,17 @@ namespace detail {
 template <Real T>
 struct PeakProblem {
     T r, theta, eta{};
-    T depth;  ///< -log of what may be neglected
+    T log_cutoff;  ///< -log of what may be neglected
     T c = std::sqrt((1 - r) * (1 + r));
     T k = std::tan(theta) / numbers::sqrt2_v<T>;
     T floor{};  ///< max(eta, 0): exp(-floor^2/2) is taken out of every node, the rest is of order 1
-    T reach = std::sqrt(2 * depth);  ///< exp(-reach^2/2) may be neglected
+    T reach = std::sqrt(2 * log_cutoff);  ///< exp(-reach^2/2) may be neglected
 
     template <Real U>
-    PeakProblem(const PeakDensity<U>& peaks, T at_eta, T neglect_depth)
+    PeakProblem(const PeakDistribution<U>& peaks, T at_eta, T neglect_below)
         : r(static_cast<T>(peaks.r())),
-          theta(std::max(static_cast<T>(peaks.theta()), least_theta)),
-          depth(neglect_depth) {
+          theta(std::max(static_cast<T>(peaks.theta()), min_theta)),
+          log_cutoff(neglect_below) {
         move_to(at_eta);
     }
     void move_to(T at_eta) {
@@ -61,7 +62,7 @@ struct PeakProblem {
 
 private:
     /// Below it erf(k t)/(2 theta) is t/sqrt(2 pi) to the last digit of every type, while erf(k t) might underflow.
-    static constexpr T least_theta = T(1e-12);
+    static constexpr T min_theta = T(1e-12);
 };
 
 /// Up to 64 nodes, eight by eight, at ascending curvatures t: what an integrand is made of.
@@ -117,12 +118,12 @@ EIGEN_ALWAYS_INLINE Lanes<T, 8> ascending_from(int j) {
     return Lanes<T, 8>::load(numbers) + Lanes<T, 8>::all(T(j));
 }
 
-/// The curvature beyond which the integrand is below exp(-depth) of its greatest value.
+/// The curvature beyond which the integrand is below exp(-log_cutoff) of its greatest value.
 template <Real T>
-T largest_curvature(const PeakProblem<T>& p) {
+T max_curvature(const PeakProblem<T>& p) {
     const T inner = p.r * p.eta + p.reach * p.c;  // end of the Gaussian, if x > 0 up to there
     if (inner * p.r <= p.eta) return inner;
-    return std::sqrt(p.floor * p.floor + 2 * p.depth);  // end of exp(-t^2/2)
+    return std::sqrt(p.floor * p.floor + 2 * p.log_cutoff);  // end of exp(-t^2/2)
 }
 
 /// Nodes and weights of the smooth map, in tables of decreasing step: they depend on nothing else.
@@ -130,7 +131,7 @@ template <Real T>
 class SmoothNodes {
 public:
     static constexpr std::size_t capacity = 256;
-    struct Rung {
+    struct StepTable {
         T step;
         std::size_t count;
         std::array<T, capacity> node, weight, inverse_root;
@@ -141,45 +142,45 @@ public:
         return nodes;
     }
 
-    /// The coarsest rung whose step is at most \p step; the finest one when there is none.
-    [[nodiscard]] const Rung& at_most(T step) const {
+    /// The coarsest table whose step is at most \p step; the finest one when there is none.
+    [[nodiscard]] const StepTable& at_most(T step) const {
         std::size_t i = 0;
         while (i + 1 < steps_.size() && steps_[i] > step) ++i;
-        return rungs_[i];
+        return tables_[i];
     }
 
     static constexpr T scale = T(2.1);
-    static constexpr T left = T(3.4);          ///< about where the tables begin, y = -left
-    static constexpr T finest = T(0.075);      ///< a step below this is not offered
-    static constexpr T furthest_node = T(22);  ///< no problem that is not separated reaches further
+    static constexpr T left = T(3.4);        ///< about where the tables begin, y = -left
+    static constexpr T min_step = T(0.075);  ///< a step below this is not offered
+    static constexpr T max_node = T(22);     ///< no problem that is not separated reaches further
 
 private:
     SmoothNodes() {
-        T step = T(0.2273 * 4);  // so that 0.2273, of the 32 nodes above, is a rung
-        for (std::size_t i = 0; i < rungs_.size(); ++i) {
-            Rung& rung = rungs_[i];
-            steps_[i] = rung.step = step;
-            // a rung serves errors down to exp(-digits) or so: its first weight is below that
-            const T digits = std::min(T(7.6) / step - 4, 2 - std::log(std::numeric_limits<T>::epsilon()));
-            const int begin =
-                static_cast<int>(std::floor(-std::log((std::max(digits, T(4)) + 7) / T(0.4)) / (T(1.354) * step)));
-            for (rung.count = 0; rung.count < capacity; ++rung.count) {
-                const T y = T(begin + static_cast<int>(rung.count)) * step;
+        T step = T(0.2273 * 4);  // so that 0.2273, of the 32 nodes above, is a table
+        for (std::size_t i = 0; i < tables_.size(); ++i) {
+            StepTable& table = tables_[i];
+            steps_[i] = table.step = step;
+            // a table serves errors down to exp(-log_accuracy) or so: its first weight is below that
+            const T log_accuracy = std::min(T(7.6) / step - 4, 2 - std::log(std::numeric_limits<T>::epsilon()));
+            const int begin = static_cast<int>(
+                std::floor(-std::log((std::max(log_accuracy, T(4)) + 7) / T(0.4)) / (T(1.354) * step)));
+            for (table.count = 0; table.count < capacity; ++table.count) {
+                const T y = T(begin + static_cast<int>(table.count)) * step;
                 const T fall = T(0.4) * std::exp(T(-1.354) * y);
                 const T v = y - fall;
                 const T small = std::exp(-std::abs(v));
-                rung.node[rung.count] =
+                table.node[table.count] =
                     std::max(scale * (std::max(v, T(0)) + std::log1p(small)), T(1e-30));  // 1/t is finite
-                rung.weight[rung.count] = scale * (1 + T(1.354) * fall) * (v > 0 ? 1 : small) / (1 + small);
-                rung.inverse_root[rung.count] = 1 / std::sqrt(rung.node[rung.count]);
-                if (rung.count % PeakNodes<T>::block == 0 && rung.node[rung.count] > furthest_node) break;
+                table.weight[table.count] = scale * (1 + T(1.354) * fall) * (v > 0 ? 1 : small) / (1 + small);
+                table.inverse_root[table.count] = 1 / std::sqrt(table.node[table.count]);
+                if (table.count % PeakNodes<T>::block == 0 && table.node[table.count] > max_node) break;
             }
-            step *= T(0.917004043204671);  // 2^(-1/8): a rung is at most 9 % finer than asked for
+            step *= T(0.917004043204671);  // 2^(-1/8): a table is at most 9 % finer than asked for
         }
     }
 
     std::array<T, 30> steps_;  // apart from the tables: the search stays in a few cache lines
-    std::array<Rung, 30> rungs_;
+    std::array<StepTable, 30> tables_;
 };
 
 /// Adds nodes given by t alone.
@@ -194,20 +195,21 @@ EIGEN_ALWAYS_INLINE void add_at(PeakNodes<T>& nodes, const PeakProblem<T>& p, T 
 template <Real T, class Sink>
 T visit_smooth(const PeakProblem<T>& p, T wanted_step, Sink& sink) {
     using V = Lanes<T, 8>;
-    const auto& rung = SmoothNodes<T>::get().at_most(wanted_step);
-    const T last = largest_curvature(p);
+    const auto& table = SmoothNodes<T>::get().at_most(wanted_step);
+    const T last = max_curvature(p);
     const T inverse_c = 1 / p.c;
     PeakNodes<T> nodes(p);
-    nodes.begin(rung.node.data());
-    for (std::size_t j = 0; j < rung.count && rung.node[j] <= last; j += nodes.block) {
+    nodes.begin(table.node.data());
+    for (std::size_t j = 0; j < table.count && table.node[j] <= last; j += nodes.block) {
         if (nodes.full()) {
             sink.add(nodes);
-            nodes.begin(&rung.node[j]);
+            nodes.begin(&table.node[j]);
         }
-        add_at(nodes, p, inverse_c, V::load(&rung.node[j]), V::load(&rung.weight[j]), V::load(&rung.inverse_root[j]));
+        add_at(nodes, p, inverse_c, V::load(&table.node[j]), V::load(&table.weight[j]),
+               V::load(&table.inverse_root[j]));
     }
     sink.add(nodes);
-    return rung.step;
+    return table.step;
 }
 
 template <Real T>
@@ -219,12 +221,12 @@ template <Real T, class Sink>
 T visit_graded(const PeakProblem<T>& p, T step, Sink& sink) {
     using V = Lanes<T, 8>;
     const T scale = graded_scale(p);
-    const T ratio = largest_curvature(p) / scale;
+    const T ratio = max_curvature(p) / scale;
     const T last = std::log(ratio) + 1 / ratio;  // y - exp(-y) = log(ratio)
     const T inverse_c = 1 / p.c;
     const V one = V::all(T(1));
     PeakNodes<T> nodes(p);
-    for (int j = 2 * static_cast<int>(std::floor(-std::log(p.depth + 2) / (2 * step))); T(j) * step < last;
+    for (int j = 2 * static_cast<int>(std::floor(-std::log(p.log_cutoff + 2) / (2 * step))); T(j) * step < last;
          j += nodes.block) {
         const V y = ascending_from<T>(j) * V::all(step);
         const V fall = exp(V::all(T(0)) - y);
@@ -273,35 +275,37 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
     return step;
 }
 
-/// The one place where a rule and its step are chosen, for a relative error of exp(-digits).
+/// The one place where a rule and its step are chosen, for a relative error of exp(-log_accuracy).
 ///
-/// separated   when the Gaussian of mean r eta and width c is further from t = 0 than it reaches, so that the branch point and
+/// separated   when the Gaussian of mean r eta and width c is further from t = 0 than it reaches, so that the branch
+/// point and
 ///             the layer at t = 0 do not count. Step: resolves the Gaussian, which has width r in x.
 /// smooth      when its step, which has to resolve the Gaussian (c) and the layer (1/k), makes it the cheaper one.
-/// graded      else: c or 1/k small. Step: 3.9/(digits + 3), less where the Gaussian is narrow on the logarithmic scale.
+/// graded      else: c or 1/k small. Step: 3.9/(log_accuracy + 3), less where the Gaussian is narrow on the logarithmic
+/// scale.
 ///
-/// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are too
-/// hopeful the error estimate says so.
+/// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are
+/// too hopeful the error estimate says so.
 /// Calls sink.add with PeakNodes and returns the step: an integral is the step times the sum.
 template <Real T, class Sink>
-T visit_nodes(const PeakProblem<T>& p, T digits, Sink& sink) {
-    const T root = std::sqrt(digits);
+T visit_nodes(const PeakProblem<T>& p, T log_accuracy, Sink& sink) {
+    const T root = std::sqrt(log_accuracy);
     const T distance = p.r * p.eta / p.c;
     if (distance > p.reach + 1)
         return visit_separated(
-            p, std::min(T(1.3) * p.r / root, (T(3.9) + T(0.35) * std::min(p.eta, T(3))) / (digits + 3)), sink);
+            p, std::min(T(1.3) * p.r / root, (T(3.9) + T(0.35) * std::min(p.eta, T(3))) / (log_accuracy + 3)), sink);
 
-    const T strip = T(7.6) / ((digits + 4) * (1 + std::max(T(0), T(0.066) * p.k * p.k - T(0.07))));
+    const T strip = T(7.6) / ((log_accuracy + 4) * (1 + std::max(T(0), T(0.066) * p.k * p.k - T(0.07))));
     const T smooth_step = std::min(strip, T(2.1) * p.c / root * (p.eta <= 0 ? T(1.25) : T(1)));
     if (smooth_step >= T(0.15) && p.k <= T(2)) return visit_smooth(p, smooth_step, sink);  // always the cheaper one
 
     const T narrow = std::max(distance, T(0)) * root / T(2.9);
-    const T wide = (digits + 3) / T(3.9);
+    const T wide = (log_accuracy + 3) / T(3.9);
     const T graded_step = 1 / std::sqrt(wide * wide + narrow * narrow);
 
-    const T smooth_cost = (SmoothNodes<T>::left + largest_curvature(p) / SmoothNodes<T>::scale) / smooth_step;
-    const T graded_cost = (std::log(p.depth + 2) + std::log(largest_curvature(p) / graded_scale(p))) / graded_step;
-    const bool offered = smooth_step >= SmoothNodes<T>::finest;
+    const T smooth_cost = (SmoothNodes<T>::left + max_curvature(p) / SmoothNodes<T>::scale) / smooth_step;
+    const T graded_cost = (std::log(p.log_cutoff + 2) + std::log(max_curvature(p) / graded_scale(p))) / graded_step;
+    const bool offered = smooth_step >= SmoothNodes<T>::min_step;
     return offered && smooth_cost <= T(1.2) * graded_cost ? visit_smooth(p, smooth_step, sink)
                                                           : visit_graded(p, graded_step, sink);
 }

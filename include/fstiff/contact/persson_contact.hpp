@@ -25,8 +25,8 @@
 /// Accuracy    K to 1e-13, separation to 1e-13 of the rms height, both in double (tests/contact/persson_contact_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
-#include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
@@ -123,7 +123,7 @@ struct PerssonStiffness {
 };
 
 template <Real T = double>
-class PerssonContact {
+class PerssonContact : public SlopeContact<PerssonContact<T>, T> {
     using S = detail::Tabulated<T>;
 
 public:
@@ -171,7 +171,8 @@ public:
         ContactState<T> state = at_pressure(pressure, wanted);
         const auto widen = [&](Estimate<T>& e) { e.error += 2 * p.error * e.value; };
         widen(state.stiffness), widen(state.loading_stiffness), widen(state.real_area_fraction);
-        state.pressure = has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, nodes()} : Estimate<T>{};
+        state.pressure =
+            has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, nodes()} : Estimate<T>{};
         state.separation = {separation, 0, 0};
         state.eta = separation / rms_height_;
         return state;
@@ -228,7 +229,8 @@ public:
         };
         const auto found = newton_bracketed(residual, low, high, at_one - d / light_load_length() - T(0.5),
                                             8 * std::numeric_limits<T>::epsilon() * (1 + std::abs(at_one)));
-        require(found.converged(), "eta", eta, "within the reach of the model: pressures up to 18 E g, and not 1e-42 of that");
+        require(found.converged(), "eta", eta,
+                "within the reach of the model: pressures up to 18 E g, and not 1e-42 of that");
         const T p = std::exp(found.root), slope = -stiffness(p) / p * rms_height_;
         return {found.root, slope, found.error + separation(p).error * stiffness(p) / p};
     }
@@ -242,11 +244,6 @@ public:
     [[nodiscard]] T light_load_length() const { return light_load_length_; }
     /// 18 E g [Pa]: beyond exp(2 (p/E g)^2) leaves the range of numbers, and all is in contact from about 2 E g on.
     [[nodiscard]] T largest_pressure() const { return 18 * modulus_ * rms_gradient(); }
-    /// The asperities of this theory feel one another already.
-    [[nodiscard]] Interaction<T> interaction() const { return {}; }
-    [[nodiscard]] T bulk_compliance() const { return T(0); }
-    /// K is -dp/dd.
-    [[nodiscard]] T stiffness_over_slope() const { return T(1); }
 
 private:
     static constexpr std::size_t points = 16;  ///< a panel
@@ -341,8 +338,8 @@ private:
         for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last_x; i += 8) {
             const V y = V::all(x) * V::load(&inverse_[i]), weight = V::load(&weight_[i]);
             const V fall = exp(V::all(S(-2)) * y * y);
-            const V P = detail::erf_ascending(V::all(root_2) * y, root_2 * x * inverse_[i],
-                                              root_2 * x * inverse_[i + 7], erf);
+            const V P =
+                detail::erf_ascending(V::all(root_2) * y, root_2 * x * inverse_[i], root_2 * x * inverse_[i + 7], erf);
             const V bracket = multiply_add(V::all(three) * P, P, V::all(gamma));
             const V change = multiply_add(V::all(2 * three * dP) * P, fall, V::all(S(-4)) * y * bracket);
             values = multiply_add(weight * fall, bracket, values);

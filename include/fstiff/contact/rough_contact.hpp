@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact of a rough surface with a smooth one: pressure, stiffness, real area and contacts against separation or pressure.
+/// The contact of a rough surface with a smooth one: pressure, stiffness, real area and contacts against separation or
+/// pressure.
 ///
 ///     p   = E load_factor D_p sigma^2 (sigma sigma_kappa)^(-1/2) J[3/2,-1/2](eta)
 ///     K   = E stiffness_factor D_p sigma (sigma sigma_kappa)^(-1/2) J[1/2,-1/2](eta)          eq. (4.9)
 ///     A   = area_factor D_p sigma/sigma_kappa J[1,-1](eta)         n = D_p J[0,0](eta)         eqs. (4.5), (4.6)
 ///     sigma_kappa = 3 sqrt(pi)/(8 R)                                                          eq. (4.10)
 ///
-/// all per nominal area, eta the separation over sigma. The law is always named by the caller: FractalLaw is the paper as
-/// printed, whose K is not the slope of its p (asperity/laws.hpp).
+/// all per nominal area, eta the separation over sigma. The law is always named by the caller: FractalLaw is the paper
+/// as printed, whose K is not the slope of its p (asperity/laws.hpp).
 ///
 ///     const fstiff::Roughness<double> fine{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
-///     const auto peaks = fstiff::PeakDensity<double>::exponential(std::numbers::pi / 3);
+///     const auto peaks = fstiff::PeakDistribution<double>::exponential(std::numbers::pi / 3);
 ///     const fstiff::RoughContact contact(fine, peaks, fstiff::FractalLaw<double>(1.62), 112.6e9);
 ///     const double K = contact.at_pressure(10e6).stiffness.value;
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4.
 /// Units       SI at the border: m, Pa, Pa/m, 1/m^2
-/// Valid       separations from -1000 to 1e6 rms heights; pressures whose separation is between -1000 rms heights and where
-///             the pressure underflows (37 in double)
-/// Accuracy    at a separation that of the integrals; at a pressure 1e-13 relative for eta <= 4 (tests/contact/
-///             rough_contact_test.cpp); each value carries its own bound
+/// Valid       separations from -1000 to 1e6 rms heights; pressures whose separation is between -1000 rms heights and
+///             where the pressure underflows (37 in double)
+/// Accuracy    at a separation that of the integrals, 1e-13 in 200 random contacts
+///             (tests/contact/random_contacts_test.cpp); at a pressure 1e-13 relative for eta <= 4
+///             (tests/contact/rough_contact_test.cpp); each value carries its own bound
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -48,7 +51,7 @@ template <>
 inline constexpr auto names<CurvatureScale> = name_list<CurvatureScale>(
     {{CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"}, {CurvatureScale::consistent, "consistent"}});
 
-template <Real T>
+template <Real T = double>
 struct RoughContactOptions {
     Interaction<T> interaction{};
     CurvatureScale curvature = CurvatureScale::bush_gibson_thomas;
@@ -57,7 +60,8 @@ struct RoughContactOptions {
 
 /// sigma_kappa [1/m].
 template <Real T>
-[[nodiscard]] T rms_curvature(const Roughness<T>& surface, const PeakDensity<T>& peaks, CurvatureScale scale = {}) {
+[[nodiscard]] T rms_curvature(const Roughness<T>& surface, const PeakDistribution<T>& peaks,
+                              CurvatureScale scale = {}) {
     const T times_radius =
         scale == CurvatureScale::consistent ? 1 / peaks.mean_curvature() : 3 * std::sqrt(numbers::pi_v<T>) / 8;
     return times_radius / surface.peak_radius;
@@ -69,7 +73,7 @@ template <Real T>
     return 1 / surface.peak_radius;
 }
 
-template <Real T, class Law, class Peaks = PeakDensity<T>>
+template <Real T, class Law, class Peaks = PeakDistribution<T>>
 class RoughContact {
     using Approaches = Eigen::Array<T, 8, 1>;
     static_assert(
@@ -86,7 +90,8 @@ public:
     /// \throws domain_error naming the parameter that is out of range.
     RoughContact(const Roughness<T>& surface, const Peaks& peaks, const Law& law, T effective_modulus,
                  const RoughContactOptions<T>& options = {})
-        : peaks_(peaks),
+        : surface_(surface),
+          peaks_(peaks),
           law_(law),
           options_(options),
           scales_{surface.rms_height, surface.peak_density, effective_modulus,
@@ -102,50 +107,25 @@ public:
             bulk_compliance_ = options.interaction.length / effective_modulus;
     }
 
-    /// The contact at the separation \p separation of the mean planes [m]; with interaction as_printed, of the planes that
-    /// give the pressure (eta_old). \throws domain_error for a separation outside its range.
+    /// The contact at the separation \p separation of the mean planes [m]; with interaction as_printed, of the planes
+    /// that give the pressure (eta_old). \throws domain_error for a separation outside its range.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        const T eta = separation / scales_.rms_height;
-        if (!(eta >= detail::lowest_eta && eta <= T(1e6))) {
-            using Shown =
-                std::conditional_t<std::is_same_v<T, long double>, double, T>;  // no shortest text of the other
-            const auto rms = static_cast<Shown>(scales_.rms_height);
-            detail::refuse("separation", separation,
-                           "between " + shortest_text(static_cast<Shown>(detail::lowest_eta) * rms) + " and " +
-                               shortest_text(Shown(1e6) * rms) + " m, -1000 and 1e6 rms heights");
-        }
-        switch (options_.interaction.reading) {
-            case InteractionReading::effective_separation: {
-                ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
-                state.separation = {separation, 0, 0};
-                if (!has(wanted, Quantity::pressure)) state.pressure = {};
-                return state;
-            }
-            case InteractionReading::as_printed:
-                return printed(eta, unscaled(sums(eta, Quantity::pressure), eta).load, wanted);
-            case InteractionReading::none:
-                break;
-        }
-        ContactState<T> state = at_eta({eta, 0}, wanted);
-        state.separation = {separation, 0, 0};
-        return state;
+        return state_at_separation(separation, wanted).value();
+    }
+    /// The same with a status: a separation outside the range is out_of_reach. Throws nothing.
+    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity wanted = Quantity::all) const {
+        return state_at_separation(separation, wanted).point();
     }
 
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive and within the reach of the model, which the message tells.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        require_positive("pressure", pressure);
-        Integrator roughly(law_, peaks_, scales_, slope_quantities,
-                           std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
-        Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
-        const auto eta = detail::eta_of(std::log(pressure / pressure_unit_), pressure, highest_eta(),
-                                        [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
-        if (options_.interaction.reading == InteractionReading::as_printed)
-            return printed(eta.value, {pressure, 0, 0}, wanted);
-        const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
-        ContactState<T> state = at_eta(eta, interacting ? wanted | for_compliance : wanted);
-        state.pressure = {pressure, 0, state.pressure.evaluations};
-        return interacting ? compliant(state, wanted) : state;
+        return state_at_pressure(pressure, wanted).value();
+    }
+    /// The same with a status: what is beyond the reach of the model is out_of_reach. \throws domain_error unless
+    /// positive.
+    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        return state_at_pressure(pressure, wanted).point();
     }
 
     /// log(p/Pa) without interaction and its slope against eta, the separation over the rms height.
@@ -154,8 +134,16 @@ public:
         p.log += std::log(pressure_unit_);
         return p;
     }
+    /// log(K/(Pa/m)) without interaction at eta.
+    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+        const detail::LawSums<T> j = sums(eta, Quantity::stiffness);
+        return {std::log(j.stiffness.value) + j.log_scale, j.stiffness.error / j.stiffness.value};
+    }
 
     [[nodiscard]] T rms_height() const { return scales_.rms_height; }
+    [[nodiscard]] const Roughness<T>& surface() const { return surface_; }
+    [[nodiscard]] T effective_modulus() const { return scales_.effective_modulus; }  ///< [Pa]
+    [[nodiscard]] const RoughContactOptions<T>& options() const { return options_; }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
     [[nodiscard]] const Law& law() const { return law_; }
     [[nodiscard]] const Interaction<T>& interaction() const { return options_.interaction; }
@@ -170,7 +158,8 @@ public:
         else
             return false;
     }();
-    /// K over -dp/dd without interaction, where it is a constant: 1 where the stiffness of the law is the slope of its load.
+    /// K over -dp/dd without interaction, where it is a constant: 1 where the stiffness of the law is the slope of its
+    /// load.
     [[nodiscard]] T stiffness_over_slope() const requires stiffness_follows_slope {
         if constexpr (PowerLaw<Law, T>)
             return static_cast<T>(law_.stiffness_factor()) /
@@ -184,6 +173,52 @@ private:
     static constexpr Quantity slope_quantities = Quantity::pressure | Quantity::loading_stiffness;
     static constexpr Quantity for_compliance = Quantity::pressure | Quantity::stiffness | Quantity::loading_stiffness;
 
+    using Outcome = detail::StateOrRefusal<T>;
+
+    [[nodiscard]] Outcome state_at_separation(T separation, Quantity wanted) const {
+        const T eta = separation / scales_.rms_height;
+        if (!(eta >= detail::min_eta && eta <= T(1e6))) {
+            using Shown =
+                std::conditional_t<std::is_same_v<T, long double>, double, T>;  // no shortest text of the other
+            const auto rms = static_cast<Shown>(scales_.rms_height);
+            return {{},
+                    detail::refusal_of("separation", separation,
+                                       "between " + shortest_text(static_cast<Shown>(detail::min_eta) * rms) + " and " +
+                                           shortest_text(Shown(1e6) * rms) + " m, -1000 and 1e6 rms heights")};
+        }
+        switch (options_.interaction.reading) {
+            case InteractionReading::effective_separation: {
+                ContactState<T> state = compliant(at_eta(effective_eta(eta), wanted | for_compliance), wanted);
+                state.separation = {separation, 0, 0};
+                if (!has(wanted, Quantity::pressure)) state.pressure = {};
+                return {state, {}};
+            }
+            case InteractionReading::as_printed:
+                return printed(eta, unscaled(sums(eta, Quantity::pressure), eta).load, wanted);
+            case InteractionReading::none:
+                break;
+        }
+        ContactState<T> state = at_eta({eta, 0}, wanted);
+        state.separation = {separation, 0, 0};
+        return {state, {}};
+    }
+
+    [[nodiscard]] Outcome state_at_pressure(T pressure, Quantity wanted) const {
+        require_positive("pressure", pressure);
+        Integrator roughly(law_, peaks_, scales_, slope_quantities,
+                           std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
+        Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
+        const auto search = detail::eta_of(std::log(pressure / pressure_unit_), max_eta(),
+                                           [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
+        if (!search.found) return {{}, detail::unreachable_pressure(pressure, search)};
+        if (options_.interaction.reading == InteractionReading::as_printed)
+            return printed(search.eta.value, {pressure, 0, 0}, wanted);
+        const bool interacting = options_.interaction.reading == InteractionReading::effective_separation;
+        ContactState<T> state = at_eta(search.eta, interacting ? wanted | for_compliance : wanted);
+        state.pressure = {pressure, 0, state.pressure.evaluations};
+        return {interacting ? compliant(state, wanted) : state, {}};
+    }
+
     detail::LawSums<T> sums(T eta, Quantity wanted) const {
         return Integrator(law_, peaks_, scales_, wanted, options_.integrals.relative_tolerance)(eta);
     }
@@ -194,10 +229,10 @@ private:
                 -j.loading.value * scales_.rms_height / j.load.value, j.load.error / j.load.value};
     }
 
-    [[nodiscard]] T highest_eta() const {
+    [[nodiscard]] T max_eta() const {
         if constexpr (std::same_as<Peaks, SingleRadius<T>>)
-            if (peaks_.heights == Heights::exponential) return detail::highest_exponential_eta<T>();
-        return detail::highest_gaussian_eta<T>();
+            if (peaks_.heights == Heights::exponential) return detail::max_exponential_eta<T>();
+        return detail::max_gaussian_eta<T>();
     }
 
     /// exp(log_scale) multiplied in.
@@ -208,8 +243,8 @@ private:
         return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
     }
 
-    /// Without interaction; the error of eta enters every value by its slope, |d log J/d eta| <= |d log J[0,0]/d eta|, which
-    /// is about eta + 1.
+    /// Without interaction; the error of eta enters every value by its slope, |d log J/d eta| <= |d log J[0,0]/d eta|,
+    /// which is about eta + 1.
     ContactState<T> at_eta(const detail::EtaEstimate<T>& eta, Quantity wanted) const {
         const detail::LawSums<T> j = unscaled(sums(eta.value, wanted), eta.value);
         const T relative = eta.error * (2 + std::max(eta.value, T(0)));
@@ -223,9 +258,9 @@ private:
                 with_eta(j.loading)};
     }
 
-    /// Adds the bulk's compliance L/E in series: the planes approach by p L/E more, and -dp/dd is smaller by 1 + (-dp/dd) L/E.
-    /// A K that is a constant times it (of FractalLaw, whose factor thus multiplies the bulk too) shrinks with it; any other K
-    /// is itself in series with the bulk.
+    /// Adds the bulk's compliance L/E in series: the planes approach by p L/E more, and -dp/dd is smaller by 1 +
+    /// (-dp/dd) L/E. A K that is a constant times it (of FractalLaw, whose factor thus multiplies the bulk too) shrinks
+    /// with it; any other K is itself in series with the bulk.
     ContactState<T> compliant(ContactState<T> state, Quantity wanted) const {
         const T sink = state.pressure.value * bulk_compliance_;
         state.separation.value -= sink;
@@ -241,14 +276,15 @@ private:
         return state;
     }
 
-    ContactState<T> printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
+    Outcome printed(T eta_old, const Estimate<T>& pressure, Quantity wanted) const {
         const T eta_new = eta_old - pressure.value * bulk_compliance_ / scales_.rms_height;
-        require(eta_new >= detail::lowest_eta, "eta_new", eta_new,
-                "at least -1000 (separation over rms height after (4.11))");
+        if (!(eta_new >= detail::min_eta))
+            return {{},
+                    detail::refusal_of("eta_new", eta_new, "at least -1000 (separation over rms height after (4.11))")};
         ContactState<T> state =
             at_eta({eta_new, 4 * std::numeric_limits<T>::epsilon() * (std::abs(eta_old) + std::abs(eta_new))}, wanted);
         state.pressure = pressure;
-        return state;
+        return {state, {}};
     }
 
     /// The root of eta_effective - Delta(eta_effective) = eta: increasing, between eta and eta + Delta(eta).
@@ -265,6 +301,7 @@ private:
         return {found.root, found.error};
     }
 
+    Roughness<T> surface_;
     Peaks peaks_;
     Law law_;
     RoughContactOptions<T> options_;

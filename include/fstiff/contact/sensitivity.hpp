@@ -3,50 +3,73 @@
 /// \file
 /// How the stiffness at a given pressure depends on each parameter: what a fit to measurements and an error band need.
 ///
-///     ln K = ln B + ln J[1/2,-1/2](eta),   ln p = ln A + ln J[3/2,-1/2](eta)
-///     d ln K/dx = d ln B/dx + d ln J[1/2]/dx - (J[1/2]'/J[1/2]) (J[3/2]/J[3/2]') (d ln A/dx + d ln J[3/2]/dx)
+///     ln K = ln B + ln J[x,-y](eta),   ln p = ln A + ln J[u,-v](eta)        load ~ omega^u R^v, stiffness ~ omega^x R^y
+///     d ln K/dz = d ln B/dz + d ln J[x,-y]/dz - (J[x,-y]'/J[x,-y]) (J[u,-v]/J[u,-v]') (d ln A/dz + d ln J[u,-v]/dz)
 ///
-/// at constant p. The derivatives of the integrals are integrals of the same kind, over the same nodes:
+/// at constant p, for any law that is given by its powers; Hertz's are J[1/2,-1/2] and J[3/2,-1/2]. The derivatives of
+/// the integrals are integrals of the same kind, over the same nodes:
 ///
-///     dJ[a,b]/deta   = -a J[a-1,b]
-///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]          (d phi/dr = d^2 phi/dzeta dt, by parts twice)
+///     dJ[a,b]/deta   = -a J[a-1,b]                                       (a = 0: the density at eta)
+///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]         (d phi/dr = d^2 phi/dzeta dt, by parts twice;
+///                      b = -1: and what t^b erf(k t) leaves at t = 0)
 ///     dJ[a,b]/dtheta = -J[a,b]/theta + dk/dtheta I[(zeta-eta)^a t^b d/dk erf(k t)]
 ///
-/// where I is the integral with the normal density phi(zeta, t; r) of correlation r in place of erf(k t) phi.
+/// where I is the integral with the normal density phi(zeta, t; r) of correlation r in place of erf(k t) phi. Over
+/// peaks of one radius they are the moments themselves. For a law without powers ln p and ln K are differentiated
+/// numerically at constant eta, by sigma, R, r and theta in turn, with six points each: 25 pairs of integrals.
+///
+///     const auto s = fstiff::sensitivity(contact, 3e6);        s.rms_height is dK/dsigma at 3 MPa
+///
+/// With interaction (effective_separation) the bulk is in series as in RoughContact: 1/K' = 1/K + L/(E f), where f is K
+/// over -dp/dd if that is a constant and else 1, so that dK'/dz = (K'/K)^2 dK/dz, and terms of E and of f(D). L is
+/// held.
 ///
 /// Reference   Plackett, Biometrika 41 (1954) 351-360 (the derivative with respect to r).
 /// Units       each derivative in Pa/m per unit of its parameter (SI)
-/// Accuracy    1e-11 of K per relative change of the parameter, 1e-10 for r and theta near pi/2
-///             (tests/contact/sensitivity_test.cpp)
+/// Valid       as RoughContact; the factors and lengths of the law are held but for D. A law without powers: r > 0
+/// Accuracy    1e-11 of K per relative change of the parameter, 1e-10 for r and theta near pi/2; of a law without
+///             powers 1e-8 (tests/contact/sensitivity_test.cpp)
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/roughness.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
+#include <limits>
+#include <type_traits>
 
 namespace fstiff {
 
 /// K at a pressure and its derivatives at constant pressure.
-template <Real T>
+template <Real T = double>
 struct Sensitivity {
     T stiffness{};          ///< K [Pa/m]
     T pressure{};           ///< dK/dp [1/m]
     T rms_height{};         ///< dK/dsigma [Pa/m^2]
     T peak_radius{};        ///< dK/dR [Pa/m^2]
     T peak_density{};       ///< dK/dD_p [Pa m]
-    T fractal_dimension{};  ///< dK/dD [Pa/m]; 0 for HertzLaw
+    T fractal_dimension{};  ///< dK/dD [Pa/m]; 0 for HertzLaw, NaN for a law that is no DimensionalLaw
     T effective_modulus{};  ///< dK/dE [1/m]
-    T r{};                  ///< dK/dr [Pa/m]
+    T r{};                  ///< dK/dr [Pa/m]; 0 for peaks of one radius, as theta
     T theta{};              ///< dK/dtheta [Pa/m per radian]
+};
+
+/// A law that tells how its load and its stiffness change with D: d ln/dD, 0 where there is no D.
+template <class Law, class T>
+concept DimensionalLaw = requires(const Law& law) {
+    { law.log_load_slope() } -> std::convertible_to<T>;
+    { law.log_stiffness_slope() } -> std::convertible_to<T>;
 };
 
 namespace detail {
 
-/// ln J[1/2,-1/2] and ln J[3/2,-1/2] with their derivatives against eta, r and theta.
+/// ln K and ln p with their derivatives at constant eta, without the factors of the law.
 template <Real T>
 struct LogDerivatives {
     struct One {
@@ -55,12 +78,58 @@ struct LogDerivatives {
     One stiffness, load;
 };
 
-/// The seven sums that the derivatives need, over b = -1/2.
-template <Real T>
+/// What stands for a F_{a-1}, a = Twice/2, over the factor a (1 where a = 0): see scaled_moment.
+template <int Twice, Real T>
+T lower_moment(T x) {
+    if constexpr (Twice == 0)
+        return x < 0 ? std::exp(-x * x / 2) : T(1);
+    else
+        return scaled_moment<Twice - 2>(x);
+}
+template <int Twice, Real T>
+inline constexpr T lower_factor = Twice == 0 ? T(1) : T(Twice) / 2;
+
+/// The sums that the derivatives of J[a,b] need.
+template <HalfPowers powers, Real T>
+struct DerivativeSums {
+    T value{}, eta{}, r{}, theta{};
+
+    /// One node: \p moment is F_a, \p lower F_{a-1}, \p erf that of k t with its mass and \p layer the derivative of
+    /// it.
+    void add(T erf, T layer, T k, T t, T root, T moment, T lower) {
+        const T power = powers.radius == 0 ? T(1) : powers.radius == 1 ? root : root * root;  // t^b
+        const T with_erf = erf * power;
+        T with_r = k * layer * power;
+        if (powers.radius > 0) with_r -= with_erf * root * root * (T(powers.radius) / 2);
+        value += with_erf * moment;
+        eta += with_erf * lower;
+        r += with_r * lower;
+        theta += layer * t * power * moment;
+    }
+
+    /// What the integration by parts leaves at t = 0, where t^b erf(k t) is 2 k/sqrt(pi) for b = -1.
+    void add_boundary(const PeakProblem<T>& p, T step) {
+        if constexpr (powers.radius == 2) {
+            const T at_zero = p.eta / p.c, outer = p.floor * p.r / p.c;
+            r += 2 * numbers::inv_sqrtpi_v<T> * p.k * lower_moment<powers.omega>(at_zero) *
+                 std::exp(-outer * outer / 2) / step;
+        }
+    }
+
+    /// J[a,b] = c^a/(2 theta) step value: the common factors cancel in every logarithmic derivative.
+    [[nodiscard]] typename LogDerivatives<T>::One log_derivatives(const PeakProblem<T>& p, T log_factor) const {
+        const T inverse_c = 1 / p.c, cosine = std::cos(p.theta);
+        const T dk = 1 / (numbers::sqrt2_v<T> * cosine * cosine);
+        constexpr T factor = lower_factor<powers.omega, T>;
+        return {std::log(value) + log_factor + T(powers.omega) / 2 * std::log(p.c), -factor * inverse_c * eta / value,
+                factor * inverse_c * r / value, dk * theta / value - 1 / p.theta};
+    }
+};
+
+/// Those of a load and of a stiffness, over the same nodes.
+template <HalfPowers load_powers, HalfPowers stiffness_powers, Real T>
 class DerivativeAccumulator {
 public:
-    enum Sum { j_minus, j_half, j_three, r_half, r_three, theta_half, theta_three, sums };
-
     explicit DerivativeAccumulator(const PeakProblem<T>& problem) : k_(problem.k) {}
 
     EIGEN_DONT_INLINE void add(const PeakNodes<T>& nodes) {
@@ -71,94 +140,190 @@ public:
             if (i % 8 == 0) scaled_moments<MomentTable<T>::terms>(nodes.x() + i, moments);
             moments[static_cast<std::size_t>(i % 8)].store(moment);
             const T t = nodes.t()[i], root = nodes.inverse_root()[i], mass = nodes.mass()[i];
-            const T minus = scaled_moment<-1>(nodes.x()[i]), half = moment[1], three = moment[3];
-            // erf'(y), and t^(1/2) d/dt (t^(-1/2) erf(k t)) = k erf'(k t) - erf(k t)/(2 t)
             const T layer = mass * 2 * numbers::inv_sqrtpi_v<T> * std::exp(-(k_ * t) * (k_ * t));
-            const T with_erf = mass * erf[i] * root;
-            const T with_r = k_ * layer * root - with_erf * root * root / 2;
-            const T with_theta = layer * t * root;
-            const T term[sums]{with_erf * minus, with_erf * half,   with_erf * three,  with_r * minus,
-                               with_r * half,    with_theta * half, with_theta * three};
-            for (std::size_t j = 0; j < sums; ++j) sum_[j] += term[j];
+            const auto add_to = [&]<HalfPowers powers>(DerivativeSums<powers, T>& sums) {
+                constexpr int twice = powers.omega;
+                T lower{};
+                if constexpr (twice >= 2)
+                    lower = moment[twice - 2];
+                else
+                    lower = lower_moment<twice>(nodes.x()[i]);
+                sums.add(mass * erf[i], layer, k_, t, root, moment[twice], lower);
+            };
+            add_to(load);
+            add_to(stiffness);
         }
     }
 
-    [[nodiscard]] T total(Sum which) const { return sum_[which]; }
+    DerivativeSums<load_powers, T> load;
+    DerivativeSums<stiffness_powers, T> stiffness;
 
 private:
     T k_;
-    std::array<T, sums> sum_{};
 };
 
 /// \p eta as in contact_integral, to the last digits. Does not allocate.
-template <Real T>
-LogDerivatives<T> log_derivatives(const PeakDensity<T>& peaks, T eta) {
-    const T digits = -std::log(100 * std::numeric_limits<T>::epsilon());
-    const PeakProblem<T> p(peaks, eta, digits + 5);
-    using Sums = DerivativeAccumulator<T>;
-    Sums sums(p);
-    const T step = visit_nodes(p, digits, sums);
-    const T half = sums.total(Sums::j_half), three = sums.total(Sums::j_three);
-    const T inverse_c = 1 / p.c;
-    const T cosine = std::cos(p.theta);
-    const T dk = 1 / (numbers::sqrt2_v<T> * cosine * cosine);
-    // J[a,b] = c^a/(2 theta) step sum: the common factors cancel in every logarithmic derivative
+template <class Law, Real T>
+LogDerivatives<T> log_derivatives(const PeakDistribution<T>& peaks, T eta) {
+    const T log_accuracy = -std::log(100 * std::numeric_limits<T>::epsilon());
+    const PeakProblem<T> p(peaks, eta, log_accuracy + 5);
+    DerivativeAccumulator<Law::load_powers, Law::stiffness_powers, T> sums(p);
+    const T step = visit_nodes(p, log_accuracy, sums);
+    sums.load.add_boundary(p, step);
+    sums.stiffness.add_boundary(p, step);
     const T log_factor = std::log(step / (2 * p.theta)) - p.floor * p.floor / 2;
-    const T log_c = std::log(p.c);
-    return {
-        {std::log(half) + log_factor + log_c / 2, T(-0.5) * inverse_c * sums.total(Sums::j_minus) / half,
-         T(0.5) * inverse_c * sums.total(Sums::r_half) / half, dk * sums.total(Sums::theta_half) / half - 1 / p.theta},
-        {std::log(three) + log_factor + T(1.5) * log_c, T(-1.5) * inverse_c * half / three,
-         T(1.5) * inverse_c * sums.total(Sums::r_three) / three,
-         dk * sums.total(Sums::theta_three) / three - 1 / p.theta}};
+    return {sums.stiffness.log_derivatives(p, log_factor), sums.load.log_derivatives(p, log_factor)};
+}
+
+/// Of peaks of one radius: closed.
+template <class Law, Real T>
+LogDerivatives<T> log_derivatives(const SingleRadius<T>& peaks, T eta) {
+    const auto one = [&]<int twice>() -> typename LogDerivatives<T>::One {
+        const auto [value, log_scale] = peaks.template scaled_height_moment<twice>(eta);
+        T lower{};
+        if constexpr (twice == 0)
+            lower = peaks.density(eta) * std::exp(-log_scale);
+        else
+            lower = peaks.template scaled_height_moment<twice - 2>(eta).first;
+        return {std::log(value) + log_scale, -lower_factor<twice, T> * lower / value, T(0), T(0)};
+    };
+    return {one.template operator()<Law::stiffness_powers.omega>(), one.template operator()<Law::load_powers.omega>()};
+}
+
+/// d ln K/dz and d ln p/dz at constant eta for every parameter z, each times z where z is a scale.
+template <Real T>
+struct Exponents {
+    struct Pair {
+        T stiffness, load;
+    };
+    T k{};  ///< K without interaction [Pa/m]
+    Pair eta{}, rms_height{}, peak_radius{}, fractal_dimension{}, r{}, theta{};
+};
+
+template <class Law, Real T>
+typename Exponents<T>::Pair of_dimension(const Law& law) {
+    if constexpr (DimensionalLaw<Law, T>)
+        return {static_cast<T>(law.log_stiffness_slope()), static_cast<T>(law.log_load_slope())};
+    else
+        return {std::numeric_limits<T>::quiet_NaN(), T(0)};
+}
+
+/// By the powers of the law.
+template <Real T, PowerLaw<T> Law, class Peaks>
+Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
+    const Roughness<T>& surface = contact.surface();
+    const Peaks& peaks = contact.peaks();
+    const CurvatureScale scale = contact.options().curvature;
+    const LogDerivatives<T> j = log_derivatives<Law>(peaks, eta);
+    const PeakScales<T> scales{surface.rms_height, surface.peak_density, contact.effective_modulus(),
+                               rms_curvature(surface, peaks, scale)};
+    constexpr HalfPowers load = Law::load_powers, stiffness = Law::stiffness_powers;
+    Exponents<T> out;
+    const T unit = scales.of(scales.effective_modulus * static_cast<T>(contact.law().stiffness_factor()), stiffness);
+    out.k = unit * std::exp(j.stiffness.log);
+    out.eta = {j.stiffness.eta, j.load.eta};
+    out.rms_height = {T(stiffness.omega) / 2, T(load.omega) / 2};
+    out.peak_radius = {T(stiffness.radius) / 2, T(load.radius) / 2};
+    out.fractal_dimension = of_dimension<Law, T>(contact.law());
+    out.r = {j.stiffness.r, j.load.r};
+    out.theta = {j.stiffness.theta, j.load.theta};
+    if constexpr (std::same_as<Peaks, PeakDistribution<T>>)
+        if (scale == CurvatureScale::consistent) {
+            // sigma_kappa = 1/(R E t) depends on theta: d ln E t/dtheta = cot(theta) - 1/theta
+            const T curvature = -(std::cos(peaks.theta()) / std::sin(peaks.theta()) - 1 / peaks.theta());
+            out.theta.stiffness -= curvature * (T(stiffness.radius) / 2);
+            out.theta.load -= curvature * (T(load.radius) / 2);
+        }
+    return out;
+}
+
+/// By differences of six points, of a law without powers.
+template <Real T, class Law, class Peaks>
+requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
+    using Pair = typename Exponents<T>::Pair;
+    const auto logs = [](const auto& at, T x) { return Pair{at.log_stiffness(x).log, at.log_pressure(x).log}; };
+    // \p f of z at a distance; the formula errs by h^6, rounding and the integrals by their errors over h
+    const auto slopes = [](T h, const auto& f) -> Pair {
+        Pair sum{};
+        constexpr std::array<int, 3> weight{45, -9, 1};
+        for (int i = 1; i <= 3; ++i) {
+            const Pair up = f(T(i) * h), down = f(T(-i) * h);
+            const T share = T(weight[static_cast<std::size_t>(i - 1)]) / (60 * h);
+            sum.stiffness += share * (up.stiffness - down.stiffness);
+            sum.load += share * (up.load - down.load);
+        }
+        return sum;
+    };
+    const auto with = [&](const Roughness<T>& surface, const Peaks& peaks) {
+        RoughContactOptions<T> options = contact.options();
+        options.interaction = {};
+        return RoughContact<T, Law, Peaks>(surface, peaks, contact.law(), contact.effective_modulus(), options);
+    };
+    const Roughness<T>& surface = contact.surface();
+    const auto of_surface = [&](T Roughness<T>::*scale) {
+        return slopes(T(0.02), [&](T x) {
+            Roughness<T> moved = surface;
+            moved.*scale *= 1 + x;
+            return logs(with(moved, contact.peaks()), eta);
+        });
+    };
+    Exponents<T> out;
+    out.k = std::exp(contact.log_stiffness(eta).log);
+    out.eta = slopes(T(0.05) / (1 + std::max(eta, T(0))), [&](T x) { return logs(contact, eta + x); });
+    out.eta.load = contact.log_pressure(eta).slope;
+    out.rms_height = of_surface(&Roughness<T>::rms_height);
+    out.peak_radius = of_surface(&Roughness<T>::peak_radius);
+    out.fractal_dimension = of_dimension<Law, T>(contact.law());
+    if constexpr (std::same_as<Peaks, PeakDistribution<T>>) {
+        const T r = contact.peaks().r(), theta = contact.peaks().theta();
+        out.r =
+            slopes(T(0.03) * std::min(r, 1 - r), [&](T x) { return logs(with(surface, Peaks(r + x, theta)), eta); });
+        out.theta = slopes(T(0.03) * std::min(theta, numbers::pi_v<T> / 2 - theta),
+                           [&](T x) { return logs(with(surface, Peaks(r, theta + x)), eta); });
+    }
+    return out;
 }
 
 }  // namespace detail
 
-/// K and its derivatives at the nominal pressure \p pressure [Pa]; with \p interaction the bulk is in series as in RoughContact.
-/// Does not allocate. \throws domain_error as RoughContact and its at_pressure, and for the reading as_printed.
-template <Real T, PowerLaw Law>
-[[nodiscard]] Sensitivity<T> sensitivity(const Roughness<T>& surface, const PeakDensity<T>& peaks, const Law& law,
-                                         T effective_modulus, T pressure, CurvatureScale scale = {},
-                                         const Interaction<T>& interaction = {}) {
-    interaction.validate();
-    require(interaction.reading != InteractionReading::as_printed, "interaction", T(2),
+/// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. Does not allocate for a law with
+/// powers.
+/// \throws domain_error as at_pressure of the contact, and for interaction as_printed.
+template <Real T, class Law, class Peaks>
+[[nodiscard]] Sensitivity<T> sensitivity(const RoughContact<T, Law, Peaks>& contact, std::type_identity_t<T> pressure) {
+    const InteractionReading reading = contact.interaction().reading;
+    require(reading != InteractionReading::as_printed, "interaction", T(2),
             "none or effective_separation for a derivative");
-    const RoughContact<T, Law> contact(surface, peaks, law, effective_modulus, {.curvature = scale});
     const T eta = contact.at_pressure(pressure, Quantity::pressure).eta;
-    const auto j = detail::log_derivatives(peaks, eta);
-    const T product = surface.rms_height * rms_curvature(surface, peaks, scale);  // sigma sigma_kappa
-    const T k = effective_modulus * law.stiffness_factor() * surface.peak_density * surface.rms_height /
-                std::sqrt(product) * std::exp(j.stiffness.log);
-    const T follow = j.stiffness.eta / j.load.eta;  // d ln K / d ln p along the curve
-    // d ln K/dx from d ln A/dx and d ln B/dx, the derivatives of the integrals included
-    const auto at_constant_pressure = [&](T load, T stiffness) { return k * (stiffness - follow * load); };
-    // sigma_kappa = 1/(R E t) depends on theta: d ln E t/dtheta = cot(theta) - 1/theta
-    const T curvature = scale == CurvatureScale::consistent
-                            ? -(std::cos(peaks.theta()) / std::sin(peaks.theta()) - 1 / peaks.theta())
-                            : T(0);
+    const detail::Exponents<T> of = detail::exponents(contact, eta);
+    const T k = of.k, modulus = contact.effective_modulus();
+    const T follow = of.eta.stiffness / of.eta.load;  // d ln K / d ln p along the curve
+    const auto at_constant_pressure = [&](const typename detail::Exponents<T>::Pair& z) {
+        return k * (z.stiffness - follow * z.load);
+    };
     Sensitivity<T> out;
     out.stiffness = k;
     out.pressure = k * follow / pressure;
-    out.rms_height = at_constant_pressure(T(1.5), T(0.5)) / surface.rms_height;
-    out.peak_radius = at_constant_pressure(T(0.5), T(0.5)) / surface.peak_radius;
-    out.peak_density = at_constant_pressure(T(1), T(1)) / surface.peak_density;
-    out.effective_modulus = at_constant_pressure(T(1), T(1)) / effective_modulus;
-    out.fractal_dimension = at_constant_pressure(law.log_load_slope(), law.log_stiffness_slope());
-    out.r = at_constant_pressure(j.load.r, j.stiffness.r);
-    out.theta = at_constant_pressure(j.load.theta - curvature / 2, j.stiffness.theta - curvature / 2);
-    if (interaction.reading == InteractionReading::effective_separation) {
-        // 1/K' = 1/K + L/(E rho), rho = K over -dp/dd without interaction (RoughContact), which depends on D alone
-        const T compliance = interaction.length / (effective_modulus * contact.stiffness_over_slope());
-        const T share = 1 / (1 + k * compliance);  // K'/K
-        for (T* slope : {&out.pressure, &out.rms_height, &out.peak_radius, &out.peak_density, &out.fractal_dimension,
-                         &out.effective_modulus, &out.r, &out.theta})
-            *slope *= share * share;
-        out.stiffness = k * share;
-        const T of_bulk = out.stiffness * out.stiffness * compliance;
-        out.effective_modulus += of_bulk / effective_modulus;
-        out.fractal_dimension += of_bulk * (law.log_stiffness_slope() - law.log_load_slope());
-    }
+    out.rms_height = at_constant_pressure(of.rms_height) / contact.surface().rms_height;
+    out.peak_radius = at_constant_pressure(of.peak_radius) / contact.surface().peak_radius;
+    out.peak_density = at_constant_pressure({T(1), T(1)}) / contact.surface().peak_density;
+    out.effective_modulus = at_constant_pressure({T(1), T(1)}) / modulus;
+    out.fractal_dimension = at_constant_pressure(of.fractal_dimension);
+    out.r = at_constant_pressure(of.r);
+    out.theta = at_constant_pressure(of.theta);
+    if (reading == InteractionReading::none) return out;
+    T ratio = 1;
+    if constexpr (RoughContact<T, Law, Peaks>::stiffness_follows_slope) ratio = contact.stiffness_over_slope();
+    const T compliance = contact.bulk_compliance() / ratio;
+    const T share = 1 / (1 + k * compliance);  // K'/K
+    for (T* slope : {&out.pressure, &out.rms_height, &out.peak_radius, &out.peak_density, &out.fractal_dimension,
+                     &out.effective_modulus, &out.r, &out.theta})
+        *slope *= share * share;
+    out.stiffness = k * share;
+    const T of_bulk = out.stiffness * out.stiffness * compliance;
+    out.effective_modulus += of_bulk / modulus;
+    if constexpr (RoughContact<T, Law, Peaks>::stiffness_follows_slope)
+        out.fractal_dimension += of_bulk * (of.fractal_dimension.stiffness - of.fractal_dimension.load);
     return out;
 }
 

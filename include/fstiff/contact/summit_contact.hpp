@@ -17,8 +17,8 @@
 ///             (tests/contact/summit_contact_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
-#include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
 #include <fstiff/topography/summits.hpp>
@@ -32,7 +32,7 @@
 namespace fstiff {
 
 template <Real T = double>
-class SummitContact {
+class SummitContact : public SlopeContact<SummitContact<T>, T> {
     using Values = Eigen::Array<T, Eigen::Dynamic, 1>;
 
 public:
@@ -67,7 +67,8 @@ public:
         const auto residual = [&](T d) {
             const Sums j = sums(d);
             const T root = std::cbrt(j.load);
-            return std::pair(root * root - target, -2 * j.stiffness / (3 * std::max(root, std::numeric_limits<T>::min())));
+            return std::pair(root * root - target,
+                             -2 * j.stiffness / (3 * std::max(root, std::numeric_limits<T>::min())));
         };
         const auto found = newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
                                             4 * std::numeric_limits<T>::epsilon() * (std::abs(top) + rms_height_));
@@ -89,10 +90,6 @@ public:
     [[nodiscard]] Eigen::Index summits() const { return height_.size(); }
     /// Area that the summits stand on [m^2].
     [[nodiscard]] T area() const { return area_; }
-    [[nodiscard]] Interaction<T> interaction() const { return {}; }
-    [[nodiscard]] T bulk_compliance() const { return T(0); }
-    /// K is -dp/dd.
-    [[nodiscard]] T stiffness_over_slope() const { return T(1); }
 
 private:
     static constexpr T rounding = 64 * std::numeric_limits<T>::epsilon();

@@ -1,42 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Integrals over the peaks in two dimensions, for any function of height and curvature: the kernel for asperity laws that are
-/// no power laws.
+/// Integrals over the peaks in two dimensions, for any function of height and curvature: the kernel for asperity laws
+/// that are no power laws.
 ///
 ///     I[f](eta) = int_0^inf int_eta^inf f(zeta - eta, t) p_peak(zeta, t) dzeta dt
 ///
-/// Rows of constant t. In each the excess e = zeta - eta is covered by pieces, e = from + size x, and a piece has a table of x
-/// that is made once an integral, so that a node costs one exponential and the law:
+/// Rows of constant t. In each the excess e = zeta - eta is covered by pieces, e = from + size x, and a piece has a
+/// table of x that is made once an integral, so that a node costs one exponential and the law:
 ///
 ///     square    x = (j h)^2                                    trapezoidal rule, for an integrand that is even in sqrt(e)
 ///     graded    x = a log(1 + exp(y - b exp(-c y))), y = j h   the same, whatever the power at 0: it falls double exponentially
 ///     linear    x = j h                                        the same, where the Gaussian in e has left e = 0 behind
 ///     Legendre  Gauss and Legendre's rule                      between kinks
 ///
-/// For an f that is a half-integer power in e and t (Hertz: e^(3/2) t^(-1/2)) the integrand is even and entire in sqrt(e) and
-/// sqrt(t): Axis::even, squares in both. For any other smooth f, Axis::graded takes both by the graded map. A law with kinks
-/// at known excesses (KinkedLaw) is split there in each row, whatever smooth function of t they are: Legendre's rule below the
-/// last one, the graded map beyond. One whose kink is not known is for Axis::rough: algebraic convergence, and an error
-/// estimate that does not hope for more.
+/// For an f that is a half-integer power in e and t (Hertz: e^(3/2) t^(-1/2)) the integrand is even and entire in
+/// sqrt(e) and sqrt(t): Axis::even, squares in both. For any other smooth f, Axis::graded takes both by the graded map.
+/// A law with kinks at known excesses (KinkedLaw) is split there in each row, whatever smooth function of t they are:
+/// Legendre's rule below the last one, the graded map beyond. One whose kink is not known is for Axis::rough: algebraic
+/// convergence, and an error estimate that does not hope for more.
 ///
-/// A row ends where the ellipse (zeta - r t)^2/c^2 + t^2 = const does beyond which the density may be neglected. Rows, and the
-/// nodes of each kind of piece, are added apart from each other until the tolerance is met. Error estimates: trapezoidal_error
-/// and legendre_error from the sums themselves, and what the map alone costs at that step.
+/// A row ends where the ellipse (zeta - r t)^2/c^2 + t^2 = const does beyond which the density may be neglected. Rows,
+/// and the nodes of each kind of piece, are added apart from each other until the tolerance is met. Error estimates:
+/// trapezoidal_error and legendre_error from the sums themselves, and what the map alone costs at that step.
 ///
 /// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741.
 /// Units       dimensionless
-/// Valid       theta and r that the mesh can resolve: c >= 0.1, tan(theta) <= 10; beyond, the error returned says how much is lost
-/// Accuracy    1e-12 on tests/data/integrals_plain.csv; the error estimate covers the true error there and, for laws with up to
-///             three kinks and jumps, for r <= 0.98, 0.05 <= theta <= 1.5, -3 <= eta <= 8
+/// Valid       theta and r that the mesh can resolve: c >= 0.1, tan(theta) <= 10; beyond, the error returned says how
+///             much is lost
+/// Accuracy    1e-12 on tests/data/integrals_plain.csv; the error estimate covers the true error there and, for laws
+///             with up to three kinks and jumps, for r <= 0.98, 0.05 <= theta <= 1.5, -3 <= eta <= 8
 ///             (tests/contact/tensor_integrals_test.cpp)
-/// Hard cases  kinks at e << c (small multiples of 1/t): 1e-6 is met for r <= 0.82, tighter ones may need more than the 192 rows
+/// Hard cases  kinks at e << c (small multiples of 1/t): 1e-6 is met for r <= 0.82, tighter ones may need more than the
+/// 192 rows
 ///             of the default; c < 0.3 with kinks: the same. The estimate says so.
 
 #include <fstiff/contact/peak_sums.hpp>
+#include <fstiff/contact/tensor_nodes.hpp>
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
 
 #include <Eigen/Core>
 
@@ -58,207 +60,21 @@ enum class Axis {
     rough    ///< for any: as graded, with an error estimate for algebraic convergence
 };
 
-/// A law that says at which excess it has a kink (or a jump), given the curvature t: at critical(t), or, where it has a member
-/// kinks() that returns a std::array of ascending numbers, at critical(t) times each of these.
+/// A law that says at which excess it has a kink (or a jump), given the curvature t: at critical(t), or, where it has a
+/// member kinks() that returns a std::array of ascending numbers, at critical(t) times each of these.
 template <class F, class T>
 concept KinkedLaw = requires(const F& f, T t) {
     { f.critical(t) } -> std::convertible_to<T>;
 };
 
-template <Real T>
+template <Real T = double>
 struct TensorOptions {
     T relative_tolerance = T(1e4) * std::numeric_limits<T>::epsilon();
-    int most_nodes =
+    int max_nodes =
         192;  ///< rows, and nodes of a piece of a row, at most 256; the error estimate says when they were not enough
 };
 
 namespace detail {
-
-template <Real T>
-using TensorLanes = Eigen::Array<T, 8, 1>;
-
-/// The map x = a log(1 + exp(v)), v = y - b exp(-c y), from the whole line to x > 0.
-template <Real T>
-struct GradedMap {
-    T a, b, c;
-    T strip;  ///< a rule of step h errs by exp(-strip/h) or more, as measured: 2 pi times where the integrand is analytic
-
-    /// A y below which x < exp(log_x), for small x.
-    [[nodiscard]] T begin(T log_x) const {
-        const T depth = std::log(a) - log_x;
-        T y = -std::log(1 + depth / b) / c;
-        for (int i = 0; i < 3; ++i) {  // Newton; v is concave: never too far right
-            const T fall = b * std::exp(-c * y);
-            y -= (y - fall + depth) / (1 + c * fall);
-        }
-        return y;
-    }
-    /// A y beyond which x is more than \p x, not much further.
-    [[nodiscard]] T end(T x) const {
-        const T v = at(x);
-        return v + b * std::exp(-c * v);
-    }
-    /// v at \p x: less than y.
-    [[nodiscard]] T at(T x) const { return x > 20 * a ? x / a : std::log(std::expm1(x / a)); }
-
-    void map(const TensorLanes<T>& y, TensorLanes<T>& x, TensorLanes<T>& slope) const {
-        const TensorLanes<T> fall = b * (-c * y).exp();
-        const TensorLanes<T> v = y - fall;
-        const TensorLanes<T> small = (-v.abs()).exp();
-        x = a * (v < T(-30)).select(small, v.max(T(0)) + (1 + small).log());
-        slope = a * (1 + c * fall) * (v > T(0)).select(TensorLanes<T>::Ones(), small) / (1 + small);
-    }
-};
-/// For pieces, and for the rows of a smooth law.
-template <Real T>
-inline constexpr GradedMap<T> plain_map{T(2.1), T(0.4), T(1.354), T(7)};
-/// For rows across kinks and the layer of a large tan(theta): the passage of a kink at ~ 1/t, a Gaussian in 1/t, allows no quicker fall towards t = 0. Found by
-/// search over kinks at 0.005/t to 2/t.
-template <Real T>
-inline constexpr GradedMap<T> gentle_map{T(2.5), T(0.005), T(1), T(3.3)};
-
-/// The error of a trapezoidal rule over the whole line whose nodes were summed apart by their number modulo 8 (\p s).
-///
-/// The rule of step h errs by the transform of the integrand at the frequency 2 pi/h; the discrete transform of the eight
-/// sums at k = 1 ... 4 is the transform at k/8 of it. From 4/8 it is extrapolated over \p falls eighths by its last falls, of
-/// which the slower counts: four for a smooth law, whose transform falls at least geometrically, fewer across kinks, where its
-/// fall slows down. Where a kink makes it fall like a power (rough, none), the ratio of neighbours says little, and twice the size at 4/8 stands: eight times what a kink in the
-/// first derivative leaves. \p even: the nodes are those of y > 0 of an even function.
-template <Real T>
-EIGEN_DONT_INLINE T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
-    constexpr T half_root = numbers::sqrt2_v<T> / 2;
-    constexpr T least = std::numeric_limits<T>::min();
-    if (even)
-        s.template head<7>() =
-            (s.template head<7>() + s.template head<7>().reverse().eval()) / 2;  // lane i: node 1 + i
-    const T d0 = s[7] - s[3], d1 = s[0] - s[4], d2 = s[1] - s[5], d3 = s[2] - s[6];
-    const T e0 = s[7] + s[3], e1 = s[0] + s[4], e2 = s[1] + s[5], e3 = s[2] + s[6];
-    const auto modulus = [](T x, T y) { return std::sqrt(x * x + y * y); };
-    const T at_2 = modulus(e0 - e2, e1 - e3) + least;
-    const T last = std::abs((e0 + e2) - (e1 + e3));
-    const T at_3 = std::max(modulus(d0 - half_root * (d1 - d3), d2 - half_root * (d1 + d3)), last) + least;
-    const T before = std::min(T(1), at_3 / at_2);
-    const T at_4 = std::max(last, at_3 * before * std::sqrt(before));  // it may vanish by accident
-    const T fall = std::min(T(1), std::max(at_4 / at_3, std::sqrt(at_4 / at_2)));
-    T error = 2 * at_4;
-    for (int i = 0; i < falls; ++i) error *= fall;
-    return error;
-}
-
-template <Real T>
-struct LegendreNodes {
-    int count;
-    const T *node, *weight;
-
-    template <std::size_t N>
-    static LegendreNodes of() {
-        const auto& rule = GaussLegendre<T, N>::get();
-        return {static_cast<int>(N), rule.node.data(), rule.weight.data()};
-    }
-    static LegendreNodes at_least(int n) {
-        if (n <= 16) return n <= 8 ? of<8>() : of<16>();
-        if (n <= 32) return n <= 24 ? of<24>() : of<32>();
-        return n <= 48 ? of<48>() : of<64>();
-    }
-};
-
-/// The error of a Legendre rule of n nodes from the \p terms that it sums: their Legendre coefficients fall from n/2 to n, and
-/// at least as far again to 2n, of which the rule knows nothing; just so for a power, much further for all that is smooth.
-template <Real T>
-EIGEN_DONT_INLINE T legendre_error(const std::array<TensorLanes<T>, 8>& terms, int n) {
-    const T* node = LegendreNodes<T>::at_least(n).node;
-    const auto blocks = static_cast<std::size_t>(n / 8);
-    std::array<TensorLanes<T>, 8> before, now;
-    for (std::size_t b = 0; b < blocks; ++b) {
-        before[b].setZero();
-        now[b].setOnes();
-    }
-    T middle = 0, end = 0;
-    for (int k = 0; k < n; ++k) {
-        T coefficient = 0;
-        for (std::size_t b = 0; b < blocks; ++b) {
-            coefficient += (terms[b] * now[b]).sum();
-            const TensorLanes<T> next =
-                (T(2 * k + 1) * TensorLanes<T>::Map(node + 8 * b) * now[b] - T(k) * before[b]) / T(k + 1);
-            before[b] = now[b];
-            now[b] = next;
-        }
-        if (k == n / 2 - 1 || k == n / 2) middle = std::max(middle, T(2 * k + 1) * std::abs(coefficient));
-        if (k >= n - 2) end = std::max(end, T(2 * k + 1) * std::abs(coefficient));
-    }
-    return 2 * end * std::min(T(1), end / (middle + std::numeric_limits<T>::min()));
-}
-
-/// Nodes, weights and sums of one rule, in blocks of eight.
-template <Real T>
-struct TensorTable {
-    static constexpr int most_nodes = 256;
-    int nodes = 0;
-    bool legendre = false;
-    T least_error = 0;  ///< what the map costs, relative to the sum of the moduli
-    std::array<TensorLanes<T>, most_nodes / 8> x, weight;
-    std::array<TensorLanes<T>, 8> sums;  ///< of a trapezoidal rule only the first: nodes apart by their number modulo 8
-
-    [[nodiscard]] std::size_t blocks() const { return static_cast<std::size_t>(nodes + 7) / 8; }
-
-    /// The trapezoidal rule, y = begin + j step, j = 1, 2, ...; \p map(y, x, dx/dy).
-    template <class Map>
-    void trapezoidal(T begin, T step, int count, const Map& map) {
-        nodes = count;
-        legendre = false;
-        least_error = 0;
-        TensorLanes<T> y = begin + step * TensorLanes<T>::LinSpaced(1, 8);
-        for (std::size_t b = 0; b < blocks(); ++b, y += 8 * step) {
-            map(y, x[b], weight[b]);
-            weight[b] *= step;
-        }
-        sums[0].setZero();
-    }
-    EIGEN_DONT_INLINE void squares(T begin, T step, int count) {
-        trapezoidal(begin, step, count, [](const auto& y, auto& at, auto& slope) {
-            at = y.square();
-            slope = 2 * y;
-        });
-    }
-    EIGEN_DONT_INLINE void line(T step, int count) {
-        trapezoidal(T(0), step, count, [](const auto& y, auto& at, auto& slope) {
-            at = y;
-            slope.setOnes();
-        });
-    }
-    EIGEN_DONT_INLINE void graded(const GradedMap<T>& map, T begin, T step, int count) {
-        trapezoidal(begin, step, count, [&](const auto& y, auto& at, auto& slope) { map.map(y, at, slope); });
-        least_error = 6 * std::exp(-map.strip / step);
-    }
-
-    /// Legendre's rule on (0, 1) in u, x = u^power, or for \p ratio > 1 x = (ratio^u - 1)/(ratio - 1).
-    EIGEN_DONT_INLINE void legendre_rule(int count, int power, T ratio) {
-        const auto rule = LegendreNodes<T>::at_least(count);
-        nodes = rule.count;
-        legendre = true;
-        for (std::size_t b = 0; b < blocks(); ++b) {
-            const TensorLanes<T> u = (TensorLanes<T>::Map(rule.node + 8 * b) + 1) / 2;
-            weight[b] = T(power) / 2 * TensorLanes<T>::Map(rule.weight + 8 * b);
-            x[b] = u;
-            for (int i = 1; i < power; ++i) {
-                weight[b] *= u;
-                x[b] *= u;
-            }
-            if (ratio > 1) {
-                const TensorLanes<T> up = (std::log(ratio) * u).exp();
-                x[b] = (up - 1) / (ratio - 1);
-                weight[b] *= std::log(ratio) / (ratio - 1) * up;
-            }
-            sums[b].setZero();
-        }
-    }
-
-    [[nodiscard]] T error(bool even, int falls) const {
-        if (nodes == 0) return 0;
-        if (legendre) return legendre_error(sums, nodes);
-        return trapezoidal_error<T>(sums[0], even, falls) + least_error * sums[0].abs().sum();
-    }
-};
 
 /// The kinks of a law as multiples of critical(t).
 template <class T, class F>
@@ -275,39 +91,6 @@ auto kinks_of(const F& f) {
     }
 }
 
-/// Eight rows: what they need of the density, whatever the law.
-template <Real T>
-struct TensorRows {
-    TensorLanes<T> t, weight;
-    TensorLanes<T> x;                     ///< (eta - r t)/c
-    TensorLanes<T> outer, shift, linear;  ///< the exponent at e = c v is outer - (v + shift)^2/2 - linear v
-    TensorLanes<T> first, last;           ///< window of e; last <= 0: none
-    TensorLanes<T> step;                  ///< of sqrt(e/c), for squares
-
-    /// All but t and weight. The step is chosen for an error exp(-digits): exp(-(w^2 + x)^2/2) grows by exp(4 b^4 - 2 x b^2)
-    /// (and exp(x^2/2) for x > 0) from the real axis to w + i b, so that its rule errs by that times exp(-2 pi b/step), for
-    /// the best b. Beyond x^2 = 6 digits it is the Gaussian exp(-x w^2).
-    EIGEN_DONT_INLINE void prepare(const PeakProblem<T>& p, T digits) {
-        const TensorLanes<T> square = 2 * p.depth - (t - p.floor) * (t + p.floor);
-        const TensorLanes<T> wide = p.c * square.max(T(0)).sqrt(), distance = p.eta - p.r * t;
-        const TensorLanes<T> z = (t - p.r * p.eta) / p.c;
-        x = distance / p.c;
-        const auto right = (x > T(0)).eval();
-        outer = right.select(-z.square() / 2, (p.floor - t) * (t + p.floor) / 2);
-        shift = x.min(T(0));
-        linear = x.max(T(0));
-        first = (-distance - wide).max(T(0));
-        last = right.select((2 * p.depth - z.square()) * (p.c * p.c) / (wide + distance), wide - distance);
-        last = (square > T(0)).select(last, T(0));
-
-        constexpr T least = std::numeric_limits<T>::min(), half_pi = numbers::pi_v<T> / 2;
-        const TensorLanes<T> near = x.min(std::sqrt(6 * digits));
-        const TensorLanes<T> root = ((1 + 6 * right.template cast<T>()) * near.square() + 12 * digits).sqrt();
-        const TensorLanes<T> b2 = (near + root) / 12;
-        step = half_pi / (b2.sqrt() * (4 * b2 - near)) * ((near.abs() + least) / (x.abs() + least)).sqrt();
-    }
-};
-
 template <Axis axis, Real T, class F>
 class TensorRule {
 public:
@@ -315,40 +98,40 @@ public:
     static constexpr bool square = axis == Axis::even && !kinked;
     static constexpr int falls = axis == Axis::rough ? 0 : 4;
     static constexpr std::size_t kinks = std::tuple_size_v<decltype(kinks_of<T>(std::declval<const F&>()))>;
-    /// Kinds of piece: i < kinks ends at kink i and begins at the one before or at 0; begun ends at a kink, but begins at the
-    /// window; linear begins there too, and open at 0 or the last kink; neither ends.
+    /// Kinds of piece: i < kinks ends at kink i and begins at the one before or at 0; begun ends at a kink, but begins
+    /// at the window; linear begins there too, and open at 0 or the last kink; neither ends.
     static constexpr std::size_t begun = kinks, linear = kinks + 1, open = kinks + 2, kinds = kinks + 3;
     static constexpr int row_falls = kinked ? falls / 4 : falls, open_falls = kinked ? falls / 2 : falls;
 
     /// The first guesses were fitted so that one pass mostly does.
-    TensorRule(const F& f, const PeakProblem<T>& problem, T digits)
+    TensorRule(const F& f, const PeakProblem<T>& problem, T log_accuracy)
         : f_(f),
           p_(problem),
-          digits_(digits),
+          log_accuracy_(log_accuracy),
           turn_on_(p_.eta < T(1.5) ? p_.r / p_.c : T(0)),
           map_(kinked || std::max(p_.k, turn_on_) > 2 ? gentle_map<T> : plain_map<T>) {
         layer_ = std::sqrt(p_.k * p_.k + (1 + turn_on_ * turn_on_) / 2);
-        const T first = p_.r * p_.eta - p_.reach * p_.c, last = largest_curvature(p_);
+        const T first = p_.r * p_.eta - p_.reach * p_.c, last = max_curvature(p_);
         if constexpr (square) {
             begin_ = std::sqrt(std::max(first, T(0)));
             end_ = std::sqrt(last);
             // the Gaussian in t, and see layer_error
-            const T narrow = T(0.9) * (end_ - begin_) * std::sqrt(digits * p_.r * p_.floor) / p_.c;
-            const T layer = (end_ - begin_) * std::sqrt(layer_) * std::pow(digits / T(3), T(0.75));
-            rows_ = std::max({T(0.75) * digits + 4, narrow, layer});
+            const T narrow = T(0.9) * (end_ - begin_) * std::sqrt(log_accuracy * p_.r * p_.floor) / p_.c;
+            const T layer = (end_ - begin_) * std::sqrt(layer_) * std::pow(log_accuracy / T(3), T(0.75));
+            rows_ = std::max({T(0.75) * log_accuracy + 4, narrow, layer});
         } else {
-            begin_ = map_.begin(-(digits + 12));
+            begin_ = map_.begin(-(log_accuracy + 12));
             if (first > 0) begin_ = std::max(begin_, map_.at(first));
             end_ = map_.end(last);
-            rows_ = (end_ - begin_) * (digits + (axis == Axis::graded && !kinked ? 4 : 3)) / map_.strip *
+            rows_ = (end_ - begin_) * (log_accuracy + (axis == Axis::graded && !kinked ? 4 : 3)) / map_.strip *
                     (kinked                ? T(1.12)
                      : axis == Axis::rough ? T(1)
                                            : T(1.25));
         }
-        asked_.fill(T(axis == Axis::even ? 0.8 : 1.2) * digits + 8);
-        asked_[0] += digits / 4 * std::min(std::max(T(0), -p_.eta / p_.c), T(5));
-        asked_[begun] = digits + 8;
-        asked_[linear] = asked_[open] = square ? T(1.5) * digits + 8 : digits + 6;
+        asked_.fill(T(axis == Axis::even ? 0.8 : 1.2) * log_accuracy + 8);
+        asked_[0] += log_accuracy / 4 * std::min(std::max(T(0), -p_.eta / p_.c), T(5));
+        asked_[begun] = log_accuracy + 8;
+        asked_[linear] = asked_[open] = square ? T(1.5) * log_accuracy + 8 : log_accuracy + 6;
     }
 
     /// The sum over the present rows and nodes, its error, and how many there were.
@@ -384,33 +167,38 @@ public:
             hidden = outermost[0];
         out.value = sums.sum();
         rows_error_ = trapezoidal_error<T>(sums, square && begin_ == 0, row_falls) + hidden +
-                      (square ? layer_error(row_step) : t_.least_error) * sums.abs().sum();
+                      (square ? layer_error(row_step) : t_.min_error) * sums.abs().sum();
         out.error = rows_error_;
         for (std::size_t i = 0; i < kinds; ++i)
             out.error += errors_[i] = tables_[i].error(square && i == open, open_falls);
         return out;
     }
 
-    /// Asks for more rows or nodes where their error is more than a share of \p allowed. \return whether there are any more
+    /// Asks for more rows or nodes where their error is more than a share of \p allowed. \return whether there are any
+    /// more
     bool refine(T allowed, T sum, int most) {
         const T worst = std::max(rows_error_, *std::max_element(errors_.begin(), errors_.end()));
         bool more = false;
         const auto grow = [&](T& asked, T error, T limit) {
             if ((error <= T(0.25) * allowed && error < worst) || asked >= limit) return;
-            const T reached = std::log(std::abs(sum) / error);  // digits grow with the nodes
-            const T growth = reached > digits_ / 2 ? std::clamp((digits_ + T(1.5)) / reached, T(1.08), T(2)) : T(2);
+            const T reached = std::log(std::abs(sum) / error);  // log_accuracy grow with the nodes
+            const T growth =
+                reached > log_accuracy_ / 2 ? std::clamp((log_accuracy_ + T(1.5)) / reached, T(1.08), T(2)) : T(2);
             asked = std::min(limit, asked * growth);
             more = true;
         };
         grow(rows_, rows_error_, T(most));
         for (std::size_t i = 0; i < kinds; ++i)
-            grow(asked_[i], errors_[i], tables_[i].legendre ? T(std::min(64, most)) : square ? T(120) : 20 * digits_);
+            grow(asked_[i], errors_[i],
+                 tables_[i].legendre ? T(std::min(64, most))
+                 : square            ? T(120)
+                                     : 20 * log_accuracy_);
         return more;
     }
 
 private:
-    /// What squares as rows leave of erf(k t) exp(-t^2/2) and, for eta near 0, of the row's turning on within c/r, with t = y^2,
-    /// relative: together they grow by exp(4 layer^2 b^4) from the real axis to y + i b.
+    /// What squares as rows leave of erf(k t) exp(-t^2/2) and, for eta near 0, of the row's turning on within c/r, with
+    /// t = y^2, relative: together they grow by exp(4 layer^2 b^4) from the real axis to y + i b.
     [[nodiscard]] T layer_error(T step) const {
         if (begin_ > 0) return 0;
         const T narrow = layer_ * step * step;
@@ -424,10 +212,10 @@ private:
         if constexpr (square) {
             tables_[open].squares(T(0), T(1), 96);  // as far as the smallest step that refine() allows needs
         } else {
-            const T begin = plain_map<T>.begin(-(digits_ + 12));
-            const T range = plain_map<T>.end(std::max(2 * p_.reach, p_.depth / 2) + 1) - begin;
+            const T begin = plain_map<T>.begin(-(log_accuracy_ + 12));
+            const T range = plain_map<T>.end(std::max(2 * p_.reach, p_.log_cutoff / 2) + 1) - begin;
             const int count = eights(range * (asked_[open] + 3) / plain_map<T>.strip,
-                                     std::min(most * 4 / 3, TensorTable<T>::most_nodes));  // no row takes all of them
+                                     std::min(most * 4 / 3, TensorTable<T>::max_nodes));  // no row takes all of them
             tables_[open].graded(plain_map<T>, begin, range / T(count), count);
         }
         const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / numbers::pi_v<T>, most);
@@ -441,7 +229,8 @@ private:
         }
     }
 
-    /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight; its nodes go to the tables.
+    /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight; its nodes go to
+    /// the tables.
     T row(const TensorRows<T>& rows, int lane, int& evaluations) {
         const T t = rows.t[lane], first = rows.first[lane], last = rows.last[lane];
         const T outer = rows.outer[lane], shift = rows.shift[lane], slope = rows.linear[lane], inverse_c = 1 / p_.c;
@@ -487,29 +276,29 @@ private:
 
     const F& f_;
     const PeakProblem<T>& p_;
-    T digits_, turn_on_;
+    T log_accuracy_, turn_on_;
     const GradedMap<T>& map_;  ///< of the rows
     T layer_;
     T begin_, end_;  ///< of the rows, in y
     T rows_, rows_error_ = 0;
-    std::array<T, kinds> asked_, errors_;  ///< digits or, for Legendre's rules, nodes
+    std::array<T, kinds> asked_, errors_;  ///< log_accuracy or, for Legendre's rules, nodes
     TensorTable<T> t_;
     std::array<TensorTable<T>, kinds> tables_;
 };
 
 }  // namespace detail
 
-/// I[f] at the separation \p eta (in rms heights), without its factor exp(-eta^2/2) where eta > 0. \p f takes an Eigen array of
-/// eight excess heights zeta - eta and one curvature t, and returns the array of values. Does not allocate.
+/// I[f] at the separation \p eta (in rms heights), without its factor exp(-eta^2/2) where eta > 0. \p f takes an Eigen
+/// array of eight excess heights zeta - eta and one curvature t, and returns the array of values. Does not allocate.
 /// \throws domain_error unless |eta| <= 1e6.
 template <Axis axis, Real T, class F>
-[[nodiscard]] Estimate<T> scaled_tensor_integral(const F& f, const PeakDensity<T>& peaks, T eta,
+[[nodiscard]] Estimate<T> scaled_tensor_integral(const F& f, const PeakDistribution<T>& peaks, T eta,
                                                  const TensorOptions<T>& options = {}) {
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
-    const T digits = -std::log(options.relative_tolerance);
-    const detail::PeakProblem<T> problem(peaks, eta, digits + 9);
-    detail::TensorRule<axis, T, F> rule(f, problem, digits);
-    const int most = std::clamp(options.most_nodes / 8 * 8, 8, detail::TensorTable<T>::most_nodes);
+    const T log_accuracy = -std::log(options.relative_tolerance);
+    const detail::PeakProblem<T> problem(peaks, eta, log_accuracy + 9);
+    detail::TensorRule<axis, T, F> rule(f, problem, log_accuracy);
+    const int most = std::clamp(options.max_nodes / 8 * 8, 8, detail::TensorTable<T>::max_nodes);
     const T rounding = std::numeric_limits<T>::epsilon() * (T(16) + problem.floor + std::abs(eta) / problem.c);
     const T factor = 1 / (2 * problem.theta);
     constexpr T safety = 2;  // on what the sums tell of their errors
@@ -527,7 +316,7 @@ template <Axis axis, Real T, class F>
 
 /// J[a,b] in two dimensions: the slow twin of contact_integral. \throws domain_error as contact_integral.
 template <Real T>
-[[nodiscard]] Estimate<T> tensor_integral(T a, T b, const PeakDensity<T>& peaks, T eta,
+[[nodiscard]] Estimate<T> tensor_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
                                           const TensorOptions<T>& options = {}) {
     static_cast<void>(detail::one_power(a, b));
     const auto monomial = [a, b](const detail::TensorLanes<T>& excess, T t) -> detail::TensorLanes<T> {

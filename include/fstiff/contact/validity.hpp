@@ -11,8 +11,8 @@
 ///                        0 <= separation <= R_p                       the mean planes apart, some peak in touch
 ///                        n A0 >= 10                                   contacts enough for a mean over peaks
 ///                        A <= A0
-///                        p A0/A <= 2.8 Y                              mean pressure on the real area below the hardness
-///                        error of K <= 1e-6 K                         the integrals converged
+///                        p A0/A <= 2.8 Y                              mean pressure on the real area below the
+///                        hardness error of K <= 1e-6 K                         the integrals converged
 ///     g_rms = sqrt(2 r sigma sigma_kappa)                             rms gradient of an isotropic surface of (4.4)
 ///
 /// Nothing is refused: a check that does not hold says at which states, and the numbers stay as they are.
@@ -20,9 +20,9 @@
 ///     for (const auto& check : fstiff::check_curve<double>(states, {.effective_modulus = 112.6e9, .rms_gradient = 0.08}))
 ///         if (!check.holds()) warn(name_of(check.concern), check.first, check.greatest, check.limit);
 ///
-/// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319 (psi); Greenwood, Proc. R. Soc. Lond. A 393
-///             (1984) 133-157 (r = sigma_m^2/(sigma sigma_kappa), sigma_m the slope of a profile); Tabor, The Hardness of
-///             Metals (1951) (2.8); the limits 0.01, 10 and 1e-6 are this project's.
+/// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319 (psi); Greenwood, Proc. R. Soc. Lond. A
+///             393 (1984) 133-157 (r = sigma_m^2/(sigma sigma_kappa), sigma_m the slope of a profile); Tabor, The
+///             Hardness of Metals (1951) (2.8); the limits 0.01, 10 and 1e-6 are this project's.
 /// Units       SI; the numbers returned are dimensionless, but for separations [m] and mean pressures [Pa]
 /// Valid       states of one contact, with finite values
 
@@ -43,10 +43,10 @@
 namespace fstiff {
 
 template <Real T>
-inline constexpr T minimum_gaussian_product = T(0.0249);  ///< least sigma R D_p of an isotropic Gaussian surface
+inline constexpr T min_gaussian_product = T(0.0249);  ///< least sigma R D_p of an isotropic Gaussian surface
 
 template <Real T>
-inline constexpr T largest_dimensionless_pressure = T(0.01);  ///< p* above which independent peaks are in doubt
+inline constexpr T max_dimensionless_pressure = T(0.01);  ///< p* above which independent peaks are in doubt
 
 template <Real T>
 inline constexpr T hardness_over_yield_strength = T(2.8);  ///< H/Y of the plasticity index
@@ -63,7 +63,7 @@ template <Real T>
 
 /// g_rms of the surface; none for r = 0, where the slopes are of another scale than heights and curvatures.
 template <Real T>
-[[nodiscard]] std::optional<T> rms_gradient(const Roughness<T>& surface, const PeakDensity<T>& peaks,
+[[nodiscard]] std::optional<T> rms_gradient(const Roughness<T>& surface, const PeakDistribution<T>& peaks,
                                             CurvatureScale scale = {}) {
     if (peaks.r() == 0) return std::nullopt;
     return std::sqrt(2 * peaks.r() * surface.rms_height * rms_curvature(surface, peaks, scale));
@@ -96,7 +96,7 @@ enum class Concern {
 }
 
 /// One check of a surface, or of all states of a curve.
-template <Real T>
+template <Real T = double>
 struct Check {
     Concern concern{};
     T limit{};  ///< what the values are held against; infinite for a hardness that is not known
@@ -136,13 +136,13 @@ template <Real T>
         checks.push_back(detail::surface_check(Concern::plasticity, psi, T(1), psi <= T(1)));
     }
     const T product = surface.rms_height * surface.peak_radius * surface.peak_density;
-    constexpr T least = minimum_gaussian_product<T>;
+    constexpr T least = min_gaussian_product<T>;
     checks.push_back(detail::surface_check(Concern::gaussian_surface, product, least, product >= least));
     return checks;
 }
 
 /// What the states of a curve are held against; a check for which something is missing is not made.
-template <Real T>
+template <Real T = double>
 struct CurveLimits {
     T effective_modulus{};              ///< [Pa], for p*
     std::optional<T> rms_gradient{};    ///< for p*
@@ -151,7 +151,8 @@ struct CurveLimits {
     std::optional<T> yield_strength{};  ///< [Pa]; without it above_hardness has its values, and always holds
 };
 
-/// The checks of \p states, which hold the quantities \p known and always separation and pressure; in the order of Concern.
+/// The checks of \p states, which hold the quantities \p known and always separation and pressure; in the order of
+/// Concern.
 template <Real T>
 [[nodiscard]] std::vector<Check<T>> check_curve(std::span<const ContactState<T>> states, const CurveLimits<T>& limits,
                                                 Quantity known = Quantity::all) {
@@ -177,7 +178,7 @@ template <Real T>
     using State = ContactState<T>;
     const auto separation = [](const State& state) { return std::optional(state.separation.value); };
     if (limits.rms_gradient)
-        above(Concern::interacting_asperities, largest_dimensionless_pressure<T>, [&](const State& state) {
+        above(Concern::interacting_asperities, max_dimensionless_pressure<T>, [&](const State& state) {
             return std::optional(
                 dimensionless_pressure(state.pressure.value, limits.effective_modulus, *limits.rms_gradient));
         });

@@ -64,8 +64,8 @@ class domain_error : public std::domain_error {
 public:
     explicit domain_error(const Refusal& refusal) : domain_error(Sentence(refusal)) {}
     /// A plain sentence, for what has no parameter.
-    explicit domain_error(const std::string& reason) : domain_error(Refusal{.reason = reason}) {}
-    explicit domain_error(const char* reason) : domain_error(Refusal{.reason = reason}) {}
+    template <std::convertible_to<std::string_view> Text>  // no template takes the braces that a Refusal has
+    explicit domain_error(const Text& reason) : domain_error(Refusal{.reason = reason}) {}
 
     [[nodiscard]] std::string_view parameter() const noexcept { return field(spans_.parameter); }
     [[nodiscard]] std::string_view value() const noexcept { return field(spans_.value); }

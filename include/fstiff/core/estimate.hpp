@@ -10,7 +10,7 @@
 namespace fstiff {
 
 /// \p error is an absolute bound on |value - true value|, in the units of \p value; inputs count as exact.
-template <Real T>
+template <Real T = double>
 struct Estimate {
     T value{};
     T error{};

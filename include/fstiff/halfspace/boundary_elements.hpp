@@ -38,24 +38,24 @@ namespace fstiff {
 template <Real T = double>
 struct BoundaryElementOptions {
     Edges edges = Edges::mirrored;
-    T hardness{};              ///< H [Pa] at which pressures are cut; 0: elastic
-    T tolerance = T(1e-8);     ///< change of the pressures over their sum at which the solution counts as found
+    T hardness{};           ///< H [Pa] at which pressures are cut; 0: elastic
+    T tolerance = T(1e-8);  ///< change of the pressures over their sum at which the solution counts as found
     int max_iterations = 2000;
-    ProgressHook progress{};   ///< called once an iteration, with max_iterations as the end
+    ProgressHook progress{};  ///< called once an iteration, with max_iterations as the end
 };
 
 /// One solution.
 template <Real T = double>
 struct BoundaryElementState {
-    T pressure{};              ///< nominal [Pa]
-    T stiffness{};             ///< K of the contact held together [Pa/m]; infinite where all points touch
-    T contact_fraction{};      ///< share of the points in contact
-    T mean_gap{};              ///< mean distance of the two faces, the separation of their mean planes [m]
-    T max_pressure{};          ///< [Pa]
-    Eigen::Index spots{};      ///< contacts, joined through edges and corners
-    T residual{};              ///< what the last iteration changed of the pressures, over their sum
+    T pressure{};          ///< nominal [Pa]
+    T stiffness{};         ///< K of the contact held together [Pa/m]; infinite where all points touch
+    T contact_fraction{};  ///< share of the points in contact
+    T mean_gap{};          ///< mean distance of the two faces, the separation of their mean planes [m]
+    T max_pressure{};      ///< [Pa]
+    Eigen::Index spots{};  ///< contacts, joined through edges and corners
+    T residual{};          ///< what the last iteration changed of the pressures, over their sum
     int iterations{};
-    bool converged = false;    ///< residual and that of the stiffness are below the tolerance
+    bool converged = false;  ///< residual and that of the stiffness are below the tolerance
 };
 
 template <Real T = double>

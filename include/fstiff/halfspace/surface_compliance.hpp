@@ -53,9 +53,7 @@ public:
     }
 
     /// Wave number of coefficient \p k, in units of 2 pi/L.
-    [[nodiscard]] T wave_number(std::size_t k) const {
-        return edges_ == Edges::mirrored ? T(k) / 2 : T((k + 1) / 2);
-    }
+    [[nodiscard]] T wave_number(std::size_t k) const { return edges_ == Edges::mirrored ? T(k) / 2 : T((k + 1) / 2); }
 
     void forward(T* line) {
         if (edges_ == Edges::periodic) {

@@ -26,8 +26,8 @@ template <Real T = double>
 struct TruthOptions {
     Eigen::Index points = 256;  ///< along the longer side; a map that has no more is taken as it is
     Edges edges = Edges::mirrored;
-    T hardness{};  ///< [Pa]; 0: elastic
-    bool grid_error = true;  ///< solve on the coarser grid too
+    T hardness{};             ///< [Pa]; 0: elastic
+    bool grid_error = true;   ///< solve on the coarser grid too
     ProgressHook progress{};  ///< called once a pressure
 };
 

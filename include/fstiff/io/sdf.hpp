@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Reads and writes surface data files (SDF), text and binary.
+/// Reads surface data files (SDF), text and binary.
 ///
 /// Read are the versions ISO-1.0, ISO-2.0 and their forerunner BCR-1.0, and all eight data types in each of them. The
 /// trailer is not looked at; rows keep the order of the file. Heights are number times Zscale. Missing points are "BAD"
@@ -20,17 +20,14 @@
 /// Units       map in m; the scales of the file are in m
 /// Valid       2 points a side at least, or one profile (dy = dx where its Yscale is 0), of heights that vary; no
 ///             compression; files up to 2^30 bytes; the check sum is not verified
-/// Accuracy    the product with Zscale is rounded once; what write_sdf writes comes back bit for bit
-///             (tests/io/sdf_test.cpp)
+/// Accuracy    the product with Zscale is rounded once (tests/io/sdf_test.cpp)
 
-#include <fstiff/core/text.hpp>
-#include <fstiff/io/text_table.hpp>
-#include <fstiff/profile/profile.hpp>
-#include <fstiff/topography/height_map.hpp>
+#include <fstiff/io/number_table.hpp>
+#include <fstiff/io/profile_or_map.hpp>
+#include <fstiff/io/quantity.hpp>
 
 #include <bit>
 #include <cstdint>
-#include <ostream>
 
 namespace fstiff::io {
 
@@ -56,12 +53,6 @@ struct SdfSurface {
     SdfRecord record;
 };
 
-struct SdfOptions {
-    bool binary = true;
-    std::string manufacturer = "fstiff";  ///< at most 10 printable ASCII characters
-    std::string date = "010120000000";    ///< of creation and change, DDMMYYYYHHMM
-};
-
 /// Whether \p bytes begin as a surface data file does.
 [[nodiscard]] inline bool is_sdf(std::string_view bytes);
 
@@ -69,12 +60,6 @@ struct SdfOptions {
 [[nodiscard]] inline SdfSurface read_sdf(std::istream& input, std::string_view name);
 /// Reads the file \p path. \throws file_error when it cannot be opened or read.
 [[nodiscard]] inline SdfSurface read_sdf(const std::filesystem::path& path);
-
-/// Writes numbers of double precision, version ISO-1.0 (ISO-2.0 where a side of a binary map exceeds 65535 points).
-/// \throws domain_error when the map, or an option, cannot be written, file_error when the output does not take it.
-inline void write_sdf(std::ostream& output, const HeightMap<double>& map, const SdfOptions& options = {});
-/// As a file of one profile, whose Yscale is the spacing too.
-inline void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options = {});
 
 namespace detail {
 
@@ -89,19 +74,14 @@ T little_endian(std::string_view bytes) {
 inline double double_at(std::string_view bytes) { return std::bit_cast<double>(little_endian<std::uint64_t>(bytes)); }
 inline float float_at(std::string_view bytes) { return std::bit_cast<float>(little_endian<std::uint32_t>(bytes)); }
 
-template <class T>
-void put_little_endian(std::string& bytes, T value) {
-    for (std::size_t i = 0; i < sizeof(T); ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xff);
-}
-
 class SdfReader {
 public:
     SdfReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
 
     SdfSurface read() {
         if (!is_sdf(bytes_))
-            refuse_file(name_, "begins with " + shown_cell(bytes_.substr(0, 8)) +
-                                   "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, or b for a");
+            refuse_file(name_, {"begins with ", shown_cell(bytes_.substr(0, 8)),
+                                "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, or b for a"});
         record_.name = name_;
         record_.binary = bytes_[0] == 'b' || bytes_[0] == 'B';
         record_.version = std::string(bytes_.substr(1, 7));
@@ -110,9 +90,7 @@ public:
             read_binary();
         else
             read_text();
-        surface_.map.dx = x_scale_;
-        surface_.map.dy = record_.rows == 1 && y_scale_ == 0 ? x_scale_ : y_scale_;
-        check();
+        set_spacings(surface_.map, x_scale_, y_scale_, name_);
         record_.missing = static_cast<std::size_t>(surface_.map.size() - surface_.map.present());
         surface_.record = record_;
         return std::move(surface_);
@@ -121,33 +99,27 @@ public:
 private:
     static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     static constexpr std::size_t type_bytes[8] = {1, 2, 4, 4, 1, 2, 4, 8};
-
-    // --- both forms ---
-
-    [[noreturn]] void refuse_field(const std::string& field, const std::string& value, const std::string& allowed) {
-        refuse_file(name_, field + " = " + value + ": must be " + allowed);
-    }
+    static constexpr double largest[8] = {255, 65535, 4294967295.0, 3.4e38F, 127, 32767, 2147483647, 1.7e308};
 
     void check_header(int compression, int check_type) {
         if (record_.columns == 0 || record_.rows == 0)
-            refuse_field("NumPoints x NumProfiles",
+            refuse_field(name_, "NumPoints x NumProfiles",
                          std::to_string(record_.columns) + " x " + std::to_string(record_.rows), "at least 2 x 1");
         require_scale("Xscale", x_scale_, false);
         require_scale("Yscale", y_scale_, record_.rows == 1);
         require_scale("Zscale", record_.z_scale, false);
-        if (compression != 0) refuse_field("Compression", std::to_string(compression), "0 (none)");
+        if (compression != 0) refuse_field(name_, "Compression", std::to_string(compression), "0 (none)");
         if (record_.data_type < 0 || record_.data_type > 7)
-            refuse_field("DataType", std::to_string(record_.data_type), "between 0 and 7");
+            refuse_field(name_, "DataType", std::to_string(record_.data_type), "between 0 and 7");
         record_.check_sum = check_type != 0;
     }
 
     void require_scale(const std::string& field, double value, bool zero_too) {
         if (zero_too && value == 0) return;
         if (!(value > 0 && value <= std::numeric_limits<double>::max()))
-            refuse_field(field, number_text(value), "finite and greater than 0");
+            refuse_field(name_, field, number_text(value), "finite and greater than 0");
     }
 
-    /// Takes the memory; what is declared has been compared with what is there.
     void allocate() {
         surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
                                     static_cast<Eigen::Index>(record_.columns));
@@ -156,32 +128,20 @@ private:
     /// Height \p index of the file is \p number, in units of Zscale.
     void set(std::size_t index, double number) {
         if (std::isinf(number) || std::isinf(number * record_.z_scale))
-            refuse_file(name_, "height " + std::to_string(index + 1) +
-                                   " is beyond the range of double precision; "
-                                   "allowed are finite numbers");
+            refuse_file(name_, {"height ", index + 1,
+                                " is beyond the range of double precision; "
+                                "allowed are finite numbers"});
         surface_.map.heights.data()[index] = number * record_.z_scale;
     }
-
-    void check() {
-        if (record_.rows > 1) {
-            naming_file(name_, [&] { surface_.map.validate(2); });
-            return;
-        }
-        const double* const heights = surface_.map.heights.data();
-        const Profile<double> profile{std::vector<double>(heights, heights + record_.columns), x_scale_};
-        naming_file(name_, [&] { profile.validate(2); });
-    }
-
-    // --- binary ---
 
     void read_binary() {
         const std::size_t count_bytes = record_.version == "ISO-2.0" ? 4 : 2;
         const std::size_t header = 42 + 2 * count_bytes + 35;
         if (bytes_.size() < header)
-            refuse_file(name_, "ends after " + std::to_string(bytes_.size()) + " bytes; its header must have " +
-                                   std::to_string(header));
-        for (const char c : trimmed(bytes_.substr(8, 10)))
-            if (c != '\0') record_.manufacturer += c >= ' ' && c <= '~' ? c : '?';
+            refuse_file(name_, {"ends after ", bytes_.size(), " bytes; its header must have ", header});
+        std::string manufacturer(trimmed(bytes_.substr(8, 10)));
+        std::erase(manufacturer, '\0');
+        record_.manufacturer = printable(manufacturer, 10);
         std::string_view rest = bytes_.substr(42);
         const auto count = [&] {
             const std::size_t value =
@@ -202,9 +162,8 @@ private:
         // both below 2^32: the product fits into 64 bits, and the division below needs no more
         const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
         if (points > rest.size() / size)
-            refuse_file(name_, "declares " + std::to_string(record_.columns) + " x " + std::to_string(record_.rows) +
-                                   " heights of " + std::to_string(size) + " bytes, but holds " +
-                                   std::to_string(rest.size()) + " bytes of them; must hold all");
+            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of ", size,
+                                " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
         allocate();
         for (std::size_t i = 0; i < points; ++i) set(i, number_at(rest.substr(i * size, size)));
         record_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
@@ -213,42 +172,33 @@ private:
     double number_at(std::string_view bytes) const {
         switch (record_.data_type) {
             case 0:
-                return whole(little_endian<std::uint8_t>(bytes));
+                return height(little_endian<std::uint8_t>(bytes));
             case 1:
-                return whole(little_endian<std::uint16_t>(bytes));
+                return height(little_endian<std::uint16_t>(bytes));
             case 2:
-                return whole(little_endian<std::uint32_t>(bytes));
-            case 3: {
-                const float number = float_at(bytes);
-                return is_missing(number) ? missing : static_cast<double>(number);
-            }
+                return height(little_endian<std::uint32_t>(bytes));
+            case 3:
+                return height(float_at(bytes));
             case 4:
-                return whole(static_cast<std::int8_t>(little_endian<std::uint8_t>(bytes)));
+                return height(static_cast<std::int8_t>(little_endian<std::uint8_t>(bytes)));
             case 5:
-                return whole(static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes)));
+                return height(static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes)));
             case 6:
-                return whole(static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes)));
-            default: {
-                const double number = double_at(bytes);
-                return is_missing(number) ? missing : number;
-            }
+                return height(static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes)));
+            default:
+                return height(double_at(bytes));
         }
     }
 
-    template <class Integer>
-    double whole(Integer number) const {
-        using Limits = std::numeric_limits<Integer>;
-        return number == (bcr_ || !Limits::is_signed ? Limits::max() : Limits::min()) ? missing
-                                                                                      : static_cast<double>(number);
+    /// \p number, unless it is the one that the version reserves for missing points.
+    template <class Number>
+    double height(Number number) const {
+        using Limits = std::numeric_limits<Number>;
+        bool reserved = number == (bcr_ || !Limits::is_signed ? Limits::max() : Limits::lowest());
+        if constexpr (!Limits::is_integer)
+            reserved = std::isnan(number) || (bcr_ ? number >= largest[sizeof(Number) == 4 ? 3 : 7] : reserved);
+        return reserved ? missing : static_cast<double>(number);
     }
-    bool is_missing(float number) const {
-        return std::isnan(number) || (bcr_ ? number >= 3.4e38F : number == std::numeric_limits<float>::lowest());
-    }
-    bool is_missing(double number) const {
-        return std::isnan(number) || (bcr_ ? number >= 1.7e308 : number == std::numeric_limits<double>::lowest());
-    }
-
-    // --- text ---
 
     /// The next line, without its end; LF, CR and CR LF end one.
     static std::string_view next_line(std::string_view& rest) {
@@ -276,14 +226,15 @@ private:
             if (ended || equal == std::string_view::npos) continue;
             fields.emplace_back(lower_case(trimmed(line.substr(0, equal))), trimmed(line.substr(equal + 1)));
         }
-        if (!ended) refuse_file(name_, "has no line \"*\" that ends its header; must have one");
+        if (!ended) refuse_file(name_, {"has no line \"*\" that ends its header; must have one"});
         const auto field = [&](const std::string& name) {
             for (const auto& [key, value] : fields)
                 if (key == lower_case(name)) return value;
-            refuse_file(name_, "states no " + name + "; must state it in its header");
+            refuse_file(name_, {"states no ", name, "; must state it in its header"});
         };
         const auto number = [&](const std::string& name) {
-            return naming_file(name_, [&] { return parse_number(shown_value(field(name)), name); });
+            const std::string value = printable(field(name), 64);
+            return located({.file = name_}, [&] { return parse_number(value, name); });
         };
         const auto code = [&](const std::string& name, std::initializer_list<std::string_view> names) {
             const std::string word = lower_case(field(name));
@@ -298,12 +249,11 @@ private:
         const auto count = [&](const std::string& name) {
             const double value = number(name);
             if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
-                refuse_field(name, number_text(value), "a whole number from 1 to 4294967295");
+                refuse_field(name_, name, number_text(value), "a whole number from 1 to 4294967295");
             return static_cast<std::size_t>(value);
         };
         for (const auto& [key, value] : fields)
-            if (key == "manufacid")
-                for (const char c : value.substr(0, 80)) record_.manufacturer += c >= ' ' && c <= '~' ? c : '?';
+            if (key == "manufacid") record_.manufacturer += printable(value, 80);
         record_.columns = count("NumPoints");
         record_.rows = count("NumProfiles");
         x_scale_ = number("Xscale");
@@ -316,9 +266,8 @@ private:
         // every height needs two characters, the last one needs one
         const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
         if (points > rest.size() / 2 + 1)
-            refuse_file(name_, "declares " + std::to_string(record_.columns) + " x " + std::to_string(record_.rows) +
-                                   " heights, but has " + std::to_string(rest.size()) +
-                                   " bytes of them; must hold all");
+            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights, but has ", rest.size(),
+                                " bytes of them; must hold all"});
         allocate();
         std::size_t found = 0;
         std::vector<std::string_view> cells;
@@ -330,16 +279,15 @@ private:
             split_line(line, ' ', cells);
             for (const std::string_view cell : cells) {
                 if (found == points)
-                    refuse_file(name_, "holds more heights than the " + std::to_string(points) +
-                                           " that it declares; must hold as many");
+                    refuse_file(name_,
+                                {"holds more heights than the ", points, " that it declares; must hold as many"});
                 set(found, text_number(cell, found));
                 ++found;
             }
         }
         if (found < points)
-            refuse_file(name_, "holds " + std::to_string(found) + " heights; must hold the " + std::to_string(points) +
-                                   " that it declares");
-        if (!ended) refuse_file(name_, "has no line \"*\" after its heights; must have one");
+            refuse_file(name_, {"holds ", found, " heights; must hold the ", points, " that it declares"});
+        if (!ended) refuse_file(name_, {"has no line \"*\" after its heights; must have one"});
         record_.trailer = rest.size();
     }
 
@@ -347,24 +295,15 @@ private:
         if (is_missing_word(cell)) return missing;
         const auto number = number_in(cell, false);
         if (!number)
-            refuse_file(name_, "height " + std::to_string(index + 1) + " is " + shown_cell(cell) +
-                                   "; must be a decimal number or BAD");
-        return bcr_ ? reserved(number->value) : number->value;
+            refuse_file(name_, {"height ", index + 1, " is ", shown_cell(cell), "; must be a decimal number or BAD"});
+        return bcr_ ? reserved(*number) : *number;
     }
 
     /// BCR writes missing points of a text as the largest number of their type.
     double reserved(double number) const {
-        static constexpr double largest[8] = {255, 65535, 4294967295.0, 3.4e38, 127, 32767, 2147483647, 1.7e308};
         const bool real = record_.data_type == 3 || record_.data_type == 7;
         const double limit = largest[record_.data_type];
         return number == limit || (real && number > limit) ? missing : number;
-    }
-
-    /// For messages: short and printable.
-    static std::string shown_value(std::string_view value) {
-        std::string shown;
-        for (const char c : value.substr(0, 64)) shown += c >= ' ' && c <= '~' ? c : '?';
-        return shown;
     }
 
     std::string_view bytes_;
@@ -399,83 +338,13 @@ inline std::vector<std::string> SdfRecord::sentences() const {
 }
 
 inline SdfSurface read_sdf(std::istream& input, std::string_view name) {
-    const std::string file(name);
-    const std::string bytes = detail::read_bytes(input, file);
-    return detail::SdfReader(bytes, file).read();
+    const detail::NamedBytes file = detail::read_bytes(input, name);
+    return detail::SdfReader(file.bytes, file.name).read();
 }
 
 inline SdfSurface read_sdf(const std::filesystem::path& path) {
-    const std::string bytes = detail::read_bytes(path, "surface data");
-    return detail::SdfReader(bytes, path.string()).read();
-}
-
-inline void write_sdf(std::ostream& output, const HeightMap<double>& map, const SdfOptions& options) {
-    if (map.rows() == 1)
-        Profile<double>{std::vector<double>(map.heights.data(), map.heights.data() + map.size()), map.dx}.validate(2);
-    else
-        map.validate(2);
-    require_positive("dy", map.dy);
-    const auto printable = [](char c) { return c >= ' ' && c <= '~'; };
-    if (options.manufacturer.size() > 10 ||
-        !std::all_of(options.manufacturer.begin(), options.manufacturer.end(), printable))
-        throw domain_error("manufacturer = " + detail::shown_cell(options.manufacturer) +
-                           ": must be at most 10 printable characters");
-    if (options.date.size() != 12 || !std::all_of(options.date.begin(), options.date.end(), detail::is_digit))
-        throw domain_error("date = " + detail::shown_cell(options.date) + ": must be 12 digits, DDMMYYYYHHMM");
-    if (map.rows() > 4294967295 || map.columns() > 4294967295)
-        throw domain_error("map of " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) +
-                           " points: must have at most 4294967295 a side");
-
-    const auto is_reserved = [](double z) { return z == std::numeric_limits<double>::lowest(); };
-    if (std::any_of(map.heights.data(), map.heights.data() + map.size(), is_reserved))
-        throw domain_error("map with the height -1.8e308: stands for a missing point in the file; must not occur");
-
-    std::string text;
-    if (options.binary) {
-        const bool small = map.rows() <= 65535 && map.columns() <= 65535;
-        text = small ? "bISO-1.0" : "bISO-2.0";
-        text += options.manufacturer + std::string(10 - options.manufacturer.size(), ' ');
-        text += options.date + options.date;
-        for (const Eigen::Index count : {map.columns(), map.rows()})
-            if (small)
-                detail::put_little_endian(text, static_cast<std::uint16_t>(count));
-            else
-                detail::put_little_endian(text, static_cast<std::uint32_t>(count));
-        for (const double scale : {map.dx, map.dy, 1.0, -1.0})
-            detail::put_little_endian(text, std::bit_cast<std::uint64_t>(scale));
-        text += std::string("\0\7\0", 3);
-        for (Eigen::Index i = 0; i < map.size(); ++i) {
-            const double z = map.heights.data()[i];
-            detail::put_little_endian(
-                text, std::bit_cast<std::uint64_t>(std::isnan(z) ? std::numeric_limits<double>::lowest() : z));
-        }
-    } else {
-        const std::string end = "\r\n";
-        text = "aISO-1.0" + end + "ManufacID = " + options.manufacturer + end + "CreateDate = " + options.date + end +
-               "ModDate = " + options.date + end + "NumPoints = " + std::to_string(map.columns()) + end +
-               "NumProfiles = " + std::to_string(map.rows()) + end + "Xscale = " + shortest_text(map.dx) + end +
-               "Yscale = " + shortest_text(map.dy) + end + "Zscale = 1" + end + "Zresolution = -1" + end +
-               "Compression = 0" + end + "DataType = 7" + end + "CheckType = 0" + end + "*" + end;
-        for (Eigen::Index j = 0; j < map.rows(); ++j) {
-            for (Eigen::Index i = 0; i < map.columns(); ++i) {
-                const double z = map.heights(j, i);
-                text += (i == 0 ? "" : " ") + (std::isnan(z) ? std::string("BAD") : shortest_text(z));
-            }
-            text += end;
-        }
-        text += "*" + end + "*" + end;
-    }
-    output.write(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!output) throw file_error("surface data file", "cannot be written; the output must take it");
-}
-
-inline void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options) {
-    profile.validate(2);
-    HeightMap<double> map;
-    map.heights = Eigen::Map<const HeightMap<double>::Array>(profile.heights.data(), 1,
-                                                             static_cast<Eigen::Index>(profile.size()));
-    map.dx = map.dy = profile.spacing;
-    write_sdf(output, map, options);
+    const detail::NamedBytes file = detail::read_bytes(path, "surface data");
+    return detail::SdfReader(file.bytes, file.name).read();
 }
 
 }  // namespace fstiff::io

@@ -10,16 +10,16 @@
 /// SDF and X3P of one row are profiles.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are the file's
-/// Valid       as <fstiff/io/delimited.hpp>, <fstiff/io/map_text.hpp>, <fstiff/io/sdf.hpp> and <fstiff/io/x3p.hpp>
+/// Valid       as <fstiff/io/profile_text.hpp>, <fstiff/io/map_text.hpp>, <fstiff/io/sdf.hpp> and <fstiff/io/x3p.hpp>
 /// Accuracy    as there (tests/io/surface_file_test.cpp)
 
 #include <fstiff/core/names.hpp>
-#include <fstiff/io/delimited.hpp>
 #include <fstiff/io/map_text.hpp>
+#include <fstiff/io/profile_text.hpp>
 #include <fstiff/io/sdf.hpp>
 
 #include <functional>
-#include <variant>
+#include <tuple>
 
 namespace fstiff::io {
 
@@ -61,6 +61,7 @@ struct SurfaceOptions {
     std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
     std::optional<double> dx{}, dy{};  ///< of a matrix, between points [m]
     std::optional<double> width{}, height{};  ///< of a matrix, columns dx and rows dy [m]
+    OptionNames names{};                      ///< for messages
     /// Reads the bytes of an X3P file: x3p_reader() of <fstiff/io/x3p.hpp>, or nothing where X3P is not there.
     std::function<DescribedMap(std::string_view bytes, std::string_view name)> x3p{};
 };
@@ -76,7 +77,7 @@ struct SurfaceRecord {
 };
 
 struct Surface {
-    std::variant<Profile<double>, HeightMap<double>> data;
+    ProfileOrMap data;
     SurfaceRecord record;
 
     [[nodiscard]] bool is_profile() const { return data.index() == 0; }
@@ -106,49 +107,47 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
                                                     {"height", options.height && !matrix}};
     for (const auto& [option, refused] : useless)
         if (refused)
-            refuse_file(name, std::string("is read as ") + std::string(surface_format_name(format)) +
-                                  ", which has no use for " + option +
-                                  "; must not be given, or format must be another");
+            refuse_file(name, {"is read as ", surface_format_name(format), ", which has no use for ", option,
+                               "; must not be given, or ", options.names.format, " must be another"});
 }
 
 /// The form of a text, and why.
-inline std::pair<SurfaceFormat, std::string> text_form(std::string_view text, const std::string& name,
+inline std::pair<SurfaceFormat, std::string> text_form(MapTextReader& reader, const std::string& name,
                                                        const SurfaceOptions& options) {
-    NumberTable table = open_table(text, name);
+    const NumberTable& table = reader.opened();
     const std::size_t columns = table.columns;
     const std::string found = columns == 1 ? "one column" : std::to_string(columns) + " columns";
-    const auto entries = header_entries(table);
-    const bool sized =
-        options.dx || options.dy || options.width || options.height || stated_grid(entries, "m", name).has_size();
+    const bool sized = options.dx || options.dy || options.width || options.height ||
+                       stated_grid(reader.entries(), "m", name).has_size();
+    const auto as = [&](const char* form) { return options.names.format_as(form); };
     const auto ambiguous = [&](const std::string& what, const std::string& choice) {
-        refuse_file(name, "has " + found + what + "; must be told by format = " + choice);
+        refuse_file(name, {"has ", found, what, "; must be told by ", choice});
     };
     if (options.column != 0 || options.spacing) return {SurfaceFormat::profile, "options that only a profile has"};
-    if (const auto form = stated_form(entries); form && columns > 1)
+    if (const auto form = stated_form(reader.entries()); form && columns > 1)
         return {*form == MapForm::triples ? SurfaceFormat::triples : SurfaceFormat::matrix, "the header"};
     if (columns <= 2) {
         if (sized && columns == 2)
-            ambiguous(" and the size of a map: may be a profile or a matrix", "profile or format = matrix");
+            ambiguous(" and the size of a map: may be a profile or a matrix", as("profile") + " or " + as("matrix"));
         return {SurfaceFormat::profile, found};
     }
     if (columns == 3) {
-        read_rows(table, name);
-        const bool grid = table.columns == 3 && grid_of(table).has_value();
+        const bool grid = reader.table().columns == 3 && reader.grid().has_value();
         if (grid && sized)
             ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
-                      "triples or format = matrix");
+                      as("triples") + " or " + as("matrix"));
         if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
         if (sized || table.columns != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
         ambiguous(
             ", of which the first two form no regular grid, and no stated size: may be scattered triples, a matrix "
             "or a profile with a column to choose",
-            "triples, format = matrix, or format = profile with column");
+            as("triples") + ", " + as("matrix") + ", or " + as("profile") + " with column");
     }
     const bool titled =
         table.first > 0 && !units_in(table.lines[table.first - 1].text, columns, table.dialect.separator).empty();
     if (titled && !sized)
         ambiguous(" with a unit above each: may be columns of a profile or a matrix",
-                  "profile with column, or format = matrix");
+                  as("profile") + " with column, or " + as("matrix"));
     return {SurfaceFormat::matrix, found};
 }
 
@@ -156,7 +155,7 @@ inline std::pair<SurfaceFormat, std::string> text_form(std::string_view text, co
 
 inline SurfaceFormat surface_format(std::string_view name) {
     if (const auto format = find_named<SurfaceFormat>(name)) return *format;
-    throw domain_error("format = " + detail::shown_cell(name) + ": must be one of " + choices_text<SurfaceFormat>());
+    fstiff::detail::refuse("format", detail::shown_cell(name), "one of " + choices_text<SurfaceFormat>());
 }
 
 inline std::string_view surface_format_name(SurfaceFormat format) { return name_of(format); }
@@ -167,72 +166,75 @@ inline std::vector<std::string> SurfaceRecord::sentences() const {
     return all;
 }
 
+namespace detail {
+
+/// Reads a text of the form record.format, which is chosen here where it is automatic.
+inline void read_text(Surface& surface, const std::string& text, const SurfaceOptions& options) {
+    SurfaceRecord& record = surface.record;
+    std::optional<MapTextReader> map;
+    if (record.format != SurfaceFormat::profile) map.emplace(text, record.name);
+    if (record.format == SurfaceFormat::automatic)
+        std::tie(record.format, record.format_from) = text_form(*map, record.name, options);
+    check_options(record.format, options, record.name);
+    if (record.format == SurfaceFormat::profile) {
+        const ProfileTextOptions given{
+            .spacing = options.spacing, .units = options.units, .column = options.column, .names = options.names};
+        NumberTable table =
+            map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules);
+        ProfileFromText read = ProfileTextReader(std::move(table), record.name, given).read();
+        record.details = read.record.sentences();
+        surface.data = std::move(read.profile);
+    } else {
+        const bool triples = record.format == SurfaceFormat::triples;
+        MapFromText read = map->read({.form = triples ? MapForm::triples : MapForm::matrix,
+                                      .dx = options.dx,
+                                      .dy = options.dy,
+                                      .width = options.width,
+                                      .height = options.height,
+                                      .units = options.units,
+                                      .names = options.names});
+        record.details = read.record.sentences();
+        record.details.erase(record.details.begin());  // the form, which is said already
+        surface.data = std::move(read.map);
+    }
+}
+
+}  // namespace detail
+
 inline Surface read_surface(std::string bytes, std::string_view name, const SurfaceOptions& options) {
     Surface surface;
     SurfaceRecord& record = surface.record;
     record.name = std::string(name);
     record.format = options.format;
     record.format_from = "options";
-    const bool choose = options.format == SurfaceFormat::automatic;
-    if (choose && (is_sdf(bytes) || bytes.starts_with("PK\3\4"))) {
+    if (record.format == SurfaceFormat::automatic && (is_sdf(bytes) || bytes.starts_with("PK\3\4"))) {
         record.format = is_sdf(bytes) ? SurfaceFormat::sdf : SurfaceFormat::x3p;
         record.format_from = "the first bytes";
     }
-    std::string text;
-    const bool binary = record.format == SurfaceFormat::sdf || record.format == SurfaceFormat::x3p;
-    if (!binary) text = detail::text_of(std::move(bytes), record.name, "numbers, or SDF, or X3P");
-    if (choose && !binary) std::tie(record.format, record.format_from) = detail::text_form(text, record.name, options);
-    detail::check_options(record.format, options, record.name);
-
-    const auto take = [&](DescribedMap read) {
-        record.details = std::move(read.sentences);
-        if (read.map.rows() == 1) {
-            Profile<double> profile;
-            profile.heights.assign(read.map.heights.data(), read.map.heights.data() + read.map.size());
-            profile.spacing = read.map.dx;
-            detail::naming_file(record.name, [&] { profile.validate(16); });
-            surface.data = std::move(profile);
-        } else {
-            surface.data = std::move(read.map);
-        }
-    };
-    switch (record.format) {
-        case SurfaceFormat::sdf: {
-            SdfSurface read = detail::SdfReader(bytes, record.name).read();
-            take({std::move(read.map), read.record.sentences()});
-            break;
-        }
-        case SurfaceFormat::x3p:
-            if (!options.x3p)
-                detail::refuse_file(record.name, "is X3P, which this program was built without; must be another form");
-            take(options.x3p(bytes, name));
-            break;
-        case SurfaceFormat::profile: {
-            const DelimitedOptions given{.spacing = options.spacing, .units = options.units, .column = options.column};
-            DelimitedProfile read = detail::DelimitedReader(std::move(text), record.name, given).read();
-            record.details = read.record.sentences();
-            surface.data = std::move(read.profile);
-            break;
-        }
-        default: {
-            const MapTextOptions given{
-                .form = record.format == SurfaceFormat::triples ? MapForm::triples : MapForm::matrix,
-                .dx = options.dx,
-                .dy = options.dy,
-                .width = options.width,
-                .height = options.height,
-                .units = options.units};
-            MapFromText read = detail::MapTextReader(text, record.name, given).read();
-            record.details = read.record.sentences();
-            record.details.erase(record.details.begin());  // the form, which is said already
-            surface.data = std::move(read.map);
-        }
+    const bool sdf = record.format == SurfaceFormat::sdf;
+    if (!sdf && record.format != SurfaceFormat::x3p) {
+        const std::string text = detail::text_of(std::move(bytes), record.name, "numbers, or SDF, or X3P");
+        detail::read_text(surface, text, options);
+        return surface;
     }
+    detail::check_options(record.format, options, record.name);
+    if (!sdf && !options.x3p)
+        detail::refuse_file(record.name, {"is X3P, which this program was built without; must be another form"});
+    DescribedMap read;
+    if (sdf) {
+        SdfSurface found = detail::SdfReader(bytes, record.name).read();
+        read = {std::move(found.map), found.record.sentences()};
+    } else {
+        read = options.x3p(bytes, name);
+    }
+    record.details = std::move(read.sentences);
+    surface.data = detail::as_surface(std::move(read.map), record.name);
     return surface;
 }
 
 inline Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options) {
-    return read_surface(detail::read_bytes(path, "a profile or a map"), path.string(), options);
+    detail::NamedBytes file = detail::read_bytes(path, "a profile or a map");
+    return read_surface(std::move(file.bytes), file.name, options);
 }
 
 }  // namespace fstiff::io

@@ -13,8 +13,9 @@
 /// Accuracy    heights and spacings come back bit for bit (tests/io/write_csv_test.cpp)
 
 #include <fstiff/core/text.hpp>
-#include <fstiff/io/map_text.hpp>
-#include <fstiff/io/sdf.hpp>
+#include <fstiff/io/header.hpp>
+#include <fstiff/profile/profile.hpp>
+#include <fstiff/topography/height_map.hpp>
 
 #include <ostream>
 
@@ -54,7 +55,7 @@ inline void write_csv(std::ostream& output, const HeightMap<double>& map, MapFor
     const double width = static_cast<double>(map.columns()) * map.dx, height = static_cast<double>(map.rows()) * map.dy;
     require_positive("width", width);
     require_positive("height", height);
-    if (form == MapForm::automatic) throw domain_error("form = automatic: must be matrix or triples");
+    if (form == MapForm::automatic) fstiff::detail::refuse("form", name_of(form), "matrix or triples");
     const std::string spacings = "# dx: " + shortest_text(map.dx) + " m\n# dy: " + shortest_text(map.dy) + " m\n";
     std::string text;
     if (form == MapForm::matrix) {

@@ -19,9 +19,8 @@
 /// Accuracy    number times increment, plus offset where there is one, each rounded once (tests/io/x3p_test.cpp)
 
 #include <fstiff/io/surface_file.hpp>
+#include <fstiff/io/zip_archive.hpp>
 
-#include <zip.h>
-#include <memory>
 #include <pugixml.hpp>
 
 namespace fstiff::io {
@@ -47,16 +46,6 @@ struct X3pSurface {
     X3pRecord record;
 };
 
-/// What may be inflated. Measured heights shrink to a half or a tenth.
-struct X3pLimits {
-    std::uint64_t bytes = std::uint64_t(1) << 30;  ///< of one file of the archive
-    std::uint64_t ratio = 200;                     ///< inflated to deflated, above 2^20 bytes
-    std::int64_t files = 10000;                    ///< in the archive
-};
-
-/// Whether \p bytes begin as a zip archive does.
-[[nodiscard]] inline bool is_zip(std::string_view bytes) { return bytes.starts_with("PK\3\4"); }
-
 /// \throws domain_error naming file, element, value and what is allowed.
 [[nodiscard]] inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits = {});
 /// Reads all of \p input.
@@ -69,94 +58,6 @@ struct X3pLimits {
     const X3pLimits& limits = {});
 
 namespace detail {
-
-/// A zip archive in memory.
-class ZipArchive {
-public:
-    ZipArchive(std::string_view bytes, const std::string& name, const X3pLimits& limits)
-        : bytes_(bytes), name_(name), limits_(limits) {
-        zip_error_t error;
-        zip_error_init(&error);
-        if (zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error)) {
-            archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
-            if (!archive_) zip_source_free(source);
-        }
-        zip_error_fini(&error);
-        if (!archive_) refuse_file(name_, "is no zip archive, or a damaged one; must be a whole X3P file");
-        const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
-        if (count > limits_.files)
-            refuse_file(name_,
-                        "holds " + std::to_string(count) + " files; must be at most " + std::to_string(limits_.files));
-        for (zip_int64_t i = 0; i < count; ++i) {
-            const char* const entry = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_RAW);
-            names_.emplace_back(entry ? entry : "");
-        }
-    }
-
-    const std::vector<std::string>& names() const { return names_; }
-
-    /// The one file called \p entry; none when there is none.
-    std::optional<std::size_t> find(std::string_view entry) const {
-        std::optional<std::size_t> found;
-        for (std::size_t i = 0; i < names_.size(); ++i) {
-            if (names_[i] != entry) continue;
-            if (found) refuse_file(name_, "holds two files " + shown_cell(entry) + "; must hold one");
-            found = i;
-        }
-        return found;
-    }
-
-    /// Size of file \p index once inflated, which is within the limits.
-    std::size_t size(std::size_t index) const {
-        zip_stat_t stat;
-        zip_stat_init(&stat);
-        constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_ENCRYPTION_METHOD;
-        if (zip_stat_index(archive_.get(), index, 0, &stat) != 0 || (stat.valid & needed) != needed)
-            refuse_file(name_, shown_cell(names_[index]) + " has no readable entry; must be a whole X3P file");
-        if (stat.encryption_method != ZIP_EM_NONE)
-            refuse_file(name_, shown_cell(names_[index]) + " is encrypted; must not be");
-        if (stat.comp_size > bytes_.size())
-            refuse_file(name_, shown_cell(names_[index]) + " declares " + std::to_string(stat.comp_size) +
-                                   " deflated bytes, more than the file has; must be a whole X3P file");
-        if (stat.size > limits_.bytes)
-            refuse_file(name_, shown_cell(names_[index]) + " would inflate to " + std::to_string(stat.size) +
-                                   " bytes; must be at most " + std::to_string(limits_.bytes));
-        if (stat.size > (std::uint64_t(1) << 20) && stat.size / limits_.ratio > stat.comp_size)
-            refuse_file(name_, shown_cell(names_[index]) + " would inflate from " + std::to_string(stat.comp_size) +
-                                   " to " + std::to_string(stat.size) + " bytes; must be at most " +
-                                   std::to_string(limits_.ratio) + " times as many");
-        return static_cast<std::size_t>(stat.size);
-    }
-
-    std::string content(std::size_t index) const {
-        std::string text(size(index), '\0');
-        struct Close {
-            void operator()(zip_file_t* file) const { zip_fclose(file); }
-        };
-        const std::unique_ptr<zip_file_t, Close> file(zip_fopen_index(archive_.get(), index, 0));
-        if (!file) refuse_file(name_, shown_cell(names_[index]) + " cannot be inflated; must be deflated or stored");
-        std::size_t done = 0;
-        while (done < text.size()) {
-            const zip_int64_t got = zip_fread(file.get(), text.data() + done, text.size() - done);
-            if (got <= 0) break;
-            done += static_cast<std::size_t>(got);
-        }
-        char beyond = 0;  // reading to the end makes libzip compare the CRC
-        if (done < text.size() || zip_fread(file.get(), &beyond, 1) != 0)
-            refuse_file(name_, shown_cell(names_[index]) + " is damaged; must be a whole X3P file");
-        return text;
-    }
-
-private:
-    struct Discard {
-        void operator()(zip_t* archive) const { zip_discard(archive); }
-    };
-    std::string_view bytes_;
-    std::string name_;
-    X3pLimits limits_;
-    std::unique_ptr<zip_t, Discard> archive_;
-    std::vector<std::string> names_;
-};
 
 /// The child called \p name in whatever namespace; empty when there is none.
 inline pugi::xml_node local_child(const pugi::xml_node& parent, std::string_view name) {
@@ -178,28 +79,26 @@ public:
         find_main();
         const std::string main = archive_.content(*archive_.find(record_.main));
         if (!document_.load_buffer(main.data(), main.size()))
-            refuse_file(name_, shown_cell(record_.main) + " is no XML; must be a whole X3P file");
+            refuse_file(name_, {shown_cell(record_.main), " is no XML; must be a whole X3P file"});
         for (pugi::xml_node root = document_.first_child(); root && !root_; root = root.next_sibling())
             if (local_child(root, "Record1") && local_child(root, "Record3")) root_ = root;
         if (!root_)
-            refuse_file(name_, shown_cell(record_.main) +
-                                   " has no element that holds Record1 and Record3; must be "
-                                   "the description of an X3P file");
+            refuse_file(name_, {shown_cell(record_.main),
+                                " has no element that holds Record1 and Record3; must be "
+                                "the description of an X3P file"});
         read_axes();
         read_size();
         const pugi::xml_node record3 = local_child(root_, "Record3");
         const pugi::xml_node link = local_child(record3, "DataLink");
         const pugi::xml_node list = local_child(record3, "DataList");
         if (bool(link) == bool(list))
-            refuse_file(name_, std::string(link ? "has both " : "has neither ") + "DataLink" +
-                                   (link ? " and" : " nor") + " DataList; must have one of them");
+            refuse_file(name_, {link ? "has both " : "has neither ", "DataLink", (link ? " and" : " nor"),
+                                " DataList; must have one of them"});
         if (link)
             read_link(link);
         else
             read_list(list);
-        surface_.map.dx = dx_;
-        surface_.map.dy = record_.rows == 1 && dy_ == 0 ? dx_ : dy_;
-        check();
+        set_spacings(surface_.map, dx_, dy_, name_);
         record_.missing = static_cast<std::size_t>(surface_.map.size() - surface_.map.present());
         describe();
         surface_.record = record_;
@@ -222,8 +121,8 @@ private:
             least = depth;
             record_.main = entry;
         }
-        if (least == std::string::npos) refuse_file(name_, "holds no main.xml; an X3P file must");
-        if (twice) refuse_file(name_, "holds more than one main.xml, none nearer to its root; must hold one");
+        if (least == std::string::npos) refuse_file(name_, {"holds no main.xml; an X3P file must"});
+        if (twice) refuse_file(name_, {"holds more than one main.xml, none nearer to its root; must hold one"});
         folder_ = record_.main.substr(0, record_.main.size() - std::string_view("main.xml").size());
     }
 
@@ -232,43 +131,36 @@ private:
     double number_at(const pugi::xml_node& axis, const std::string& path, double otherwise) const {
         const std::string text = text_at(local_child(axis, path.substr(path.find('/') + 1)));
         if (text.empty()) return otherwise;
-        return naming_file(name_, [&] {
-            if (text.size() > 64) throw domain_error(path + " = " + shown_cell(text) + ": must be a number");
-            return parse_number(shown_text(text), path);
+        return located({.file = name_}, [&] {
+            if (text.size() > 64) fstiff::detail::refuse(path, shown_cell(text), "a number");
+            return parse_number(printable(text, 80), path);
         });
-    }
-
-    static std::string shown_text(std::string_view text) {
-        std::string shown;
-        for (const char c : text.substr(0, 80)) shown += c >= ' ' && c <= '~' ? c : '?';
-        return shown;
     }
 
     void read_axes() {
         const pugi::xml_node record1 = local_child(root_, "Record1");
         const std::string feature = text_at(local_child(record1, "FeatureType"));
         if (feature != "SUR" && feature != "PRF")
-            refuse_file(name_, "FeatureType = " + shown_cell(feature) + ": must be SUR (surface) or PRF (profile)");
+            refuse_field(name_, "FeatureType", shown_cell(feature), "SUR (surface) or PRF (profile)");
         profile_ = feature == "PRF";
         const pugi::xml_node axes = local_child(record1, "Axes");
         const pugi::xml_node x = local_child(axes, "CX"), y = local_child(axes, "CY"), z = local_child(axes, "CZ");
         for (const auto& [axis, title] : {std::pair{x, "CX"}, {y, "CY"}}) {
             const std::string type = text_at(local_child(axis, "AxisType"));
             if (type != "I" && !(profile_ && axis == y && type.empty()))
-                refuse_file(name_,
-                            std::string(title) + "/AxisType = " + shown_cell(type) + ": must be I (incremental)");
+                refuse_field(name_, std::string(title) + "/AxisType", shown_cell(type), "I (incremental)");
         }
         const std::string type = text_at(local_child(z, "AxisType"));
-        if (type != "A") refuse_file(name_, "CZ/AxisType = " + shown_cell(type) + ": must be A (absolute)");
+        if (type != "A") refuse_field(name_, "CZ/AxisType", shown_cell(type), "A (absolute)");
         const std::string data = text_at(local_child(z, "DataType"));
         if (data != "I" && data != "L" && data != "F" && data != "D")
-            refuse_file(name_, "CZ/DataType = " + shown_cell(data) + ": must be I, L, F or D");
+            refuse_field(name_, "CZ/DataType", shown_cell(data), "I, L, F or D");
         record_.data_type = data[0];
         dx_ = number_at(x, "CX/Increment", 0);
         dy_ = number_at(y, "CY/Increment", 0);
         z_increment_ = number_at(z, "CZ/Increment", 1);
         z_offset_ = number_at(z, "CZ/Offset", 0);
-        naming_file(name_, [&] {
+        located({.file = name_}, [&] {
             require_positive("CX/Increment", dx_);
             if (!profile_) require_positive("CY/Increment", dy_);
             require(dy_ >= 0, "CY/Increment", dy_, "at least 0");
@@ -279,7 +171,7 @@ private:
     std::size_t count_at(const pugi::xml_node& parent, const std::string& title) const {
         const double value = number_at(parent, title, 0);
         if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
-            refuse_file(name_, title + " = " + number_text(value) + ": must be a whole number from 1 to 4294967295");
+            refuse_field(name_, title, number_text(value), "a whole number from 1 to 4294967295");
         return static_cast<std::size_t>(value);
     }
 
@@ -289,17 +181,16 @@ private:
             record_.columns = count_at(matrix, "SizeX");
             record_.rows = count_at(matrix, "SizeY");
             if (const std::size_t layers = count_at(matrix, "SizeZ"); layers != 1)
-                refuse_file(name_, "SizeZ = " + std::to_string(layers) + ": must be 1 (one layer)");
+                refuse_field(name_, "SizeZ", std::to_string(layers), "1 (one layer)");
         } else if (profile_ && local_child(record3, "ListDimension")) {
             record_.columns = count_at(record3, "ListDimension");
             record_.rows = 1;
         } else {
-            refuse_file(name_, "has no MatrixDimension; must be a grid of points");
+            refuse_file(name_, {"has no MatrixDimension; must be a grid of points"});
         }
         points_ = std::uint64_t(record_.columns) * record_.rows;
     }
 
-    /// Heights still as numbers; called once their number has been compared with what is there.
     void allocate() {
         surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
                                     static_cast<Eigen::Index>(record_.columns));
@@ -309,8 +200,8 @@ private:
         double height = number * z_increment_;
         if (z_offset_ != 0) height += z_offset_;
         if (std::isinf(height))
-            refuse_file(name_, "height " + std::to_string(index + 1) +
-                                   " is infinite; must be finite, or NaN where the point is missing");
+            refuse_file(name_,
+                        {"height ", index + 1, " is infinite; must be finite, or NaN where the point is missing"});
         surface_.map.heights.data()[index] = height;
     }
 
@@ -320,7 +211,10 @@ private:
         std::replace(path.begin(), path.end(), '\\', '/');
         while (path.starts_with("./")) path.erase(0, 2);
         const auto index = path.empty() ? std::nullopt : archive_.find(folder_ + path);
-        if (!index) refuse_file(name_, title + " = " + shown_cell(path) + ": must name a file of the archive");
+        if (!index)
+            throw domain_error(
+                {.parameter = title, .value = shown_cell(path), .reason = "must name a file of the archive"})
+                .with_place({.file = name_});
         return *index;
     }
 
@@ -333,9 +227,8 @@ private:
         if (const pugi::xml_node node = local_child(link, "ValidPointsLink"); node && !text_at(node).empty()) {
             mask = linked(node, "ValidPointsLink");
             if (archive_.size(*mask) != points_ / 8 + (points_ % 8 != 0))
-                refuse_file(name_, shown_cell(archive_.names()[*mask]) + " has " +
-                                       std::to_string(archive_.size(*mask)) + " bytes; must have one bit for each of " +
-                                       std::to_string(points_) + " points");
+                refuse_file(name_, {shown_cell(archive_.names()[*mask]), " has ", archive_.size(*mask),
+                                    " bytes; must have one bit for each of ", points_, " points"});
         }
         const std::string bytes = archive_.content(data);
         const std::string valid = mask ? archive_.content(*mask) : std::string();
@@ -351,24 +244,20 @@ private:
     void require_size(std::size_t data, std::size_t size) const {
         const std::size_t there = archive_.size(data);
         if (there % size != 0 || there / size != points_)
-            refuse_file(name_, shown_cell(archive_.names()[data]) + " has " + std::to_string(there) +
-                                   " bytes; must have " + std::to_string(size) + " for each of " +
-                                   std::to_string(record_.columns) + " x " + std::to_string(record_.rows) + " points");
+            refuse_file(name_, {shown_cell(archive_.names()[data]), " has ", there, " bytes; must have ", size,
+                                " for each of ", record_.columns, " x ", record_.rows, " points"});
     }
 
     double binary_number(std::string_view bytes) const {
-        std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < bytes.size(); ++i)
-            bits |= std::uint64_t(static_cast<unsigned char>(bytes[i])) << (8 * i);
         switch (record_.data_type) {
             case 'I':
-                return static_cast<std::int16_t>(static_cast<std::uint16_t>(bits));
+                return static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes));
             case 'L':
-                return static_cast<std::int32_t>(static_cast<std::uint32_t>(bits));
+                return static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes));
             case 'F':
-                return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+                return static_cast<double>(float_at(bytes));
             default:
-                return std::bit_cast<double>(bits);
+                return double_at(bytes);
         }
     }
 
@@ -376,8 +265,8 @@ private:
         std::uint64_t found = 0;
         for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) found += is_datum(datum);
         if (found != points_)
-            refuse_file(name_, "DataList holds " + std::to_string(found) + " heights; must hold " +
-                                   std::to_string(record_.columns) + " x " + std::to_string(record_.rows));
+            refuse_file(name_,
+                        {"DataList holds ", found, " heights; must hold ", record_.columns, " x ", record_.rows});
         allocate();
         std::size_t index = 0;
         for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) {
@@ -387,9 +276,9 @@ private:
             if (!text.empty() && !is_missing_word(text)) {
                 const auto cell = number_in(text, false);
                 if (!cell)
-                    refuse_file(name_, "height " + std::to_string(index + 1) + " is " + shown_cell(text) +
-                                           "; must be a decimal number, or nothing where the point is missing");
-                number = cell->value;
+                    refuse_file(name_, {"height ", index + 1, " is ", shown_cell(text),
+                                        "; must be a decimal number, or nothing where the point is missing"});
+                number = *cell;
             }
             set(index++, number);
         }
@@ -400,20 +289,10 @@ private:
         return title == "Datum" || title.ends_with(":Datum");
     }
 
-    void check() {
-        if (record_.rows > 1) {
-            naming_file(name_, [&] { surface_.map.validate(2); });
-            return;
-        }
-        const double* const heights = surface_.map.heights.data();
-        const Profile<double> profile{std::vector<double>(heights, heights + record_.columns), dx_};
-        naming_file(name_, [&] { profile.validate(2); });
-    }
-
     void describe() {
         const pugi::xml_node instrument = local_child(local_child(root_, "Record2"), "Instrument");
         for (const char* part : {"Manufacturer", "Model"}) {
-            const std::string text = shown_text(text_at(local_child(instrument, part)));
+            const std::string text = printable(text_at(local_child(instrument, part)), 80);
             if (!text.empty()) record_.instrument += (record_.instrument.empty() ? "" : " ") + text;
         }
         for (const std::string& entry : archive_.names())
@@ -459,13 +338,13 @@ inline std::function<DescribedMap(std::string_view, std::string_view)> x3p_reade
 }
 
 inline X3pSurface read_x3p(std::istream& input, std::string_view name, const X3pLimits& limits) {
-    const std::string bytes = detail::read_bytes(input, std::string(name));
-    return read_x3p(std::string_view(bytes), name, limits);
+    const detail::NamedBytes file = detail::read_bytes(input, name);
+    return read_x3p(file.bytes, file.name, limits);
 }
 
 inline X3pSurface read_x3p(const std::filesystem::path& path, const X3pLimits& limits) {
-    const std::string bytes = detail::read_bytes(path, "the form X3P");
-    return read_x3p(std::string_view(bytes), path.string(), limits);
+    const detail::NamedBytes file = detail::read_bytes(path, "the form X3P");
+    return read_x3p(file.bytes, file.name, limits);
 }
 
 }  // namespace fstiff::io

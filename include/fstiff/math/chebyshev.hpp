@@ -8,7 +8,8 @@
 /// Reference   Clenshaw, Math. Tables Aids Comput. 9 (1955) 118-120 (evaluation); Trefethen, Approximation Theory and
 ///             Approximation Practice (SIAM, 2013), chapter 3.
 /// Valid       a < b, at most `capacity` coefficients
-/// Accuracy    that of the samples times log(degree), and the first coefficients left out; each derivative costs degree^2
+/// Accuracy    that of the samples times log(degree), and the first coefficients left out; each derivative costs
+///             degree^2
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -25,7 +26,7 @@
 namespace fstiff {
 
 /// Does not allocate.
-template <Real T>
+template <Real T = double>
 class ChebyshevSeries {
 public:
     static constexpr std::size_t capacity = 64;
@@ -92,13 +93,14 @@ private:
 };
 
 /// A function that one series would not serve: a series for each section of the interval.
-template <Real T>
+template <Real T = double>
 class ChebyshevSections {
 public:
     ChebyshevSections() = default;
 
-    /// \p count equal sections of [a, b] of \p points coefficients each. A section is halved, three times at most, where its
-    /// last coefficients say that it needs it, and the values are good enough to tell: to \p error, which \p f may raise.
+    /// \p count equal sections of [a, b] of \p points coefficients each. A section is halved, three times at most,
+    /// where its last coefficients say that it needs it, and the values are good enough to tell: to \p error, which \p
+    /// f may raise.
     template <class F>
     ChebyshevSections(T a, T b, std::size_t count, std::size_t points, const F& f, const T& error) {
         sections_.reserve(count);
@@ -124,7 +126,8 @@ public:
         return value;
     }
 
-    /// Largest difference of two sections where they meet, over the value there: the ends are where a derivative is worst.
+    /// Largest difference of two sections where they meet, over the value there: the ends are where a derivative is
+    /// worst.
     [[nodiscard]] T relative_jump() const {
         T largest = 0;
         for (std::size_t i = 1; i < sections_.size(); ++i) {
@@ -164,8 +167,8 @@ private:
 
 namespace detail {
 
-/// The polynomial of degree N-1 in s in [-1, 1] through given values at the N Chebyshev-Lobatto points cos(pi k/(N-1)), whose
-/// ends are the ends of the interval: neighbouring pieces agree there.
+/// The polynomial of degree N-1 in s in [-1, 1] through given values at the N Chebyshev-Lobatto points cos(pi k/(N-1)),
+/// whose ends are the ends of the interval: neighbouring pieces agree there.
 template <Real T, int N>
 class LobattoPiece {
 public:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Decompositions of small matrices, in plain loops. Eigen's give the same numbers; they are made for large matrices, and
-/// each of them costs whoever compiles it seconds.
+/// Decompositions of small matrices, in plain loops. Eigen's give the same numbers; they are made for large matrices,
+/// and each of them costs whoever compiles it seconds.
 ///
 ///     PivotedQr            A P = Q R by Householder's reflections, the longest column left first      linear least squares
 ///     singular_vectors     A V = U S by rotations of pairs of columns (Hestenes)                 directions A does not see
@@ -10,8 +10,8 @@
 ///
 /// Reference   Golub, Van Loan, Matrix Computations, 4th ed. (2013), algorithms 5.4.1, 8.5.3, section 8.6.3
 /// Units       those of the caller
-/// Valid       finite elements, no square of which leaves the range of numbers; PivotedQr and singular_vectors: at least as
-///             many rows as columns
+/// Valid       finite elements, no square of which leaves the range of numbers; PivotedQr and singular_vectors: at
+///             least as many rows as columns
 /// Accuracy    backward stable: of well-conditioned matrices a few ulp per row (tests/math/decompositions_test.cpp)
 
 #include <fstiff/core/concepts.hpp>
@@ -26,7 +26,7 @@
 namespace fstiff {
 
 /// A least-squares solver for a matrix of at least as many rows as columns.
-template <Real T>
+template <Real T = double>
 class PivotedQr {
 public:
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
@@ -54,7 +54,7 @@ private:
 };
 
 /// Singular values of a matrix, falling, and the directions that belong to them, one a column.
-template <Real T>
+template <Real T = double>
 struct SingularVectors {
     Eigen::Matrix<T, Eigen::Dynamic, 1> values;
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> vectors;
@@ -63,7 +63,7 @@ template <Real T>
 [[nodiscard]] SingularVectors<T> singular_vectors(Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> a);
 
 /// Eigenvalues of a symmetric matrix, in no order, and the eigenvectors, one a column.
-template <Real T>
+template <Real T = double>
 struct SymmetricEigen {
     Eigen::Matrix<T, Eigen::Dynamic, 1> values;
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> vectors;
@@ -98,7 +98,7 @@ struct Rotation {
 };
 
 /// Sweeps over all pairs end here at the latest; they converge quadratically, in six to ten.
-inline constexpr int most_sweeps = 60;
+inline constexpr int max_sweeps = 60;
 
 }  // namespace detail
 
@@ -182,7 +182,7 @@ SingularVectors<T> singular_vectors(Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dyna
     result.vectors.setIdentity(columns, columns);
     auto& v = result.vectors;
     bool turned = true;
-    for (int sweep = 0; turned && sweep < detail::most_sweeps; ++sweep) {
+    for (int sweep = 0; turned && sweep < detail::max_sweeps; ++sweep) {
         turned = false;
         for (Index i = 0; i + 1 < columns; ++i)
             for (Index j = i + 1; j < columns; ++j) {
@@ -218,7 +218,7 @@ SymmetricEigen<T> symmetric_eigen(Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynami
     for (Index j = 0; j < size; ++j) square += detail::dot(&a(0, j), &a(0, j), size);
     const T nothing = std::numeric_limits<T>::epsilon() / 16 * std::sqrt(square);
     bool turned = true;
-    for (int sweep = 0; turned && sweep < detail::most_sweeps; ++sweep) {
+    for (int sweep = 0; turned && sweep < detail::max_sweeps; ++sweep) {
         turned = false;
         for (Index i = 0; i + 1 < size; ++i)
             for (Index j = i + 1; j < size; ++j) {

@@ -37,7 +37,7 @@ EIGEN_ALWAYS_INLINE Lanes<T, 8> polynomial(std::span<const T> c, const Lanes<T, 
 }
 
 /// Polynomials for the three ranges.
-template <Real T>
+template <Real T = double>
 struct ErfPolynomials {
     std::span<const T> near, middle, far;
     double error;  ///< relative, beyond the rounding

@@ -45,7 +45,7 @@ namespace fstiff {
 [[nodiscard]] inline std::size_t fast_fft_size(std::size_t points);
 
 /// Transforms of complex data of one length; keeps its phases from call to call.
-template <Real T>
+template <Real T = double>
 class ComplexFft {
     using Complex = std::complex<T>;
 
@@ -67,7 +67,7 @@ private:
 };
 
 /// Transforms of real data of one length; keeps its phases from call to call.
-template <Real T>
+template <Real T = double>
 class RealFft {
 public:
     /// \throws domain_error for 0 and beyond 2^30, 2^28 where \p size has a prime factor above 50.
@@ -92,7 +92,7 @@ private:
 
 inline std::size_t fast_fft_size(std::size_t points) {
     constexpr std::size_t largest = std::size_t{1} << 30;
-    if (points > largest) throw domain_error("points = " + std::to_string(points) + ": must be at most 2^30");
+    require(points <= largest, "points", points, "at most 2^30");
     std::size_t best = largest;
     for (std::size_t fives = 1; fives < largest; fives *= 5)
         for (std::size_t odd = fives; odd < largest; odd *= 3) {
@@ -113,8 +113,7 @@ namespace detail {
         while (rest % p == 0 && rest > 0) rest /= p;
     const std::size_t largest = std::size_t{1} << (rest == 1 ? 30 : 28);
     if (size == 0 || size > largest)
-        throw domain_error("size of a transform = " + std::to_string(size) + ": must be from 1 to " +
-                           (rest == 1 ? "2^30" : "2^28"));
+        detail::refuse("size of a transform", size, rest == 1 ? "from 1 to 2^30" : "from 1 to 2^28");
     return rest == 1 && size > 1;  // kissfft does not do one number
 }
 
@@ -173,8 +172,8 @@ RealFft<T>::RealFft(std::size_t size) : size_(size) {
 template <Real T>
 void RealFft<T>::forward(std::span<const T> data, std::vector<std::complex<T>>& spectrum) {
     if (data.size() > size_)
-        throw domain_error("data of a transform = " + std::to_string(data.size()) + " numbers: must be at most " +
-                           std::to_string(size_));
+        detail::refuse("data of a transform", std::to_string(data.size()) + " numbers",
+                       "at most " + std::to_string(size_));
     const T* source = data.data();
     if (data.size() < size_) {
         padded_.assign(size_, T(0));
@@ -194,8 +193,7 @@ void RealFft<T>::forward(std::span<const T> data, std::vector<std::complex<T>>& 
 template <Real T>
 void RealFft<T>::inverse(std::span<const std::complex<T>> spectrum, std::vector<T>& data) {
     if (spectrum.size() != size_ / 2 + 1)
-        throw domain_error("spectrum = " + std::to_string(spectrum.size()) + " numbers: must be " +
-                           std::to_string(size_ / 2 + 1));
+        detail::refuse("spectrum", std::to_string(spectrum.size()) + " numbers", std::to_string(size_ / 2 + 1));
     data.resize(size_);
     if (any_) {
         in_.resize(size_);

@@ -6,14 +6,16 @@
 ///     minimise |f(x)|^2 by (J^T J + lambda diag(J^T J)) dx = -J^T f                          Levenberg-Marquardt
 ///     covariance (J^T J)^-1 at the minimum, for residuals f in units of their standard error
 ///
-/// The steps solve the least-squares problem of J and the damping by QR, not the normal equations. Directions in which f does
-/// not change are found from the singular values of J with its columns scaled to length 1: parameters that the data cannot
-/// tell apart.
+/// The steps solve the least-squares problem of J and the damping by QR, not the normal equations. Directions in which
+/// f does not change are found from the singular values of J with its columns scaled to length 1: parameters that the
+/// data cannot tell apart.
 ///
-/// Reference   Marquardt, SIAM J. Appl. Math. 11 (1963) 431-441; More, Lecture Notes in Math. 630 (1978) 105-116 (scaling).
+/// Reference   Marquardt, SIAM J. Appl. Math. 11 (1963) 431-441; More, Lecture Notes in Math. 630 (1978) 105-116
+///             (scaling).
 /// Units       those of the caller
 /// Valid       at least as many residuals as parameters; f finite at the start
-/// Accuracy    the step left at the end is below the tolerance times the standard errors (tests/math/least_squares_test.cpp)
+/// Accuracy    the step left at the end is below the tolerance times the standard errors
+///             (tests/math/least_squares_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
@@ -29,13 +31,13 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct LeastSquaresOptions {
-    int most_steps = 200;
-    T tolerance = T(1e-7);  ///< a step below this times the standard errors ends the search
-    T nothing = T(1e-11);   ///< a change of the residuals that counts as none
-    /// Least singular value of the scaled J, over the largest, that counts as a direction: well above the rounding of J, which
-    /// would otherwise pass for knowledge.
+    int max_iterations = 200;
+    T tolerance = T(1e-7);        ///< a step below this times the standard errors ends the search
+    T residual_floor = T(1e-11);  ///< a change of the residuals that counts as none
+    /// Least singular value of the scaled J, over the largest, that counts as a direction: well above the rounding of
+    /// J, which would otherwise pass for knowledge.
     T singular_value = std::max(T(1e-7), T(1e4) * std::numeric_limits<T>::epsilon());
 };
 
@@ -53,14 +55,14 @@ inline constexpr auto names<FitStatus> = name_list<FitStatus>({
     {FitStatus::at_bound, "at_bound"},
 });
 
-template <Real T>
+template <Real T = double>
 struct LeastSquaresFit {
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
     using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
     FitStatus status = FitStatus::not_converged;
     Vector parameters, residuals;
-    Matrix covariance;  ///< empty when singular
-    Vector loose;       ///< when singular: the direction that the data do not see, of length 1 in scaled parameters
+    Matrix covariance;      ///< empty when singular
+    Vector null_direction;  ///< when singular: the direction that the data do not see, of length 1 in scaled parameters
     T sum_of_squares{};
     int evaluations = 0;
 };
@@ -74,10 +76,11 @@ template <Real T, class Evaluate>
     using Vector = typename Fit::Vector;
     using Matrix = typename Fit::Matrix;
     const Eigen::Index count = start.size();
-    if (count == 0) throw domain_error("parameters to fit: none; must be at least 1");
+    if (count == 0) throw domain_error(Refusal{.parameter = "parameters to fit", .reason = "none; must be at least 1"});
     if (residuals < count)
-        throw domain_error("data: " + std::to_string(residuals) + " points; must be at least as many as the " +
-                           std::to_string(count) + " parameters to fit");
+        throw domain_error(Refusal{.parameter = "data",
+                                   .reason = std::to_string(residuals) + " points; must be at least as many as the " +
+                                             std::to_string(count) + " parameters to fit"});
     Fit fit;
     fit.parameters = start;
     fit.residuals.resize(residuals);
@@ -88,7 +91,8 @@ template <Real T, class Evaluate>
         return evaluate(x, f, j) && f.allFinite() && j.allFinite() && std::isfinite(f.squaredNorm());
     };
     if (!usable(start, fit.residuals, jacobian))
-        throw domain_error("the starting values: the model has no value there for the data; must be closer to them");
+        throw domain_error(Refusal{.parameter = "the starting values",
+                                   .reason = "the model has no value there for the data; must be closer to them"});
     fit.sum_of_squares = fit.residuals.squaredNorm();
 
     const auto scales = [&] {
@@ -98,7 +102,7 @@ template <Real T, class Evaluate>
     };
     T damping = T(1e-3);
     bool ended = false;
-    for (int step = 0; step < options.most_steps && !ended; ++step) {
+    for (int step = 0; step < options.max_iterations && !ended; ++step) {
         const Vector scale = scales();
         Matrix stacked = Matrix::Zero(residuals + count, count);
         stacked.topRows(residuals) = jacobian * scale.cwiseInverse().asDiagonal();
@@ -110,7 +114,8 @@ template <Real T, class Evaluate>
         const bool inside = trial.allFinite() && usable(trial, trial_residuals, trial_jacobian);
         const T found = inside ? trial_residuals.squaredNorm() : std::numeric_limits<T>::infinity();
         // |scaled| is the change of the residuals: small against their standard error, 1, or against their own size
-        const T small = std::max(options.tolerance * std::min(T(1), std::sqrt(fit.sum_of_squares)), options.nothing);
+        const T small =
+            std::max(options.tolerance * std::min(T(1), std::sqrt(fit.sum_of_squares)), options.residual_floor);
         if (found <= fit.sum_of_squares) {
             const bool little = fit.sum_of_squares - found <= T(1e-3) * options.tolerance * fit.sum_of_squares;
             ended = damping <= T(1e-3) * T(1.001) && (scaled.norm() <= small || (little && damping < T(1e-6)));
@@ -133,7 +138,7 @@ template <Real T, class Evaluate>
     const bool blind = (jacobian.colwise().norm().array() == 0).any();
     if (blind || values(count - 1) <= options.singular_value * values(0)) {
         fit.status = FitStatus::singular;
-        fit.loose = vectors.col(count - 1);
+        fit.null_direction = vectors.col(count - 1);
         return fit;
     }
     const Matrix half = scale.cwiseInverse().asDiagonal() * vectors * values.cwiseInverse().asDiagonal();

@@ -5,17 +5,19 @@
 ///
 ///     f(x) = c_0 + c_1 s + ... + c_7 s^7        eight coefficients a piece, one row of a table, one cache line
 ///
-/// BinaryPieces    eight equal pieces to each power of 2. The leading bits of x are the number of the piece, and the others
+/// BinaryPieces    eight equal pieces to each power of 2. The leading bits of x are the number of the piece, and the
+/// others
 ///                 s: x = 2^e (middle + s).
 /// UniformPieces   equal pieces of [begin, end], s in [-1, 1].
 ///
-/// Four at a time: four rows are loaded and transposed, which is cheaper than to gather, and then four polynomials cost what
-/// one does. It takes registers of four numbers (AVX for double, any for float); elsewhere four_at_once is false.
+/// Four at a time: four rows are loaded and transposed, which is cheaper than to gather, and then four polynomials cost
+/// what one does. It takes registers of four numbers (AVX for double, any for float); elsewhere four_at_once is false.
 ///
 /// Valid       BinaryPieces: 0 < low <= x <= high, normal numbers. UniformPieces: begin <= x <= end.
 ///             contains() is a comparison of integers and false for a NaN, whatever a compiler assumes of them
-/// Accuracy    that of the coefficients, and 2 ulp of the largest term; the same x gives the same bits by value() wherever it
-///             is called, and by four_values() wherever it stands among the four; between the two there is rounding
+/// Accuracy    that of the coefficients, and 2 ulp of the largest term; the same x gives the same bits by value()
+///             wherever it is called, and by four_values() wherever it stands among the four; between the two there is
+///             rounding
 
 #include <fstiff/core/concepts.hpp>
 
@@ -31,8 +33,8 @@
 
 namespace fstiff::detail {
 
-/// The bits of a float or double as a number: for numbers from 0 on they are in the order of the numbers, and those of all
-/// negative numbers and NaN come after that of infinity.
+/// The bits of a float or double as a number: for numbers from 0 on they are in the order of the numbers, and those of
+/// all negative numbers and NaN come after that of infinity.
 template <Real T>
 using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
 template <Real T>
@@ -45,7 +47,8 @@ template <Real T>
     return (bits_of(x) << 1) > (bits_of(std::numeric_limits<T>::infinity()) << 1);
 }
 
-/// One row: its polynomial and the derivative by s, each by two interleaved Horner rules in s^2, half the latency of one.
+/// One row: its polynomial and the derivative by s, each by two interleaved Horner rules in s^2, half the latency of
+/// one.
 struct Row {
     static constexpr int terms = 8;
 
@@ -115,7 +118,7 @@ private:
     Eigen::internal::PacketBlock<Four<T>, 4> low_, high_;
 };
 
-template <Real T>
+template <Real T = double>
 struct BinaryPieces {
     static constexpr int bits_of_piece = 3;  ///< eight pieces a power of 2
     static constexpr int shift = std::numeric_limits<T>::digits - 1 - bits_of_piece;
@@ -162,7 +165,7 @@ private:
     }
 };
 
-template <Real T>
+template <Real T = double>
 struct UniformPieces {
     /// An empty table contains nothing: the difference to a NaN is none.
     T begin = std::numeric_limits<T>::quiet_NaN(), end = begin;

@@ -31,7 +31,7 @@ enum class RootStatus {
     not_converged  ///< max_iterations spent, or f returned NaN
 };
 
-template <Real T>
+template <Real T = double>
 struct RootResult {
     T root{};          ///< the best estimate, also when not converged
     T error{};         ///< width of the bracket around it that was reached

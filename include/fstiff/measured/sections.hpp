@@ -20,13 +20,13 @@
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8).
 /// Units       lengths, G [m], S [m^2]
-/// Valid       maps of 16 points a side at least; remove the form first, a plane at least, with remove_form()
+/// Valid       maps of 16 points a side at least; remove the form first, a plane at least, with level()
 /// Accuracy    S 1e-13. D of self-affine maps of 256 x 256 points, H = 0.3 to 0.8: 2 - H within 0.06 on the mean, which
-///             is what the ends of the spectrum do to S; the errors, of sampling alone, are 0.6 to 1.1 times the scatter
-///             (tests/measured/sections_test.cpp)
+///             is what the ends of the spectrum do to S; the errors, of sampling alone, are 0.6 to 1.1 times the
+///             scatter (tests/measured/sections_test.cpp)
 
 #include <fstiff/profile/fractal_fit.hpp>
-#include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/form.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +43,9 @@ namespace fstiff {
 /// Direction of a section: along a row, or along a column.
 enum class Direction { x, y };
 
-/// The profile along x in row \p row, or along y in column \p column.
-/// \throws domain_error unless the map has it.
+/// The profile along x in row \p place, or along y in column \p place. \throws domain_error unless the map has it.
 template <Real T>
-[[nodiscard]] Profile<T> section_along_x(const HeightMap<T>& map, Eigen::Index row);
-template <Real T>
-[[nodiscard]] Profile<T> section_along_y(const HeightMap<T>& map, Eigen::Index column);
+[[nodiscard]] Profile<T> section(const HeightMap<T>& map, Direction direction, Eigen::Index place);
 
 /// How the error of a mean structure function is found.
 struct SectionResampling {
@@ -65,15 +62,15 @@ template <Real T>
                                                              const SectionResampling& resampling = {});
 
 /// D and G along x and along y. A direction whose structure function allows no fit has the reason instead.
-template <Real T>
+template <Real T = double>
 struct DirectionalFit {
     std::optional<FractalFit<T>> x, y;
-    std::string x_refusal, y_refusal;  ///< why there is no fit; empty when there is one
-    T dimension_difference{};          ///< D along x less D along y, over the lags of both windows; 0 unless both exist
-    T dimension_difference_error{};    ///< its standard deviation
-    LagWindow<T> common;               ///< lags at which S is compared [m]; 0 to 0: both directions share too few
-    T log_level_difference{};          ///< mean of ln S_x - ln S_y over them
-    T log_level_difference_error{};    ///< its standard deviation
+    std::string why_no_fit_x, why_no_fit_y;  ///< empty when there is one
+    T dimension_difference{};        ///< D along x less D along y, over the lags of both windows; 0 unless both exist
+    T dimension_difference_error{};  ///< its standard deviation
+    LagWindow<T> common;             ///< lags at which S is compared [m]; 0 to 0: both directions share too few
+    T log_level_difference{};        ///< mean of ln S_x - ln S_y over them
+    T log_level_difference_error{};  ///< its standard deviation
     bool dimension_differs{};
     bool level_differs{};
 
@@ -82,10 +79,15 @@ struct DirectionalFit {
 
 /// Fits both directions of \p map. Of \p options, resamples and seed are those of the rows; a window or a resolution is
 /// that of both directions.
-/// \throws domain_error for a map or an option out of range; a tip radius is refused, since the lags that it shaped need
-/// the heights of one profile: give the resolution.
+/// \throws domain_error for a map or an option out of range; a tip radius is refused, since the lags that it shaped
+/// need the heights of one profile: give the resolution.
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {});
+template <Real T>
+[[nodiscard]] DirectionalFit<T> fit_directions(const LevelledMap<T>& levelled,
+                                               const FractalFitOptions<T>& options = {}) {
+    return fit_directions(levelled.map, options);
+}
 
 namespace detail {
 
@@ -97,8 +99,8 @@ struct SectionSums {
 };
 
 template <Real T>
-SectionSums<Sum<T>> section_sums(const HeightMap<T>& map, Direction direction, Sum<T> unit) {
-    using F = Sum<T>;
+SectionSums<Accumulator<T>> section_sums(const HeightMap<T>& map, Direction direction, Accumulator<T> unit) {
+    using F = Accumulator<T>;
     using Rows = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Rows z = (direction == Direction::x ? Rows(map.heights.template cast<F>())
                                               : Rows(map.heights.transpose().template cast<F>())) /
@@ -127,32 +129,30 @@ Matrix<F> resample_sections(const SectionSums<F>& sums, const std::vector<std::s
                             const SectionResampling& resampling) {
     const auto sections = static_cast<std::size_t>(sums.sum.rows());
     block = std::clamp<std::size_t>(block, 1, std::max<std::size_t>(1, sections / 4));
-    const std::size_t blocks = (sections + block - 1) / block;
-    std::vector<std::size_t> starts(static_cast<std::size_t>(resampling.resamples) * blocks);
-    std::uint64_t state = resampling.seed;
-    for (std::size_t& start : starts) start = static_cast<std::size_t>(splitmix64(state) % (sections - block + 1));
+    BlockBootstrap<F> bootstrap(sections, block, static_cast<std::size_t>(resampling.resamples), resampling.seed);
     Matrix<F> resampled(static_cast<Eigen::Index>(steps.size()), resampling.resamples);
-    std::vector<F> sum_to(sections + 1), pairs_to(sections + 1);  // over all sections before this one
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (resampling.progress) resampling.progress("bootstrap", k, steps.size());
         const auto lag = std::find(sums.step.begin(), sums.step.end(), steps[k]) - sums.step.begin();
-        for (std::size_t j = 0; j < sections; ++j) {
-            sum_to[j + 1] = sum_to[j] + sums.sum(static_cast<Eigen::Index>(j), lag);
-            pairs_to[j + 1] = pairs_to[j] + sums.pairs(static_cast<Eigen::Index>(j), lag);
-        }
-        for (int r = 0; r < resampling.resamples; ++r) {
-            F sum = 0, pairs = 0;
-            for (std::size_t b = 0; b < blocks; ++b) {
-                const std::size_t start = starts[static_cast<std::size_t>(r) * blocks + b];
-                sum += sum_to[start + block] - sum_to[start];
-                pairs += pairs_to[start + block] - pairs_to[start];
-            }
-            // a resample that holds nothing at this lag says nothing about it
-            resampled(static_cast<Eigen::Index>(k), r) =
-                std::log(sum > F(0) && pairs > F(0) ? sum / pairs : sum_to[sections] / pairs_to[sections]);
-        }
+        const std::vector<F>& means = bootstrap.means([&](std::size_t j) {
+            const auto row = static_cast<Eigen::Index>(j);
+            return std::pair{sums.sum(row, lag), sums.pairs(row, lag)};
+        });
+        resampled.row(static_cast<Eigen::Index>(k)) =
+            Eigen::Map<const Vector<F>>(means.data(), resampled.cols()).transpose().array().log();
     }
     return resampled;
+}
+
+/// Fits into \p fit; returns why that cannot be, empty when it can.
+template <class Fit, class Call>
+std::string fit_or_reason(std::optional<Fit>& fit, const Call& call) {
+    try {
+        fit = call();
+        return {};
+    } catch (const domain_error& error) {
+        return error.what();
+    }
 }
 
 /// Mean of ln S over the lags from ... to, and its standard deviation by the larger of bootstrap and model.
@@ -162,8 +162,8 @@ struct LogLevel {
 };
 
 template <Real T>
-LogLevel<Sum<T>> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
-    using F = Sum<T>;
+LogLevel<Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
+    using F = Accumulator<T>;
     const StructureFunction<T>& s = measured.structure_function;
     // trapezoids over ln(lag), at 24 points of the window that both directions share
     constexpr int points = 24;
@@ -194,45 +194,34 @@ LogLevel<Sum<T>> log_level(const MeasuredStructureFunction<T>& measured, const L
     const Vector<F> row = Eigen::Map<const Vector<F>>(used.data(), size);
     const Vector<F> x = Eigen::Map<const Vector<F>>(log_lag.data(), size);
     const Vector<F> y = Eigen::Map<const Vector<F>>(log_s.data(), size);
-    const F power = std::clamp(slope(x, y, 0, size - 1), F(0.1), F(1.9));
+    const F power = std::clamp(regression_slope(x, y, 0, size - 1), F(0.1), F(1.9));
     const Matrix<F> covariance = log_covariance(step, pairs, measured.points, power);
     level.error = std::sqrt(std::max(F(0), row.dot(covariance.lazyProduct(row))) / static_cast<F>(measured.profiles));
-    if (measured.resample) level.error = std::max(level.error, spread(row, Matrix<F>(measured.resample(step))));
+    if (measured.resample) level.error = std::max(level.error, sample_spread(row, Matrix<F>(measured.resample(step))));
     return level;
 }
 
 }  // namespace detail
 
 template <Real T>
-Profile<T> section_along_x(const HeightMap<T>& map, Eigen::Index row) {
-    if (row < 0 || row >= map.rows())
-        throw domain_error("row = " + std::to_string(row) + ": must be between 0 and " +
-                           std::to_string(map.rows() - 1));
-    return {{map.heights.row(row).begin(), map.heights.row(row).end()}, map.dx};
-}
-
-template <Real T>
-Profile<T> section_along_y(const HeightMap<T>& map, Eigen::Index column) {
-    if (column < 0 || column >= map.columns())
-        throw domain_error("column = " + std::to_string(column) + ": must be between 0 and " +
-                           std::to_string(map.columns() - 1));
-    return {{map.heights.col(column).begin(), map.heights.col(column).end()}, map.dy};
+Profile<T> section(const HeightMap<T>& map, Direction direction, Eigen::Index place) {
+    const bool x = direction == Direction::x;
+    const Eigen::Index sections = x ? map.rows() : map.columns();
+    if (place < 0 || place >= sections)
+        detail::refuse(x ? "row" : "column", place, "between 0 and " + std::to_string(sections - 1));
+    const auto values = [](const auto& line) { return std::vector<T>(line.begin(), line.end()); };
+    return x ? Profile<T>{values(map.heights.row(place)), map.dx} : Profile<T>{values(map.heights.col(place)), map.dy};
 }
 
 template <Real T>
 MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Direction direction,
                                                const SectionResampling& resampling) {
-    using F = detail::Sum<T>;
+    using F = Accumulator<T>;
     map.validate(16);
-    if (resampling.resamples < 0 || resampling.resamples > 100000)
-        throw domain_error("resamples = " + std::to_string(resampling.resamples) + ": must be between 0 and 100000");
+    require(resampling.resamples >= 0 && resampling.resamples <= 100000, "resamples", resampling.resamples,
+            "between 0 and 100000");
     const bool x = direction == Direction::x;
-    // in units of the range, a power of two: squares stay in range
-    const T low = map.heights.isNaN().select(std::numeric_limits<T>::max(), map.heights).minCoeff();
-    const T high = map.heights.isNaN().select(std::numeric_limits<T>::lowest(), map.heights).maxCoeff();
-    int exponent = 0;
-    (void)std::frexp(high / 2 - low / 2, &exponent);
-    const F unit = std::ldexp(F(1), exponent);
+    const F unit = 2 * static_cast<F>(detail::height_scale(map));  // the differences are at most 1
     detail::SectionSums<F> sums = detail::section_sums(map, direction, unit);
 
     MeasuredStructureFunction<T> measured;
@@ -244,9 +233,7 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
         const auto lag = static_cast<Eigen::Index>(k);
         const F pairs = sums.pairs.col(lag).sum(), sum = sums.sum.col(lag).sum();
         if (pairs == F(0)) continue;
-        const T value = static_cast<T>(sum / pairs * unit * unit);
-        require(sum == F(0) || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
-                "structure function", value, "a number of normal size: these heights are too large or too small");
+        const T value = detail::mean_square<T>(sum, pairs, unit);
         s.step.push_back(sums.step[k]);
         s.lag.push_back(static_cast<T>(sums.step[k]) * measured.spacing);
         s.value.push_back(value);
@@ -272,17 +259,14 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     const auto along_x = section_structure(map, Direction::x, resampling);
     const auto along_y = section_structure(map, Direction::y, resampling);
     DirectionalFit<T> result;
-    const auto fit = [&](const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& how,
-                         std::optional<FractalFit<T>>& into, std::string& refusal) {
-        try {
-            into = fit_fractal(measured, how);
-            into->seed = options.seed;
-        } catch (const domain_error& error) {
-            refusal = error.what();
-        }
+    const auto fit = [&](std::optional<FractalFit<T>>& into, const MeasuredStructureFunction<T>& measured,
+                         const FractalFitOptions<T>& how) {
+        std::string reason = detail::fit_or_reason(into, [&] { return fit_fractal(measured, how); });
+        if (into) into->seed = options.seed;
+        return reason;
     };
-    fit(along_x, options, result.x, result.x_refusal);
-    fit(along_y, options, result.y, result.y_refusal);
+    result.why_no_fit_x = fit(result.x, along_x, options);
+    result.why_no_fit_y = fit(result.y, along_y, options);
     if (result.x && result.y) {
         // over the lags of both windows: a curved S has another slope in another window
         FractalFitOptions<T> both = options;
@@ -291,9 +275,8 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
             std::max({std::min(result.x->window.from, result.y->window.from), lags_x.front(), lags_y.front()}),
             std::min({std::max(result.x->window.to, result.y->window.to), lags_x.back(), lags_y.back()})};
         std::optional<FractalFit<T>> x, y;
-        std::string unused;
-        fit(along_x, both, x, unused);
-        fit(along_y, both, y, unused);
+        (void)fit(x, along_x, both);
+        (void)fit(y, along_y, both);
         if (!x || !y) x = result.x, y = result.y;  // where the spacings are so different that no such window exists
         result.dimension_difference = x->fractal.dimension - y->fractal.dimension;
         result.dimension_difference_error = std::hypot(x->dimension_error, y->dimension_error);

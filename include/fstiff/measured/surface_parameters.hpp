@@ -26,7 +26,7 @@
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Kunsch,
 ///             Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), sections 2 to 4.
 /// Units       SI
-/// Valid       form removed before, with detrend() or remove_form(); profiles of 16 points and 8 triples at least, maps
+/// Valid       form removed before, with level(); profiles of 16 points and 8 triples at least, maps
 ///             as representative_islands(), with two islands or summits apart at least. What cannot be had (D, or r and
 ///             theta) is left out, with the reason.
 /// Accuracy    1e-12 of plain sums. Errors over the scatter of 60 surfaces, itself known to 9 %: 0.7 to 1.4; D_p of
@@ -36,16 +36,19 @@
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/measured/height_sums.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
-#include <fstiff/topography/islands.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/form.hpp>
+#include <fstiff/topography/island_spread.hpp>
 
 #include <array>
 
 namespace fstiff {
 
 /// A measured value and its standard deviation.
-template <Real T>
+template <Real T = double>
 struct Measurement {
     T value{}, error{};
 };
@@ -59,12 +62,12 @@ template <>
 inline constexpr auto names<PeakSource> = name_list<PeakSource>({{PeakSource::islands, "islands"},
                                                                  {PeakSource::summits, "summits"}});
 
-template <Real T>
+template <Real T = double>
 struct SurfaceParameterOptions {
     PeakSource peaks = PeakSource::islands;  ///< of a map
     IslandOptions<T> islands{};
-    FractalFitOptions<T> fit{};  ///< of a profile `removed` is what detrend() took
-    std::size_t tiles = 4;       ///< of a map, a side
+    FractalFitOptions<T> fit{};
+    std::size_t tiles = 4;  ///< of a map, a side
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< of the resamples; `islands` and `fit` have their own
@@ -81,7 +84,7 @@ template <Real T>
     return one;
 }
 
-template <Real T>
+template <Real T = double>
 struct SurfaceParameters {
     Measurement<T> rms_height;       ///< sigma [m]
     Measurement<T> peak_radius;      ///< R [m]
@@ -91,7 +94,7 @@ struct SurfaceParameters {
     std::optional<Measurement<T>> fractal_roughness;  ///< G [m]
     T log_fractal_roughness_error{};                  ///< standard deviation of ln G
     std::optional<Measurement<T>> r, theta;           ///< theta [rad]
-    std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta; empty when there are
+    std::string why_no_dimension, why_no_peaks;       ///< why there is no D, no r and theta; empty when there are
     /// Of the errors; those of different origin (D; the islands of a map) are taken for independent.
     ParameterCorrelation<T> correlation = uncorrelated<T>();
     LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
@@ -101,143 +104,38 @@ struct SurfaceParameters {
     std::size_t blocks{};         ///< independent parts that the errors come from
     T block_length{};             ///< of a profile [m]
     std::uint64_t seed{};
-    std::optional<FractalFit<T>> profile_fit;  ///< behind D and G of a profile; none where fractal_refusal tells why
+    std::optional<FractalFit<T>> profile_fit;  ///< behind D and G of a profile; none where why_no_dimension tells why
     std::optional<DirectionalFit<T>> map_fit;  ///< behind those of a map; without x and y where neither can be fitted
     std::optional<RepresentativeIslands<T>> islands;  ///< behind R and D_p of a map, of PeakSource::islands
 };
 
+/// Of a surface without its form, or of one as it is, of which nothing was removed.
 /// \throws domain_error for a surface or an option out of range, or one without peaks.
 template <Real T>
-[[nodiscard]] SurfaceParameters<T> surface_parameters(const Profile<T>& profile,
+[[nodiscard]] SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled,
                                                       const SurfaceParameterOptions<T>& options = {});
+template <Real T>
+[[nodiscard]] SurfaceParameters<T> surface_parameters(const Profile<T>& profile,
+                                                      const SurfaceParameterOptions<T>& options = {}) {
+    return surface_parameters(LevelledProfile<T>{profile}, options);
+}
 template <Real T>
 [[nodiscard]] SurfaceParameters<T> surface_parameters(const HeightMap<T>& map,
                                                       const SurfaceParameterOptions<T>& options = {});
+template <Real T>
+[[nodiscard]] SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled,
+                                                      const SurfaceParameterOptions<T>& options = {}) {
+    return surface_parameters(levelled.map, options);
+}
 
 namespace detail {
 
-/// Sums over points and triples of neighbours; heights from the mean, in some unit.
-template <Real S>
-struct HeightSums {
-    S points{}, first{}, square{}, triples{}, slope{}, curvature{}, peaks{};
-    S highest = std::numeric_limits<S>::lowest();
-    S inner{}, summits{}, summit_curvature{};  // of a map: points with eight neighbours, those above them
-
-    void add_point(S z) {
-        if (std::isnan(z)) return;
-        points += 1;
-        first += z;
-        square += z * z;
-        highest = std::max(highest, z);
-    }
-    void add_triple(S a, S b, S c) {
-        const S rise = b - a, fall = c - b;
-        if (std::isnan(rise) || std::isnan(fall)) return;
-        triples += 1;
-        slope += (rise * rise + fall * fall) / 2;
-        curvature += (fall - rise) * (fall - rise);
-        peaks += rise > S(0) && fall < S(0) ? S(1) : S(0);
-    }
-    void add(const HeightSums& other) {
-        points += other.points, first += other.first, square += other.square;
-        triples += other.triples, slope += other.slope, curvature += other.curvature, peaks += other.peaks;
-        highest = std::max(highest, other.highest);
-        inner += other.inner, summits += other.summits, summit_curvature += other.summit_curvature;
-    }
-};
-
-/// Which peaks the sums know.
-enum class PeakCount { profile, summits, none };
-
-/// sigma, R, D_p, R_p, r, theta. The lengths are in the units of the sums: the unit of heights, and samples.
-template <Real S>
-using Estimates = Eigen::Array<S, 6, 1>;
-
-/// As the sums have them; R = D_p = 1 when they know no peaks, NaN or infinite what they do not have.
-template <Real S>
-Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
-    const S mean = sums.first / sums.points;
-    const S sigma = std::sqrt(std::max(S(0), sums.square / sums.points - mean * mean));
-    const S slope = std::sqrt(sums.slope / sums.triples), curvature = std::sqrt(sums.curvature / sums.triples);
-    Estimates<S> e;
-    e << sigma, S(1), S(1), sums.highest - mean, slope * (slope / (sigma * curvature)),
-        std::asin(std::min(S(1), curvature / slope / 2));  // curvature = 2 slope is a zigzag, but for rounding
-    if (count == PeakCount::profile) {
-        const S share = sums.peaks / sums.triples;
-        e[1] = 3 * std::sqrt(numbers::pi_v<S>) / 8 / curvature;
-        e[2] = 2 * numbers::pi_v<S> / (3 * std::sqrt(S(3))) * share * share;
-    } else if (count == PeakCount::summits) {
-        e[1] = sums.summits / sums.summit_curvature;
-        e[2] = sums.summits / sums.inner;
-    }
-    return e;
-}
-
-/// Standard deviations of the estimates, relative to the whole (of r and theta absolute), and their correlation.
-template <Real S>
-struct EstimateSpread {
-    Estimates<S> error = Estimates<S>::Zero();
-    ParameterCorrelation<S> correlation = uncorrelated<S>();
-    std::size_t blocks{};
-};
-
-/// Resamples of \p cells, drawn in runs of \p block neighbours, as many as make the whole.
-template <Real S>
-EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::size_t block, PeakCount count,
-                                 std::size_t resamples, std::uint64_t seed, const ProgressHook& progress) {
-    EstimateSpread<S> spread;
-    spread.blocks = (cells.size() + block - 1) / block;
-    HeightSums<S> all;
-    for (const auto& cell : cells) all.add(cell);
-    const Estimates<S> whole = estimates(all, count);
-    const auto known = whole.isFinite().eval();
-    Estimates<S> unit = whole;
-    unit[4] = unit[5] = S(1);
-    std::vector<Estimates<S>> draws;
-    for (std::size_t k = 0; k < resamples; ++k) {
-        if (progress) progress("resamples", k, resamples);
-        HeightSums<S> sums;
-        for (std::size_t b = 0; b < spread.blocks; ++b) {
-            const auto start = static_cast<std::size_t>(splitmix64(seed) % (cells.size() - block + 1));
-            for (std::size_t i = start; i < start + block; ++i) sums.add(cells[i]);
-        }
-        const Estimates<S> draw = known.select((estimates(sums, count) - whole) / unit, S(0));
-        if (draw.isFinite().all()) draws.push_back(draw);  // a draw without peaks says nothing
-    }
-    if (spread.blocks < 2 || draws.size() < 2)
-        throw domain_error("resamples of " + std::to_string(spread.blocks) +
-                           " parts of the surface that hold peaks = " + std::to_string(draws.size()) +
-                           ": must be at least 2, of 2 parts at least, for an error");
-    Estimates<S> mean = Estimates<S>::Zero();
-    for (const auto& draw : draws) mean += draw / static_cast<S>(draws.size());
-    Eigen::Matrix<S, 6, 6> covariance = Eigen::Matrix<S, 6, 6>::Zero();
-    for (const auto& draw : draws) covariance += (draw - mean).matrix() * (draw - mean).matrix().transpose();
-    const S blocks = static_cast<S>(spread.blocks);
-    covariance *= blocks / (blocks - 1) / static_cast<S>(draws.size() - 1);
-    spread.error = covariance.diagonal().array().sqrt();
-    spread.error = (spread.error > S(1e-12)).select(spread.error, S(0));  // the rounding of sums that do not vary
-    constexpr std::array<Eigen::Index, 5> mine{0, 1, 2, 4, 5};  // without R_p, whose place in Parameter is that of D
-    for (const Eigen::Index i : mine)
-        for (const Eigen::Index j : mine)
-            if (const S both = spread.error[i] * spread.error[j]; i != j && both > S(0))
-                spread.correlation[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-                    std::clamp(covariance(i, j) / both, S(-1), S(1));
-    return spread;
-}
-
-/// A power of two near half of the range, in which no square leaves the range of numbers.
+/// What the sums have: heights in \p unit, lengths in samples of \p dx by \p dy.
 template <Real T>
-Sum<T> range_unit(T low, T high) {
-    int exponent = 0;
-    (void)std::frexp(high / 2 - low / 2, &exponent);
-    return std::ldexp(Sum<T>(1), exponent);
-}
-
-/// Takes over what the sums have: heights in \p unit, lengths in samples of \p dx by \p dy.
-template <Real T>
-void take_over(SurfaceParameters<T>& result, const Estimates<Sum<T>>& whole, const EstimateSpread<Sum<T>>& spread,
-               Sum<T> unit, Sum<T> dx, Sum<T> dy) {
-    const auto measured = [&](Eigen::Index i, Sum<T> scale) {
+void store_sums(SurfaceParameters<T>& result, const Estimates<Accumulator<T>>& whole,
+                const EstimateSpread<Accumulator<T>>& spread, Accumulator<T> unit, Accumulator<T> dx,
+                Accumulator<T> dy) {
+    const auto measured = [&](Eigen::Index i, Accumulator<T> scale) {
         return Measurement<T>{static_cast<T>(whole[i] * scale), static_cast<T>(whole[i] * scale * spread.error[i])};
     };
     result.rms_height = measured(0, unit);
@@ -245,17 +143,19 @@ void take_over(SurfaceParameters<T>& result, const Estimates<Sum<T>>& whole, con
     result.peak_density = measured(2, 1 / dx / dy);
     result.max_peak_height = measured(3, unit);
     result.blocks = spread.blocks;
-    for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        for (std::size_t j = 0; j < surface_parameter_count; ++j)
-            result.correlation[i][j] = static_cast<T>(spread.correlation[i][j]);
+    constexpr std::array<Eigen::Index, 5> mine{0, 1, 2, 4, 5};  // without R_p, whose place in Parameter is that of D
+    for (const Eigen::Index i : mine)
+        for (const Eigen::Index j : mine)
+            result.correlation[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+                static_cast<T>(spread.correlation(i, j));
     const T r = static_cast<T>(whole[4]), theta = static_cast<T>(whole[5]);
     if (!std::isfinite(r) || !(theta > T(0)))
-        result.peaks_refusal = "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta";
+        result.why_no_peaks = "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta";
     else if (!(r < T(1)))
-        result.peaks_refusal =
-            "r = " + shown(r) + ", must be less than 1: too near to a single sine, a straight line or a zigzag";
+        result.why_no_peaks = "r = " + rounded_text(r, 4) +
+                              ", must be less than 1: too near to a single sine, a straight line or a zigzag";
     else if (!(theta < numbers::pi_v<T> / 2))
-        result.peaks_refusal = "theta = pi/2, must be less: every point stands above or below both of its neighbours";
+        result.why_no_peaks = "theta = pi/2, must be less: every point stands above or below both of its neighbours";
     else {
         result.r = {r, static_cast<T>(spread.error[4])};
         result.theta = {theta, static_cast<T>(spread.error[5])};
@@ -263,7 +163,7 @@ void take_over(SurfaceParameters<T>& result, const Estimates<Sum<T>>& whole, con
 }
 
 template <Real T>
-void take_over(SurfaceParameters<T>& result, const FractalFit<T>& fit) {
+void store_fit(SurfaceParameters<T>& result, const FractalFit<T>& fit) {
     result.fractal_dimension = {fit.fractal.dimension, fit.dimension_error};
     result.fractal_roughness = {fit.fractal.roughness, fit.roughness_error};
     result.log_fractal_roughness_error = fit.log_roughness_error;
@@ -273,13 +173,13 @@ void take_over(SurfaceParameters<T>& result, const FractalFit<T>& fit) {
 
 /// D and G of both directions as one, by weight.
 template <Real T>
-void take_over(SurfaceParameters<T>& result, const DirectionalFit<T>& fit) {
+void store_mean_of_directions(SurfaceParameters<T>& result, const DirectionalFit<T>& fit) {
     result.anisotropic = fit.anisotropic();
     if (!fit.x && !fit.y) {
-        result.fractal_refusal = "along x: " + fit.x_refusal + "; along y: " + fit.y_refusal;
+        result.why_no_dimension = "along x: " + fit.why_no_fit_x + "; along y: " + fit.why_no_fit_y;
         return;
     }
-    take_over(result, fit.x && (!fit.y || fit.x->dimension_error <= fit.y->dimension_error) ? *fit.x : *fit.y);
+    store_fit(result, fit.x && (!fit.y || fit.x->dimension_error <= fit.y->dimension_error) ? *fit.x : *fit.y);
     if (!fit.x || !fit.y) return;
     const T ex = fit.x->dimension_error, ey = fit.y->dimension_error, square = ex * ex + ey * ey;
     const T share = square > T(0) ? ey * ey / square : T(0.5);  // of x
@@ -298,10 +198,9 @@ void take_over(SurfaceParameters<T>& result, const DirectionalFit<T>& fit) {
 
 template <Real T>
 void require_options(const SurfaceParameterOptions<T>& options) {
-    if (options.resamples < 2 || options.resamples > 100000)
-        throw domain_error("resamples = " + std::to_string(options.resamples) + ": must be between 2 and 100000");
-    if (options.tiles < 2 || options.tiles > 32)
-        throw domain_error("tiles a side = " + std::to_string(options.tiles) + ": must be between 2 and 32");
+    require(options.resamples >= 2 && options.resamples <= 100000, "resamples", options.resamples,
+            "between 2 and 100000");
+    require(options.tiles >= 2 && options.tiles <= 32, "tiles a side", options.tiles, "between 2 and 32");
     check_options(options.fit);
 }
 
@@ -318,16 +217,14 @@ void require_numbers(const SurfaceParameters<T>& result) {
 }  // namespace detail
 
 template <Real T>
-SurfaceParameters<T> surface_parameters(const Profile<T>& profile, const SurfaceParameterOptions<T>& options) {
-    using S = detail::Sum<T>;
+SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, const SurfaceParameterOptions<T>& options) {
+    using S = Accumulator<T>;
+    const Profile<T>& profile = levelled.profile;
     profile.validate(16);
     detail::require_options(options);
     const std::size_t size = profile.size();
     const std::vector<T>& z = profile.heights;
-    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
-    for (const T height : z)
-        if (!std::isnan(height)) low = std::min(low, height), high = std::max(high, height);
-    const S unit = detail::range_unit(low, high), mean = static_cast<S>(mean_height(profile));
+    const S unit = detail::height_scale(profile), mean = static_cast<S>(mean_height(profile));
     const S step = static_cast<S>(profile.spacing);
 
     // How long heights stay correlated: until S reaches 1 - 1/e of where it ends.
@@ -341,45 +238,40 @@ SurfaceParameters<T> surface_parameters(const Profile<T>& profile, const Surface
     const auto height = [&](std::size_t i) { return (static_cast<S>(z[i]) - mean) / unit; };
     for (std::size_t i = 0; i < size; ++i) {
         sums[i / length].add_point(height(i));
-        if (i > 0 && i + 1 < size) sums[i / length].add_triple(height(i - 1), height(i), height(i + 1));
+        if (i > 0 && i + 1 < size) sums[i / length].triples.add(height(i) - height(i - 1), height(i + 1) - height(i));
     }
     detail::HeightSums<S> all;
     for (const auto& cell : sums) all.add(cell);
-    if (all.triples < S(8))
-        throw domain_error("profile has " + std::to_string(static_cast<std::size_t>(all.triples)) +
+    if (all.triples.triples < 8)
+        throw domain_error("profile has " + std::to_string(all.triples.triples) +
                            " triples of neighbouring points: must be at least 8");
-    require(all.peaks > S(0), "peaks of the profile", all.peaks, "at least 1");
+    require(all.triples.peaks > 0, "peaks of the profile", all.triples.peaks, "at least 1");
     const std::size_t block =
         std::clamp<std::size_t>((5 * correlated + length - 1) / length, 1, std::max<std::size_t>(1, sums.size() / 8));
 
     SurfaceParameters<T> result;
     constexpr auto count = detail::PeakCount::profile;
-    detail::take_over(result, detail::estimates(all, count),
-                      detail::resample_cells(sums, block, count, options.resamples, options.seed, options.progress),
-                      unit, step, step);
+    detail::store_sums(result, detail::estimates(all, count),
+                       detail::resample_cells(sums, block, count, options.resamples, options.seed, options.progress),
+                       unit, step, step);
     detail::require_numbers(result);
-    result.peaks_counted = static_cast<std::size_t>(all.peaks);
+    result.peaks_counted = all.triples.peaks;
     result.block_length = static_cast<T>(block * length) * profile.spacing;
     result.seed = options.seed;
-    try {
-        result.profile_fit = fit_fractal(profile, options.fit);
-        detail::take_over(result, *result.profile_fit);
-    } catch (const domain_error& error) {
-        result.fractal_refusal = error.what();
-    }
+    result.why_no_dimension =
+        detail::fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); });
+    if (result.profile_fit) detail::store_fit(result, *result.profile_fit);
     return result;
 }
 
 template <Real T>
 SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options) {
-    using S = detail::Sum<T>;
+    using S = Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
     detail::require_options(options);
     const auto& z = map.heights;
-    const S unit = detail::range_unit(z.isNaN().select(std::numeric_limits<T>::max(), z).minCoeff(),
-                                      z.isNaN().select(std::numeric_limits<T>::lowest(), z).maxCoeff());
-    const S mean = static_cast<S>(mean_height(Profile<T>{{z.data(), z.data() + z.size()}, map.dx}));
+    const S unit = detail::height_scale(map), mean = static_cast<S>(mean_height(map));
     const auto height = [&](Index j, Index i) { return (static_cast<S>(z(j, i)) - mean) / unit; };
     const S square_of_sides = static_cast<S>(map.dx) / map.dy * (static_cast<S>(map.dx) / map.dy);
     const bool summits = options.peaks == PeakSource::summits;
@@ -393,44 +285,40 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
         for (Index j = top; j < bottom; ++j)
             for (Index i = left; i < right; ++i) {
                 tile.add_point(height(j, i));
-                if (i > 0 && i + 1 < map.columns()) tile.add_triple(height(j, i - 1), height(j, i), height(j, i + 1));
+                if (i > 0 && i + 1 < map.columns())
+                    tile.triples.add(height(j, i) - height(j, i - 1), height(j, i + 1) - height(j, i));
             }
-        for (Index j = std::max<Index>(top, 1); summits && j < std::min(bottom, map.rows() - 1); ++j)
-            for (Index i = std::max<Index>(left, 1); i < std::min(right, map.columns() - 1); ++i) {
-                const auto patch = z.template block<3, 3>(j - 1, i - 1);
-                if (patch.isNaN().any()) continue;
+        if (summits)
+            detail::visit_inner_points(map, {top, bottom, left, right}, [&](Index j, Index i, bool summit) {
                 tile.inner += 1;
-                if ((patch >= z(j, i)).count() != 1) continue;  // itself
+                if (!summit) return;
                 const S here = height(j, i);
                 const S along_x = (here - height(j, i - 1)) + (here - height(j, i + 1));
                 const S along_y = (here - height(j - 1, i)) + (here - height(j + 1, i));
                 tile.summits += 1;
                 tile.summit_curvature += (along_x + along_y * square_of_sides) / 2;
-            }
+            });
         all.add(tile);
         if (tile.points > S(0)) sums.push_back(tile);
     }
-    require(all.triples > S(0), "triples of neighbouring points in the rows", all.triples, "at least 1");
+    require(all.triples.triples > 0, "triples of neighbouring points in the rows", all.triples.triples, "at least 1");
     const auto with_summits =
         std::count_if(sums.begin(), sums.end(), [](const auto& tile) { return tile.summits > 0; });
-    if (summits && with_summits < 2)
-        throw domain_error("tiles of the map that hold summits = " + std::to_string(with_summits) +
-                           ": must be at least 2 for the errors of R and D_p");
+    require(!summits || with_summits >= 2, "tiles of the map that hold summits", with_summits,
+            "at least 2 for the errors of R and D_p");
 
     SurfaceParameters<T> result;
     const auto count = summits ? detail::PeakCount::summits : detail::PeakCount::none;
-    detail::take_over(result, detail::estimates(all, count),
-                      detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress), unit,
-                      static_cast<S>(map.dx), static_cast<S>(map.dy));
+    detail::store_sums(result, detail::estimates(all, count),
+                       detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress), unit,
+                       static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) {
         result.islands = representative_islands(map, options.islands,
                                                 {options.tiles, options.resamples, options.seed, options.progress});
         const RepresentativeIslands<T>& islands = *result.islands;
-        if (islands.islands < 2)
-            throw domain_error(
-                "islands of the map where there are most = 1: must be at least 2 for the errors of R "
-                "and D_p");
+        require(islands.islands >= 2, "islands of the map where there are most", islands.islands,
+                "at least 2 for the errors of R and D_p");
         result.peak_radius = {islands.radius, islands.radius_error};
         result.peak_density = {islands.density, islands.density_error};
         result.peaks_counted = islands.islands;
@@ -440,12 +328,8 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
     }
     detail::require_numbers(result);
     result.seed = options.seed;
-    try {
-        result.map_fit = fit_directions(map, options.fit);
-        detail::take_over(result, *result.map_fit);
-    } catch (const domain_error& error) {
-        result.fractal_refusal = error.what();
-    }
+    result.why_no_dimension = detail::fit_or_reason(result.map_fit, [&] { return fit_directions(map, options.fit); });
+    if (result.map_fit) detail::store_mean_of_directions(result, *result.map_fit);
     return result;
 }
 

@@ -10,15 +10,15 @@
 /// Which of the two a parameter takes stands in its row of surface/contact_parameter.hpp.
 /// A draw in which D, r or theta leaves its range is drawn again, all of it. An error of 0 gives the value itself.
 ///
-/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); splitmix64 of surface/weierstrass_mandelbrot.hpp: the random
+/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); math/random.hpp: the random
 ///             bits of a seed are the same on every platform; values agree to the rounding of the local log, cos, exp
 ///             and eigenvectors
 /// Units       SI
 /// Valid       values in the range of each parameter, errors finite and not negative, a correlation that is positive
 ///             semidefinite (an eigenvalue below -1e-9 is refused)
 
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
 
 #include <Eigen/Core>
@@ -27,12 +27,11 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <span>
 
 namespace fstiff {
 
 /// The parameters that enter the contact, with errors.
-template <Real T>
+template <Real T = double>
 struct UncertainSurface {
     std::array<T, surface_parameter_count> value{}, error{};  ///< in the order of Parameter
     std::array<bool, surface_parameter_count> known{};        ///< D, r and theta may not be
@@ -55,7 +54,7 @@ template <Real T>
 [[nodiscard]] UncertainSurface<T> uncertain(const SurfaceParameters<T>& measured);
 
 /// Draws surfaces, one a call.
-template <Real T>
+template <Real T = double>
 class SurfaceSampler {
 public:
     /// \throws domain_error as UncertainSurface::validate().
@@ -65,16 +64,10 @@ public:
     [[nodiscard]] std::array<T, surface_parameter_count> operator()();
 
 private:
-    T normal();
     UncertainSurface<T> surface_;
     std::array<std::array<T, surface_parameter_count>, surface_parameter_count> root_{};  ///< of the correlation
     std::uint64_t state_;
 };
-
-/// The value below which the share \p probability of the sorted \p values lies: linear between neighbours, as
-/// Hyndman, Fan, Am. Stat. 50 (1996) 361, definition 7. \throws domain_error without values.
-template <Real T>
-[[nodiscard]] T sorted_quantile(std::span<const T> values, T probability);
 
 template <Real T>
 void UncertainSurface<T>::validate() const {
@@ -128,17 +121,10 @@ SurfaceSampler<T>::SurfaceSampler(const UncertainSurface<T>& surface, std::uint6
 }
 
 template <Real T>
-T SurfaceSampler<T>::normal() {
-    const T uniform = static_cast<T>((detail::splitmix64(state_) >> 11) + 1) * T(0x1p-53L);  // in (0, 1]
-    const T turn = static_cast<T>(detail::splitmix64(state_) >> 11) * T(0x1p-53L);
-    return std::sqrt(-2 * std::log(uniform)) * std::cos(2 * numbers::pi_v<T> * turn);
-}
-
-template <Real T>
 std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
     for (int attempt = 0; attempt < 1000; ++attempt) {
         std::array<T, surface_parameter_count> z{};
-        for (T& one : z) one = normal();
+        for (T& one : z) one = normal_pair<T>(state_).real();
         std::array<T, surface_parameter_count> draw{};
         bool inside = true;
         for (std::size_t i = 0; i < surface_parameter_count; ++i) {
@@ -154,17 +140,6 @@ std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
         if (inside) return draw;
     }
     throw domain_error("errors so large that 1000 draws in a row leave the range of D, r or theta: must be smaller");
-}
-
-template <Real T>
-T sorted_quantile(std::span<const T> values, T probability) {
-    if (values.empty()) throw domain_error("values of a quantile = 0: must be at least 1");
-    require(probability >= T(0) && probability <= T(1), "probability", probability, "between 0 and 1");
-    const T place = probability * static_cast<T>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    const T share = place - static_cast<T>(below);
-    return values[below] + share * (values[above] - values[below]);
 }
 
 }  // namespace fstiff

@@ -26,7 +26,7 @@ namespace fstiff {
 enum class Heights { gaussian, exponential };
 template <>
 inline constexpr auto names<Heights> = name_list<Heights>({{Heights::gaussian, "gaussian"},
-                                                            {Heights::exponential, "exponential"}});
+                                                           {Heights::exponential, "exponential"}});
 
 namespace detail {
 
@@ -41,7 +41,8 @@ T scaled_upper_gamma(T x) {
 
 }  // namespace detail
 
-/// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2 or 5/2, h a number.
+/// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2 or 5/2, h a
+/// number.
 template <Real T>
 [[nodiscard]] T height_moment(T n, T h, Heights heights = Heights::gaussian) {
     if (heights == Heights::gaussian) return gaussian_moment(n, h) / (numbers::sqrt2_v<T> / numbers::inv_sqrtpi_v<T>);
@@ -52,7 +53,7 @@ template <Real T>
 }
 
 /// All peaks have the radius R of the surface.
-template <Real T>
+template <Real T = double>
 struct SingleRadius {
     Heights heights = Heights::gaussian;
 

@@ -50,24 +50,13 @@ public:
         whole_ = present.empty();
         take_off_line();
         correlate();
-        mend();
+        recompute_marked();
     }
 
     std::vector<F> sum;              ///< of squared differences, at lag n - 1
     std::vector<std::size_t> pairs;  ///< at lag n - 1
 
 private:
-    /// A sum with its rounding errors (Knuth's two-sum), without the branch of CompensatedSum.
-    struct RunningSum {
-        F sum{}, error{};
-        void add(F term) {
-            const F next = sum + term, added = next - sum;
-            error += (sum - (next - added)) + (term - added);
-            sum = next;
-        }
-        F value() const { return sum + error; }
-    };
-
     static constexpr F wanted = F(0.8e-10);  // the rest of 1e-10 is for the rounding of the sums themselves
 
     /// Sum of \p term over the points that exist, in short runs so that rounding does not add up.
@@ -101,10 +90,9 @@ private:
         for (std::size_t i = 0; i < size_; ++i) {
             if (!whole_ && !present_[i]) continue;
             const F u = position(i);  // exact, so that differences of the line are slope times lag
-            const F difference = z_[i] - level, back = z_[i] - difference;
-            const F lost = (z_[i] - (difference + back)) + (back - level);
+            const RoundedSum<F> difference = two_sum(z_[i], -level);
             const F product = slope_ * u, product_lost = std::fma(slope_, u, -product);
-            residual_[i] = (difference - product) + (lost - product_lost);
+            residual_[i] = (difference.sum - product) + (difference.error - product_lost);
         }
         // the residual keeps a constant, slope times middle and what rounding left: differences do not see it
         const F constant = over_points([&](std::size_t i) { return residual_[i]; }) / points;
@@ -130,7 +118,8 @@ private:
             for (std::size_t k = 1; k <= half; ++k) even[k] = even[fft.size() - k] = std::norm(spectrum[k]) * scale;
             fft.forward(even, spectrum);
             const F zero = over_points([&](std::size_t i) { return residual_[i] * residual_[i]; });
-            RunningSum left_out, edges;  // squares outside the pairs' beginnings and ends; last n less first n points
+            CompensatedSum<F> left_out,
+                edges;  // squares outside the pairs' beginnings and ends; last n less first n points
             for (std::size_t n = 1; n <= longest_; ++n) {
                 const F head = residual_[n - 1], tail = residual_[size_ - n];
                 left_out.add(head * head + tail * tail);
@@ -140,8 +129,8 @@ private:
                 const F cross = 2 * line * edges.value();
                 sum[n - 1] = (2 * zero - left_out.value()) - 2 * spectrum[n].real() + cross + count * line * line;
                 pairs[n - 1] = size_ - n;
-                doubt(n, 2 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
-                             4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n)));
+                mark_inaccurate(n, 2 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
+                                       4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n)));
             }
             return;
         }
@@ -175,14 +164,14 @@ private:
             sum[n - 1] = spectrum[n].real() + cross + count * line * line;
             pairs[n - 1] = count > 0 ? static_cast<std::size_t>(count) : 0;
             // twice as many correlations as above; that of mask and heights is at most sqrt(points times squares)
-            doubt(n, 4 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
-                         4 * fft_error * std::abs(line) * std::sqrt(zero * points));
+            mark_inaccurate(n, 4 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
+                                   4 * fft_error * std::abs(line) * std::sqrt(zero * points));
         }
     }
 
     /// Remembers lag \p n when an \p error of its sum may be too much.
-    void doubt(std::size_t n, F error) {
-        if (pairs[n - 1] > 0 && !(error <= wanted * sum[n - 1])) doubtful_.push_back(n);
+    void mark_inaccurate(std::size_t n, F error) {
+        if (pairs[n - 1] > 0 && !(error <= wanted * sum[n - 1])) inaccurate_lags_.push_back(n);
     }
 
     /// Sum over the pairs of lag \p n that begin at \p from or later, in short runs so that rounding does not add up.
@@ -256,14 +245,14 @@ private:
         return settled;
     }
 
-    void mend() {
-        // how far the doubtful lags reach without a gap longer than half of what is before it
+    void recompute_marked() {
+        // how far the marked lags reach without a gap longer than half of what is before it
         std::size_t last = 0, front = 0;
-        while (front < doubtful_.size() && doubtful_[front] <= std::min(2 * last + 64, size_ / 64))
-            last = doubtful_[front++];
+        while (front < inaccurate_lags_.size() && inaccurate_lags_[front] <= std::min(2 * last + 64, size_ / 64))
+            last = inaccurate_lags_[front++];
         std::vector<char> settled;
         if (whole_ && front > 64) settled = in_segments(last);
-        for (const std::size_t n : doubtful_)
+        for (const std::size_t n : inaccurate_lags_)
             if (n >= settled.size() || !settled[n]) sum[n - 1] = directly(n, 0);
     }
 
@@ -273,21 +262,20 @@ private:
     bool whole_{};
     F slope_{};  // per sample
     std::vector<F> residual_;
-    std::vector<std::size_t> doubtful_;  // lags whose sum may be wrong, rising
+    std::vector<std::size_t> inaccurate_lags_;  // lags whose sum may be wrong, rising
 };
 
 }  // namespace detail
 
 template <Real T>
 StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest, Divisor divisor) {
-    using F = detail::Sum<T>;
+    using F = Accumulator<T>;
     require_positive("spacing", profile.spacing);
     const std::size_t points = profile.size();
     if (points < 2 || points > std::size_t{1} << 29)
         throw domain_error("profile has " + std::to_string(points) + " points: must be between 2 and 2^29");
     if (longest >= points)
-        throw domain_error("lag = " + std::to_string(longest) + " samples: must be between 1 and " +
-                           std::to_string(points - 1));
+        detail::refuse("lag", std::to_string(longest) + " samples", "between 1 and " + std::to_string(points - 1));
     const F scale = static_cast<F>(detail::height_scale(profile));
     std::vector<F> heights(points);
     std::vector<char> present;
@@ -309,12 +297,9 @@ StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, s
     std::size_t kept = 0;  // lags without enough pairs are left out in place
     for (std::size_t k = 0; k < result.pairs.size(); ++k) {
         const std::size_t pairs = result.pairs[k];
-        const std::size_t divided_by = divisor == Divisor::pairs ? pairs : pairs > 0 ? pairs - 1 : 0;
-        if (divided_by == 0) continue;
-        const F sum = static_cast<F>(result.value[k]);
-        const T value = static_cast<T>(sum / static_cast<F>(divided_by) * scale * scale);
-        require(sum == 0 || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
-                "structure function", value, "a number of normal size: these heights are too large or too small");
+        const std::size_t count = detail::divided_by(pairs, divisor);
+        if (count == 0) continue;
+        const T value = detail::mean_square<T>(static_cast<F>(result.value[k]), static_cast<F>(count), scale);
         result.step[kept] = k + 1;
         result.lag[kept] = static_cast<T>(k + 1) * profile.spacing;
         result.value[kept] = value;

@@ -50,10 +50,9 @@ template <Real T>
 void subtract_product(T& value, T& carry, T a, T b) {
     const T product = a * b;
     const T product_error = std::fma(a, b, -product);
-    const T next = value - product;
-    const T subtracted = value - next;  // two-sum of value and -product
-    carry += ((value - (next + subtracted)) + (subtracted - product)) - product_error;
-    value = next;
+    const RoundedSum<T> next = two_sum(value, -product);
+    carry += next.error - product_error;
+    value = next.sum;
 }
 
 }  // namespace detail
@@ -71,12 +70,12 @@ Profile<T> detrend(const Profile<T>& profile, Form form) {
         throw domain_error("profile has " + std::to_string(points) + " points: must be at least " +
                            std::to_string(terms) + " to remove this form");
 
-    using S = detail::Sum<T>;
+    using S = Accumulator<T>;
     const auto count = static_cast<S>(points);
     const S last = static_cast<S>(profile.size() > 1 ? profile.size() - 1 : 1);
     const auto position = [&](std::size_t i) { return 2 * static_cast<S>(i) / last - 1; };  // in [-1, 1]
     const auto mean_over_points = [&](const auto& f) {
-        detail::CompensatedSum<S> sum;
+        CompensatedSum<S> sum;
         for (std::size_t i = 0; i < profile.size(); ++i)
             if (!std::isnan(profile.heights[i])) sum.add(f(i));
         return sum.value() / count;

@@ -47,7 +47,7 @@ T gaussian_transmission(T wavelength, T cutoff) {
 
 template <Real T>
 Profile<T> gaussian_waviness(const Profile<T>& profile, T cutoff) {
-    using F = detail::Sum<T>;
+    using F = Accumulator<T>;
     require_positive("spacing", profile.spacing);
     // a cut-off of exactly five spacings is in, whatever its rounding
     require(cutoff >= 5 * profile.spacing * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= profile.length(),

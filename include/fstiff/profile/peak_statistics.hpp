@@ -19,10 +19,11 @@
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/triples.hpp>
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct PeakStatistics {
     T rms_height{};          ///< sigma [m]
     T rms_slope{};           ///< sigma_m, of neighbours
@@ -45,25 +46,16 @@ template <Real T>
 template <Real T>
 PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
     profile.validate(16);
-    using S = detail::Sum<T>;
+    using S = Accumulator<T>;
     PeakStatistics<T> result;
     result.rms_height = rms_height(profile);
     const T scale = result.rms_height;  // heights below are in units of sigma
-    detail::CompensatedSum<S> slope, curvature;
-    std::size_t peaks = 0;
+    detail::TripleSums<S, CompensatedSum<S>> sums;
     const std::vector<T>& z = profile.heights;
-    for (std::size_t i = 1; i + 1 < z.size(); ++i) {
-        const T rise = (z[i] - z[i - 1]) / scale, fall = (z[i + 1] - z[i]) / scale;
-        if (std::isnan(rise) || std::isnan(fall)) continue;
-        const S a = rise, b = fall;
-        slope.add((a * a + b * b) / 2);
-        curvature.add((b - a) * (b - a));
-        peaks += rise > T(0) && fall < T(0) ? 1 : 0;
-        ++result.triples;
-    }
+    for (std::size_t i = 1; i + 1 < z.size(); ++i) sums.add((z[i] - z[i - 1]) / scale, (z[i + 1] - z[i]) / scale);
+    result.triples = sums.triples;
     if (result.triples == 0) throw domain_error("profile has 0 triples of neighbouring points: must be at least 1");
-    const S count = static_cast<S>(result.triples);
-    const S slope2 = slope.value() / count, curvature2 = curvature.value() / count;  // sigma_m^2 h^2, sigma_kappa^2 h^4
+    const S slope2 = sums.mean_square_slope(), curvature2 = sums.mean_square_curvature();  // times h^2, h^4
     const S h = static_cast<S>(profile.spacing);
     const S sine = std::sqrt(curvature2 / slope2) / 2;
     const S r = slope2 / std::sqrt(curvature2);
@@ -79,7 +71,7 @@ PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
     require(result.r < T(1), "r of the profile", result.r,
             "less than 1: this profile is too near to a single sine, or too short");
     require(result.theta < numbers::pi_v<T> / 2, "theta of the profile", result.theta, "less than pi/2: no zigzag");
-    result.counted_peak_ratio = static_cast<T>(peaks) / static_cast<T>(result.triples);
+    result.counted_peak_ratio = static_cast<T>(sums.peaks) / static_cast<T>(result.triples);
     result.peaks_per_length = result.counted_peak_ratio / profile.spacing;
     return result;
 }

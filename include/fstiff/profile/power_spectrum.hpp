@@ -9,8 +9,9 @@
 ///
 /// One-sided, Hann window w, mean weighted by the window, so that C(0) = 0. Missing points inside are bridged by
 /// straight lines, those at the ends cut off. D is a weighted line through the means of C over eighths of an octave: a
-/// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to sqrt(psi'(v)). Neighbours of
-/// a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18 M/N.
+/// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to sqrt(psi'(v)).
+/// Neighbours of a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18
+/// M/N.
 ///
 /// The spectrum knows D less well than the structure function knows it, but takes no notice of a tilt, and fails
 /// differently: two values that disagree by more than their errors tell that the profile is no power law.
@@ -19,8 +20,8 @@
 ///             Audio 15 (1967) 70; Harris, Proc. IEEE 66 (1978) 51 (windows).
 /// Units       q [rad/m], C [m^3], wavelengths [m]
 /// Valid       16 points at least, heights that vary; wavelengths of 2 spacings to the length of the profile
-/// Accuracy    Parseval 1e-13; D of 100 fractional Brownian profiles of 4096 points, H = 0.3, 0.5, 0.8: mean within 0.02,
-///             scatter 0.8 to 1.25 of its error (tests/profile/power_spectrum_test.cpp)
+/// Accuracy    Parseval 1e-13; D of 100 fractional Brownian profiles of 4096 points, H = 0.3, 0.5, 0.8: mean within
+///             0.02, scatter 0.8 to 1.25 of its error (tests/profile/power_spectrum_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
@@ -31,7 +32,7 @@
 namespace fstiff {
 
 /// One-sided power spectrum; k = 0 ... M/2.
-template <Real T>
+template <Real T = double>
 struct PowerSpectrum {
     std::vector<T> wavenumber;  ///< q [rad/m], from 0 in steps of `step`
     std::vector<T> value;       ///< C [m^3]
@@ -45,12 +46,12 @@ struct PowerSpectrum {
 };
 
 /// A range of wavelengths [m], both ends included.
-template <Real T>
+template <Real T = double>
 struct WavelengthWindow {
     T from{}, to{};
 };
 
-template <Real T>
+template <Real T = double>
 struct SpectralFit {
     T dimension{};               ///< D; outside (1, 2) the window holds no self-affine profile
     T dimension_error{};         ///< standard deviation of D for a Gaussian profile
@@ -71,7 +72,7 @@ template <Real T>
 
 template <Real T>
 T PowerSpectrum<T>::moment(int order) const {
-    detail::CompensatedSum<detail::Sum<T>> sum;
+    CompensatedSum<Accumulator<T>> sum;
     for (std::size_t k = 0; k < size(); ++k) {
         const T share = k == 0 || k + 1 == size() ? T(0.5) : T(1);
         sum.add(share * value[k] * step * std::pow(wavenumber[k], static_cast<T>(order)));
@@ -83,18 +84,19 @@ namespace detail {
 
 /// Heights from the first to the last point that exists, gaps bridged.
 template <Real T>
-std::vector<Sum<T>> bridged(const Profile<T>& profile, T mean, T scale) {
-    std::vector<Sum<T>> heights;
+std::vector<Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) {
+    std::vector<Accumulator<T>> heights;
     std::size_t gap = 0;
     for (const T z : profile.heights) {
         if (std::isnan(z)) {
             gap += heights.empty() ? 0 : 1;
             continue;
         }
-        const Sum<T> next = static_cast<Sum<T>>((z - mean) / scale);
-        const Sum<T> last = heights.empty() ? next : heights.back();
+        const Accumulator<T> next = static_cast<Accumulator<T>>((z - mean) / scale);
+        const Accumulator<T> last = heights.empty() ? next : heights.back();
         for (std::size_t k = 1; k <= gap; ++k)
-            heights.push_back(last + (next - last) * static_cast<Sum<T>>(k) / static_cast<Sum<T>>(gap + 1));
+            heights.push_back(last +
+                              (next - last) * static_cast<Accumulator<T>>(k) / static_cast<Accumulator<T>>(gap + 1));
         gap = 0;
         heights.push_back(next);
     }
@@ -105,13 +107,13 @@ std::vector<Sum<T>> bridged(const Profile<T>& profile, T mean, T scale) {
 
 template <Real T>
 PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
-    using F = detail::Sum<T>;
+    using F = Accumulator<T>;
     profile.validate(16);
     const T scale = detail::height_scale(profile);
     std::vector<F> z = detail::bridged(profile, mean_height(profile), scale);
     const std::size_t points = z.size();
     std::vector<F> window(points);
-    detail::CompensatedSum<F> weight, squares, weighted;
+    CompensatedSum<F> weight, squares, weighted;
     for (std::size_t i = 0; i < points; ++i) {
         const F sine = std::sin(numbers::pi_v<F> * (static_cast<F>(i) + F(0.5)) / static_cast<F>(points));
         window[i] = sine * sine;
@@ -143,7 +145,7 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
 template <Real T>
 SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
                             const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window) {
-    using F = detail::Sum<T>;
+    using F = Accumulator<T>;
     if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
     require_positive("step of the wavenumber", spectrum.step);
     const F turn = 2 * numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);

@@ -7,19 +7,19 @@
 /// Valid       spacing > 0; every height finite, or NaN where the point is missing
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/math/accumulate.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace fstiff {
 
 /// A profile in SI units. What is measured of it (mean, rms) takes the points that exist.
-template <Real T>
+template <Real T = double>
 struct Profile {
     std::vector<T> heights;  ///< z(i spacing) [m]; NaN marks a missing point
     T spacing{};             ///< between neighbours [m]
@@ -49,29 +49,6 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T rms_height(const Profile<T>& profile);
 
-namespace detail {
-
-/// Sums of float are kept in double.
-template <Real T>
-using Sum = std::conditional_t<std::is_same_v<T, float>, double, T>;
-
-/// A sum that carries its rounding error along (Neumaier 1974).
-template <Real T>
-class CompensatedSum {
-public:
-    void add(T term) {
-        const T next = sum_ + term;
-        error_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
-        sum_ = next;
-    }
-    T value() const { return sum_ + error_; }
-
-private:
-    T sum_{}, error_{};
-};
-
-}  // namespace detail
-
 template <Real T>
 void Profile<T>::validate(std::size_t least) const {
     require_positive("spacing", spacing);
@@ -92,7 +69,7 @@ void Profile<T>::validate(std::size_t least) const {
 
 template <Real T>
 T mean_height(const Profile<T>& profile) {
-    detail::CompensatedSum<detail::Sum<T>> sum;
+    CompensatedSum<Accumulator<T>> sum;
     std::size_t count = 0;
     for (const T z : profile.heights)
         if (!std::isnan(z)) {
@@ -100,7 +77,7 @@ T mean_height(const Profile<T>& profile) {
             ++count;
         }
     if (count == 0) throw domain_error("profile has 0 points: must be at least 1");
-    return static_cast<T>(sum.value() / static_cast<detail::Sum<T>>(count));
+    return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(count));
 }
 
 template <Real T>
@@ -110,16 +87,16 @@ T rms_height(const Profile<T>& profile) {
     for (const T z : profile.heights)
         if (!std::isnan(z)) largest = std::max(largest, std::abs(z - mean));
     if (largest == T(0)) return T(0);
-    detail::CompensatedSum<detail::Sum<T>> squares, firsts;
+    CompensatedSum<Accumulator<T>> squares, firsts;
     std::size_t count = 0;
     for (const T z : profile.heights)
         if (!std::isnan(z)) {
-            const detail::Sum<T> scaled = (z - mean) / largest;
+            const Accumulator<T> scaled = (z - mean) / largest;
             squares.add(scaled * scaled);
             firsts.add(scaled);
             ++count;
         }
-    const auto n = static_cast<detail::Sum<T>>(count);
+    const auto n = static_cast<Accumulator<T>>(count);
     const auto offset = firsts.value() / n;  // what the rounding of the mean left behind
     return largest * static_cast<T>(std::sqrt(squares.value() / n - offset * offset));
 }

@@ -18,10 +18,13 @@
 /// Accuracy    1e-13 in double against the closed form of a sampled sine (tests/profile/spectral_moments_test.cpp)
 
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/profile/triples.hpp>
+
+#include <utility>
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct SpectralMoments {
     T m0{};  ///< [m^2]
     T m2{};  ///< of neighbours
@@ -40,28 +43,27 @@ template <Real T>
 template <Real T>
 SpectralMoments<T> spectral_moments(const Profile<T>& profile) {
     profile.validate(16);
-    using S = detail::Sum<T>;
+    using S = Accumulator<T>;
     const T scale = detail::height_scale(profile);
-    detail::CompensatedSum<S> slope, curvature;
-    std::size_t pairs = 0, triples = 0;
+    CompensatedSum<S> slope;
+    detail::TripleSums<S, CompensatedSum<S>> sums;
+    std::size_t pairs = 0;
+    S before = std::numeric_limits<S>::quiet_NaN();
     const std::vector<T>& z = profile.heights;
     for (std::size_t i = 0; i + 1 < z.size(); ++i) {
         const S rise = (z[i + 1] - z[i]) / scale;
+        sums.add(std::exchange(before, rise), rise);
         if (std::isnan(rise)) continue;
         slope.add(rise * rise);
         ++pairs;
-        const S bend = i > 0 ? rise - (z[i] - z[i - 1]) / scale : std::numeric_limits<S>::quiet_NaN();
-        if (std::isnan(bend)) continue;
-        curvature.add(bend * bend);
-        ++triples;
     }
-    if (triples == 0) throw domain_error("profile has 0 triples of neighbouring points: must be at least 1");
+    if (sums.triples == 0) throw domain_error("profile has 0 triples of neighbouring points: must be at least 1");
     const S ratio = static_cast<S>(scale) / static_cast<S>(profile.spacing);
     SpectralMoments<T> moments;
     const T rms = rms_height(profile);
     moments.m0 = rms * rms;
     moments.m2 = static_cast<T>(slope.value() / static_cast<S>(pairs) * ratio * ratio);
-    const S rms_bend = std::sqrt(curvature.value() / static_cast<S>(triples)) * ratio / static_cast<S>(profile.spacing);
+    const S rms_bend = std::sqrt(sums.mean_square_curvature()) * ratio / static_cast<S>(profile.spacing);
     moments.m4 = static_cast<T>(rms_bend * rms_bend);
     const auto usable = [](T value) {
         return value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max();

@@ -22,7 +22,7 @@
 namespace fstiff {
 
 /// S at some lags; the vectors have one length. A lag at which no pair exists is left out.
-template <Real T>
+template <Real T = double>
 struct StructureFunction {
     std::vector<std::size_t> step;   ///< lag in samples
     std::vector<T> lag;              ///< [m]
@@ -72,8 +72,21 @@ T height_scale(const Profile<T>& profile) {
         low = std::min(low, z);
         high = std::max(high, z);
     }
-    const T range = high / 2 - low / 2;  // cannot overflow
-    return range > T(0) ? std::exp2(std::floor(std::log2(range))) : T(1);
+    return low < high ? power_of_two_below(high / 2 - low / 2) : T(1);  // a range that cannot overflow
+}
+
+/// What the sum over \p pairs is divided by.
+constexpr std::size_t divided_by(std::size_t pairs, Divisor divisor) {
+    return divisor == Divisor::paper && pairs > 0 ? pairs - 1 : pairs;
+}
+
+/// The mean of squares of differences, \p sum of them of heights in units of \p scale.
+template <Real T>
+T mean_square(Accumulator<T> sum, Accumulator<T> count, Accumulator<T> scale) {
+    const T value = static_cast<T>(sum / count * scale * scale);
+    require(sum == 0 || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
+            "structure function", value, "a number of normal size: these heights are too large or too small");
+    return value;
 }
 
 }  // namespace detail
@@ -88,31 +101,28 @@ StructureFunction<T> structure_function(const Profile<T>& profile, std::span<con
     StructureFunction<T> result;
     for (const std::size_t n : lags) {
         if (n < 1 || n >= points)
-            throw domain_error("lag = " + std::to_string(n) + " samples: must be between 1 and " +
-                               std::to_string(points > 0 ? points - 1 : 0));
+            detail::refuse("lag", std::to_string(n) + " samples",
+                           "between 1 and " + std::to_string(points > 0 ? points - 1 : 0));
         // sums of short runs are added up, so that rounding does not grow with the number of points
         constexpr std::size_t run = 512;
-        detail::Sum<T> sum = 0;
+        Accumulator<T> sum = 0;
         std::size_t pairs = 0;
         for (std::size_t start = 0; start < points - n; start += run) {
             const std::size_t end = std::min(start + run, points - n);
-            detail::Sum<T> part = 0;
+            Accumulator<T> part = 0;
             for (std::size_t i = start; i < end; ++i) {
                 const T difference = (z[i + n] - z[i]) / scale;
                 if (!whole && std::isnan(difference)) continue;
-                part += static_cast<detail::Sum<T>>(difference) * difference;
+                part += static_cast<Accumulator<T>>(difference) * difference;
                 ++pairs;
             }
             sum += part;
         }
-        const std::size_t divided_by = divisor == Divisor::pairs ? pairs : pairs > 0 ? pairs - 1 : 0;
-        if (divided_by == 0) continue;
+        const std::size_t count = detail::divided_by(pairs, divisor);
+        if (count == 0) continue;
         result.step.push_back(n);
         result.lag.push_back(static_cast<T>(n) * profile.spacing);
-        const T value = static_cast<T>(sum / static_cast<detail::Sum<T>>(divided_by)) * scale * scale;
-        require(sum == 0 || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
-                "structure function", value, "a number of normal size: these heights are too large or too small");
-        result.value.push_back(value);
+        result.value.push_back(detail::mean_square<T>(sum, static_cast<Accumulator<T>>(count), scale));
         result.pairs.push_back(pairs);
     }
     return result;

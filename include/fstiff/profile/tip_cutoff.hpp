@@ -6,12 +6,12 @@
 ///     kappa_min(n h) = min of (z_(i-n) - 2 z_i + z_(i+n)) / (n h)^2                 the sharpest peak at that scale
 ///     cut-off        = 2 n h, the least stencil from which on kappa_min > -1/(2 R_tip)
 ///
-/// A tip of radius R draws no peak sharper than itself: its trace has kappa_min >= -1/R at every scale. Scales that come
-/// within a factor of two of it are taken for the tip's own shape, not the surface's.
+/// A tip of radius R draws no peak sharper than itself: its trace has kappa_min >= -1/R at every scale. Scales that
+/// come within a factor of two of it are taken for the tip's own shape, not the surface's.
 ///
 /// Reference   Sanner, Nohring, Thimons, Jacobs, Pastewka, Appl. Surf. Sci. Adv. 7 (2022) 100190,
-///             doi:10.1016/j.apsadv.2021.100190: the criterion and its factor of two, from simulated scans. Here scales go
-///             by twelve steps an octave.
+///             doi:10.1016/j.apsadv.2021.100190: the criterion and its factor of two, from simulated scans. Here scales
+///             go by twelve steps an octave.
 /// Units       lengths [m], curvature [1/m]
 /// Valid       R > 0; a triple of existing points at the scale asked for
 /// Accuracy    curvature to the rounding of three heights; -1/R exact for a profile dilated by a parabola
@@ -26,7 +26,7 @@ namespace fstiff {
 /// The least (most peaked) curvature of \p profile over triples \p step samples apart [1/m]; empty when there is none.
 /// \throws domain_error for a step of 0, a spacing that is not positive or an infinite height.
 template <Real T>
-[[nodiscard]] std::optional<T> least_curvature(const Profile<T>& profile, std::size_t step);
+[[nodiscard]] std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step);
 
 /// The length below which \p profile may show the tip instead of the surface [m]; 0 when it nowhere does, infinity when
 /// it does so at every scale up to a quarter of its length.
@@ -35,9 +35,9 @@ template <Real T>
 [[nodiscard]] T tip_cutoff(const Profile<T>& profile, T tip_radius);
 
 template <Real T>
-std::optional<T> least_curvature(const Profile<T>& profile, std::size_t step) {
+std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
     require_positive("spacing", profile.spacing);
-    if (step == 0) throw domain_error("step of the curvature = 0 samples: must be at least 1");
+    if (step == 0) detail::refuse("step of the curvature", "0 samples", "at least 1");
     const std::vector<T>& z = profile.heights;
     const T scale = detail::height_scale(profile);  // refuses infinite heights, and keeps the differences in range
     std::optional<T> least;
@@ -57,7 +57,7 @@ T tip_cutoff(const Profile<T>& profile, T tip_radius) {
     // from the longest scale down to the first that is too sharp
     std::size_t reliable = 0;
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-        const auto curvature = least_curvature(profile, *step);
+        const auto curvature = min_curvature(profile, *step);
         if (curvature && !(*curvature * tip_radius > T(-0.5)))
             return reliable == 0 ? std::numeric_limits<T>::infinity() : 2 * static_cast<T>(reliable) * profile.spacing;
         reliable = *step;

@@ -5,8 +5,8 @@
 ///
 ///     z(s)   with   number of heights above z(s) = s N,  s = 0 ... 1
 ///
-/// z(0) is the highest point, z(1) the lowest. Of a map it is the bearing area, of a profile the bearing length; both are
-/// one curve for an isotropic surface.
+/// z(0) is the highest point, z(1) the lowest. Of a map it is the bearing area, of a profile the bearing length; both
+/// are one curve for an isotropic surface.
 ///
 /// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; ISO 21920-2 and ISO 25178-2 (material ratio)
 /// Units       heights in any unit, shares from 0 to 1
@@ -26,7 +26,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct BearingCurve {
     std::vector<T> share;   ///< of the points that stand above, from 0 to 1
     std::vector<T> height;  ///< falls with the share
@@ -34,15 +34,15 @@ struct BearingCurve {
     [[nodiscard]] std::size_t size() const { return share.size(); }
 };
 
-/// The curve of \p heights at \p steps + 1 equal steps of the share. \throws domain_error when no height exists, or for no
-/// steps.
+/// The curve of \p heights at \p steps + 1 equal steps of the share. \throws domain_error when no height exists, or for
+/// no steps.
 template <Real T>
 [[nodiscard]] BearingCurve<T> bearing_curve(std::span<const T> heights, std::size_t steps = 200) {
-    if (steps < 1) throw domain_error("steps of a bearing curve = 0: must be at least 1");
+    require(steps >= 1, "steps of a bearing curve", steps, "at least 1");
     std::vector<T> sorted;
     sorted.reserve(heights.size());
     std::copy_if(heights.begin(), heights.end(), std::back_inserter(sorted), [](T z) { return !std::isnan(z); });
-    if (sorted.empty()) throw domain_error("heights of a bearing curve = 0: must be at least 1");
+    require(!sorted.empty(), "heights of a bearing curve", sorted.size(), "at least 1");
     std::sort(sorted.begin(), sorted.end(), std::greater<>());
     BearingCurve<T> curve;
     for (std::size_t k = 0; k <= steps; ++k) {

@@ -3,15 +3,16 @@
 /// \file
 /// The parameters of a contact: what each is called, its units, the values it can have, and how it varies.
 ///
-/// Measured surfaces and their errors, bands, fits, scenes and documents all read the one table below; a new parameter is
-/// an enumerator and its row. How a parameter x varies about a value v, with z a standard normal number:
+/// Measured surfaces and their errors, bands, fits, scenes and documents all read the one table below; a new parameter
+/// is an enumerator and its row. How a parameter x varies about a value v, with z a standard normal number:
 ///
 ///     as_it_is   any finite x         fitted as u = x                      drawn as x = v + error z
 ///     log        0 < x                fitted as u = ln x                   drawn as x = v exp(s z), s^2 = ln(1 + (error/v)^2)
 ///     between    low < x < high       fitted as u = ln((x-low)/(high-x))   drawn as x = v + error z, within the range
 ///
 /// Units       SI; the shown unit is the one in which tables show a parameter to people
-/// Valid       ranges as in the table; the lower end of r is a value of it (no correlation), from which no fit can start
+/// Valid       ranges as in the table; the lower end of r is a value of it (no correlation), from which no fit can
+///             start
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
@@ -116,7 +117,7 @@ template <Real T>
 }
 
 /// \p which as a variable without ends, in which it is fitted, and back.
-template <Real T>
+template <Real T = double>
 class ParameterScale {
 public:
     constexpr explicit ParameterScale(Parameter which) noexcept

@@ -15,7 +15,7 @@
 namespace fstiff {
 
 /// Fractal dimension D and fractal roughness G of a profile.
-template <Real T>
+template <Real T = double>
 struct Fractal {
     T dimension{};  ///< D, in (1, 2)
     T roughness{};  ///< G [m], > 0

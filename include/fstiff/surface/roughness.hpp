@@ -10,7 +10,7 @@
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct Roughness {
     T rms_height{};       ///< sigma = R_q [m]
     T peak_radius{};      ///< R, mean radius of curvature at the peaks [m]

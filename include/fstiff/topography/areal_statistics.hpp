@@ -30,11 +30,10 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <type_traits>
 
 namespace fstiff {
 
-template <Real T>
+template <Real T = double>
 struct ArealStatistics {
     T mean_height{};         ///< [m]
     T rms_height{};          ///< Sq = sigma [m]
@@ -63,43 +62,38 @@ struct DifferenceSums {
     std::size_t pairs{}, triples{};
 };
 
+/// Rows top to bottom - 1, columns left to right - 1.
+struct MapBlock {
+    Eigen::Index top{}, bottom{}, left{}, right{};
+};
+
+/// Calls \p use(row, column, summit) for the points of the \p block whose eight neighbours exist.
+template <Real T, class Use>
+void visit_inner_points(const HeightMap<T>& map, const MapBlock& block, const Use& use) {
+    const auto& z = map.heights;
+    for (Eigen::Index j = std::max<Eigen::Index>(block.top, 1); j < std::min(block.bottom, map.rows() - 1); ++j)
+        for (Eigen::Index i = std::max<Eigen::Index>(block.left, 1); i < std::min(block.right, map.columns() - 1);
+             ++i) {
+            const auto patch = z.template block<3, 3>(j - 1, i - 1);
+            if (!patch.isNaN().any()) use(j, i, (patch >= z(j, i)).count() == 1);  // itself
+        }
+}
+
 }  // namespace detail
 
 template <Real T>
 ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
-    using S = std::conditional_t<std::is_same_v<T, float>, double, T>;  // sums of float in double
+    using S = Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
     const Index rows = map.rows(), columns = map.columns();
     const auto& z = map.heights;
     ArealStatistics<T> result;
 
-    // Heights from one that exists: an offset is gone before anything is squared. In units of the range, a power of two.
-    T datum{}, range = 0;
-    for (Index k = 0; k < z.size(); ++k)
-        if (!std::isnan(z.data()[k])) datum = z.data()[k];
-    for (Index k = 0; k < z.size(); ++k)
-        if (!std::isnan(z.data()[k])) range = std::max(range, std::abs(z.data()[k] / 2 - datum / 2));
-    int exponent = 0;
-    (void)std::frexp(range, &exponent);
-    const T unit = std::ldexp(T(1), exponent);
-    const auto height = [&](Index j, Index i) { return (static_cast<S>(z(j, i)) - datum) / unit; };
-
-    S sum = 0, squares = 0;
-    for (Index j = 0; j < rows; ++j) {
-        S row = 0;
-        for (Index i = 0; i < columns; ++i)
-            if (!std::isnan(z(j, i))) row += height(j, i);
-        sum += row;
-    }
-    const S present = static_cast<S>(map.present()), mean = sum / present;
-    for (Index j = 0; j < rows; ++j) {
-        S row = 0;
-        for (Index i = 0; i < columns; ++i)
-            if (!std::isnan(z(j, i))) row += (height(j, i) - mean) * (height(j, i) - mean);
-        squares += row;
-    }
-    const S variance = squares / present;  // unit^2
+    const detail::MapHeights<T> heights(map);
+    const T unit = heights.unit;
+    const S mean = heights.mean, variance = heights.variance;
+    const auto height = [&](Index j, Index i) { return heights.of(z(j, i)); };
 
     const auto differences = [&](Index down, Index right) {
         detail::DifferenceSums<S> d;
@@ -133,20 +127,17 @@ ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
     const S m4_x = x.second * bend_x * bend_x, m4_y = y.second * bend_y * bend_y;
 
     S curvature = 0, summit_height = 0;
-    for (Index j = 1; j + 1 < rows; ++j)
-        for (Index i = 1; i + 1 < columns; ++i) {
-            const auto patch = z.template block<3, 3>(j - 1, i - 1);
-            if (patch.isNaN().any()) continue;
-            ++result.inner;
-            if ((patch >= z(j, i)).count() != 1) continue;  // itself
-            ++result.summits;
-            const S here = height(j, i);
-            curvature += ((here - height(j, i - 1)) + (here - height(j, i + 1))) * bend_x +
-                         ((here - height(j - 1, i)) + (here - height(j + 1, i))) * bend_y;
-            summit_height += here - mean;
-        }
+    detail::visit_inner_points(map, {0, rows, 0, columns}, [&](Index j, Index i, bool summit) {
+        ++result.inner;
+        if (!summit) return;
+        ++result.summits;
+        const S here = height(j, i);
+        curvature += ((here - height(j, i - 1)) + (here - height(j, i + 1))) * bend_x +
+                     ((here - height(j - 1, i)) + (here - height(j + 1, i))) * bend_y;
+        summit_height += here - mean;
+    });
 
-    result.mean_height = static_cast<T>(datum + mean * unit);
+    result.mean_height = static_cast<T>(heights.datum + mean * unit);
     result.rms_height = static_cast<T>(std::sqrt(variance) * unit);
     result.m0 = static_cast<T>(variance * unit * unit);
     result.m2_x = static_cast<T>(m2_x);

@@ -58,7 +58,8 @@ template <Real T>
     const Eigen::Index longer = std::max(map.columns(), map.rows());
     if (longer <= points) return map;
     const auto side = [&](Eigen::Index n) {
-        return std::max(Eigen::Index(1), static_cast<Eigen::Index>(std::lround(double(n) * double(points) / double(longer))));
+        return std::max(Eigen::Index(1),
+                        static_cast<Eigen::Index>(std::lround(double(n) * double(points) / double(longer))));
     };
     return coarsened(map, side(map.columns()), side(map.rows()));
 }

@@ -21,9 +21,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
-#include <limits>
 #include <string>
-#include <type_traits>
 
 namespace fstiff {
 
@@ -40,6 +38,19 @@ inline constexpr auto names<MapForm> = name_list<MapForm>({{MapForm::none, "none
 /// \throws domain_error for a map out of range, or whose points do not determine the form.
 template <Real T>
 [[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form);
+
+/// A map without its form, which knows what was removed.
+template <Real T = double>
+struct LevelledMap {
+    HeightMap<T> map;
+    MapForm removed = MapForm::none;
+};
+
+/// The same with the form that was removed. \throws domain_error as remove_form().
+template <Real T>
+[[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form) {
+    return {remove_form(map, form), form};
+}
 
 namespace detail {
 
@@ -58,7 +69,7 @@ Eigen::Array<S, Eigen::Dynamic, 4> legendre_of_side(Eigen::Index points) {
 
 template <Real T>
 HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
-    using S = std::conditional_t<std::is_same_v<T, float>, double, T>;  // sums of float in double
+    using S = Accumulator<T>;
     using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
     using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
     using Index = Eigen::Index;
@@ -71,10 +82,8 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
         throw domain_error("map of which " + std::to_string(map.present()) + " points exist: must be at least " +
                            terms_shown + " to remove this form");
     const auto px = detail::legendre_of_side<S>(map.columns()), py = detail::legendre_of_side<S>(map.rows());
-    // in units of the largest height, a power of two, so that no sum leaves the range of numbers
-    const S largest = static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff());
-    int exponent = 0;
-    (void)std::frexp(largest, &exponent);
+    // so that no sum leaves the range of numbers
+    const S unit = power_of_two_below(static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
 
     // f_t = P_k(u) P_l(v), t counting k + l <= degree; row by row, since v is constant along a row
     const auto each_term = [&](const auto& use) {
@@ -85,9 +94,7 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
     using Array = Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Array exists =
         map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<S>();
-    Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>().unaryExpr([&](S value) {
-        return std::ldexp(value, -exponent);
-    });
+    Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>() / unit;
     Matrix normal = Matrix::Zero(terms, terms);
     for (Index j = 0; j < map.rows(); ++j) {
         Eigen::Matrix<S, 4, 4> products;  // of the polynomials along this row
@@ -119,7 +126,7 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
     }
     for (Index j = 0; j < map.rows(); ++j)
         for (Index i = 0; i < map.columns(); ++i)
-            if (exists(j, i) > S(0)) result.heights(j, i) = static_cast<T>(std::ldexp(z(j, i), exponent));
+            if (exists(j, i) > S(0)) result.heights(j, i) = static_cast<T>(z(j, i) * unit);
     return result;
 }
 

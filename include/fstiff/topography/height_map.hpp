@@ -7,15 +7,18 @@
 /// Valid       dx, dy > 0; every height finite, or NaN where the point is missing
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/math/accumulate.hpp>
 
 #include <Eigen/Core>
 
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace fstiff {
 
 /// A map in SI units. heights(j, i) is the height at x = i dx, y = j dy: a row of the array is a profile along x.
-template <Real T>
+template <Real T = double>
 struct HeightMap {
     using Array = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -36,6 +39,72 @@ struct HeightMap {
     /// side, as many exist, and they are not all of one height.
     void validate(Eigen::Index least = 3) const;
 };
+
+/// Mean of the heights that exist [m]. \throws domain_error when there is none.
+template <Real T>
+[[nodiscard]] T mean_height(const HeightMap<T>& map);
+
+/// Sq: root of the mean square of the heights about their mean [m]. \throws domain_error for a map out of range.
+template <Real T>
+[[nodiscard]] T rms_height(const HeightMap<T>& map);
+
+namespace detail {
+
+/// Power of two near the range of the heights: squares of scaled heights stay in range, and scaling is exact.
+template <Real T>
+T height_scale(const HeightMap<T>& map) {
+    const T low = map.heights.isNaN().select(std::numeric_limits<T>::max(), map.heights).minCoeff();
+    const T high = map.heights.isNaN().select(std::numeric_limits<T>::lowest(), map.heights).maxCoeff();
+    return low < high ? power_of_two_below(high / 2 - low / 2) : T(1);
+}
+
+/// Mean of \p term(height) over the points that exist, a sum a row so that rounding does not add up.
+template <Real T, class Term>
+Accumulator<T> mean_over_points(const HeightMap<T>& map, const Term& term) {
+    Accumulator<T> sum = 0;
+    for (Eigen::Index j = 0; j < map.rows(); ++j) {
+        Accumulator<T> row = 0;
+        for (const T z : map.heights.row(j))
+            if (!std::isnan(z)) row += term(z);
+        sum += row;
+    }
+    return sum / static_cast<Accumulator<T>>(map.present());
+}
+
+/// Heights of a map about one of its points, in a unit: an offset is gone before anything is squared.
+template <Real T>
+struct MapHeights {
+    using S = Accumulator<T>;
+    T datum{}, unit{};
+    S mean{};      // [unit] above the datum
+    S variance{};  // [unit^2]
+
+    explicit MapHeights(const HeightMap<T>& map) : unit(height_scale(map)) {
+        for (Eigen::Index k = 0; k < map.size(); ++k)
+            if (!std::isnan(map.heights.data()[k])) datum = map.heights.data()[k];
+        mean = mean_over_points(map, [&](T z) { return of(z); });
+        variance = mean_over_points(map, [&](T z) { return (of(z) - mean) * (of(z) - mean); });
+    }
+    S of(T z) const { return (static_cast<S>(z) - datum) / unit; }
+};
+
+}  // namespace detail
+
+template <Real T>
+T mean_height(const HeightMap<T>& map) {
+    CompensatedSum<Accumulator<T>> sum;
+    for (Eigen::Index k = 0; k < map.size(); ++k)
+        if (!std::isnan(map.heights.data()[k])) sum.add(map.heights.data()[k]);
+    if (map.present() == 0) throw domain_error("map of which 0 points exist: must be at least 1");
+    return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(map.present()));
+}
+
+template <Real T>
+T rms_height(const HeightMap<T>& map) {
+    map.validate();
+    const detail::MapHeights<T> heights(map);
+    return static_cast<T>(std::sqrt(heights.variance) * heights.unit);
+}
 
 template <Real T>
 void HeightMap<T>::validate(Eigen::Index least) const {

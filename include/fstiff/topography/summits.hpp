@@ -24,9 +24,9 @@ namespace fstiff {
 
 template <Real T = double>
 struct Summit {
-    T height;                  ///< above the mean of the map [m]
+    T height;                    ///< above the mean of the map [m]
     T curvature_x, curvature_y;  ///< [1/m]
-    T x, y;                    ///< from the first point [m]
+    T x, y;                      ///< from the first point [m]
 
     /// R of the sphere of the same mean curvature [m].
     [[nodiscard]] T radius() const { return 2 / (curvature_x + curvature_y); }
@@ -64,10 +64,9 @@ template <Real T>
             ++inner;
             const T here = z(j, i);
             if ((patch >= here).count() != 1) continue;  // itself
-            found.summits.push_back({here - mean,
-                                     ((here - z(j, i - 1)) + (here - z(j, i + 1))) / map.dx / map.dx,
-                                     ((here - z(j - 1, i)) + (here - z(j + 1, i))) / map.dy / map.dy,
-                                     T(i) * map.dx, T(j) * map.dy});
+            found.summits.push_back({here - mean, ((here - z(j, i - 1)) + (here - z(j, i + 1))) / map.dx / map.dx,
+                                     ((here - z(j - 1, i)) + (here - z(j + 1, i))) / map.dy / map.dy, T(i) * map.dx,
+                                     T(j) * map.dy});
         }
     found.area = static_cast<T>(inner) * map.dx * map.dy;
     std::sort(found.summits.begin(), found.summits.end(),

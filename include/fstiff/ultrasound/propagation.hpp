@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How reflection and stiffness of a spring-like interface move together: slopes, and the error of one from that of the
-/// other.
+/// How reflection coefficient and stiffness of a spring-like interface move together: slopes, and the error of one from
+/// that of the other.
 ///
 ///     s = K (z1+z2)/(omega z1 z2),  c = |z1-z2|/(z1+z2)
 ///     dR/dK = -(ds/dK) (s/R) (1-c^2)/(1+s^2)^2
 ///     dK/dR = -K R (1-c)(1+c) / [(1-R)(1+R) (R-c)(R+c)]
 ///     error of K = |dK/dR| error of R,  error of R = |dR/dK| error of K                                  to first order
 ///
-/// Like media: c = 0 and dK/dR = -K/(R (1-R)(1+R)), so that the relative error of K is least, 2.6 times the error of R, at
-/// R = 1/sqrt(3), and grows without bound towards R = 1 (no contact) and the welded joint. The waves may be longitudinal (z
-/// from the longitudinal velocity, K normal) or shear (z from the shear velocity, K tangential, see asperity/mindlin.hpp):
-/// the interface does not mix them at normal incidence.
+/// Like media: c = 0 and dK/dR = -K/(R (1-R)(1+R)), so that the relative error of K is least, 2.6 times the error of R,
+/// at R = 1/sqrt(3), and grows without bound towards R = 1 (no contact) and the perfect bond. The waves may be
+/// longitudinal (z from the longitudinal velocity, K normal) or shear (z from the shear velocity, K tangential, see
+/// asperity/mindlin.hpp): the interface does not mix them at normal incidence.
 ///
 /// Reference   differentiates ultrasound/spring_interface.hpp, eq. (5.1) of Buczkowski et al. (2014) for unlike media.
 /// Units       K [Pa/m], R dimensionless
@@ -51,11 +51,14 @@ template <Real T>
 }
 
 /// A stiffness with its standard error [Pa/m].
-template <Real T>
+template <Real T = double>
 struct MeasuredStiffness {
     T value{};
     T error{};
     T slope{};  ///< dK/dR [Pa/m], negative
+    bool bounded =
+        true;  ///< R +- 2 errors stay within the range of R: else K has no upper or no lower bound, and an error
+               ///< of first order says too little
 };
 
 /// K and its error from |R| = \p reflection with the standard error \p reflection_error, to first order.
@@ -73,7 +76,7 @@ template <Real T>
     const T above = detail::above_welded(reflection, a, b) / (a + b);  // R - c
     const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));
     const T slope = -k * (passed / above) * (reflection / (reflection + c)) / ((1 - reflection) * (1 + reflection));
-    return {k, -slope * reflection_error, slope};
+    return {k, -slope * reflection_error, slope, 2 * reflection_error < std::min(1 - reflection, above)};
 }
 
 }  // namespace fstiff

@@ -6,8 +6,8 @@
 ///     R_least = max(0.1, 1.01 |z1-z2|/(z1+z2)) <= |R| <= R_most = 0.99
 ///     K(R_most) <= K <= K(R_least)                                            by the inverse of (5.1)
 ///
-/// Near |R| = 1 and near the weld a small error of R is a large one of K: for like bodies dK/K = -dR/(R (1-R)(1+R)), that is
-/// 50 dR at 0.99 and 10 dR at 0.1, against 2.6 dR at best. The range of K moves with the frequency.
+/// Near |R| = 1 and near the weld a small error of R is a large one of K: for like bodies dK/K = -dR/(R (1-R)(1+R)),
+/// that is 50 dR at 0.99 and 10 dR at 0.1, against 2.6 dR at best. The range of K moves with the frequency.
 ///
 /// Reference   ultrasound/spring_interface.hpp; the ends 0.1 and 0.99 are this project's.
 /// Units       K [Pa/m] per nominal area, impedances [kg/(m^2 s)], angular frequency [rad/s]
@@ -21,15 +21,16 @@
 
 namespace fstiff {
 
-/// Both ends, in stiffness and in reflection, which falls with the stiffness.
-template <Real T>
+/// Both ends, in stiffness and in reflection coefficient, which falls with the stiffness.
+template <Real T = double>
 struct ResolvableStiffness {
-    T low{}, high{};                          ///< K [Pa/m]
-    T least_reflection{}, most_reflection{};  ///< at high, at low
+    T low{}, high{};                       ///< K [Pa/m]
+    T min_reflection{}, max_reflection{};  ///< at high, at low
 };
 
-/// The range of K whose |R| lies between \p least, or 1.01 times that of the welded joint, and \p most; none where unlike
-/// bodies reflect so much that nothing is left. \throws domain_error unless 0 < least < most < 1, and as reflection.
+/// The range of K whose |R| lies between \p least, or 1.01 times that of the perfect bond, and \p most; none where
+/// unlike bodies reflect so much that nothing is left. \throws domain_error unless 0 < least < most < 1, and as
+/// reflection.
 template <Real T>
 [[nodiscard]] std::optional<ResolvableStiffness<T>> resolvable_stiffness(const Impedances<T>& media,
                                                                          T angular_frequency, T least = T(0.1),

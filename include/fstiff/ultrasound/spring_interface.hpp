@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Ultrasonic waves at an interface that acts as a spring without mass: reflection from stiffness and back.
+/// Ultrasonic waves at an interface that acts as a spring without mass: reflection coefficient from stiffness and back.
 ///
 /// A plane wave of angular frequency omega meets the interface at normal incidence, coming from a body of impedance z1;
 /// the body beyond has z2. Amplitudes of displacement, time dependence exp(+i omega t):
@@ -12,7 +12,7 @@
 ///     K = omega z1 z2 sqrt((1-R)(1+R)) / sqrt((R (z1+z2))^2 - (z1-z2)^2)        inverse, with R = |R|
 ///     K = (omega z/2) sqrt((1-R)(1+R)) / R                                      inverse, like media
 ///
-/// K = 0 is an open gap, R = 1; K -> infinity a welded joint, R = (z1-z2)/(z1+z2). Towards both ends the measurement
+/// K = 0 is an open gap, R = 1; K -> infinity a perfect bond, R = (z1-z2)/(z1+z2). Towards both ends the measurement
 /// says little about K: like media dK/K = -dR / (R (1-R)(1+R)).
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (5.1); the form for unlike media follows
@@ -38,7 +38,7 @@ namespace fstiff {
 inline constexpr int spring_interface_ulps = 5;
 
 /// Acoustic impedances [kg/(m^2 s)] of the body that the wave comes from and of the body beyond.
-template <Real T>
+template <Real T = double>
 struct Impedances {
     T incident{};  ///< z1, > 0
     T beyond{};    ///< z2, > 0
@@ -61,7 +61,7 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T reflection(T stiffness, const Impedances<T>& media, T angular_frequency);
 
-/// |R| of the welded joint, |z1-z2|/(z1+z2): the least reflection that any stiffness gives.
+/// |R| of the perfect bond, |z1-z2|/(z1+z2): the least reflection coefficient that any stiffness gives.
 template <Real T>
 [[nodiscard]] T welded_reflection(const Impedances<T>& media);
 
@@ -116,7 +116,7 @@ T relative_stiffness(T stiffness, const Impedances<T>& media, T angular_frequenc
 }
 
 /// r(z1+z2) - |z1-z2|, exact but for a few roundings of the result: the sums and the product carry their errors along,
-/// so that nothing is lost where r is close to the welded reflection. Impedances of the order of 1.
+/// so that nothing is lost where r is close to that of the perfect bond. Impedances of the order of 1.
 template <Real T>
 T above_welded(T r, T low, T high) noexcept {
     const T sum = high + low, sum_rest = low - (sum - high);

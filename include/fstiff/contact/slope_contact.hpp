@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// What the contacts have in common whose K is -dp/dd at every pressure, and which take no interaction: Persson's, the hybrid
+/// one and that of a map's own summits. With it each of them is a Contact (contact/contact_concept.hpp).
+
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/error.hpp>
+
+#include <cmath>
+
+namespace fstiff {
+
+/// \p Derived has at_pressure, at_separation, log_pressure and rms_height.
+template <class Derived, Real T>
+class SlopeContact {
+public:
+    /// at_pressure with a status: what is beyond the reach of the model is out_of_reach. \throws domain_error unless positive.
+    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        require_positive("pressure", pressure);
+        return point([&] { return self().at_pressure(pressure, wanted); });
+    }
+    /// at_separation with a status. \throws domain_error unless finite.
+    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity wanted = Quantity::all) const {
+        require(std::isfinite(separation), "separation", separation, "finite (m)");
+        return point([&] { return self().at_separation(separation, wanted); });
+    }
+    /// log(K/(Pa/m)) at eta, the separation over the rms height. \throws domain_error as log_pressure.
+    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+        const LogSlope<T> p = self().log_pressure(eta);
+        return {p.log + std::log(-p.slope / self().rms_height()), 2 * p.error};
+    }
+    [[nodiscard]] Interaction<T> interaction() const { return {}; }
+    [[nodiscard]] T bulk_compliance() const { return T(0); }
+    /// K is -dp/dd.
+    [[nodiscard]] T stiffness_over_slope() const { return T(1); }
+
+private:
+    const Derived& self() const { return static_cast<const Derived&>(*this); }
+
+    template <class Call>
+    static ContactPoint<T> point(const Call& call) {
+        try {
+            return ContactPoint<T>::of(call());
+        } catch (const domain_error& refusal) {
+            return ContactPoint<T>::out_of_reach(refusal.what());
+        }
+    }
+};
+
+}  // namespace fstiff

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// What a fit is made of: the parameters, the observations, how they were taken, and the model with its slopes at each
+/// of them.
+///
+///     model_i = K(p_i + p_0), or |R| of it       d model_i/dx = dR/dK dK/dx
+///
+/// Reference   the derivatives as in contact/sensitivity.hpp and ultrasound/propagation.hpp
+/// Units       SI
+/// Valid       as fit/identify
+/// Accuracy    that of contact/sensitivity (tests/fit/identify_test.cpp)
+
+#include <fstiff/contact/sensitivity.hpp>
+#include <fstiff/core/error.hpp>
+#include <fstiff/surface/contact_parameter.hpp>
+#include <fstiff/ultrasound/propagation.hpp>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fstiff {
+
+/// Values of all parameters: those that are fitted start from here, the others stay.
+template <Real T = double>
+struct ContactParameters {
+    T rms_height{};         ///< sigma [m]
+    T peak_radius{};        ///< R [m]
+    T peak_density{};       ///< D_p [1/m^2]
+    T fractal_dimension{};  ///< D; not used by HertzLaw
+    T effective_modulus{};  ///< E [Pa]
+    T r{};
+    T theta{};   ///< [rad]
+    T offset{};  ///< p_0 [Pa]: what is added to the measured pressures
+
+    [[nodiscard]] T& operator[](Parameter parameter) noexcept { return at(*this, parameter); }
+    [[nodiscard]] T operator[](Parameter parameter) const noexcept { return at(*this, parameter); }
+
+private:
+    template <class Self>
+    static auto& at(Self& self, Parameter parameter) noexcept {
+        constexpr std::array members{
+            &ContactParameters::rms_height,        &ContactParameters::peak_radius, &ContactParameters::peak_density,
+            &ContactParameters::fractal_dimension, &ContactParameters::r,           &ContactParameters::theta,
+            &ContactParameters::effective_modulus, &ContactParameters::offset};  // in the order of Parameter
+        static_assert(members.size() == parameter_table.size());
+        return self.*members[index_of(parameter)];
+    }
+};
+
+template <Real T = double>
+struct Observation {
+    T pressure{};  ///< nominal [Pa]
+    T value{};     ///< K [Pa/m] or |R|
+    T error{};     ///< its standard error; 0 in every point when it is not known
+};
+
+/// How a reflection was measured; none: the observations are stiffnesses.
+template <Real T = double>
+struct Wave {
+    Impedances<T> media{};
+    T angular_frequency{};
+    T stiffness_ratio = T(1);  ///< of the stiffness that the wave sees to K: 1, or Mindlin's for shear waves
+};
+
+namespace detail {
+
+/// dK/dx of \p parameter; an offset adds to the pressure.
+template <Real T>
+T slope_of(const Sensitivity<T>& s, Parameter parameter) {
+    const std::array slopes{s.rms_height, s.peak_radius, s.peak_density,      s.fractal_dimension,
+                            s.r,          s.theta,       s.effective_modulus, s.pressure};  // in the order of Parameter
+    static_assert(slopes.size() == parameter_table.size());
+    return slopes[index_of(parameter)];
+}
+
+/// \throws domain_error naming the first point that no model has.
+template <Real T>
+void require_observations(const std::vector<Observation<T>>& data, bool is_reflection, bool errors_known) {
+    const auto check = [](bool satisfied, std::size_t point, std::string_view name, T value, std::string_view allowed) {
+        if (!satisfied) refuse("data[" + std::to_string(point) + "]." + std::string(name), value, allowed);
+    };
+    constexpr std::string_view positive = "finite and greater than 0";
+    const auto is_positive = [](T x) { return x > 0 && x <= std::numeric_limits<T>::max(); };
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        const auto& o = data[i];
+        check(is_positive(o.pressure), i, "pressure", o.pressure, positive);
+        check(is_positive(o.value), i, is_reflection ? "reflection" : "stiffness", o.value, positive);
+        // R a little above 1 is what noise makes of light loads; left out, it would bias the rest
+        check(!is_reflection || o.value < 2, i, "reflection", o.value, "at most 1, but for noise");
+        check(!errors_known || is_positive(o.error), i, "error", o.error,
+              "finite and greater than 0, or 0 in every point when it is not known");
+    }
+}
+
+/// \throws domain_error naming the first of the parameters \p wanted that no fit can start from, or that is named
+/// twice.
+template <Real T>
+void require_start(const std::vector<Parameter>& wanted, const ContactParameters<T>& start) {
+    for (const Parameter each : wanted) {
+        const T x = start[each];
+        require(ParameterScale<T>(each).inside(x), name_of(each), x, row_of(each).starting_range());
+        if (std::count(wanted.begin(), wanted.end(), each) > 1)
+            throw domain_error(Refusal{.parameter = name_of(each), .reason = "is fitted twice; must be named once"});
+    }
+}
+
+/// The residuals of a curve and their slopes, as functions of the fitted variables.
+template <Real T, class MakeLaw>
+class CurveModel {
+public:
+    using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+    using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+
+    /// What the arguments refer to must live as long.
+    CurveModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
+               const ContactParameters<T>& start, const MakeLaw& law, const std::optional<Wave<T>>& wave,
+               const RoughContactOptions<T>& contact, bool errors_known)
+        : data_(data),
+          wanted_(wanted),
+          start_(start),
+          law_(law),
+          wave_(wave),
+          contact_(contact),
+          errors_known_(errors_known),
+          values_(data.size()) {
+        using Law = decltype(law(start.fractal_dimension));
+        if constexpr (!DimensionalLaw<Law, T>)
+            require(std::count(wanted.begin(), wanted.end(), Parameter::fractal_dimension) == 0,
+                    name_of(Parameter::fractal_dimension), start.fractal_dimension,
+                    "fixed: this law has no members log_load_slope() and log_stiffness_slope()");
+    }
+
+    [[nodiscard]] ContactParameters<T> parameters_at(const Vector& u) const {
+        ContactParameters<T> x = start_;
+        for (std::size_t i = 0; i < wanted_.size(); ++i)
+            x[wanted_[i]] = ParameterScale<T>(wanted_[i]).value(u(static_cast<Eigen::Index>(i)));
+        return x;
+    }
+    [[nodiscard]] Vector start() const {
+        Vector u(static_cast<Eigen::Index>(wanted_.size()));
+        for (std::size_t i = 0; i < wanted_.size(); ++i)
+            u(static_cast<Eigen::Index>(i)) = ParameterScale<T>(wanted_[i]).variable(start_[wanted_[i]]);
+        return u;
+    }
+    /// Of the last evaluation that was within the reach of the model.
+    [[nodiscard]] const std::vector<T>& values() const { return values_; }
+
+    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within the reach of the
+    /// model
+    [[nodiscard]] bool operator()(const Vector& u, Vector& residuals, Matrix& jacobian) {
+        const ContactParameters<T> x = parameters_at(u);
+        for (const Parameter each : wanted_)
+            if (!ParameterScale<T>(each).inside(x[each])) return false;
+        for (const auto& one : data_)
+            if (!(one.pressure + x.offset > 0)) return false;
+        try {
+            const RoughContact contact(Roughness<T>{x.rms_height, x.peak_radius, x.peak_density, T(0)},
+                                       PeakDistribution<T>(x.r, x.theta), law_(x.fractal_dimension),
+                                       x.effective_modulus, contact_);
+            for (std::size_t i = 0; i < data_.size(); ++i)
+                point(i, sensitivity(contact, data_[i].pressure + x.offset), x, residuals, jacobian);
+        } catch (const domain_error&) {
+            return false;  // beyond the reach of the model
+        }
+        return true;
+    }
+
+private:
+    void point(std::size_t i, const Sensitivity<T>& s, const ContactParameters<T>& x, Vector& residuals,
+               Matrix& jacobian) {
+        T value = s.stiffness, chain = 1;
+        if (wave_) {
+            const T k = wave_->stiffness_ratio * s.stiffness;
+            value = reflection(k, wave_->media, wave_->angular_frequency);
+            chain = wave_->stiffness_ratio * reflection_slope(k, wave_->media, wave_->angular_frequency);
+        }
+        const T error = errors_known_ ? data_[i].error : wave_ ? T(1) : data_[i].value;
+        const auto row = static_cast<Eigen::Index>(i);
+        values_[i] = value;
+        residuals(row) = (value - data_[i].value) / error;
+        for (std::size_t k = 0; k < wanted_.size(); ++k) {
+            const Parameter each = wanted_[k];
+            jacobian(row, static_cast<Eigen::Index>(k)) =
+                slope_of(s, each) * chain * ParameterScale<T>(each).slope(x[each]) / error;
+        }
+    }
+
+    const std::vector<Observation<T>>& data_;
+    const std::vector<Parameter>& wanted_;
+    const ContactParameters<T>& start_;
+    const MakeLaw& law_;
+    const std::optional<Wave<T>>& wave_;
+    const RoughContactOptions<T>& contact_;
+    bool errors_known_;
+    std::vector<T> values_;
+};
+
+}  // namespace detail
+}  // namespace fstiff

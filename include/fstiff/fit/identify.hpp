@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Parameters of the contact from a measured curve, K(p) or the reflection R(p), by weighted least squares.
+///
+///     minimise  sum_i [(model(p_i + p_0) - y_i)/e_i]^2       over some of sigma, R, D_p, D, E, r, theta, p_0
+///
+/// with the derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp. Each parameter is fitted as its
+/// row of surface/contact_parameter.hpp says: positive ones as their logarithms, D, r and theta as ln (x-a)/(b-x)
+/// between their ends, the pressure offset p_0 as it is. Intervals are symmetric in the fitted variable. Without errors
+/// e_i, all points count alike (K by relative, R by absolute residual) and the covariance is scaled by chi^2 over the
+/// degrees of freedom.
+///
+/// What a curve can tell: K(p) = B g(p/A) with A = E D_p sigma^(3/2) R^(1/2) a and B = E D_p sigma^(1/2) R^(1/2) b,
+/// where g depends on r and theta, a and b on D. So E, D_p and R enter in the product E D_p sqrt(R) alone, and of
+/// sigma, that product and D no more than two can be found. Asked for more, the fit says singular and which; and also
+/// where the noise is all that tells parameters apart: one that the data hold to a factor of 100 alone, but not beside
+/// the others.
+///
+/// At an end of the range of D, r or theta the fitted variable is infinite, and nothing there is a minimum: a fit that
+/// would go beyond it, or is there within its error, says at_bound. Standard errors have no meaning then.
+///
+/// Any law can be fitted, and with interaction: IdentifyOptions::contact is that of the contact. Its length L is held.
+/// A law without powers takes milliseconds a point. D can be fitted where the law is a DimensionalLaw.
+///
+/// Reference   this project; the derivatives as in their headers
+/// Units       SI
+/// Valid       as contact/sensitivity; pressures p_i + p_0 > 0
+/// Accuracy    the truth lies in the 95 % interval in 95 +- 4 of 100 runs (tests/fit/identify_test.cpp)
+
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/fit/fit_problem.hpp>
+#include <fstiff/math/least_squares.hpp>
+#include <fstiff/surface/contact_parameter.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace fstiff {
+
+template <Real T = double>
+struct IdentifyOptions {
+    std::optional<Wave<T>> wave{};
+    RoughContactOptions<T> contact{};  ///< of the contact that is fitted: interaction, sigma_kappa of R
+    LeastSquaresOptions<T> search{};
+};
+
+template <Real T = double>
+struct IdentifiedParameter {
+    Parameter parameter{};
+    T value{}, standard_error{};
+    T low{}, high{};        ///< of the 95 % interval
+    T null_share = 0;       ///< when singular: its share in the combination that the data do not see, of the largest
+    bool at_bound = false;  ///< came to the end of its range
+};
+
+template <Real T = double>
+struct Identification {
+    FitStatus status{};
+    std::vector<IdentifiedParameter<T>> parameters;                ///< in the order asked for
+    ContactParameters<T> all{};                                    ///< fitted and fixed
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular or at_bound
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation;  ///< empty when singular or at_bound
+    std::vector<T> model;                                          ///< at each observation
+    std::vector<T> residuals;                                      ///< (model - value)/error
+    T chi_squared{};
+    int degrees_of_freedom = 0;
+    bool errors_known = false;  ///< else scaled so that chi^2 = degrees_of_freedom
+    int evaluations = 0;
+};
+
+/// Half the width of the 95 % interval in standard errors: Student's t at \p degrees_of_freedom (0: the normal value).
+/// Closed for 1 and 2; else an expansion, right to 1e-3 from 5 on and to 1 % at 3.
+template <Real T>
+[[nodiscard]] T interval_factor(int degrees_of_freedom) {
+    const T z = T(1.959963984540054);
+    if (degrees_of_freedom <= 0) return z;
+    const auto n = static_cast<T>(degrees_of_freedom);
+    if (degrees_of_freedom == 1) return std::tan(T(0.475) * numbers::pi_v<T>);
+    if (degrees_of_freedom == 2) return T(0.95) * std::sqrt(2 / (1 - T(0.95) * T(0.95)));
+    const T s = z * z;
+    return z * (1 + (s + 1) / (4 * n) + ((5 * s + 16) * s + 3) / (96 * n * n) +
+                (((3 * s + 19) * s + 17) * s - 15) / (384 * n * n * n) +
+                ((((79 * s + 776) * s + 1482) * s - 1920) * s - 945) / (92160 * n * n * n * n));
+}
+
+namespace detail {
+
+/// A standard error above ln 100 of the logarithm that is fitted, which is a factor of 100 or nearly the whole range,
+/// tells nothing.
+template <Real T>
+inline constexpr T useless_error = T(4.6);
+
+/// Whether the value \p x is at an end of the range of its parameter: as good as there, or there within its error, or a
+/// search that knew no end would leave the range. \p step is that of Gauss and Newton, \p deviation the standard error,
+/// both of the variable and 0 unless the search came to rest.
+template <Real T>
+bool is_at_bound(Parameter parameter, T x, T step, T deviation) {
+    const ParameterRow& row = row_of(parameter);
+    if (row.variation != Variation::between) return false;
+    const ParameterScale<T> chart(parameter);
+    const auto low = static_cast<T>(row.low.value), high = static_cast<T>(row.high.value);
+    const T range = high - low, close = T(1e-6) * range, moved = x + chart.slope(x) * step;
+    return !(x - low > close && high - x > close) || !(moved > low && moved < high) ||
+           (deviation > useless_error<T> && chart.slope(x) * deviation < T(0.1) * range);
+}
+
+/// The parameter that the data do not hold, though they would if it were alone or it has the whole of its range to be
+/// in: that of the largest \p deviation; -1 when there is none.
+template <Real T, class Vector, class Matrix>
+Eigen::Index lost_parameter(const std::vector<Parameter>& wanted, const Vector& deviation, const Matrix& jacobian,
+                            T scale) {
+    Eigen::Index lost = -1;
+    for (Eigen::Index i = 0; i < deviation.size(); ++i) {
+        const Variation kind = row_of(wanted[static_cast<std::size_t>(i)]).variation;
+        const bool alone = scale <= useless_error<T> * jacobian.col(i).norm();
+        if ((kind == Variation::between || (kind == Variation::log && alone)) &&
+            deviation(i) > (lost < 0 ? useless_error<T> : deviation(lost)))
+            lost = i;
+    }
+    return lost;
+}
+
+/// What becomes of a finished search: its status, the parameters at an end of their range, and the errors.
+template <Real T>
+class FitSummary {
+public:
+    using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+    using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+
+    /// \p out has the values of \p fit already, and whether errors are known.
+    FitSummary(const std::vector<Parameter>& wanted, LeastSquaresFit<T>& fit, Identification<T>& out)
+        : wanted_(wanted), fit_(fit), out_(out), count_(static_cast<Eigen::Index>(wanted.size())) {}
+
+    /// \p residuals and \p jacobian at the end of the search.
+    void fill(const Vector& residuals, const Matrix& jacobian) {
+        scale_residuals(residuals.size());
+        judge(residuals, jacobian);
+        out_.status = fit_.status;
+        if (has_errors()) correlate();
+        for (std::size_t i = 0; i < wanted_.size(); ++i) out_.parameters.push_back(parameter(i));
+        if (has_errors())
+            for (Eigen::Index i = 0; i < count_; ++i)
+                for (Eigen::Index k = 0; k < count_; ++k) out_.covariance(i, k) *= slope_at(i) * slope_at(k);
+    }
+
+private:
+    [[nodiscard]] bool has_errors() const {
+        return fit_.covariance.size() > 0 && (out_.errors_known || out_.degrees_of_freedom > 0);
+    }
+    [[nodiscard]] T slope_at(Eigen::Index i) const {
+        const Parameter each = wanted_[static_cast<std::size_t>(i)];
+        return ParameterScale<T>(each).slope(out_.all[each]);
+    }
+
+    /// Errors that are not known are such that chi^2 = degrees_of_freedom.
+    void scale_residuals(Eigen::Index points) {
+        out_.residuals.assign(fit_.residuals.data(), fit_.residuals.data() + points);
+        out_.degrees_of_freedom = static_cast<int>(points - count_);
+        out_.chi_squared = fit_.sum_of_squares;
+        if (out_.errors_known || out_.degrees_of_freedom <= 0) return;
+        scale_ = std::sqrt(fit_.sum_of_squares / static_cast<T>(out_.degrees_of_freedom));
+        if (scale_ > 0)
+            for (T& residual : out_.residuals) residual /= scale_;
+        out_.chi_squared = scale_ > 0 ? static_cast<T>(out_.degrees_of_freedom) : T(0);
+    }
+
+    /// Whether the search came to rest where a minimum is: not at an end, and with every parameter held by the data.
+    void judge(const Vector& residuals, const Matrix& jacobian) {
+        Vector step = Vector::Zero(count_);
+        deviation_ = step;
+        if (fit_.covariance.size() > 0) deviation_ = fit_.covariance.diagonal().cwiseSqrt() * scale_;
+        const bool at_rest = fit_.status == FitStatus::converged;
+        if (at_rest) step = -(fit_.covariance * (jacobian.transpose() * residuals));
+        at_bound_.resize(wanted_.size());
+        for (std::size_t i = 0; i < wanted_.size(); ++i) {
+            const auto index = static_cast<Eigen::Index>(i);
+            at_bound_[i] =
+                is_at_bound(wanted_[i], out_.all[wanted_[i]], step(index), at_rest ? deviation_(index) : T(0));
+        }
+        const Eigen::Index lost = at_rest ? lost_parameter(wanted_, deviation_, jacobian, scale_) : -1;
+        const bool ended = std::count(at_bound_.begin(), at_bound_.end(), true) > 0;
+        if (!ended && lost < 0) return;
+        fit_.status = ended ? FitStatus::at_bound : FitStatus::singular;
+        if (ended)
+            fit_.null_direction.resize(0);
+        else
+            fit_.null_direction = fit_.covariance.col(lost).cwiseProduct(jacobian.colwise().norm().transpose());
+        fit_.covariance.resize(0, 0);
+    }
+
+    void correlate() {
+        out_.covariance = fit_.covariance * (scale_ * scale_);
+        out_.correlation = fit_.covariance;
+        const Vector root = fit_.covariance.diagonal().cwiseSqrt();
+        for (Eigen::Index i = 0; i < count_; ++i)
+            for (Eigen::Index k = 0; k < count_; ++k)
+                out_.correlation(i, k) = i == k ? T(1) : fit_.covariance(i, k) / (root(i) * root(k));
+    }
+
+    [[nodiscard]] IdentifiedParameter<T> parameter(std::size_t i) const {
+        const auto index = static_cast<Eigen::Index>(i);
+        const ParameterScale<T> fitted(wanted_[i]);
+        IdentifiedParameter<T> found;
+        found.parameter = wanted_[i];
+        found.at_bound = at_bound_[i];
+        found.value = found.low = found.high = out_.all[wanted_[i]];
+        if (fit_.null_direction.size() > 0)
+            found.null_share = std::abs(fit_.null_direction(index)) / fit_.null_direction.cwiseAbs().maxCoeff();
+        if (has_errors()) {
+            const T factor = interval_factor<T>(out_.errors_known ? 0 : out_.degrees_of_freedom);
+            found.standard_error = deviation_(index) * fitted.slope(found.value);
+            found.low = fitted.value(fit_.parameters(index) - factor * deviation_(index));
+            found.high = fitted.value(fit_.parameters(index) + factor * deviation_(index));
+        }
+        return found;
+    }
+
+    const std::vector<Parameter>& wanted_;
+    LeastSquaresFit<T>& fit_;
+    Identification<T>& out_;
+    Eigen::Index count_;
+    T scale_ = 1;       ///< of the residuals
+    Vector deviation_;  ///< standard errors of the fitted variables
+    std::vector<bool> at_bound_;
+};
+
+}  // namespace detail
+
+/// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as
+/// [](T dimension) { return FractalLaw<T>(dimension); }.
+/// \throws domain_error for data or starting values that no model has, fewer points than parameters, and a D that is to
+/// be fitted of a law that is no DimensionalLaw.
+template <Real T, class MakeLaw>
+[[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
+                                         const ContactParameters<T>& start, const MakeLaw& law,
+                                         const IdentifyOptions<T>& options = {}) {
+    // an error that is NaN or negative is no way to say that it is not known
+    const bool known = std::any_of(data.begin(), data.end(), [](const auto& o) { return o.error != 0; });
+    detail::require_observations(data, options.wave.has_value(), known);
+    detail::require_start(wanted, start);
+    detail::CurveModel<T, MakeLaw> model(data, wanted, start, law, options.wave, options.contact, known);
+    const auto points = static_cast<Eigen::Index>(data.size());
+    LeastSquaresFit<T> fit = least_squares<T>(
+        model.start(), points, [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); }, options.search);
+
+    Identification<T> out;
+    out.errors_known = known;
+    out.evaluations = fit.evaluations;
+    out.all = model.parameters_at(fit.parameters);
+    typename detail::FitSummary<T>::Vector residuals(points);
+    typename detail::FitSummary<T>::Matrix jacobian(points, static_cast<Eigen::Index>(wanted.size()));
+    static_cast<void>(model(fit.parameters, residuals, jacobian));  // at the end, not at the last trial
+    out.model = model.values();
+    detail::FitSummary<T>(wanted, fit, out).fill(residuals, jacobian);
+    return out;
+}
+
+}  // namespace fstiff

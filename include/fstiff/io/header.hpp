@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// What the header of a text states: units of columns, spacings, and the size and form of a map. All of it is internal.
+///
+/// Units       lengths in m, once their unit is read
+
+#include <fstiff/io/number_table.hpp>
+#include <fstiff/io/quantity.hpp>
+
+namespace fstiff::io {
+
+enum class MapForm { automatic, triples, matrix };
+
+}  // namespace fstiff::io
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<io::MapForm> = name_list<io::MapForm>({{io::MapForm::automatic, "automatic"},
+                                                                   {io::MapForm::triples, "triples"},
+                                                                   {io::MapForm::matrix, "matrix"}});
+
+}  // namespace fstiff
+
+namespace fstiff::io::detail {
+
+/// The length unit that a column title states, as in "x [um]", "x (um)", "x/um", "height in um", "um"; "" for none.
+inline std::string_view title_unit(std::string_view title) {
+    title = unquoted(title);
+    const auto known = [](std::string_view text) { return is_unit(text, Dimension::length); };
+    for (const auto& [open, close] : {std::pair{'[', ']'}, {'(', ')'}, {'{', '}'}, {'<', '>'}}) {
+        const std::size_t end = title.rfind(close);
+        const std::size_t begin = title.substr(0, end).rfind(open);
+        if (end == std::string_view::npos || begin == std::string_view::npos) continue;
+        if (const auto inside = trimmed(title.substr(begin + 1, end - begin - 1)); known(inside)) return inside;
+    }
+    const std::size_t last = title.find_last_of(" \t/_:=");
+    const std::string_view word = last == std::string_view::npos ? title : title.substr(last + 1);
+    if (!known(word)) return {};
+    if (last == std::string_view::npos) return word;
+    const std::string_view before = trimmed(title.substr(0, last));
+    // "0.0 um" is a length, no title; a bare "in" after a word is a preposition that lost its unit
+    if (before.empty() || is_digit(before.back()) || word == "in") return {};
+    return word;
+}
+
+/// The units of \p columns columns that \p line states; empty when it does not state them all.
+inline std::vector<std::string_view> units_in(std::string_view line, std::size_t columns, char separator) {
+    line = trimmed(line);
+    while (!line.empty() && (line.front() == '#' || line.front() == '%' || line.front() == '!' || line.front() == '/'))
+        line.remove_prefix(1);
+    std::vector<std::string_view> cells, found;
+    for (const char candidate : {separator, ';', '\t', ',', ' '}) {
+        split_line(line, candidate, cells);
+        if (cells.size() != columns) continue;
+        found.clear();
+        for (const std::string_view cell : cells)
+            if (const auto unit = title_unit(cell); !unit.empty()) found.push_back(unit);
+        if (found.size() == columns) return found;
+    }
+    // "x [um] z [nm]": as many bracketed found as columns, in their order
+    found.clear();
+    for (std::string_view rest = line; !rest.empty();) {
+        const std::size_t begin = rest.find_first_of("[(");
+        if (begin == std::string_view::npos) break;
+        const std::size_t end = rest.find(rest[begin] == '[' ? ']' : ')', begin);
+        if (end == std::string_view::npos) break;
+        const auto inside = trimmed(rest.substr(begin + 1, end - begin - 1));
+        if (is_unit(inside, Dimension::length)) found.push_back(inside);
+        rest.remove_prefix(end + 1);
+    }
+    return found.size() == columns ? found : std::vector<std::string_view>();
+}
+
+/// The units of the options: "um,nm" or "um". \throws domain_error for more than \p most of them, or another unit.
+inline std::vector<std::string_view> given_units(const std::string& text, std::size_t most, const std::string& name,
+                                                 std::string_view allowed) {
+    std::vector<std::string_view> given;
+    if (text.empty()) return given;
+    split_line(text, ',', given);
+    if (given.empty() || given.size() > most) refuse_field(name, "units", shown_cell(text), allowed);
+    for (const std::string_view unit : given) require_unit(unit, Dimension::length);
+    return given;
+}
+
+/// Titles above the columns, from the first row upwards, that state the units of all of them.
+struct TitleUnits {
+    std::vector<std::string_view> units;  // empty when there are none
+    std::string from;                     // "line 3"
+};
+inline TitleUnits title_units(const NumberTable& table, std::size_t columns) {
+    for (std::size_t i = table.first; i-- > 0;)
+        if (auto found = units_in(table.lines[i].text, columns, table.dialect.separator); !found.empty())
+            return {std::move(found), "line " + std::to_string(table.lines[i].number)};
+    return {};
+}
+
+/// A spacing that the header states, such as "Resolution,0.156 um/sample"; with the weight of its last digit [m].
+struct StatedSpacing {
+    double value{}, resolution{};
+    std::size_t line{};
+    std::string text;
+};
+inline std::optional<StatedSpacing> stated_spacing(const NumberTable& table) {
+    for (std::size_t i = 0; i < table.first; ++i) {
+        const std::string_view line = table.lines[i].text;
+        const std::size_t begin = line.find_first_of(",:=;\t");
+        if (begin == std::string_view::npos) continue;
+        std::string title = lower_case(trimmed(line.substr(0, begin)));
+        while (!title.empty() && (is_blank(title.front()) || title.front() == '#' || title.front() == '%'))
+            title.erase(0, 1);
+        if (title != "resolution" && title != "spacing" && title != "step" && title != "sampling interval") continue;
+        std::string_view text = trimmed(line.substr(begin + 1));
+        text = trimmed(text.substr(0, text.find_first_of(",;\t")));
+        const std::size_t per = text.find('/');
+        const LeadingNumber number = leading_number(text);
+        if (number.status != NumberStatus::ok || !(number.value > 0)) continue;
+        const std::string_view unit =
+            trimmed(text.substr(number.length, per == std::string_view::npos ? per : per - number.length));
+        if (per != std::string_view::npos && per < number.length) continue;
+        if (!is_unit(unit, Dimension::length)) continue;
+        const double factor = unit_factor(unit, Dimension::length);
+        return StatedSpacing{number.value * factor,
+                             std::pow(10.0, last_digit_of(text.substr(0, number.length))) * factor,
+                             table.lines[i].number, std::string(text)};
+    }
+    return std::nullopt;
+}
+
+/// "key: value" or "key = value" of a header.
+struct HeaderEntry {
+    std::string key;  // lower case, blanks for underscores
+    std::string_view value;
+    std::size_t line;
+};
+
+inline std::string header_key(std::string_view text) {
+    std::string key = lower_case(trimmed(text));
+    std::replace(key.begin(), key.end(), '_', ' ');
+    return key;
+}
+
+inline std::vector<HeaderEntry> header_entries(const NumberTable& table) {
+    std::vector<HeaderEntry> entries;
+    std::vector<std::string_view> words;
+    const auto add = [&](std::string_view text, std::size_t sign, std::size_t line) {
+        std::string_view value = trimmed(text.substr(sign + 1));
+        while (!value.empty() && (value.back() == ',' || value.back() == ';' || is_blank(value.back())))
+            value.remove_suffix(1);
+        entries.push_back({header_key(text.substr(0, sign)), value, line});
+    };
+    for (std::size_t i = 0; i < table.first; ++i) {
+        std::string_view line = table.lines[i].text;
+        while (!line.empty() && (is_blank(line.front()) || line.front() == '#' || line.front() == '%' ||
+                                 line.front() == '!' || line.front() == '/' || line.front() == ';'))
+            line.remove_prefix(1);
+        const std::size_t sign = line.find_first_of(":=");
+        if (sign == std::string_view::npos || sign == 0) continue;
+        // "h=305 w=75": every word an entry
+        split_line(line, ' ', words);
+        const bool every_word = std::all_of(words.begin(), words.end(), [](std::string_view word) {
+            const std::size_t equal = word.find('=');
+            return equal != std::string_view::npos && equal > 0 && equal + 1 < word.size();
+        });
+        if (words.size() > 1 && every_word)
+            for (const std::string_view word : words) add(word, word.find('='), table.lines[i].number);
+        else
+            add(line, sign, table.lines[i].number);
+    }
+    return entries;
+}
+
+/// What a header says about the grid of a matrix: lengths [m], counts.
+struct StatedGrid {
+    struct Length {
+        double value{};
+        std::size_t line{};
+    };
+    std::optional<Length> width, height, dx, dy;
+    std::optional<std::size_t> columns, rows;
+    std::size_t columns_line{}, rows_line{};
+    std::string without_unit;  // the first length that lacks its unit, for messages
+    std::size_t without_unit_line{};
+
+    bool has_size() const { return (width || dx) && (height || dy); }
+};
+
+/// \p unit stands where a length has none; "" for refusing to guess.
+inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit,
+                              const std::string& name) {
+    StatedGrid grid;
+    const auto is_one_of = [](const std::string& key, std::initializer_list<std::string_view> keys) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    const auto set = [&](auto& slot, auto value, const HeaderEntry& entry, auto old) {
+        if (slot && old != value)
+            refuse_line(name, entry.line,
+                        {shown_cell(entry.key), " is stated twice, with two values; must be one value"});
+        slot = value;
+    };
+    for (const HeaderEntry& entry : entries) {
+        const bool width = is_one_of(entry.key, {"width", "w", "x size", "size x", "x range", "scan size x"});
+        const bool height = is_one_of(entry.key, {"height", "h", "y size", "size y", "y range", "scan size y"});
+        const bool both = is_one_of(entry.key, {"pixel size", "pixel pitch", "pixel spacing", "lateral spacing"});
+        const bool dx = both || is_one_of(entry.key, {"dx", "pixel width", "x pixel size", "pixel size x", "x spacing",
+                                                      "spacing x", "x step", "x increment"});
+        const bool dy = both || is_one_of(entry.key, {"dy", "pixel height", "y pixel size", "pixel size y", "y spacing",
+                                                      "spacing y", "y step", "y increment"});
+        const bool columns = is_one_of(entry.key, {"columns", "cols", "x pixels", "xres", "nx"});
+        const bool rows = is_one_of(entry.key, {"rows", "lines", "y pixels", "yres", "ny"});
+        if (!(width || height || dx || dy || columns || rows)) continue;
+        const LeadingNumber number = leading_number(entry.value);
+        if (number.status != NumberStatus::ok) continue;
+        const std::string_view written = trimmed(entry.value.substr(number.length));
+        const std::string word = lower_case(written);
+        const bool counted = word == "px" || word == "pixel" || word == "pixels" || word == "points";
+        const bool whole = number.value >= 1 && number.value < 4294967296.0 && number.value == std::floor(number.value);
+        const bool short_count = (entry.key == "w" || entry.key == "h") && written.empty();
+        if (columns || rows || counted || (short_count && whole)) {
+            if (!whole || dx || dy || !(written.empty() || counted)) continue;
+            const auto count = static_cast<std::size_t>(number.value);
+            auto& slot = columns || width ? grid.columns : grid.rows;
+            set(slot, count, entry, slot.value_or(0));
+            (columns || width ? grid.columns_line : grid.rows_line) = entry.line;
+            continue;
+        }
+        if (written.empty() && unit.empty()) {
+            if (grid.without_unit.empty()) grid.without_unit_line = entry.line;
+            if (grid.without_unit.empty()) grid.without_unit = entry.key;
+            continue;
+        }
+        if (!written.empty() && !is_unit(written, Dimension::length)) continue;
+        const std::string quantity =
+            std::string(entry.value.substr(0, number.length)) + " " + (written.empty() ? unit : std::string(written));
+        const double value =
+            located({.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
+        if (!(value > 0))
+            located({.file = name, .line = entry.line}, [&] {
+                fstiff::detail::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
+            });
+        const auto store = [&](std::optional<StatedGrid::Length>& slot) {
+            if (slot && slot->value != value)
+                refuse_line(name, entry.line,
+                            {shown_cell(entry.key), " disagrees with line ", slot->line, "; must be one value"});
+            slot = StatedGrid::Length{value, entry.line};
+        };
+        if (width) store(grid.width);
+        if (height) store(grid.height);
+        if (dx) store(grid.dx);
+        if (dy) store(grid.dy);
+    }
+    return grid;
+}
+
+/// What a header says of one unit of the heights; nullptr where it says nothing.
+struct StatedHeightUnit {
+    const HeaderEntry* unit = nullptr;
+    const HeaderEntry* factor = nullptr;
+};
+inline StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, const std::string& name) {
+    const HeaderEntry* unit = nullptr;
+    const HeaderEntry* factor = nullptr;
+    for (const HeaderEntry& entry : entries) {
+        for (const char* key : {"value units", "value unit", "data unit", "data units", "z unit", "z units",
+                                "height unit", "height units", "unit", "units"})
+            if (entry.key == key) {
+                if (unit && unit->value != entry.value)
+                    refuse_line(name, entry.line,
+                                {"states another unit of the heights than line ", unit->line, "; must be one unit"});
+                unit = &entry;
+            }
+        if (entry.key.starts_with("height conversion factor")) factor = &entry;
+    }
+    return {unit, factor};
+}
+
+/// "Form: triples" or "Form: matrix" of a header, as write_csv writes it.
+inline std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries) {
+    for (const HeaderEntry& entry : entries)
+        if (const auto form = find_named<MapForm>(entry.value);
+            entry.key == "form" && form && *form != MapForm::automatic)
+            return form;
+    return std::nullopt;
+}
+
+}  // namespace fstiff::io::detail

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The bytes and the lines of a file, and how its readers refuse it. All of it is internal.
+///
+/// Valid       lines up to 2^20 characters, files up to 2^30 bytes
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/io/number.hpp>
+
+#include <concepts>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <istream>
+#include <utility>
+#include <vector>
+
+namespace fstiff::io::detail {
+
+/// A part of a sentence: text, a whole number, or a number with ten digits.
+struct Part {
+    std::string text;
+    template <class T>
+    Part(const T& part) {
+        if constexpr (std::integral<T>)
+            text = std::to_string(part);
+        else if constexpr (Real<T>)
+            text = number_text(part);
+        else
+            text = part;
+    }
+};
+
+[[noreturn, gnu::cold]] inline void refuse_line(const std::string& name, std::size_t line,
+                                                std::initializer_list<Part> parts) {
+    std::string reason;
+    for (const Part& part : parts) reason += part.text;
+    throw domain_error(reason).with_place({.file = name, .line = line});
+}
+[[noreturn]] inline void refuse_file(const std::string& name, std::initializer_list<Part> parts) {
+    refuse_line(name, 0, parts);
+}
+[[noreturn]] inline void refuse_field(const std::string& name, std::string_view field, const std::string& value,
+                                      std::string_view allowed) {
+    throw domain_error({.parameter = field, .value = value, .allowed = allowed}).with_place({.file = name});
+}
+
+/// A file, and its name in messages.
+struct NamedBytes {
+    std::string name, bytes;
+};
+
+/// All bytes of \p input, of which there may be 2^30.
+inline NamedBytes read_bytes(std::istream& input, std::string_view name) {
+    constexpr std::size_t most = std::size_t(1) << 30;
+    NamedBytes file{std::string(name), {}};
+    std::vector<char> chunk(std::size_t(1) << 16);
+    while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), input.gcount() > 0) {
+        file.bytes.append(chunk.data(), static_cast<std::size_t>(input.gcount()));
+        if (file.bytes.size() > most) refuse_file(file.name, {"is longer than 2^30 bytes; must be shorter"});
+    }
+    if (input.bad()) throw file_error(file.name, "cannot be read to its end; must be a readable file");
+    return file;
+}
+
+inline NamedBytes read_bytes(const std::filesystem::path& path, std::string_view what) {
+    const std::string name = path.string();
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw file_error(name, "is a folder; must be a file of " + std::string(what));
+    std::ifstream input(path, std::ios::binary);
+    if (!input) throw file_error(name, "cannot be opened; must be an existing, readable file");
+    return read_bytes(input, name);
+}
+
+/// \p bytes without a byte order mark, when they may be text; \p what names the text that must be there.
+inline std::string text_of(std::string bytes, const std::string& name, std::string_view what) {
+    if (bytes.find('\0') != std::string::npos)
+        refuse_file(
+            name, {"is binary, or UTF-16 (it holds NUL bytes); must be delimited text in UTF-8 or an 8-bit code page"});
+    if (bytes.empty()) refuse_file(name, {"is empty; must be delimited text with " + std::string(what)});
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+    return bytes;
+}
+
+struct Line {
+    std::string_view text;  // trimmed
+    std::size_t number;     // counted from 1
+};
+
+/// Lines that are not blank. \p count receives the number of all lines.
+inline std::vector<Line> lines_of(std::string_view text, const std::string& name, std::size_t& count) {
+    constexpr std::size_t longest = std::size_t(1) << 20;
+    const char end_of_line = text.find('\n') == std::string_view::npos ? '\r' : '\n';
+    std::vector<Line> lines;
+    count = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(end_of_line), text.size());
+        ++count;
+        if (end > longest) refuse_line(name, count, {"is longer than 2^20 characters; must be shorter"});
+        // a tab at the end of a line may be an empty cell: only blanks and carriage returns go
+        std::string_view line = text.substr(0, end);
+        while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+        while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+        if (!trimmed(line).empty()) lines.push_back({line, count});
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+}  // namespace fstiff::io::detail

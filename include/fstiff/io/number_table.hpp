@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Rows of numbers below a header: separators, cells, and the table that the readers of text share. But for TextRecord all
+/// of it is internal.
+///
+/// A text is cut into lines once (lines_of), its table opened once (open_table: where the header ends, which separators),
+/// and its numbers parsed once (read_rows).
+///
+/// Valid       lines up to 2^20 characters, files up to 2^30 bytes
+/// Accuracy    numbers are correctly rounded
+
+#include <fstiff/io/lines.hpp>
+
+namespace fstiff::io {
+
+/// What messages call the options of a reader: units = "um" in a program, --units "um" on a command line.
+struct OptionNames {
+    std::string prefix{};           ///< before the name of an option
+    std::string format = "format";  ///< the whole name of the option that tells the form
+    std::string equals = " = ";     ///< between an option and its value
+
+    [[nodiscard]] std::string format_as(const std::string& form) const { return format + equals + form; }
+    [[nodiscard]] std::string given_as(const std::string& option, const std::string& value) const {
+        return "given as " + prefix + option + equals + value;
+    }
+    [[nodiscard]] std::string given_steps() const { return "given as " + prefix + "dx and " + prefix + "dy"; }
+};
+
+/// What was decided about any delimited text, and why.
+struct TextRecord {
+    std::string name;
+    std::string separator;  ///< "comma", "semicolon", "tab", "blanks" or, of one column, "none"
+    bool decimal_comma{};
+    std::size_t lines{};
+    std::size_t header_lines{};  ///< before the first row of numbers, blank lines and comments included
+    std::string units_from;      ///< "line 28" or "options"
+    std::size_t missing{};
+
+protected:
+    /// The separators and the header as sentences.
+    [[nodiscard]] std::vector<std::string> layout_sentences() const {
+        return {"separator: " + separator + ", decimal " + (decimal_comma ? "comma" : "point"),
+                "header: " + std::to_string(header_lines) + (header_lines == 1 ? " line" : " lines")};
+    }
+};
+
+namespace detail {
+
+struct Dialect {
+    char separator = ' ';  // ' ' stands for any run of blanks and tabs
+    bool decimal_comma = false;
+};
+
+inline std::string_view unquoted(std::string_view cell) {
+    cell = trimmed(cell);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
+    return cell;
+}
+
+inline std::string separator_name(char separator) {
+    return separator == ',' ? "comma" : separator == ';' ? "semicolon" : separator == '\t' ? "tab" : "blanks";
+}
+
+/// The cells of a line, empty ones included except at its end.
+inline void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    cells.clear();
+    if (separator == ' ') {
+        for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+            const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+            cells.push_back(unquoted(line.substr(0, end)));
+            line.remove_prefix(end);
+        }
+    } else {
+        while (true) {
+            const std::size_t end = std::min(line.find(separator), line.size());
+            cells.push_back(unquoted(line.substr(0, end)));
+            if (end == line.size()) break;
+            line.remove_prefix(end + 1);
+        }
+    }
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+}
+
+/// The cells of a line, empty ones at its end included.
+inline void split_row(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    split_line(line, separator, cells);
+    if (separator != ' ') cells.resize(static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1);
+}
+
+/// Whether the cells are numbers, at least one of them; with \p words, also words for missing points.
+inline bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma, bool words = false) {
+    std::size_t numbers = 0;
+    for (const std::string_view cell : cells) {
+        if (cell.empty()) continue;
+        if (!number_in(cell, decimal_comma) && !(words && is_missing_word(cell))) return false;
+        ++numbers;
+    }
+    return numbers > 0;
+}
+
+/// How the line reads as a row of numbers (with \p words, also of missing points); none when it does not.
+inline std::optional<Dialect> dialect_of(std::string_view line, bool words = false) {
+    std::vector<std::string_view> cells;
+    std::vector<Dialect> candidates;
+    if (line.find(';') != std::string_view::npos)
+        candidates = {{';', false}, {';', true}};
+    else if (line.find('\t') != std::string_view::npos && line.find(',') == std::string_view::npos)
+        candidates = {{'\t', false}, {' ', false}};
+    else if (line.find('\t') != std::string_view::npos)
+        candidates = {{'\t', true}, {',', false}};
+    else if (line.find(',') != std::string_view::npos)
+        candidates = {{',', false}, {' ', true}};
+    else
+        candidates = {{' ', false}};
+    // "1,5 2,5": commas inside what blanks separate are decimal; "1, 5" is not
+    if (candidates.front().separator == ',' && line.find(' ') != std::string_view::npos) {
+        split_line(line, ' ', cells);
+        if (cells.size() > 1 && all_numbers(cells, true, words)) return Dialect{' ', true};
+    }
+    for (const Dialect& dialect : candidates) {
+        split_line(line, dialect.separator, cells);
+        if (all_numbers(cells, dialect.decimal_comma, words)) return dialect;
+    }
+    return std::nullopt;
+}
+
+inline std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
+
+inline bool is_comment(std::string_view line) {
+    line = trimmed(line);
+    if (line.starts_with('#') || line.starts_with('%') || line.starts_with('!') || line.starts_with("//")) return true;
+    return line.starts_with(';') && !dialect_of(line);
+}
+
+/// What the rows of a table may look like.
+struct TableRules {
+    std::string_view holds;      ///< what must be there, for messages
+    bool missing_words = false;  ///< "nan" and "BAD" are missing points
+    bool short_rows = false;     ///< empty cells at the end of a row may be left out, with their separators
+};
+
+/// Rows of numbers below a header. Views point into the text, which must outlive them.
+struct NumberTable {
+    std::vector<Line> lines;
+    std::size_t line_count{};
+    std::size_t first{};  // of `lines`: the first row
+    Dialect dialect;
+    std::size_t columns{};
+    std::vector<double> values;  // by row; NaN where missing
+    std::vector<std::size_t> row_lines;
+    std::vector<PrintedDigits> printed;  // of the first three columns
+
+    std::size_t rows() const { return row_lines.size(); }
+    double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
+
+    /// What the table knows of a record.
+    void describe(TextRecord& record) const {
+        record.separator = separator_name(dialect.separator);
+        record.decimal_comma = dialect.decimal_comma;
+        record.lines = line_count;
+        record.header_lines = lines[first].number - 1;
+    }
+};
+
+/// Finds the end of the header and the separators. \throws domain_error when no line is a row of numbers.
+inline void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules) {
+    const std::string wanted = "; must hold " + std::string(rules.holds);
+    if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
+    for (table.first = 0; table.first < table.lines.size(); ++table.first) {
+        const std::string_view line = table.lines[table.first].text;
+        if (is_comment(line)) continue;
+        if (const auto dialect = dialect_of(without_comment(line), rules.missing_words)) {
+            table.dialect = *dialect;
+            break;
+        }
+    }
+    if (table.first == table.lines.size())
+        refuse_line(name, table.lines.front().number,
+                    {shown_cell(table.lines.front().text), " is no row of numbers, nor is any line after it", wanted});
+    // the first row alone may hide the decimal commas of "0 1,5" or "0;1,5"
+    for (std::size_t i = table.first; i < table.lines.size() && table.dialect.separator != ','; ++i) {
+        if (is_comment(table.lines[i].text)) continue;
+        const std::size_t sign = without_comment(table.lines[i].text).find_first_of(".,");
+        if (sign == std::string_view::npos) continue;
+        table.dialect.decimal_comma = table.lines[i].text[sign] == ',';
+        break;
+    }
+    std::vector<std::string_view> cells;
+    split_line(without_comment(table.lines[table.first].text), table.dialect.separator, cells);
+    table.columns = cells.size();
+}
+
+inline NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules) {
+    NumberTable table;
+    table.lines = lines_of(text, name, table.line_count);
+    find_first_row(table, name, rules);
+    return table;
+}
+
+/// How many columns a table has whose rows may be short: the first one shows some, others may show more, at most as many
+/// as the first one has separators for.
+inline std::size_t widest_row(const NumberTable& table) {
+    std::vector<std::string_view> cells;
+    split_row(without_comment(table.lines[table.first].text), table.dialect.separator, cells);
+    const std::size_t written = cells.size();
+    std::size_t columns = table.columns;
+    for (std::size_t i = table.first + 1; i < table.lines.size() && columns < written; ++i) {
+        if (is_comment(table.lines[i].text)) continue;
+        split_line(without_comment(table.lines[i].text), table.dialect.separator, cells);
+        if (cells.size() <= written) columns = std::max(columns, cells.size());
+    }
+    return columns;
+}
+
+/// The number in a cell that is not empty. \throws domain_error naming the line.
+inline double require_number(std::string_view cell, const NumberTable& table, std::size_t line, const std::string& name,
+                             const TableRules& rules) {
+    const auto number = number_in(cell, table.dialect.decimal_comma);
+    if (!number)
+        refuse_line(name, line,
+                    {shown_cell(cell), " is no number; allowed are finite decimal numbers (an empty cell",
+                     (rules.missing_words ? ", nan or BAD" : ""), " is a missing point)"});
+    if (!std::isfinite(*number))
+        refuse_line(name, line,
+                    {shown_cell(cell), " is beyond the range of double precision; allowed are finite numbers"});
+    return *number;
+}
+
+/// A separator at the end of every line makes no column.
+inline void drop_last_column(NumberTable& table) {
+    const std::size_t old = table.columns--;
+    for (std::size_t r = 1; r < table.rows(); ++r)
+        std::copy_n(table.values.begin() + static_cast<std::ptrdiff_t>(r * old), table.columns,
+                    table.values.begin() + static_cast<std::ptrdiff_t>(r * table.columns));
+    table.values.resize(table.rows() * table.columns);
+}
+
+/// Reads the rows of a table that open_table has opened.
+inline void read_rows(NumberTable& table, const std::string& name, const TableRules& rules) {
+    const char separator = table.dialect.separator;
+    const auto split = rules.short_rows ? split_line : split_row;
+    std::vector<std::string_view> cells;
+    split(without_comment(table.lines[table.first].text), separator, cells);
+    const std::size_t shown = table.columns;
+    table.columns = rules.short_rows ? widest_row(table) : cells.size();
+    if (rules.short_rows && table.columns > 4096)  // short rows would take memory that the text does not
+        refuse_line(name, table.lines[table.first].number, {"has ", table.columns, " columns; must be at most 4096"});
+    table.printed.resize(std::min<std::size_t>(table.columns, 3));
+    const std::string_view last = table.lines.back().text;
+    const auto bytes = static_cast<std::size_t>(last.data() + last.size() - table.lines[table.first].text.data());
+    const std::size_t most_rows = table.lines.size() - table.first;
+    table.values.reserve(
+        std::min(most_rows * table.columns, bytes + most_rows));  // a cell, or its separator, is a byte
+    std::size_t last_cells = 0;                                   // rows with something in their last cell
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        if (i != table.first && is_comment(table.lines[i].text)) continue;
+        const std::size_t line = table.lines[i].number;
+        split(without_comment(table.lines[i].text), separator, cells);
+        if (cells.empty()) continue;
+        // with blanks between them, an empty cell cannot be seen
+        const bool padded = rules.short_rows && separator != ' ' && cells.size() < table.columns;
+        const bool whole = padded || cells.size() == table.columns;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            double value = std::numeric_limits<double>::quiet_NaN();
+            if (!cells[c].empty() && !(rules.missing_words && is_missing_word(cells[c]))) {
+                value = require_number(cells[c], table, line, name, rules);
+                if (whole && c < table.printed.size()) table.printed[c].add(cells[c], value);
+            }
+            if (whole) table.values.push_back(value);
+        }
+        if (!whole)
+            refuse_line(name, line,
+                        {"has ", cells.size(), " columns; must be ", table.columns, " as in line ",
+                         table.lines[table.first].number});
+        if (!cells.back().empty()) ++last_cells;
+        table.row_lines.push_back(line);
+        table.values.resize(table.rows() * table.columns, std::numeric_limits<double>::quiet_NaN());
+    }
+    if (!rules.short_rows && last_cells == 0 && shown < table.columns && table.columns > 1) drop_last_column(table);
+}
+
+}  // namespace detail
+
+}  // namespace fstiff::io

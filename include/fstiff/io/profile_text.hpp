@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Reads a profile from delimited text, and records every decision it took about the file.
+///
+/// Rows are separated by line ends (LF, CR LF, CR CR LF, CR), columns by comma, semicolon, tab or blanks. The decimal
+/// sign is the point, or the comma where the comma does not separate columns. One column holds heights; two hold
+/// positions and heights; more need ProfileTextOptions::column. Lines before the first row of numbers are the header,
+/// lines that begin with "#", "%", "!", "//" or ";" comments; both are searched for units, from the first row upwards:
+/// "x [um]; z [nm]", "Lateral um,Raw Micrometer", "x (µm)", or the bare units. An empty cell is a missing point.
+/// Positions may fall (the profile is turned round) but must be equally spaced, as far as the digits they are printed
+/// with can tell; where all steps but one or two are the same, a row is missing.
+///
+/// Nothing is guessed: without a unit, without a spacing, or with a cell that is no number, the file is refused.
+///
+/// Units       profile in m; ProfileTextOptions::units are the file's
+/// Valid       16 points at least, of heights that vary; lines up to 2^20 characters, files up to 2^30
+/// Accuracy    heights within 1 ulp of the printed number (tests/io/profile_text_test.cpp)
+
+#include <fstiff/io/header.hpp>
+#include <fstiff/profile/profile.hpp>
+
+namespace fstiff::io {
+
+struct ProfileTextOptions {
+    std::optional<double> spacing{};  ///< [m]; replaces the positions of the file
+    std::string units{};              ///< "um,nm" (positions, heights) or "um" (both); replaces those of the header
+    std::size_t column = 0;           ///< of the heights, counted from 1; 0: the last of one or two columns
+    OptionNames names{};              ///< for messages
+};
+
+/// What was decided about a file, and why.
+struct ProfileTextRecord : TextRecord {
+    std::size_t columns{};          ///< that hold something
+    std::size_t height_column{};    ///< counted from 1
+    std::size_t position_column{};  ///< counted from 1; 0: none used
+    std::string position_unit;      ///< as written; empty when no positions are used
+    std::string height_unit;        ///< as written
+    std::string spacing_from;       ///< where the spacing comes from
+    bool reversed{};                ///< positions fell: the heights were turned round
+    std::size_t points{};
+
+    /// The above as sentences for people, one a line, without a full stop.
+    [[nodiscard]] std::vector<std::string> sentences() const;
+};
+
+struct ProfileFromText {
+    Profile<double> profile;
+    ProfileTextRecord record;
+};
+
+/// Reads all of \p input; \p name stands for it in messages.
+/// \throws domain_error naming file, line, value and what is allowed.
+[[nodiscard]] inline ProfileFromText read_profile(std::istream& input, std::string_view name,
+                                                  const ProfileTextOptions& options = {});
+
+/// Reads the file \p path.
+/// \throws file_error when it cannot be opened or read.
+[[nodiscard]] inline ProfileFromText read_profile(const std::filesystem::path& path,
+                                                  const ProfileTextOptions& options = {});
+
+namespace detail {
+
+inline constexpr TableRules profile_rules{.holds = "one or two columns of numbers", .short_rows = true};
+
+/// Everything that reading one profile needs to pass between its steps. The text must outlive it.
+class ProfileTextReader {
+public:
+    ProfileTextReader(NumberTable table, std::string name, const ProfileTextOptions& options)
+        : name_(std::move(name)), options_(options), table_(std::move(table)) {}
+
+    ProfileFromText read() {
+        settle_lone_commas();
+        read_rows(table_, name_, profile_rules);
+        record_.name = name_;
+        table_.describe(record_);
+        record_.columns = table_.columns;
+        if (table_.columns == 1 && table_.dialect.separator == ' ') record_.separator = "none";
+        choose_columns();
+        choose_units();
+        ProfileFromText result;
+        result.profile.heights = column(record_.height_column);
+        const double unit = unit_factor(record_.height_unit, Dimension::length);
+        for (double& z : result.profile.heights) z *= unit;
+        result.profile.spacing = spacing();
+        if (record_.reversed) std::reverse(result.profile.heights.begin(), result.profile.heights.end());
+        record_.points = result.profile.size();
+        record_.missing = record_.points - result.profile.present();
+        if (result.profile.present() < 16)
+            refuse_file(name_, {"holds ", result.profile.present(), " points; must be at least 16"});
+        located({.file = name_}, [&] { result.profile.validate(16); });
+        result.record = record_;
+        return result;
+    }
+
+private:
+    /// \p number counted from 1.
+    std::vector<double> column(std::size_t number) const {
+        std::vector<double> values(table_.rows());
+        for (std::size_t r = 0; r < values.size(); ++r) values[r] = table_.at(r, number - 1);
+        return values;
+    }
+
+    /// In "0,12" the comma may separate two columns or be decimal. It separates, unless no row holds a point and the
+    /// columns that it would separate could not be equally spaced positions and heights.
+    void settle_lone_commas() {
+        const std::vector<Line>& lines = table_.lines;
+        if (table_.dialect.separator != ',') return;
+        // titles that the comma separates, each with its unit, settle it
+        if (table_.first > 0 && !units_in(lines[table_.first - 1].text, 2, ',').empty()) return;
+        std::optional<double> before, step;
+        bool positions = true;
+        for (std::size_t i = table_.first; i < lines.size(); ++i) {
+            if (is_comment(lines[i].text)) continue;
+            const std::string_view line = without_comment(lines[i].text);
+            if (line.find_first_of(".eE \t") != std::string_view::npos ||
+                std::count(line.begin(), line.end(), ',') != 1)
+                return;
+            const LeadingNumber number = leading_number(line);
+            if (number.status != NumberStatus::ok || line[number.length] != ',' || number.length + 1 == line.size() ||
+                !is_digit(line[number.length + 1]))
+                return;
+            if (before) {
+                const double next = number.value - *before;
+                positions = positions && next != 0 && (!step || next == *step);
+                step = next;
+            }
+            before = number.value;
+        }
+        if (positions) return;
+        table_.dialect = {' ', true};
+        table_.columns = 1;
+    }
+
+    void choose_columns() {
+        const std::size_t columns = record_.columns;
+        if (options_.column > columns)
+            refuse_field(name_, "column", std::to_string(options_.column), "between 1 and " + std::to_string(columns));
+        if (options_.column == 0 && columns > 2)
+            refuse_file(name_, {"has ", columns,
+                                " columns; must be one of heights or two of positions and heights, or say which "
+                                "column holds the heights"});
+        record_.height_column = options_.column != 0 ? options_.column : columns;
+        const bool has_positions = columns > 1 && record_.height_column != 1;
+        record_.position_column = has_positions && !options_.spacing ? 1 : 0;
+    }
+
+    void choose_units() {
+        const std::size_t position = record_.position_column;
+        const auto given =
+            given_units(options_.units, 2, name_, "one unit, or two such as \"um,nm\" (positions, heights)");
+        if (!given.empty()) {
+            record_.height_unit = given.back();
+            if (position != 0) record_.position_unit = given.front();
+            record_.units_from = "options";
+            return;
+        }
+        if (const TitleUnits found = title_units(table_, record_.columns); !found.units.empty()) {
+            record_.height_unit = found.units[record_.height_column - 1];
+            if (position != 0) record_.position_unit = found.units[position - 1];
+            record_.units_from = found.from;
+            return;
+        }
+        refuse_file(name_, {"states no unit and none is given; must be ", options_.names.given_as("units", "\"um,nm\""),
+                            " (positions, heights), each one of ", accepted_units(Dimension::length)});
+    }
+
+    double spacing() {
+        const auto stated = stated_spacing(table_);
+        if (options_.spacing) {
+            require_positive("spacing", *options_.spacing);
+            record_.spacing_from = "options";
+            return *options_.spacing;
+        }
+        if (record_.position_column == 0) {
+            if (!stated)
+                refuse_file(name_, {"has no column of positions and no spacing is given; must be ",
+                                    options_.names.given_as("spacing", "\"0.5 um\"")});
+            record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
+            return stated->value;
+        }
+        const double unit = unit_factor(record_.position_unit, Dimension::length);
+        const double step = mean_step() * unit;
+        record_.spacing_from = "mean step of the positions";
+        if (stated) {
+            const bool same = std::abs(step - stated->value) <= 1e-9 * step;
+            // else rounded to its last digit
+            const bool agrees = same || std::abs(step - stated->value) <= 0.6 * stated->resolution;
+            if (!agrees)
+                refuse_line(name_, stated->line,
+                            {shown_cell(stated->text), " disagrees with the positions, whose mean step is ", step,
+                             " m; must agree, or the spacing be given"});
+            if (same) {
+                // the same number, without the rounding of the positions
+                record_.spacing_from =
+                    "line " + std::to_string(stated->line) + " (" + stated->text + "), with which the positions agree";
+                return stated->value;
+            }
+            record_.spacing_from +=
+                ", which agrees with line " + std::to_string(stated->line) + " (" + stated->text + ")";
+        }
+        return step;
+    }
+
+    /// Of the positions, in the file's unit, always positive.
+    double mean_step() {
+        const std::vector<double> x = column(record_.position_column);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            if (std::isnan(x[i]))
+                refuse_line(name_, table_.row_lines[i], {"has no position; allowed are finite decimal numbers"});
+        if (x.size() < 2) refuse_file(name_, {"holds ", x.size(), " points; must be at least 16"});
+        const double mean = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+        const double printed = table_.printed[record_.position_column - 1].resolution();
+        if (!std::isfinite(mean))
+            refuse_file(name_, {"holds positions beyond the range of double precision; must be finite lengths"});
+        // printed too coarsely, neighbours may share a position; otherwise every step goes the same way
+        const double direction = mean < 0 ? -1 : 1;
+        for (std::size_t i = 1; i < x.size(); ++i) {
+            const double next = (x[i] - x[i - 1]) * direction;
+            if (next < 0 || (next == 0 && printed < std::abs(mean)))
+                refuse_line(name_, table_.row_lines[i],
+                            {"position ", x[i], " follows ", x[i - 1], "; positions must rise, or fall, throughout"});
+        }
+        if (mean == 0)
+            refuse_file(name_, {"has all its positions at ", x.front(), "; positions must rise, or fall, throughout"});
+        // both ends of a step and both ends of the whole are rounded, or cut, to the printed digits
+        const double allowed = 1.01 * printed + 0.01 * std::abs(mean);
+        double worst = 0;
+        for (std::size_t i = 0; i < x.size(); ++i)
+            worst = std::max(worst, std::abs(x[i] - (x.front() + static_cast<double>(i) * mean)));
+        if (worst > allowed || is_interrupted(x, printed)) refuse_spacing(x);
+        record_.reversed = mean < 0;
+        return std::abs(mean);
+    }
+
+    static std::vector<double> steps_of(const std::vector<double>& x) {
+        std::vector<double> steps(x.size() - 1);
+        for (std::size_t i = 0; i + 1 < x.size(); ++i) steps[i] = x[i + 1] - x[i];
+        return steps;
+    }
+
+    static double median(std::vector<double> values) {
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    }
+
+    /// 0 1 2 4 5 ...: positions printed to whole steps, of which one or two are odd, have lost a row rather than digits.
+    static bool is_interrupted(const std::vector<double>& x, double printed) {
+        const std::vector<double> steps = steps_of(x);
+        const double usual = median(steps);
+        if (printed < 0.1 * std::abs(usual) || usual == 0) return false;
+        const auto odd = std::count_if(steps.begin(), steps.end(),
+                                       [&](double step) { return std::abs(step - usual) > 0.5 * printed; });
+        return odd == 1 || odd == 2;
+    }
+
+    /// Names the step that is furthest from the usual one.
+    [[noreturn]] void refuse_spacing(const std::vector<double>& x) const {
+        const std::vector<double> steps = steps_of(x);
+        const double usual = median(steps);
+        const auto odd = std::max_element(
+            steps.begin(), steps.end(), [&](double a, double b) { return std::abs(a - usual) < std::abs(b - usual); });
+        const auto row = static_cast<std::size_t>(odd - steps.begin()) + 1;
+        refuse_line(name_, table_.row_lines[row],
+                    {"position ", x[row], " is a step of ", *odd, " where the usual one is ", usual,
+                     "; positions must be equally spaced to their printed digits"});
+    }
+
+    std::string name_;
+    const ProfileTextOptions& options_;
+    NumberTable table_;
+    ProfileTextRecord record_;
+};
+
+inline ProfileFromText read_profile_text(NamedBytes file, const ProfileTextOptions& options) {
+    const std::string text = text_of(std::move(file.bytes), file.name, profile_rules.holds);
+    return ProfileTextReader(open_table(text, file.name, profile_rules), file.name, options).read();
+}
+
+}  // namespace detail
+
+inline std::vector<std::string> ProfileTextRecord::sentences() const {
+    std::vector<std::string> all = layout_sentences();
+    std::string column_text =
+        "columns: " + std::to_string(columns) + ", heights in column " + std::to_string(height_column);
+    if (position_column != 0) column_text += ", positions in column " + std::to_string(position_column);
+    all.push_back(column_text + (reversed ? ", falling: turned round" : ""));
+    all.push_back("units: heights in " + height_unit +
+                  (position_unit.empty() ? "" : ", positions in " + position_unit) + ", from " + units_from);
+    all.push_back("spacing: from " + spacing_from);
+    all.push_back("points: " + std::to_string(points) + ", of which " + std::to_string(missing) + " missing");
+    return all;
+}
+
+inline ProfileFromText read_profile(std::istream& input, std::string_view name, const ProfileTextOptions& options) {
+    return detail::read_profile_text(detail::read_bytes(input, name), options);
+}
+
+inline ProfileFromText read_profile(const std::filesystem::path& path, const ProfileTextOptions& options) {
+    return detail::read_profile_text(detail::read_bytes(path, "delimited text"), options);
+}
+
+}  // namespace fstiff::io

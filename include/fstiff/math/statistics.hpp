@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Quantiles, and resampling of neighbouring parts together.
+///
+/// Reference   Hyndman, Fan, Am. Stat. 50 (1996) 361, definition 7 (quantile); Kunsch, Ann. Stat. 17 (1989) 1217
+///             (blocks)
+/// Accuracy    rounding of the sums (tests/math/statistics_test.cpp)
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/math/random.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace fstiff {
+
+/// The value below which the share \p probability of the sorted \p values lies, linear between neighbours.
+/// \throws domain_error without values, or for a probability that is not between 0 and 1.
+template <Real T>
+[[nodiscard]] T sorted_quantile(std::span<const T> values, T probability) {
+    require(!values.empty(), "values of a quantile", values.size(), "at least 1");
+    require(probability >= T(0) && probability <= T(1), "probability", probability, "between 0 and 1");
+    const T place = probability * static_cast<T>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    const T share = place - static_cast<T>(below);
+    return values[below] + share * (values[above] - values[below]);
+}
+
+/// Draws blocks of neighbouring parts with replacement, as many as make the whole. Correlation within a block is kept.
+class BlockDraw {
+public:
+    /// \p parts in blocks of \p block, between 1 and \p parts.
+    BlockDraw(std::size_t parts, std::size_t block, std::uint64_t seed) : parts_(parts), block_(block), state_(seed) {}
+
+    /// Blocks of one resample.
+    [[nodiscard]] std::size_t blocks() const { return (parts_ + block_ - 1) / block_; }
+    /// First part of the next block.
+    [[nodiscard]] std::size_t operator()() {
+        return static_cast<std::size_t>(splitmix64(state_) % (parts_ - block_ + 1));
+    }
+
+private:
+    std::size_t parts_, block_;
+    std::uint64_t state_;
+};
+
+/// Resamples of a mean that is a sum over parts divided by a count over them. The same draws for whatever is averaged.
+template <Real T = double>
+class BlockBootstrap {
+public:
+    BlockBootstrap(std::size_t parts, std::size_t block, std::size_t resamples, std::uint64_t seed)
+        : block_(block), sum_to_(parts + 1), count_to_(parts + 1), mean_(resamples) {
+        BlockDraw draw(parts, block, seed);
+        blocks_ = draw.blocks();
+        starts_.resize(resamples * blocks_);
+        for (std::size_t& start : starts_) start = draw();
+    }
+
+    /// The mean of every resample; \p part gives sum and count of a part. A resample that holds nothing has the mean of
+    /// the whole. Valid until the next call.
+    template <class Part>
+    const std::vector<T>& means(const Part& part) {
+        for (std::size_t i = 0; i + 1 < sum_to_.size(); ++i) {
+            const auto [sum, count] = part(i);
+            sum_to_[i + 1] = sum_to_[i] + sum;
+            count_to_[i + 1] = count_to_[i] + count;
+        }
+        for (std::size_t r = 0; r < mean_.size(); ++r) {
+            T sum = 0, count = 0;
+            for (std::size_t b = r * blocks_; b < (r + 1) * blocks_; ++b) {
+                sum += sum_to_[starts_[b] + block_] - sum_to_[starts_[b]];
+                count += count_to_[starts_[b] + block_] - count_to_[starts_[b]];
+            }
+            mean_[r] = count > T(0) && sum > T(0) ? sum / count : sum_to_.back() / count_to_.back();
+        }
+        return mean_;
+    }
+
+private:
+    std::size_t block_, blocks_{};
+    std::vector<std::size_t> starts_;   // of the blocks of the first resample, then of the next
+    std::vector<T> sum_to_, count_to_;  // over all parts before this one
+    std::vector<T> mean_;
+};
+
+}  // namespace fstiff

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The range of lags over which a structure function is a power law: searched for, or given.
+///
+/// Automatic window: the longest range of lags, half a decade at least, over which the local slope of ln S (over a
+/// factor of 2.25) keeps to the slope of the range within 0.2, or 1.5 sqrt(n/N) where that is more, and lies between
+/// 0.05 and 1.9: 2 is a profile that is smooth below its resolution, or tilted; 0 one that has saturated. When there is
+/// none, 0.2 becomes 0.3, 0.45, 0.6, and the fit is flagged as curved. Lags of 4 samples to a tenth of the points
+/// are searched; 1 sample to a quarter for a profile of fewer than 400 points. Lags below the resolution, or that may
+/// show the tip (profile/tip_cutoff.hpp), are left out of everything.
+/// A range behind a plateau is waviness over a roughness that has saturated: some shorter lag has a slope below 0.2,
+/// and the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
+/// tolerance above 0.2 only when there is none at all.
+///
+/// Units       lags [m]; inside, in samples
+/// Valid       4 lags at least at which S > 0
+/// Accuracy    the ends of pieces of a power law (tests/profile/lag_window_test.cpp)
+
+#include <fstiff/core/names.hpp>
+#include <fstiff/core/text.hpp>
+#include <fstiff/profile/structure_function.hpp>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fstiff {
+
+/// A range of lags [m], both ends included.
+template <Real T = double>
+struct LagWindow {
+    T from{}, to{};
+};
+
+/// Why a window begins or ends where it does.
+enum class WindowEnd {
+    given,       ///< by hand
+    sampling,    ///< the first lag searched: shorter ones know only a few samples
+    resolution,  ///< of the instrument
+    tip,         ///< of the instrument, by its radius
+    smooth,      ///< beyond it S grows as the square of the lag: smooth, or tilted
+    saturated,   ///< beyond it S does not grow
+    bend,        ///< beyond it the slope of S is another one
+    length,      ///< the longest lag searched: of longer ones the profile holds too few
+};
+
+/// To follow "begins" or "ends".
+template <>
+inline constexpr auto names<WindowEnd> = name_list<WindowEnd>({
+    {WindowEnd::given, "as given"},
+    {WindowEnd::sampling, "at the first lag searched"},
+    {WindowEnd::resolution, "at the resolution"},
+    {WindowEnd::tip, "where the tip no longer shows"},
+    {WindowEnd::smooth, "where the profile becomes smooth"},
+    {WindowEnd::saturated, "where the structure function saturates"},
+    {WindowEnd::bend, "where the slope changes"},
+    {WindowEnd::length, "at the longest lag searched"},
+});
+
+/// In words, to follow "begins" or "ends".
+[[nodiscard]] constexpr std::string_view describe(WindowEnd end) { return name_of(end); }
+
+namespace detail {
+
+template <Real T>
+using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+template <Real T>
+using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Half a decade of lags; a little less, because lags are whole numbers of samples.
+inline constexpr double min_window_ratio = 3.1;
+inline constexpr std::size_t min_window_lags = 4;
+
+/// Lags below \p from are not used.
+template <Real T>
+struct ReliableLags {
+    T from{};           // [m]; 0: all are used
+    WindowEnd limit{};  // whether the tip or the resolution sets it
+
+    /// A lag at the limit is in, whatever the rounding.
+    bool holds(T lag) const { return lag >= from * T(0.9999); }
+    /// To end the refusal of a profile of length \p length [m].
+    std::string note(T length) const {
+        if (from == T(0)) return "";
+        return "; lags below " + (from * T(0.9999) <= length ? rounded_text(from, 4) + " m" : "any of this profile") +
+               " are left out for the " + (limit == WindowEnd::tip ? "tip radius" : "resolution");
+    }
+};
+
+/// Ordinary slope of y over x for the points first ... last.
+template <Real T>
+T regression_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index first, Eigen::Index last) {
+    const Eigen::Index count = last - first + 1;
+    const auto dx = (x.segment(first, count).array() - x.segment(first, count).mean()).eval();
+    return (dx * y.segment(first, count).array()).sum() / dx.square().sum();
+}
+
+/// Slope about point k, over the lags within a factor 1.5 of it and its two neighbours at least.
+template <Real T>
+T local_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index k) {
+    const T reach = std::log(T(1.5)) * T(1.001);
+    Eigen::Index first = k, last = k;
+    while (first > 0 && (x[k] - x[first - 1] <= reach || first == k)) --first;
+    while (last + 1 < x.size() && (x[last + 1] - x[k] <= reach || last == k)) ++last;
+    return regression_slope(x, y, first, last);
+}
+
+/// ln S over ln n at the lags that are used: numbers without a unit.
+template <Real F>
+struct LogStructure {
+    std::vector<std::size_t> step, pairs;
+    Vector<F> lag, value, slope;  // ln n, ln(S/h^2), local slope
+    std::size_t points{};         // of the profile
+
+    /// Lags that are searched for a window, in samples.
+    F shortest() const { return points < 400 ? F(1) : F(4); }
+    F longest() const { return static_cast<F>(points < 400 ? points / 4 : points / 10); }
+};
+
+/// Lags at which nothing differs (S = 0) have no logarithm, and are left out with those that are not reliable.
+template <Real T>
+LogStructure<Accumulator<T>> log_structure(const StructureFunction<T>& s, T spacing, std::size_t points,
+                                           const ReliableLags<T>& reliable) {
+    using F = Accumulator<T>;
+    LogStructure<F> log;
+    log.points = points;
+    std::vector<F> lag, value;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+        if (!(s.value[k] > T(0) && reliable.holds(static_cast<T>(s.step[k]) * spacing))) continue;
+        log.step.push_back(s.step[k]);
+        log.pairs.push_back(s.pairs[k]);
+        lag.push_back(std::log(static_cast<F>(s.step[k])));
+        value.push_back(std::log(static_cast<F>(s.value[k])) - 2 * std::log(static_cast<F>(spacing)));
+    }
+    const bool limited = reliable.from > T(0);
+    if (limited && (log.step.size() < min_window_lags ||
+                    static_cast<double>(log.step.back()) < min_window_ratio * static_cast<double>(log.step.front())))
+        throw domain_error(
+            {.parameter = "window",
+             .reason = "no half decade of lags is left" + reliable.note(static_cast<T>(points - 1) * spacing)});
+    if (log.step.size() < min_window_lags)
+        throw domain_error("profile has differing heights at " + std::to_string(log.step.size()) +
+                           " lags: must be at least " + std::to_string(min_window_lags));
+    const auto size = static_cast<Eigen::Index>(lag.size());
+    log.lag = Eigen::Map<const Vector<F>>(lag.data(), size);
+    log.value = Eigen::Map<const Vector<F>>(value.data(), size);
+    log.slope.resize(size);
+    for (Eigen::Index k = 0; k < size; ++k) log.slope[k] = local_slope(log.lag, log.value, k);
+    return log;
+}
+
+struct IndexRange {
+    Eigen::Index first{}, last{};
+
+    Eigen::Index count() const { return last - first + 1; }
+};
+
+/// Whether a range of slope \p slope stands behind a lag where S was as flat as \p flattest.
+template <Real T>
+bool is_behind_plateau(T flattest, T slope) {
+    return flattest < T(0.2) && slope > flattest + T(0.3);
+}
+
+/// The longest straight range among the lags that are searched, where the local slopes may differ from that of the
+/// range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
+template <Real T>
+std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool behind_plateau) {
+    const Vector<T>&x = log.lag, &y = log.value, &local = log.slope;
+    const Eigen::Index size = x.size();
+    Vector<T> allowed(size);
+    for (Eigen::Index k = 0; k < size; ++k)
+        allowed[k] = std::max(tolerance, T(1.5) * std::sqrt(std::exp(x[k]) / static_cast<T>(log.points)));
+    const T from = std::log(log.shortest()) - T(1e-9), to = std::log(log.longest()) + T(1e-9);
+    const T least = std::log(static_cast<T>(min_window_ratio));
+    std::optional<IndexRange> best;
+    T best_length = 0, flattest = std::numeric_limits<T>::infinity();
+    for (Eigen::Index a = 0; a < size; ++a) {
+        if (x[a] < from) continue;
+        flattest = std::min(flattest, local[a]);
+        for (Eigen::Index b = size - 1; b > a; --b) {
+            if (x[b] > to) continue;
+            const T length = x[b] - x[a];
+            if (length < least || length <= best_length || b - a + 1 < static_cast<Eigen::Index>(min_window_lags))
+                break;
+            const T mean = regression_slope(x, y, a, b);
+            const Eigen::Index count = b - a + 1;
+            const auto slopes = local.segment(a, count).array();
+            const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && (slopes > T(0.05)).all() &&
+                                  (slopes < T(1.9)).all() &&
+                                  ((slopes - mean).abs() <= allowed.segment(a, count).array()).all();
+            if (straight) {
+                best = IndexRange{a, b};
+                best_length = length;
+                break;
+            }
+        }
+    }
+    return best;
+}
+
+/// A window, and what the search for it allowed.
+template <Real F>
+struct ChosenRange {
+    IndexRange range;
+    F tolerance{};  // of the local slopes; 0: given
+    bool behind_plateau{};
+};
+
+/// The window that was given. \throws domain_error when it holds too few lags.
+template <Real T>
+ChosenRange<Accumulator<T>> given_range(const LogStructure<Accumulator<T>>& log, const LagWindow<T>& window, T spacing,
+                                        const ReliableLags<T>& reliable) {
+    using F = Accumulator<T>;
+    const F slack = F(1e-4);
+    const F from = std::log(static_cast<F>(window.from / spacing)) - slack;
+    const F to = std::log(static_cast<F>(window.to / spacing)) + slack;
+    IndexRange range{log.lag.size(), -1};
+    for (Eigen::Index k = 0; k < log.lag.size(); ++k)
+        if (log.lag[k] >= from && log.lag[k] <= to) {
+            range.first = std::min(range.first, k);
+            range.last = k;
+        }
+    const auto held = range.last < range.first ? Eigen::Index(0) : range.count();
+    if (held < static_cast<Eigen::Index>(min_window_lags) ||
+        log.lag[range.last] - log.lag[range.first] < std::log(static_cast<F>(min_window_ratio))) {
+        const T length = static_cast<T>(log.points - 1) * spacing;
+        const auto metres = [](T value) { return rounded_text(value, 4) + " m"; };
+        throw domain_error({.parameter = "window",
+                            .value = metres(window.from) + " to " + metres(window.to),
+                            .reason = "holds " + std::to_string(held) + " lags; must hold at least " +
+                                      std::to_string(min_window_lags) + " and half a decade, between " +
+                                      metres(spacing) + " and " + metres(length) + reliable.note(length)});
+    }
+    return {range, F(0), false};
+}
+
+/// The window that is found. \throws domain_error when there is none.
+template <Real T>
+ChosenRange<Accumulator<T>> automatic_range(const LogStructure<Accumulator<T>>& log, T spacing,
+                                            const ReliableLags<T>& reliable) {
+    using F = Accumulator<T>;
+    for (const auto& [tolerance, behind_plateau] : {std::pair{F(0.2), false},
+                                                    {F(0.2), true},
+                                                    {F(0.3), false},
+                                                    {F(0.45), false},
+                                                    {F(0.6), false},
+                                                    {F(0.3), true},
+                                                    {F(0.45), true},
+                                                    {F(0.6), true}})
+        if (const auto range = straight_range(log, tolerance, behind_plateau))
+            return {*range, tolerance, behind_plateau};
+    const std::string first = rounded_text(log.slope[0], 4), last = rounded_text(log.slope[log.slope.size() - 1], 4);
+    throw domain_error({.parameter = "window",
+                        .value = "automatic",
+                        .reason = "no half decade of lags follows a power law (local slope of ln S " + first +
+                                  " at the shortest and " + last +
+                                  " at the longest lag); must be a profile whose slope stays between 0.05 and 1.9, "
+                                  "without tilt, or a window given by hand" +
+                                  reliable.note(static_cast<T>(log.points - 1) * spacing)});
+}
+
+/// Why a window that was found ends before lag \p next: \p outermost where the search does.
+template <Real F>
+WindowEnd why_there(const LogStructure<F>& log, const IndexRange& range, Eigen::Index next, WindowEnd outermost) {
+    if (next < 0 || next >= log.slope.size()) return outermost;
+    const F lag = std::exp(log.lag[next]) * F(1 + 1e-9), slope = log.slope[next];
+    if (lag < log.shortest() || lag > log.longest() * F(1 + 1e-8)) return outermost;
+    if (slope > F(1.8) && slope > log.slope[next < range.first ? range.first : range.last]) return WindowEnd::smooth;
+    return slope < F(0.2) ? WindowEnd::saturated : WindowEnd::bend;
+}
+
+}  // namespace detail
+
+}  // namespace fstiff

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// A profile without its form, which knows what was removed: what is measured of it can make up for the loss.
+///
+///     const auto flat = fstiff::level(profile, fstiff::Form::line);
+///     const auto fit = fstiff::fit_fractal(flat);  // makes up for what the line took of the long waves
+///
+/// Units       heights, cut-off [m]
+/// Valid       as detrend() and gaussian_roughness()
+/// Accuracy    that of detrend() and gaussian_roughness() (tests/profile/level_test.cpp)
+
+#include <fstiff/profile/detrend.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
+
+#include <optional>
+
+namespace fstiff {
+
+template <Real T = double>
+struct LevelledProfile {
+    Profile<T> profile;
+    Form removed = Form::none;
+    std::optional<T> cutoff{};  ///< of the Gaussian filter that followed [m]
+
+    /// The form whose mark the long lags of the structure function bear: none behind a filter, which took them itself.
+    [[nodiscard]] Form mark() const { return cutoff ? Form::none : removed; }
+};
+
+/// \p profile without the \p form and then, with a \p cutoff, without the waviness of the Gaussian filter.
+/// \throws domain_error as detrend() and gaussian_roughness().
+template <Real T>
+[[nodiscard]] LevelledProfile<T> level(const Profile<T>& profile, Form form,
+                                       std::optional<std::type_identity_t<T>> cutoff = {}) {
+    LevelledProfile<T> flat{detrend(profile, form), form, cutoff};
+    if (cutoff) flat.profile = gaussian_roughness(flat.profile, *cutoff);
+    return flat;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Self-affine Gaussian profiles and maps: sums of waves with random amplitudes, periodic.
+///
+///     z(x) = Re sum_k A_k (xi_k + i eta_k) exp(2 pi i q_k . x),   xi, eta standard normal, independent
+///     A_k^2 = rms^2 w(|q_k|) / sum w                              one wave of each pair (q, -q)
+///     w(q)  = max(q, q_long)^-(2H+1)   profile                    q_long  = 1/longest_wavelength
+///           = max(q, q_long)^-(2H+2)   map                        q_short = 1/shortest_wavelength
+///           = 0                        q > q_short, or q < q_long when long_waves = none
+///
+/// q counts waves per length. Between the cut-offs a section of the map is a profile of the same H, and D = 2 - H.
+/// The mean of every realisation is 0. Its rms is the one asked for (exact_rms), or has it as its mean square over all
+/// seeds. The random numbers of a wave depend on the seed and on its waves per period alone: the same seed on a finer
+/// grid over the same period has the same long waves, and with the same cut-offs and exact_rms = false the same
+/// surface.
+///
+/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017)
+///             013001 for the spectra of profiles and maps.
+/// Units       lengths, heights [m]
+/// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most; fastest
+///             where the points of a side are products of 2, 3 and 5, and O(N log N) for every number
+/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/synthetic/self_affine_test.cpp).
+///             The random bits are the same on every platform; heights agree to the rounding of the local log, cos and
+///             pow.
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
+#include <fstiff/math/accumulate.hpp>
+#include <fstiff/math/fft.hpp>
+#include <fstiff/math/random.hpp>
+#include <fstiff/profile/profile.hpp>
+#include <fstiff/topography/height_map.hpp>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace fstiff {
+
+/// What stands beyond the longest wavelength: waves as strong as the longest one, or none.
+enum class LongWaves { plateau, none };
+template <>
+inline constexpr auto names<LongWaves> = name_list<LongWaves>({{LongWaves::plateau, "plateau"},
+                                                               {LongWaves::none, "none"}});
+
+template <Real T = double>
+struct SelfAffineOptions {
+    T hurst{};                ///< H
+    T rms{};                  ///< [m]
+    T longest_wavelength{};   ///< where the spectrum rolls off [m]; 0: the longest side
+    T shortest_wavelength{};  ///< no wave is shorter [m]; 0: two samples, of the larger spacing
+    LongWaves long_waves = LongWaves::plateau;
+    bool exact_rms = true;  ///< rms of the realisation, not of the mean over all seeds
+    std::uint64_t seed = 1;
+};
+
+/// z at x = 0, spacing, ...: one period of points * spacing [m].
+/// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
+template <Real T>
+[[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing);
+
+/// z(j, i) at x = i dx, y = j dy: one period of columns * dx by rows * dy [m]. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows,
+                                           T dx, T dy);
+
+namespace detail {
+
+/// Two standard normal numbers of the wave with \p kx and \p ky periods.
+template <Real T>
+std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_t ky) {
+    std::uint64_t state = seed;
+    state = splitmix64(state) ^
+            (static_cast<std::uint64_t>(static_cast<std::uint32_t>(ky)) << 32 | static_cast<std::uint32_t>(kx));
+    return normal_pair<T>(state);
+}
+
+/// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.
+template <Real T>
+HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
+    using W = Accumulator<T>;
+    using Index = Eigen::Index;
+    require(options.hurst > T(0) && options.hurst < T(1), "hurst", options.hurst, "between 0 and 1, both excluded");
+    require_positive("rms", options.rms);
+    const bool map = rows > 1;
+    constexpr std::size_t max_points = std::size_t(1) << 28;
+    for (const std::size_t points : {columns, map ? rows : columns})
+        require(points >= 4 && points <= max_points, "points of a side", points, "between 4 and 2^28");
+    if (columns > max_points / rows)
+        detail::refuse("points", std::to_string(columns) + " x " + std::to_string(rows), "at most 2^28");
+    const W period_x = static_cast<W>(columns) * dx, period_y = map ? static_cast<W>(rows) * dy : W(0);
+    const W side = std::max(period_x, period_y), step = map ? std::max(dx, dy) : dx;
+    const W longest = options.longest_wavelength == T(0) ? side : static_cast<W>(options.longest_wavelength);
+    const W shortest = options.shortest_wavelength == T(0) ? 2 * step : static_cast<W>(options.shortest_wavelength);
+    const W slack = 1 + 16 * static_cast<W>(std::numeric_limits<T>::epsilon());  // a cut-off that was computed
+    require(shortest * slack >= 2 * step && shortest <= side, "shortest_wavelength", options.shortest_wavelength,
+            "between two spacings and the side of the surface, or 0");
+    require(longest > shortest && longest <= static_cast<W>(std::numeric_limits<T>::max()), "longest_wavelength",
+            options.longest_wavelength, "finite and greater than the shortest wavelength, or 0");
+
+    // half of the waves: ky > 0, or ky = 0 and kx > 0; the wave at two samples itself has no phase, and is left out
+    const auto half_x = static_cast<std::int32_t>((columns - 1) / 2);
+    const auto half_y = static_cast<std::int32_t>(map ? (rows - 1) / 2 : 0);
+    const W power = -(map ? 2 * options.hurst + 2 : 2 * options.hurst + 1);
+    const auto weight = [&](std::int32_t kx, std::int32_t ky) -> W {  // q in units of 1/longest
+        const W q = std::hypot(static_cast<W>(kx) * (longest / period_x),
+                               map ? static_cast<W>(ky) * (longest / period_y) : W(0));
+        if (q * shortest > longest * slack || (q * slack < 1 && options.long_waves == LongWaves::none)) return 0;
+        return std::pow(std::max(q, W(1)), power);
+    };
+    using Complex = std::complex<W>;
+    Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> waves =
+        Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>::Zero(static_cast<Index>(rows),
+                                                                                     static_cast<Index>(columns));
+    W total = 0;
+    for (std::int32_t ky = half_y; ky >= 0; --ky) {
+        W row_total = 0;
+        for (std::int32_t kx = ky > 0 ? -half_x : 1; kx <= half_x; ++kx) {
+            const W w = weight(kx, ky);
+            if (w == W(0)) continue;
+            row_total += w;
+            waves(ky, kx < 0 ? static_cast<Index>(columns) + kx : kx) =
+                std::sqrt(w) * normals_of_wave<W>(options.seed, kx, ky);
+        }
+        total += row_total;
+    }
+    require(total > W(0), "longest_wavelength", options.longest_wavelength,
+            "so far above the shortest that a whole wave of the period lies between them");
+
+    ComplexFft<W> along_x(columns);
+    std::vector<Complex> in(columns), out;
+    for (Index j = 0; j <= half_y; ++j) {
+        std::copy(waves.row(j).begin(), waves.row(j).end(), in.begin());
+        along_x.backward(in, out);
+        std::copy(out.begin(), out.end(), waves.row(j).begin());
+    }
+    Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights(waves.rows(), waves.cols());
+    if (map) {
+        ComplexFft<W> along_y(rows);
+        in.resize(rows);
+        for (Index i = 0; i < waves.cols(); ++i) {
+            std::copy(waves.col(i).begin(), waves.col(i).end(), in.begin());
+            along_y.backward(in, out);
+            for (Index j = 0; j < waves.rows(); ++j) heights(j, i) = out[static_cast<std::size_t>(j)].real();
+        }
+    } else {
+        heights = waves.real();
+    }
+    W square = total;
+    if (options.exact_rms) {
+        square = 0;
+        for (Index j = 0; j < heights.rows(); ++j) square += heights.row(j).square().mean();
+        square /= static_cast<W>(rows);
+    }
+    return {(heights * (static_cast<W>(options.rms) / std::sqrt(square))).template cast<T>(), dx, dy};
+}
+
+}  // namespace detail
+
+template <Real T>
+Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
+    require_positive("spacing", spacing);
+    const HeightMap<T> row = detail::self_affine(options, points, 1, spacing, spacing);
+    return {{row.heights.data(), row.heights.data() + row.size()}, spacing};
+}
+
+template <Real T>
+HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
+    require_positive("dx", dx);
+    require_positive("dy", dy);
+    require(rows >= 4, "points of a side", rows, "between 4 and 2^28");
+    return detail::self_affine(options, columns, rows, dx, dy);
+}
+
+}  // namespace fstiff

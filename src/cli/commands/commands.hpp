@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The subcommands, one file each: they parse, call the library and print.
+
+#include "document/output.hpp"
+
+namespace fstiff::cli {
+
+Command add_run(CLI::App& app);
+Command add_measure(CLI::App& app);
+Command add_fit(CLI::App& app);
+Command add_islands(CLI::App& app);
+Command add_peaks(CLI::App& app);
+Command add_integral(CLI::App& app);
+Command add_generate(CLI::App& app);
+Command add_ultrasound(CLI::App& app);
+Command add_identify(CLI::App& app);
+Command add_reproduce(CLI::App& app);
+Command add_report(CLI::App& app);
+
+}  // namespace fstiff::cli

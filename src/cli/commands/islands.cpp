@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff islands: the islands of a map against the cutting level, and the pair R, D_p at their greatest density.
+#include "commands/commands.hpp"
+#include "document/document.hpp"
+#include "input/progress.hpp"
+#include "input/surface_options.hpp"
+#include "scene/surface_instances.hpp"
+
+#include <fstiff/core/version.hpp>
+#include <fstiff/topography/island_spread.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace fstiff::cli {
+namespace {
+
+struct Options {
+    OutputOptions output;
+    SurfaceOptions surface;
+    int neighbours = 8;
+    BorderIslands border = BorderIslands::kept;
+    IslandHeight height = IslandHeight::peak;
+    std::size_t min_points = 1, levels = IslandOptions<double>{}.quantiles;
+    IslandSpread spread;
+};
+
+struct Result {
+    PreparedMap levelled;
+    RepresentativeIslands<double> islands;
+};
+
+Result sweep(const Options& options, const SurfaceInput& input) {
+    IslandOptions<double> how;
+    how.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
+    how.border = options.border;
+    how.min_points = options.min_points;
+    how.height = options.height;
+    how.quantiles = options.levels;
+    IslandSpread spread = options.spread;
+    how.progress = spread.progress = progress_bar();
+    Result result;
+    result.levelled = level_map(options.surface, input);
+    result.islands =
+        about_file(options.surface.file, [&] { return representative_islands(result.levelled.map, how, spread); });
+    return result;
+}
+
+std::vector<std::string> warnings(const SurfaceInput& input, const Result& result) {
+    constexpr double large = 0.2;    // of R: the stiffness goes with a root of it, 10 %
+    constexpr std::size_t few = 30;  // islands, whose number scatters by a fifth
+    const RepresentativeIslands<double>& r = result.islands;
+    std::vector<std::string> all;
+    if (r.index == 0 || r.index + 1 == r.curve.size())
+        all.push_back("the greatest density stands at the " + std::string(r.index == 0 ? "highest" : "lowest") +
+                      " level: it is no maximum, and the pair represents nothing");
+    if (r.radius_error > large * r.radius)
+        all.push_back("R is known to no better than " + std::to_string(std::lround(100 * r.radius_error / r.radius)) +
+                      " %: the map holds too few islands, or is not the same everywhere");
+    if (r.islands < few)
+        all.push_back("there are " + std::to_string(r.islands) +
+                      " islands at the greatest density; a larger map would know R and D_p better");
+    for (std::string& line : missing_points_warning(input, "they are part of no island and of no area"))
+        all.push_back(std::move(line));
+    return all;
+}
+
+Rows rows_of(const Result& result) {
+    const IslandCurve<double>& c = result.islands.curve;
+    Rows rows;
+    rows.add({"level_m", "level [µm]", 1e6}, c.level);
+    rows.add({"bearing_area", "bearing area", 1, 4}, c.bearing_area);
+    rows.add({"islands", "islands"}, c.islands);
+    rows.add({"density_per_m2", "density [1/mm²]", 1e-6}, c.density);
+    rows.add({"mean_area_m2", "mean area [µm²]", 1e12}, c.mean_area);
+    rows.add({"mean_height_m", "mean height [µm]", 1e6}, c.mean_height);
+    rows.add({"radius_m", "R [µm]", 1e6}, c.radius);
+    std::vector<int> chosen(c.size(), 0);
+    std::vector<std::string> mark(c.size());
+    chosen[result.islands.index] = 1;
+    mark[result.islands.index] = "*";
+    rows.add({.key = "representative", .json = false}, chosen);
+    rows.add({"", "greatest"}, mark);
+    return rows;
+}
+
+Json json(const Options& options, const SurfaceInput& input, const Result& result) {
+    const RepresentativeIslands<double>& r = result.islands;
+    const HeightMap<double>& map = result.levelled.map;
+    Json document = json_document("islands");
+    document["source"] = json_source(options.surface, input);
+    Json inputs = json_inputs(options.surface, result.levelled.form);
+    inputs.update({{"neighbours", options.neighbours},
+                   {"border", name_of(options.border)},
+                   {"least_points", options.min_points},
+                   {"island_height", name_of(options.height)},
+                   {"levels", options.levels},
+                   {"tiles", options.spread.tiles},
+                   {"resamples", options.spread.resamples},
+                   {"seed", options.spread.seed}});
+    document["inputs"] = inputs;
+    document["equations"] = {{"radius", "A_m/(2 pi h_m)"}, {"curve", "Figs. 3 and 4"}};
+    document["columns"] = map.columns();
+    document["rows"] = map.rows();
+    document["dx_m"] = map.dx;
+    document["dy_m"] = map.dy;
+    document["missing_points"] = input.missing();
+    document["nominal_area_m2"] = r.curve.nominal_area;
+    document["rms_height_m"] = result.levelled.rms;
+    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
+    Json pair = {{"level_m", r.level},
+                 {"bearing_area", r.bearing_area},
+                 {"islands", r.islands},
+                 {"peak_density_per_m2", r.density},
+                 {"peak_radius_m", r.radius}};
+    if (r.tiles > 0)
+        pair.update({{"peak_density_error_per_m2", r.density_error},
+                     {"peak_radius_error_m", r.radius_error},
+                     {"error_correlation", r.correlation},
+                     {"tiles", r.tiles}});
+    document["representative"] = pair;
+    document["curve"] = rows_of(result).arrays();
+    return document;
+}
+
+std::string table(const Options& options, const SurfaceInput& input, const Result& result) {
+    const RepresentativeIslands<double>& r = result.islands;
+    const HeightMap<double>& map = result.levelled.map;
+    std::string text = "fstiff " FSTIFF_VERSION ": islands of " + display_name(options.surface.file) + "\n" +
+                       source_lines(input, "  file     ");
+    text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
+            rounded(map.dx * 1e6) + " µm, dy " + rounded(map.dy * 1e6) + " µm\n";
+    text += "  Sq       " + rounded(result.levelled.rms_as_read * 1e6) + " µm as read, " +
+            rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form + ")\n";
+    text += "  islands  of " + std::to_string(options.neighbours) + " neighbours, of " +
+            std::to_string(options.min_points) + " points at least, at the border " +
+            (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +
+            std::string(name_of(options.height)) + "; " + std::to_string(r.curve.size()) + " levels\n\n";
+    const auto error = [&](double value, const std::string& unit) {
+        return r.tiles > 0 ? " +- " + rounded(value, 2) + unit : unit;
+    };
+    text += "  D_p = " + rounded(r.density * 1e-6) + error(r.density_error * 1e-6, " /mm²") +
+            ", R = " + rounded(r.radius * 1e6) + error(r.radius_error * 1e6, " µm") +
+            " at the greatest density: bearing area " + rounded(r.bearing_area, 4) + ", " + std::to_string(r.islands) +
+            " islands\n";
+    text += r.tiles > 0 ? "  errors by " + std::to_string(options.spread.resamples) + " draws of " +
+                              std::to_string(r.tiles) + " tiles, seed " + std::to_string(r.seed) +
+                              "; their correlation " + rounded(r.correlation, 2) + "\n\n"
+                        : "  no errors: one tile\n\n";
+    constexpr std::size_t shown = 24;
+    const std::size_t size = r.curve.size(), step = (size + shown - 1) / shown;
+    text += rows_of(result).text([&](std::size_t i) { return i % step == 0 || i == r.index; });
+    if (step > 1)
+        text += "  every " + std::to_string(step) + ". of " + std::to_string(size) +
+                " levels, and the greatest density; all with --format csv\n";
+    return text;
+}
+
+Report execute(const Options& options) {
+    const SurfaceInput input = read_surface_input(options.surface);
+    const Result result = sweep(options, input);
+    const RepresentativeIslands<double>& r = result.islands;
+    return report({.table = [&] { return table(options, input, result); },
+                   .csv = [&] { return rows_of(result).csv(); },
+                   .json = [&] { return json(options, input, result); },
+                   .warnings = warnings(input, result),
+                   .csv_notes = {"D_p = " + shortest(r.density) + " 1/m^2 +- " + rounded(r.density_error, 2) +
+                                 " 1/m^2, R = " + shortest(r.radius) + " m +- " + rounded(r.radius_error, 2) + " m"}},
+                  options.output.format);
+}
+
+}  // namespace
+
+Command add_islands(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    Arguments command(app, "islands", "Islands of a map at every cutting level, and peak radius R and density D_p");
+    command.option("map", options->surface.file, "delimited text, SDF or X3P; - is standard input").required();
+    add_surface_options(command, options->surface, SurfaceKind::map);
+    command.option("--neighbours", options->neighbours, "of a point: 8 (default) or 4").one_of({4, 8});
+    command.option("--border", options->border, "islands that reach the edge of the map: keep (default) or drop");
+    command.option("--least-points", options->min_points, "of an island that counts; default 1");
+    command.option("--island-height", options->height,
+                   "of an island: peak (default), its highest point, or twice-mean");
+    command.option("--levels", options->levels,
+                   "number of levels, at equal steps of bearing area; default 200, 0 for every height");
+    command.option("--tiles", options->spread.tiles,
+                   "a side, that are drawn from for the errors; default 4, 1 leaves the errors out");
+    command.option("--resamples", options->spread.resamples, "draws of the tiles; default 400");
+    command.option("--seed", options->spread.seed, "of the draws; default 2014");
+    add_output_options(command, options->output);
+    command.footer(
+        "The CSV is the curve; the JSON holds everything. R = A_m/(2 pi h_m), of the mean island of the level at "
+        "which\n"
+        "islands are densest.\n"
+        "Example:\n"
+        "  fstiff generate map --points 256 --spacing \"1 um\" --hurst 0.8 --rms \"1 um\" --shortest \"8 um\" |\n"
+        "      fstiff islands -");
+    return {command.app(), &options->output, [options] { return execute(*options); }};
+}
+
+}  // namespace fstiff::cli

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff measure: every parameter of a scene's [surface] from a measured profile or map, with errors.
+#include "commands/commands.hpp"
+#include "document/document.hpp"
+#include "input/progress.hpp"
+#include "input/scene_options.hpp"
+#include "input/surface_options.hpp"
+#include "scene/measured_surface.hpp"
+
+#include <fstiff/core/version.hpp>
+
+#include <memory>
+
+namespace fstiff::cli {
+namespace {
+
+struct Options {
+    OutputOptions output;
+    MeasureOptions measure;
+};
+
+Rows rows_of(const MeasuredSurface& surface) {
+    std::vector<std::string> names, units, ways;
+    std::vector<double> values, errors;
+    for (const ParameterLine& line : parameter_lines(surface)) {
+        names.push_back(line.name);
+        values.push_back(line.measured.value);
+        errors.push_back(line.measured.error);
+        units.push_back(line.unit);
+        ways.push_back(line.how);
+    }
+    Rows rows;
+    rows.add({"parameter", "parameter"}, names);
+    rows.add({"value", "value"}, values);
+    rows.add({"error", "+-", 1, 2}, errors);
+    rows.add({"unit", "unit"}, units);
+    rows.add({"", "found by"}, ways);
+    return rows;
+}
+
+std::string table(const MeasuredSurface& surface) {
+    std::string text = "fstiff " FSTIFF_VERSION ": surface of " + surface.file + "\n";
+    for (const std::string& decision : surface.decisions) text += "  " + decision + "\n";
+    return text + "\n" + rows_of(surface).text();
+}
+
+Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
+    Json document = measured_document(surface);
+    document["inputs"] = json_inputs(options.input, options.input.detrend);
+    document["inputs"].update({{"peaks", name_of(options.peaks)},
+                               {"tip_radius", options.tip_radius},
+                               {"resolution", options.resolution},
+                               {"window", options.window},
+                               {"resamples", options.resamples},
+                               {"seed", options.seed}});
+    return document;
+}
+
+Report execute(const Options& options) {
+    const MeasuredSurface surface =
+        measure_surface(options.measure, read_all(options.measure.input.file), progress_bar());
+    return report({.table = [&] { return table(surface); },
+                   .csv = [&] { return rows_of(surface).csv(); },
+                   .json = [&] { return json(options.measure, surface); },
+                   .warnings = surface.warnings},
+                  options.output.format);
+}
+
+}  // namespace
+
+Command add_measure(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    MeasureOptions& measure = options->measure;
+    Arguments command(app, "measure",
+                      "Every parameter of a scene's surface from a measured profile or map, with errors");
+    command.option("file", measure.input.file, "profile or map of any form; - is standard input").required();
+    add_surface_options(command, measure.input);
+    command.option("--peaks", measure.peaks, "of a map, R and D_p of its islands (default) or its summits");
+    command.option("--tip-radius", measure.tip_radius,
+                   "of the stylus, of a profile: shorter lags that may show it do not enter D");
+    command.option("--resolution", measure.resolution, "of the instrument: shorter lags do not enter D");
+    command.option("--window", measure.window, "lags that give D, such as \"1 um,100 um\"; default automatic");
+    command.option("--resamples", measure.resamples, "for the errors; default 400").between(2, 100000);
+    command.option("--seed", measure.seed, "of the resamples; default 2014");
+    add_output_options(command, options->output, Format::json);
+    command.footer(
+        "The JSON is what run --surface and a scene's [surface] from = \"...\" read. The example makes a random walk.\n"
+        "Example:\n"
+        "  awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) print z += rand() - 0.5 }' |\n"
+        "      fstiff measure - --spacing \"0.5 um\" --units um | fstiff run --surface -");
+    return {command.app(), &options->output, [options] { return execute(*options); }};
+}
+
+}  // namespace fstiff::cli

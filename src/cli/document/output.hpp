@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a subcommand hands back, and how it is written: one document, numbers that no locale touches and never NaN.
+
+#include "document/json.hpp"
+#include "input/arguments.hpp"
+#include "scene/file.hpp"
+
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::cli {
+
+using namespace scene;  // the command is one of its users
+
+/// Exit codes of the command.
+enum Status : int { success = 0, internal_error = 1, usage_error = 2, input_error = 3, doubtful_result = 4 };
+
+/// Options that do not fit together: exit code 2.
+class Usage : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+enum class Format { table, csv, json };
+
+}  // namespace fstiff::cli
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<cli::Format> =
+    name_list<cli::Format>({{cli::Format::table, "table"}, {cli::Format::csv, "csv"}, {cli::Format::json, "json"}});
+
+}  // namespace fstiff
+
+namespace fstiff::cli {
+
+struct OutputOptions {
+    Format format = Format::table;
+    std::string file;  ///< empty: standard output
+};
+
+/// Adds --format and --output; \p initial is the format without --format.
+void add_output_options(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
+/// --format alone, for a subcommand that writes a folder: its document goes to standard output.
+void add_format_option(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
+
+/// The one document of a subcommand, what else there is to say (on standard error), and how it ended.
+struct Report {
+    std::string document;
+    std::vector<std::string> diagnostics;
+    Status status = success;
+};
+
+/// Puts a line about each of \p files before what else is said.
+void say_written(Report& report, const std::vector<std::string>& files);
+
+/// A subcommand: what CLI11 parsed it into, and what to do then.
+struct Command {
+    CLI::App* app;
+    const OutputOptions* output;
+    std::function<Report()> execute;
+};
+
+/// Columns of text for people, right-aligned under one header line.
+class TextTable {
+public:
+    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    std::string str(std::string_view indent = "  ") const;
+
+private:
+    std::vector<std::vector<std::string>> rows_;
+};
+
+/// Cells joined by commas, with a line end.
+std::string csv_line(const std::vector<std::string>& cells);
+
+/// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
+Json json_document(std::string_view command);
+
+/// Writes \p document to \p file (beside it first, then renamed), or to standard output when \p file is empty.
+/// \throws domain_error naming the file that cannot be written.
+void deliver(const std::string& document, const std::string& file);
+
+/// Makes the folder \p folder, and those above it, where it is missing. \throws domain_error where that fails.
+void make_folder(const std::string& folder);
+
+}  // namespace fstiff::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The scene of a subcommand: its options, its reading, and how it stands in documents.
+
+#include "document/output.hpp"
+#include "input/arguments.hpp"
+#include "scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace fstiff::cli {
+
+struct SceneOptions {
+    std::string scene;    ///< file; empty: the built-in scene
+    std::string surface;  ///< file in place of [surface]; empty: none
+};
+
+/// Adds the scene, and --surface unless \p surface_help is empty.
+void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& scene_help,
+                       const std::string& surface_help = "");
+/// Adds --plot; \p draws says what is drawn.
+void add_picture_option(Arguments& arguments, std::string& picture, const std::string& draws);
+
+/// \throws Usage when both files are standard input, domain_error as fstiff::scene::read_scene.
+[[nodiscard]] Scene read_scene(const SceneOptions& options);
+
+/// Its name, file and SHA-256, for a JSON document.
+[[nodiscard]] Json scene_json(const Scene& scene);
+/// What was measured of a surface, for a JSON document that read_measured_document takes.
+[[nodiscard]] Json measured_document(const MeasuredSurface& surface);
+
+}  // namespace fstiff::cli

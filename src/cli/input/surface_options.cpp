@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/surface_options.hpp"
+
+#include <algorithm>
+
+namespace fstiff::cli {
+
+void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind) {
+    options.prefix = "--";
+    options.format_name = "--input-format";
+    const bool profiles = kind != SurfaceKind::map, maps = kind != SurfaceKind::profile;
+    arguments
+        .option("--input-format", options.format,
+                "form of the file: auto (default), profile, triples, matrix, sdf or x3p")
+        .one_of(choices<io::SurfaceFormat>());
+    arguments.option(
+        "--units", options.units,
+        "units of lengths and heights of a text, such as um,nm, or one for both; replace those of the file");
+    std::vector<std::string_view> words;
+    const auto allow = [&](std::span<const std::string_view> more) {
+        for (const std::string_view word : more)
+            if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    };
+    std::string forms;
+    if (profiles) {
+        allow(choices<Form>());
+        words.push_back(gaussian_form);
+        forms = "; of a profile none, mean, line (default), parabola or gaussian";
+        arguments.option("--spacing", options.spacing,
+                         "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file");
+        arguments
+            .option("--column", options.column,
+                    "column of the heights of a profile, counted from 1; default the last of one or two")
+            .between(1, 1000000);
+        arguments.option("--cutoff", options.cutoff,
+                         "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\"");
+    }
+    if (maps) {
+        allow(choices<MapForm>());
+        forms += "; of a map none, mean, plane (default), quadratic or cubic";
+        arguments.option("--dx", options.dx, "distance of neighbouring columns of a matrix; replaces that of the file");
+        arguments.option("--dy", options.dy, "distance of neighbouring rows of a matrix");
+        arguments.option("--width", options.width, "columns times dx of a matrix, instead of --dx");
+        arguments.option("--height", options.height, "rows times dy of a matrix, instead of --dy");
+    }
+    arguments.option("--detrend", options.detrend, "form that is removed" + forms).one_of(words);
+}
+
+Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
+    return {{"file", display_name(options.file)},
+            {"sha256", input.sha256},
+            {"format", io::surface_format_name(input.surface.record.format)},
+            {"kind", input.surface.is_profile() ? "profile" : "map"},
+            {"decisions", input.surface.record.sentences()}};
+}
+
+Json json_inputs(const SurfaceOptions& options, const std::string& form) {
+    return {{"input_format", options.format}, {"units", options.units},   {"spacing", options.spacing},
+            {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
+            {"width", options.width},         {"height", options.height}, {"detrend", form},
+            {"cutoff", options.cutoff}};
+}
+
+std::string source_lines(const SurfaceInput& input, std::string_view indent) {
+    std::string text;
+    for (const std::string& decision : input.surface.record.sentences()) text += std::string(indent) + decision + "\n";
+    return text;
+}
+
+}  // namespace fstiff::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The pictures of a scene's results: what `run --plot` draws and the report shows.
+
+#include "picture/plot.hpp"
+#include "scene/results.hpp"
+
+#include <functional>
+#include <optional>
+#include <string_view>
+
+namespace fstiff::cli {
+
+using namespace scene;
+
+/// "π/4", or the angle in five digits.
+std::string shown_angle(double theta);
+/// "fractal, θ = π/4, r = 0" for a legend.
+std::string legend_of(std::string_view law, std::optional<double> theta, std::optional<double> r);
+std::string legend_of(const Curve& curve);
+
+/// K(p) of all curves, with the bands there are.
+Panel stiffness_panel(const Scene& scene, const Results& results);
+/// One panel of another quantity of the states against the pressure.
+Panel quantity_panel(const Results& results, std::string label, bool logarithmic,
+                     const std::function<double(const ContactState<double>&)>& value);
+/// |R| of longitudinal waves, and of shear waves where they are known; none without [ultrasound].
+std::vector<Panel> reflection_panels(const Scene& scene, const Results& results);
+
+/// What `run --plot` draws. \throws domain_error when the scene asks for no stiffness.
+Figure results_figure(const Scene& scene, const Results& results);
+
+}  // namespace fstiff::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/file.hpp"
+
+#include <fstiff/core/text.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <system_error>
+
+namespace fstiff::scene {
+namespace {
+
+/// False when the stream breaks or never ends.
+bool read_stream(std::istream& stream, std::string& bytes) {
+    constexpr std::size_t most = std::size_t(1) << 30;
+    char chunk[65536];
+    while (stream.read(chunk, sizeof chunk) || stream.gcount() > 0) {
+        bytes.append(chunk, static_cast<std::size_t>(stream.gcount()));
+        if (bytes.size() > most) throw domain_error("the input is longer than 1 GiB, which is the most that is read");
+    }
+    return !stream.bad();
+}
+
+std::string number(double value, int digits) {
+    if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
+    return rounded_text(value, digits);
+}
+
+}  // namespace
+
+std::string read_all(const std::string& file) {
+    std::string bytes;
+    if (file == "-") {
+        if (!read_stream(std::cin, bytes)) throw file_error("standard input", "cannot be read");
+    } else {
+        std::error_code error;
+        if (!std::filesystem::exists(file, error))
+            throw file_error(file, "no such file; the input must be an existing file");
+        if (std::filesystem::is_directory(file, error)) throw file_error(file, "is a folder; the input must be a file");
+        std::ifstream stream(file, std::ios::binary);
+        if (!stream || !read_stream(stream, bytes))
+            throw file_error(file, "cannot be read; the input must be a readable file");
+    }
+    if (bytes.find_first_not_of(" \t\r\n") == std::string::npos)
+        throw domain_error(display_name(file) + ": is empty; the input must hold text");
+    return bytes;
+}
+
+std::string display_name(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+std::string exact(double value) { return number(value, 17); }
+std::string rounded(double value, int digits) { return number(value, digits); }
+std::string shortest(double value) { return shortest_text(value); }
+
+std::string list_of(std::span<const std::string_view> items) {
+    std::string text;
+    for (const auto item : items) text += (text.empty() ? "\"" : ", \"") + std::string(item) + "\"";
+    return text;
+}
+
+}  // namespace fstiff::scene

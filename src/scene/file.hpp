@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Files that a scene names, and the texts of numbers and lists in its messages.
+
+#include <fstiff/core/error.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace fstiff::scene {
+
+/// Options of reading a file that do not fit together, or have no meaning: the fault of the caller, not of the file.
+class option_error : public domain_error {
+public:
+    using domain_error::domain_error;
+};
+
+/// All bytes of \p file; "-" is standard input. \throws file_error for a file that is missing or unreadable, domain_error for one that is empty or too long.
+[[nodiscard]] std::string read_all(const std::string& file);
+/// How messages call \p file.
+[[nodiscard]] std::string display_name(const std::string& file);
+
+/// Runs \p call; what it throws is put after the name of the file.
+template <class Call>
+auto about_file(const std::string& file, const Call& call) {
+    return located(Place{.file = display_name(file)}, call);
+}
+
+/// SHA-256 (FIPS 180-4) of a whole text in hexadecimal digits, so that a result names the very file it came from. No
+/// security depends on it.
+[[nodiscard]] std::string sha256(std::string_view text);
+
+/// 17 significant digits, '.' as the decimal mark. \throws std::logic_error for NaN and infinity: never printed.
+[[nodiscard]] std::string exact(double value);
+/// The same for people: \p digits significant digits.
+[[nodiscard]] std::string rounded(double value, int digits = 5);
+/// The fewest digits that read back as the same number, for echoing what somebody wrote.
+[[nodiscard]] std::string shortest(double value);
+/// \p items quoted as "a", "b", "c".
+[[nodiscard]] std::string list_of(std::span<const std::string_view> items);
+
+}  // namespace fstiff::scene

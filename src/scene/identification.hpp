@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Parameters of a scene from a measured K(p) or R(p): one fit a law and joint distribution of peaks.
+
+#include "scene/measured_curve.hpp"
+#include "scene/scene.hpp"
+
+#include <fstiff/fit/fit_concerns.hpp>
+#include <fstiff/fit/identify.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// What is fitted, and of what.
+struct FitRequest {
+    std::vector<Parameter> wanted;
+    std::string law{};   ///< this law of the scene alone; empty: every one that has derivatives
+    bool shear = false;  ///< measured reflections are of shear waves
+};
+
+struct Fit {
+    const Law* law = nullptr;
+    double theta = 0, r = 0;  ///< of the scene
+    ContactParameters<double> start{};
+    std::vector<MeasuredPoint> points;  ///< that were fitted
+    Identification<double> found{};
+};
+
+/// "hertz, theta = 0.7854, r = 0.5".
+[[nodiscard]] std::string title(const Fit& fit);
+
+struct Fits {
+    std::vector<Fit> fits;
+    std::optional<Wave<double>> wave;   ///< of measured reflections
+    std::vector<std::string> warnings;  ///< sentences on the scene and on every fit
+    bool doubtful = false;              ///< the data cannot tell the parameters apart, or a search did not converge
+};
+
+/// \throws option_error for a request that the curve has no use for, domain_error naming what the scene or the curve lacks.
+[[nodiscard]] Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A law by its name at run time: one table, in law.cpp. To add a law is one line there and the include of its header.
+
+#include <fstiff/contact/contact_curve.hpp>
+#include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/quantity.hpp>
+#include <fstiff/fit/identify.hpp>
+#include <fstiff/io/quantity.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/surface/roughness.hpp>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// A contact whose law is known by name only.
+class AnyContact {
+public:
+    virtual ~AnyContact() = default;
+    /// The states under pressures [Pa], and at separations [m]; a point out of reach has that status.
+    [[nodiscard]] virtual std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures,
+                                                                         Quantity wanted) const = 0;
+    [[nodiscard]] virtual std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
+                                                                           Quantity wanted) const = 0;
+};
+
+/// What the section contact.<law> of a scene may hold for one law, such as the hardness of a plastic one.
+struct LawOption {
+    std::string_view key;
+    std::optional<io::Dimension> dimension{};  ///< none: a plain number
+    std::optional<double> otherwise{};         ///< [SI] where the scene does not say; none: the scene must say
+};
+
+/// What a contact is made of.
+struct ContactInputs {
+    Roughness<double> surface{};
+    double effective_modulus = 0;                     ///< [Pa]
+    const PeakDistribution<double>* peaks = nullptr;  ///< none of a law that has no joint distribution
+    double fractal_dimension = 0;                     ///< of a law that needs it
+    Interaction<double> interaction{};
+    std::vector<double> options{};  ///< [SI], in the order of Law::options
+};
+
+/// A measured curve and how it is fitted.
+struct FitInputs {
+    const std::vector<Observation<double>>& data;
+    const std::vector<Parameter>& wanted;
+    ContactParameters<double> start;
+    IdentifyOptions<double> options;
+};
+
+/// One law.
+struct Law {
+    std::string_view name;
+    bool needs_dimension = false;  ///< the fractal dimension of the surface
+    bool has_peaks = true;         ///< one curve for each joint distribution of peaks; else one curve
+    /// The equations of the paper, or what stands in their place.
+    std::string_view load, stiffness, peaks;
+    /// \throws domain_error naming the parameter that is out of range.
+    std::unique_ptr<AnyContact> (*contact)(const ContactInputs&) = nullptr;
+    /// Null where the law has no derivatives. \throws as fstiff::identify.
+    Identification<double> (*fit)(const FitInputs&) = nullptr;
+    Quantity quantities = Quantity::all;  ///< that the law gives
+    std::span<const LawOption> options{};
+};
+
+/// All laws, in the order in which choices are listed.
+[[nodiscard]] std::span<const Law> laws();
+[[nodiscard]] std::vector<std::string_view> law_names();
+/// Those that fit() has.
+[[nodiscard]] std::vector<std::string_view> fitted_law_names();
+/// The law called \p name; null when there is none.
+[[nodiscard]] const Law* find_law(std::string_view name);
+
+}  // namespace fstiff::scene

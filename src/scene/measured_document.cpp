@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The JSON of fstiff measure, read back.
+#include "scene/measured_surface.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace fstiff::scene {
+namespace {
+
+using Parsed = nlohmann::ordered_json;
+
+double number_of(const Parsed& object, const char* key, const std::string& place) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number())
+        throw domain_error(place + "." + key + ": is missing or no number; must be that of fstiff measure");
+    return found->get<double>();
+}
+
+Measurement<double> measurement_of(const Parsed& object, const std::string& place) {
+    if (!object.is_object()) throw domain_error(place + ": must be an object with value and error");
+    return {number_of(object, "value", place), number_of(object, "error", place)};
+}
+
+std::string text_of(const Parsed& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::vector<std::string> texts_of(const Parsed& object, const char* key) {
+    std::vector<std::string> texts;
+    if (const auto found = object.find(key); found != object.end() && found->is_array())
+        for (const Parsed& item : *found)
+            if (item.is_string()) texts.push_back(item.get<std::string>());
+    return texts;
+}
+
+}  // namespace
+
+bool is_measured_document(std::string_view bytes) {
+    const auto first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '{';
+}
+
+MeasuredSurface read_measured_document(const std::string& bytes, const std::string& name) {
+    const Parsed document = Parsed::parse(bytes, nullptr, false);
+    if (!document.is_object() || text_of(document, "command") != "measure")
+        throw domain_error(name +
+                           ": is not the JSON of fstiff measure, whole and unchanged; must be that, or a surface");
+    if (const auto version = document.find("schema_version"); version == document.end() || *version != 1)
+        throw domain_error(name + ": schema_version must be 1");
+    const auto values = document.find("surface");
+    if (values == document.end() || !values->is_object())
+        throw domain_error(name + ": surface: is missing; must be that of fstiff measure");
+    MeasuredSurface surface;
+    if (const auto source = document.find("source"); source != document.end() && source->is_object()) {
+        surface.file = text_of(*source, "file");
+        surface.sha256 = text_of(*source, "sha256");
+        surface.kind = text_of(*source, "kind");
+        surface.decisions = texts_of(*source, "decisions");
+    }
+    surface.warnings = texts_of(document, "warnings");
+    surface.fractal_refusal = text_of(document, "no_fractal_dimension");
+    surface.peaks_refusal = text_of(document, "no_r_and_theta");
+    const auto read = [&](const char* key) -> std::optional<Measurement<double>> {
+        const auto found = values->find(key);
+        if (found == values->end()) return std::nullopt;
+        return measurement_of(*found, name + ": surface." + key);
+    };
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+        const Parameter which = parameter_table[i].parameter;
+        const std::string key(parameter_table[i].key);
+        if (const auto measured = read(key.c_str()))
+            surface.parameters.set(which, *measured);
+        else if (which <= Parameter::peak_density)
+            throw domain_error(name + ": surface." + key + ": is missing; must be that of fstiff measure");
+    }
+    surface.max_peak_height = read("max_peak_height").value_or(Measurement<double>{});
+    surface.fractal_roughness = read("fractal_roughness");
+    if (const auto correlation = document.find("correlation_of_errors");
+        correlation != document.end() && correlation->is_object()) {
+        const auto matrix = correlation->find("matrix");
+        for (std::size_t i = 0; i < surface_parameter_count; ++i)
+            for (std::size_t j = 0; j < surface_parameter_count; ++j) {
+                const bool there = matrix != correlation->end() && matrix->is_array() && i < matrix->size() &&
+                                   (*matrix)[i].is_array() && j < (*matrix)[i].size() && (*matrix)[i][j].is_number();
+                if (!there) throw domain_error(name + ": correlation_of_errors.matrix: must be 6 rows of 6 numbers");
+                surface.parameters.correlation[i][j] = (*matrix)[i][j].get<double>();
+            }
+    }
+    about_file(name,
+               [&] { SurfaceSampler<double>(surface.parameters, 0); });  // refuses what no sample could be drawn of
+    return surface;
+}
+
+}  // namespace fstiff::scene

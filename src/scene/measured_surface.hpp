@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The parameters of a scene's [surface], from a measured file or from what `fstiff measure` wrote of one.
+
+#include "scene/surface_file.hpp"
+
+#include <fstiff/core/progress.hpp>
+#include <fstiff/measured/sections.hpp>
+#include <fstiff/measured/uncertain_surface.hpp>
+#include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/topography/islands.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// How a file is read, and how its parameters are found.
+struct MeasureOptions {
+    SurfaceOptions input;
+    PeakSource peaks = PeakSource::islands;  ///< of a map
+    std::string tip_radius, resolution, window;
+    int resamples = 400;
+    std::uint64_t seed = 2014;
+};
+
+struct MeasuredSurface {
+    std::string file, sha256, kind;  ///< of the measured file; kind: profile or map
+    std::vector<std::string> decisions, warnings;
+    UncertainSurface<double> parameters;
+    Measurement<double> max_peak_height;  ///< [m]; 0: not known
+    std::optional<Measurement<double>> fractal_roughness;
+    std::string fractal_refusal, peaks_refusal;  ///< why there is no D, no r and theta
+    /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
+    std::shared_ptr<const PreparedProfile> profile;
+    std::shared_ptr<const PreparedMap> map;
+    std::optional<FractalFit<double>> profile_fit;  ///< that gave D, and that of a map
+    std::optional<DirectionalFit<double>> map_fit;
+    std::optional<IslandCurve<double>> islands;  ///< that gave R and D_p of a map
+};
+
+/// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
+[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes,
+                                              const ProgressHook& progress = {});
+
+/// Whether \p bytes look like the document of `fstiff measure`, not like a surface.
+[[nodiscard]] bool is_measured_document(std::string_view bytes);
+/// \throws domain_error when \p bytes, which messages call \p name, are no such document.
+[[nodiscard]] MeasuredSurface read_measured_document(const std::string& bytes, const std::string& name);
+
+/// How one parameter of a scene's [surface] is called, its unit and how it was found.
+struct ParameterLine {
+    std::string name, unit;  ///< unit in a scene; empty: a plain number
+    Measurement<double> measured;
+    std::string how;
+};
+/// Those that are known, in the order of docs/scene.md.
+[[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/results.hpp"
+
+#include "scene/contact_instances.hpp"
+#include "scene/file.hpp"
+
+#include <fstiff/asperity/mindlin.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/ultrasound/propagation.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace fstiff::scene {
+namespace {
+
+/// What \p scene asks of \p law, as far as the law gives it.
+Quantity wanted(const Scene& scene, const Law& law) {
+    Quantity set = Quantity::pressure;
+    if (scene.needs_stiffness()) set = set | Quantity::stiffness;
+    if (scene.real_area) set = set | Quantity::real_area;
+    if (scene.contacts) set = set | Quantity::contacts;
+    return static_cast<Quantity>(static_cast<unsigned>(set) & static_cast<unsigned>(law.quantities));
+}
+
+/// The states of \p points. \throws domain_error for the first that the model does not reach, naming its place.
+std::vector<ContactState<double>> accepted(const Scene& scene, const Law& law,
+                                           const std::vector<ContactPoint<double>>& points) {
+    std::vector<ContactState<double>> states;
+    for (const auto& point : points) {
+        if (!point.ok())
+            throw domain_error(scene.points_where + "law " + std::string(law.name) + ": " +
+                               (point.status == PointStatus::out_of_reach
+                                    ? point.reason
+                                    : "a result for " + shortest(scene.points[states.size()]) +
+                                          " is beyond the range of double precision; the values of the scene must be "
+                                          "less extreme"));
+        states.push_back(point.state);
+    }
+    return states;
+}
+
+std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact& contact, Quantity quantities) {
+    return scene.at_separations ? contact.at_separations(scene.points, quantities)
+                                : contact.at_pressures(scene.points, quantities);
+}
+
+/// Calls \p visit with every contact of the scene, one a law and distribution of peaks, and its curve, still without
+/// states.
+template <class Visit>
+void for_each_contact(const Scene& scene, double modulus, const Visit& visit) {
+    ContactInputs inputs{.surface = scene.surface,
+                         .effective_modulus = modulus,
+                         .fractal_dimension = scene.fractal_dimension.value_or(0),
+                         .interaction = interaction(scene)};
+    for (const ChosenLaw& chosen : scene.laws) {
+        const Law& law = *chosen.law;
+        inputs.options = chosen.options;
+        if (!law.has_peaks) {
+            visit(Curve{.law = &law}, *law.contact(inputs));
+            continue;
+        }
+        for (const Peaks& of : scene.peaks) {
+            const PeakDistribution<double> peaks = peak_density(of);
+            inputs.peaks = &peaks;
+            visit(Curve{.law = &law,
+                        .theta = peaks.theta(),
+                        .r = peaks.r(),
+                        .rms_gradient = rms_gradient(scene.surface, peaks)},
+                  *law.contact(inputs));
+        }
+    }
+}
+
+/// Begins the sentence about what does not hold at some points of a curve.
+std::string_view sentence(Concern concern) {
+    switch (concern) {
+        case Concern::interacting_asperities:
+            return "p* is above 0.01: asperities that do not feel one another give too small a K there";
+        case Concern::mean_planes_crossed:
+            return "the separation is below 0: the mean planes have passed each other";
+        case Concern::above_highest_peak:
+            return "the separation is above the highest peak: real surfaces do not touch there";
+        case Concern::few_contacts:
+            return "fewer than 10 contacts on the nominal area: a mean over peaks says little there";
+        case Concern::area_above_nominal:
+            return "the real area exceeds the nominal area: the model does not hold there";
+        case Concern::not_converged:
+            return "the stiffness has an error above 1e-6 of its size: the integrals did not converge there";
+        default:
+            return "";
+    }
+}
+
+/// A warning for all curves that have a point where \p concern does not hold.
+void warn_if_any(Results& results, Concern concern) {
+    std::size_t count = 0;
+    std::string where;
+    for (const Curve& curve : results.curves) {
+        const Check<double>* check = find_check(curve.checks, concern);
+        if (check && !check->holds() && count++ == 0)
+            where = title(curve) + " at p = " + rounded(curve.states[check->first].pressure.value / 1e6) + " MPa";
+    }
+    if (count > 0)
+        results.warnings.push_back(std::string(sentence(concern)) + " (" + std::to_string(count) + " of " +
+                                   std::to_string(results.curves.size()) + " curves, the first " + where + ")");
+}
+
+void add_warnings(const Scene& scene, Results& results) {
+    for (const Check<double>& check : results.surface_checks) {
+        if (check.holds()) continue;
+        const std::string value = rounded(check.least, 3);
+        results.warnings.push_back(
+            check.concern == Concern::plasticity
+                ? "plasticity index " + value +
+                      " is above 1: the peaks yield at first loading; an elastic K is that of unloading"
+                : "sigma R D_p = " + value + " is below " + rounded(check.limit, 3) +
+                      ", the least of an isotropic Gaussian surface: R and D_p are those of islands, not of summits");
+    }
+    for (const Concern concern : {Concern::interacting_asperities, Concern::mean_planes_crossed,
+                                  Concern::above_highest_peak, Concern::few_contacts})
+        warn_if_any(results, concern);
+    if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
+        results.warnings.push_back(
+            "K with interaction holds the elasticity of the bulk over the interaction length: its reflection is not "
+            "that of the interface alone");
+
+    const std::size_t before = results.warnings.size();
+    for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
+    if (results.warnings.size() > before) results.doubtful = true;
+}
+
+/// The scene with the surface \p drawn about its own.
+Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn) {
+    const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
+    scene.surface.rms_height = value(Parameter::rms_height);
+    scene.surface.peak_radius = value(Parameter::peak_radius);
+    scene.surface.peak_density = value(Parameter::peak_density);
+    if (scene.fractal_dimension) scene.fractal_dimension = value(Parameter::fractal_dimension);
+    for (Peaks& peaks : scene.peaks)
+        if (peaks.of_surface) peaks.r = value(Parameter::r), peaks.theta = value(Parameter::theta);
+    return scene;
+}
+
+/// The band of K over the errors of the surface; every curve and point sees the same samples.
+void add_bands(const Scene& scene, Results& results, const ProgressHook& progress) {
+    Scene lean = scene;  // is copied with every surface
+    lean.inputs.clear();
+    lean.measured.reset();
+    const auto stiffness_of = [&](const std::array<double, surface_parameter_count>& drawn) {
+        std::vector<double> all;
+        for_each_contact(with_surface(lean, drawn), results.modulus, [&](const Curve&, const auto& contact) {
+            for (const auto& point : points_of(scene, contact, Quantity::pressure | Quantity::stiffness))
+                all.push_back(point.state.stiffness.value);
+        });
+        return all;
+    };
+    const auto bands =
+        sampled_band(scene.uncertain, stiffness_of, {static_cast<std::size_t>(scene.samples), scene.seed, progress});
+    std::size_t failed = 0;
+    auto next = bands.begin();
+    for (Curve& curve : results.curves)
+        for (std::size_t i = 0; i < curve.states.size(); ++i) {
+            failed = std::max(failed, next->failed);
+            curve.band.push_back(*next++);
+        }
+    if (failed > 0)
+        results.warnings.push_back("up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +
+                                   " sampled surfaces are beyond the reach of the model at a point: the band there is "
+                                   "that of the others");
+}
+
+/// The columns of \p curve in the order in which documents show them; law, theta and r stand before them.
+std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio) {
+    std::vector<Column> columns;
+    const auto add = [&](const std::string& name, const std::string& suffix, const std::string& unit, Quantity quantity,
+                         const auto& value) {
+        Column& column = columns.emplace_back(Column{name + suffix, unit, {}});
+        if (quantity != Quantity::none && !has(curve.law->quantities, quantity)) return;
+        for (std::size_t i = 0; i < curve.states.size(); ++i) column.values.push_back(value(i));
+    };
+    const auto add_state = [&](const std::string& name, const std::string& suffix, const std::string& unit,
+                               Quantity quantity, const auto& value) {
+        add(name, suffix, unit, quantity, [&](std::size_t i) { return value(curve.states[i]); });
+    };
+    using State = ContactState<double>;
+    const auto with_error_and_band = [&](const std::string& name, const std::string& suffix, const std::string& unit,
+                                         const auto& estimate, bool falls) {
+        add_state(name, suffix, unit, Quantity::stiffness, [&](const State& s) { return estimate(s.stiffness).value; });
+        add_state(name + "_error", suffix, unit, Quantity::stiffness,
+                  [&](const State& s) { return estimate(s.stiffness).error; });
+        if (curve.band.empty()) return;
+        const auto end = [&](double SampledBand<double>::*of) {
+            return [&, of](std::size_t i) { return estimate(Estimate<double>{curve.band[i].*of, 0}).value; };
+        };
+        using Band = SampledBand<double>;
+        add(name + "_p05", suffix, unit, Quantity::stiffness, end(falls ? &Band::high : &Band::low));
+        add(name + "_p95", suffix, unit, Quantity::stiffness, end(falls ? &Band::low : &Band::high));
+    };
+    add_state("pressure", "_Pa", "Pa", Quantity::none, [](const State& s) { return s.pressure.value; });
+    add_state("eta", "", "", Quantity::none, [](const State& s) { return s.eta; });
+    if (scene.separation)
+        add_state("separation", "_m", "m", Quantity::none, [](const State& s) { return s.separation.value; });
+    if (scene.stiffness)
+        with_error_and_band(
+            "stiffness", "_Pa_per_m", "Pa/m", [](const Estimate<double>& k) { return k; }, false);
+    if (scene.tangential_stiffness)
+        with_error_and_band(
+            "tangential_stiffness", "_Pa_per_m", "Pa/m",
+            [&](const Estimate<double>& k) {
+                return Estimate<double>{tangential_ratio * k.value, tangential_ratio * k.error};
+            },
+            false);
+    const auto add_reflection = [&](const std::string& name, const Impedances<double>& media, double factor) {
+        with_error_and_band(
+            name, "", "",
+            [&](const Estimate<double>& k) { return reflection(k * factor, media, scene.ultrasound->angular()); },
+            true);  // R falls with K
+    };
+    if (scene.reflection) add_reflection("reflection", scene.ultrasound->longitudinal, 1);
+    if (scene.shear_reflection) add_reflection("shear_reflection", *scene.ultrasound->shear, tangential_ratio);
+    if (scene.real_area)
+        add_state("real_area_fraction", "", "", Quantity::real_area,
+                  [](const State& s) { return s.real_area_fraction.value; });
+    if (scene.contacts)
+        add_state("contacts", "_per_m2", "1/m^2", Quantity::contacts,
+                  [](const State& s) { return s.contact_density.value; });
+    return columns;
+}
+
+}  // namespace
+
+std::string title(const Curve& curve) {
+    std::string text(curve.law->name);
+    if (curve.theta) text += ", theta = " + rounded(*curve.theta) + ", r = " + rounded(*curve.r);
+    return text;
+}
+
+Interaction<double> interaction(const Scene& scene) {
+    Interaction<double> result;
+    result.reading = scene.reading;
+    if (result.reading != InteractionReading::none)
+        result.length = scene.length == InteractionLength::nominal ? interaction_length_of_area(*scene.nominal_area)
+                        : scene.length == InteractionLength::peak_spacing
+                            ? interaction_length_of_peaks(scene.surface.peak_density)
+                            : scene.given_length;
+    return result;
+}
+
+Results compute(const Scene& scene, const ProgressHook& progress) {
+    Results results;
+    results.modulus = effective_modulus(scene.upper, scene.lower);
+    results.warnings = scene.warnings;
+    if (scene.yield_strength)
+        results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
+    results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
+    results.surface_checks = check_surface(scene.surface, results.modulus, scene.yield_strength);
+    for_each_contact(scene, results.modulus, [&](Curve curve, const AnyContact& contact) {
+        const Quantity quantities = wanted(scene, *curve.law);
+        curve.states = accepted(scene, *curve.law, points_of(scene, contact, quantities));
+        curve.checks = check_curve<double>(curve.states,
+                                           {.effective_modulus = results.modulus,
+                                            .rms_gradient = curve.rms_gradient,
+                                            .max_peak_height = scene.surface.max_peak_height,
+                                            .nominal_area = scene.nominal_area,
+                                            .yield_strength = scene.yield_strength},
+                                           quantities);
+        results.curves.push_back(std::move(curve));
+    });
+    if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);
+    for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio);
+    add_warnings(scene, results);
+    return results;
+}
+
+}  // namespace fstiff::scene

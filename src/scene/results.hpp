@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What follows from a scene: one curve a law and joint distribution of peaks, with bands, checks and reflections.
+//
+//     const Scene scene = read_scene(text, {.name = "scene.toml"});
+//     const Results results = compute(scene);
+//     for (const Curve& curve : results.curves)
+//         for (const Column& column : curve.columns) use(curve.law->name, column.key, column.values);
+
+#include "scene/scene.hpp"
+
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/validity.hpp>
+#include <fstiff/core/progress.hpp>
+#include <fstiff/measured/sampled_band.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// One quantity of a curve at every point.
+struct Column {
+    std::string key;             ///< with the unit at its end, such as "stiffness_Pa_per_m"
+    std::string unit;            ///< SI, such as "Pa/m"; empty: a plain number
+    std::vector<double> values;  ///< one a point; empty: the law does not give the quantity
+};
+
+/// One law on one joint distribution of peaks, at every point of the scene.
+struct Curve {
+    const Law* law = nullptr;
+    std::optional<double> theta{}, r{};    ///< none: a law without a joint distribution
+    std::optional<double> rms_gradient{};  ///< of the surface, for p*
+    std::vector<ContactState<double>> states{};
+    std::vector<Check<double>> checks{};
+    std::vector<SampledBand<double>> band{};  ///< of the stiffness, one a state; empty: the surface has no errors
+    std::vector<Column> columns{};            ///< what Scene asks for; the same keys in every curve
+};
+
+/// "fractal, theta = 0.7854, r = 0.5".
+[[nodiscard]] std::string title(const Curve& curve);
+
+struct Results {
+    double modulus = 0;           ///< effective [Pa]
+    double tangential_ratio = 0;  ///< of the tangential stiffness to K
+    std::optional<double> plasticity_index;
+    std::vector<Check<double>> surface_checks;
+    std::vector<Curve> curves;
+    std::vector<std::string> warnings;  ///< sentences on the checks that do not hold, and on the scene
+    bool doubtful = false;              ///< a real area above the nominal one, or integrals that did not converge
+};
+
+/// The interaction of the scene with its length [m].
+[[nodiscard]] Interaction<double> interaction(const Scene& scene);
+
+/// Everything the scene asks for. \p progress is called while a band is sampled.
+/// \throws domain_error where the model cannot give it, naming the place in the scene.
+[[nodiscard]] Results compute(const Scene& scene, const ProgressHook& progress = {});
+
+}  // namespace fstiff::scene

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A scene: a surface, two bodies and what is asked of their contact, read from TOML. Every key, unit and default is in
+// docs/scene.md. results.hpp computes it.
+
+#include "scene/law.hpp"
+#include "scene/measured_surface.hpp"
+
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/interaction.hpp>
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/names.hpp>
+#include <fstiff/core/progress.hpp>
+#include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/surface/roughness.hpp>
+#include <fstiff/ultrasound/spring_interface.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// One key of the scene as its author wrote it, and what it came to in SI units.
+struct Input {
+    std::string key;      ///< path, such as "surface.rms_height"
+    std::string written;  ///< the text of the scene
+    std::optional<double> value;
+    std::string unit;  ///< SI unit of value; empty when it has none
+};
+
+/// A law of contact.laws, and what its section of the scene says.
+struct ChosenLaw {
+    const Law* law = nullptr;
+    std::vector<double> options{};  ///< [SI], in the order of Law::options
+};
+
+/// One peak density to compute; the values are checked when the PeakDistribution is made.
+struct Peaks {
+    double theta = 0;         ///< [rad]
+    std::optional<double> r;  ///< none: of an exponential autocorrelation
+    bool of_surface = false;  ///< theta and r are those of [surface], with their errors
+    Place where{};            ///< for messages
+    std::string key{};        ///< what stands before theta and r in them
+};
+
+/// \throws domain_error naming the place of the value that no peak density has.
+PeakDistribution<double> peak_density(const Peaks& peaks);
+
+enum class InteractionLength { nominal, peak_spacing, given };
+
+}  // namespace fstiff::scene
+
+namespace fstiff {
+
+/// A given length is written as such.
+template <>
+inline constexpr auto names<scene::InteractionLength> = name_list<scene::InteractionLength>(
+    {{scene::InteractionLength::nominal, "nominal"}, {scene::InteractionLength::peak_spacing, "peak_spacing"}});
+
+}  // namespace fstiff
+
+namespace fstiff::scene {
+/// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
+struct Waves {
+    double frequency = 0;                     ///< [Hz]
+    Impedances<double> longitudinal{};        ///< the wave comes from material.upper
+    std::optional<Impedances<double>> shear;  ///< none: not known
+
+    [[nodiscard]] double angular() const { return angular_frequency(frequency); }
+};
+
+struct Scene {
+    std::string name;
+    std::string file;    ///< as given, or "built-in scene"
+    std::string sha256;  ///< of the text of the scene
+
+    Roughness<double> surface;
+    std::optional<double> fractal_dimension;
+    std::optional<double> fractal_roughness;  ///< [m]
+
+    std::optional<double> r, theta;           ///< of the surface [1, rad]; both or none
+    UncertainSurface<double> uncertain;       ///< the same with errors
+    std::optional<MeasuredSurface> measured;  ///< where surface.from says, or --surface
+    int samples = 400;                        ///< of the band; 0: no band
+    std::uint64_t seed = 2014;
+    std::vector<std::string> warnings;
+
+    /// Whether a band can be given: some parameter that enters has an error.
+    [[nodiscard]] bool has_errors() const {
+        return std::any_of(uncertain.error.begin(), uncertain.error.end(), [](double error) { return error > 0; });
+    }
+
+    Material<double> upper, lower;
+    std::optional<double> yield_strength;  ///< the smaller of the two that are given [Pa]
+
+    std::optional<double> nominal_area;  ///< [m^2]
+    bool at_separations = false;         ///< points are separations [m], not pressures [Pa]
+    std::vector<double> points;
+    std::string points_where;  ///< file, line and key for messages
+    std::vector<ChosenLaw> laws;
+    std::vector<Peaks> peaks;
+    InteractionReading reading = InteractionReading::none;
+    InteractionLength length = InteractionLength::nominal;
+    double given_length = 0;  ///< [m], for InteractionLength::given
+
+    std::optional<Waves> ultrasound;
+
+    /// output.quantities
+    bool stiffness = false, separation = false, real_area = false, contacts = false;
+    bool tangential_stiffness = false, reflection = false, shear_reflection = false;
+
+    /// Whether K is computed, though it may not be shown.
+    [[nodiscard]] bool needs_stiffness() const {
+        return stiffness || tangential_stiffness || reflection || shear_reflection;
+    }
+
+    std::vector<Input> inputs;  ///< every key that was written or filled in by a default
+};
+
+/// Where a scene comes from.
+struct SceneSource {
+    std::string name;  ///< how messages call the text; files of the scene are searched beside it
+    std::string
+        surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
+    ProgressHook progress{};  ///< called while a surface is measured
+};
+
+/// \throws domain_error "<name>:<line>: <key> = <value>: must be ...".
+[[nodiscard]] Scene read_scene(const std::string& text, const SceneSource& source);
+
+/// The scene that is computed where none is given: data/sand_blasted_fine.toml.
+extern const char* const builtin_scene;
+
+}  // namespace fstiff::scene

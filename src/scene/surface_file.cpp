@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/surface_file.hpp"
+
+#include "scene/surface_instances.hpp"
+
+#include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#ifdef FSTIFF_HAS_X3P
+#include <fstiff/io/x3p.hpp>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace fstiff::scene {
+namespace {
+
+/// The form called \p name; \p more stands behind the choices in the refusal.
+template <NamedEnum FormOf>
+FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string_view what,
+               const std::string& more = "") {
+    if (const auto form = find_named<FormOf>(name)) return *form;
+    throw option_error(std::string(options.prefix) + "detrend = \"" + std::string(name) + "\": of a " +
+                       std::string(what) + " must be one of " + choices_text<FormOf>() + more);
+}
+
+void refuse_cutoff(const SurfaceOptions& options) {
+    if (!options.cutoff.empty())
+        throw option_error(std::string(options.prefix) + "cutoff belongs to " + std::string(options.prefix) +
+                           "detrend gaussian, of a profile; must not be given without it");
+}
+
+}  // namespace
+
+double parse_length(const std::string& text, std::string_view name) {
+    const double value = io::parse_quantity(text, io::Dimension::length, std::string(name));
+    require_positive(std::string(name).c_str(), value);
+    return value;
+}
+
+LagWindow<double> parse_window(const std::string& text, std::string_view name) {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos)
+        throw option_error(std::string(name) + " = \"" + text + "\": must be two lengths, such as \"1 um,100 um\"");
+    return {parse_length(text.substr(0, comma), name), parse_length(text.substr(comma + 1), name)};
+}
+
+std::size_t SurfaceInput::points() const {
+    return surface.is_profile() ? surface.profile().size() : static_cast<std::size_t>(surface.map().size());
+}
+
+std::size_t SurfaceInput::missing() const {
+    return points() -
+           (surface.is_profile() ? surface.profile().present() : static_cast<std::size_t>(surface.map().present()));
+}
+
+SurfaceInput read_surface_input(const SurfaceOptions& options) {
+    return read_surface_input(options, read_all(options.file));
+}
+
+SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes) {
+    io::SurfaceOptions how;
+    how.format = io::surface_format(options.format);
+    how.units = options.units;
+    if (!options.prefix.empty()) how.names = {std::string(options.prefix), std::string(options.format_name), " "};
+    how.column = static_cast<std::size_t>(options.column);
+    const auto length = [&](const std::string& text, const char* name) {
+        return text.empty() ? std::optional<double>() : parse_length(text, std::string(options.prefix) + name);
+    };
+    how.spacing = length(options.spacing, "spacing");
+    how.dx = length(options.dx, "dx");
+    how.dy = length(options.dy, "dy");
+    how.width = length(options.width, "width");
+    how.height = length(options.height, "height");
+#ifdef FSTIFF_HAS_X3P
+    how.x3p = io::x3p_reader();
+#endif
+    SurfaceInput input;
+    input.sha256 = sha256(bytes);
+    input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
+    return input;
+}
+
+PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
+    if (!input.surface.is_profile())
+        throw domain_error(display_name(options.file) + ": holds a map (" +
+                           std::to_string(input.surface.map().columns()) + " x " +
+                           std::to_string(input.surface.map().rows()) + " points); must be a profile");
+    PreparedProfile result;
+    result.form = options.detrend.empty() ? "line" : options.detrend;
+    const bool filter = result.form == gaussian_form;
+    const Form form =
+        filter ? Form::line : form_of<Form>(options, result.form, "profile", ", " + std::string(gaussian_form));
+    const std::string name = std::string(options.prefix) + "cutoff";
+    if (!filter) refuse_cutoff(options);
+    if (filter && options.cutoff.empty())
+        throw option_error(std::string(options.prefix) + "detrend gaussian needs " + name + ", such as \"0.8 mm\"");
+    if (filter) result.cutoff = parse_length(options.cutoff, name);
+    about_file(options.file, [&] {
+        const Profile<double>& read = input.surface.profile();
+        result.rms_as_read = rms_height(read);
+        static_cast<LevelledProfile<double>&>(result) = level(read, form, result.cutoff);
+        result.rms = rms_height(result.profile);
+    });
+    return result;
+}
+
+PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) {
+    if (input.surface.is_profile())
+        throw domain_error(display_name(options.file) + ": holds a profile (" +
+                           std::to_string(input.surface.profile().size()) + " points); must be a map");
+    PreparedMap result;
+    result.form = options.detrend.empty() ? "plane" : options.detrend;
+    const MapForm form = form_of<MapForm>(options, result.form, "map");
+    refuse_cutoff(options);
+    about_file(options.file, [&] {
+        const HeightMap<double>& read = input.surface.map();
+        result.map = remove_form(read, form);
+        result.rms_as_read = rms_height(read);
+        result.areal = areal_statistics(result.map);
+        result.rms = result.areal.rms_height;
+    });
+    return result;
+}
+
+std::vector<std::string> missing_points_warning(const SurfaceInput& input, std::string_view consequence) {
+    if (input.missing() == 0) return {};
+    return {std::to_string(input.missing()) + " of " + std::to_string(input.points()) + " points are missing; " +
+            std::string(consequence)};
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A measured surface: the options that say how a file is read, the reading, and the removal of the form.
+
+#include "scene/file.hpp"
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/io/surface_file.hpp>
+#include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/level.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/form.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// How a file is read; a file name alone will do. What is left empty is taken from the file, or by default.
+struct SurfaceOptions {
+    std::string file;                   ///< "-" is standard input
+    std::string format = "auto";        ///< auto, profile, triples, matrix, sdf or x3p
+    std::string units;                  ///< "um,nm" (lengths, heights) or "um" (both)
+    std::string spacing;                ///< of a profile
+    std::string dx, dy, width, height;  ///< of a matrix
+    int column = 0;                     ///< of the heights of a profile, counted from 1
+    std::string detrend;                ///< see remove_form(); empty: "line" of a profile, "plane" of a map
+    std::string cutoff;                 ///< of detrend = "gaussian"
+    /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
+    std::string_view prefix = "";
+    std::string_view format_name = "format";
+};
+
+/// SurfaceOptions::detrend of a profile beside the forms: the line, then the filter of ISO 16610-21.
+inline constexpr std::string_view gaussian_form = "gaussian";
+
+struct SurfaceInput {
+    io::Surface surface;
+    std::string sha256;
+
+    [[nodiscard]] std::size_t points() const;  ///< missing ones included
+    [[nodiscard]] std::size_t missing() const;
+};
+
+/// \throws domain_error in one sentence with the name of the file.
+[[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options);
+/// The same from bytes that were read already.
+[[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
+
+/// A profile without its form.
+struct PreparedProfile : LevelledProfile<double> {
+    double rms_as_read{}, rms{};  ///< Rq before and after [m]
+    std::string form;             ///< that was removed, by name
+};
+
+/// A map without its form.
+struct PreparedMap {
+    HeightMap<double> map;
+    double rms_as_read{}, rms{};  ///< Sq before and after [m]
+    ArealStatistics<double> areal;
+    std::string form;
+};
+
+/// Removes none, mean, line, parabola or gaussian (line, then the filter of ISO 16610-21 with the cut-off).
+/// \throws option_error for the form of a map or a cut-off without its filter, domain_error when the surface is a map.
+[[nodiscard]] PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input);
+/// Removes none, mean, plane, quadratic or cubic. \throws as above.
+[[nodiscard]] PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input);
+
+/// A sentence on missing points; none when there are none.
+[[nodiscard]] std::vector<std::string> missing_points_warning(const SurfaceInput& input, std::string_view consequence);
+
+/// A length with its unit, greater than 0, of the option called \p name in messages. \throws domain_error.
+[[nodiscard]] double parse_length(const std::string& text, std::string_view name);
+/// Two such lengths with a comma between them, each greater than 0. \throws option_error without the comma, domain_error.
+[[nodiscard]] LagWindow<double> parse_window(const std::string& text, std::string_view name);
+
+}  // namespace fstiff::scene

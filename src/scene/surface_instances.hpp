@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the subcommands compute of a profile or a map is compiled once, in surface_instances.cpp: files that include this
+// are quick to compile, and need no optimisation of their own.
+
+#include <fstiff/measured/sections.hpp>
+#include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/profile/all_lags.hpp>
+#include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/peak_statistics.hpp>
+#include <fstiff/profile/power_spectrum.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/form.hpp>
+#include <fstiff/topography/islands.hpp>
+
+#ifndef FSTIFF_SCENE_INSTANCE
+#define FSTIFF_SCENE_INSTANCE extern template
+#endif
+
+namespace fstiff {
+
+FSTIFF_SCENE_INSTANCE FractalFit<double> detail::fit_measured(const MeasuredStructureFunction<double>&,
+                                                              const FractalFitOptions<double>&, double);
+FSTIFF_SCENE_INSTANCE FractalFit<double> detail::fit_profile(const Profile<double>&, Form,
+                                                             const FractalFitOptions<double>&);
+FSTIFF_SCENE_INSTANCE DirectionalFit<double> fit_directions(const HeightMap<double>&, const FractalFitOptions<double>&);
+FSTIFF_SCENE_INSTANCE StructureFunction<double> structure_function_at_all_lags(const Profile<double>&, std::size_t,
+                                                                               Divisor);
+FSTIFF_SCENE_INSTANCE PowerSpectrum<double> power_spectrum(const Profile<double>&);
+FSTIFF_SCENE_INSTANCE PeakStatistics<double> peak_statistics(const Profile<double>&);
+FSTIFF_SCENE_INSTANCE Profile<double> gaussian_roughness(const Profile<double>&, double);
+FSTIFF_SCENE_INSTANCE HeightMap<double> remove_form(const HeightMap<double>&, MapForm);
+FSTIFF_SCENE_INSTANCE ArealStatistics<double> areal_statistics(const HeightMap<double>&);
+FSTIFF_SCENE_INSTANCE IslandCurve<double> island_curve(const HeightMap<double>&, const IslandOptions<double>&);
+FSTIFF_SCENE_INSTANCE RepresentativeIslands<double> representative_islands(const HeightMap<double>&,
+                                                                           const IslandOptions<double>&,
+                                                                           const IslandSpread&);
+FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const LevelledProfile<double>&,
+                                                                   const SurfaceParameterOptions<double>&);
+FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const HeightMap<double>&,
+                                                                   const SurfaceParameterOptions<double>&);
+
+FSTIFF_SCENE_INSTANCE Profile<double> self_affine_profile(const SelfAffineOptions<double>&, std::size_t, double);
+FSTIFF_SCENE_INSTANCE HeightMap<double> self_affine_map(const SelfAffineOptions<double>&, std::size_t, std::size_t,
+                                                        double, double);
+FSTIFF_SCENE_INSTANCE class WeierstrassMandelbrot<double>;
+
+}  // namespace fstiff

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth: fits written by hand, whose concerns can be read off, and two real ones.
+#include <fstiff/fit/fit_concerns.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+using namespace fstiff;
+
+namespace {
+
+/// Two parameters, 10 degrees of freedom, nothing to say against it.
+Identification<double> good() {
+    Identification<double> fit;
+    fit.status = FitStatus::converged;
+    fit.parameters = {{Parameter::rms_height, 1e-6, 1e-8, 0.98e-6, 1.02e-6, 0, false},
+                      {Parameter::fractal_dimension, 1.5, 0.01, 1.48, 1.52, 0, false}};
+    fit.covariance = fit.correlation = Eigen::Matrix2d::Identity();
+    fit.degrees_of_freedom = 10;
+    fit.chi_squared = 10;
+    fit.errors_known = true;
+    return fit;
+}
+
+std::vector<FitConcern> words(const Identification<double>& fit) {
+    std::vector<FitConcern> all;
+    for (const auto& finding : concerns_of(fit)) all.push_back(finding.concern);
+    return all;
+}
+
+using Concerns = std::vector<FitConcern>;
+
+}  // namespace
+
+TEST_CASE("Each concern of a fit is found by itself, with its parameters and its number") {
+    CHECK(concerns_of(good()).empty());
+
+    auto fit = good();
+    fit.chi_squared = 10 + 3 * std::sqrt(20.0) + 1e-9;
+    REQUIRE(words(fit) == Concerns{FitConcern::misfit});
+    CHECK(concerns_of(fit)[0].value == fit.chi_squared / 10);
+    fit.errors_known = false;
+    CHECK(concerns_of(fit).empty());
+
+    fit = good();
+    fit.correlation(1, 0) = fit.correlation(0, 1) = -0.991;
+    REQUIRE(words(fit) == Concerns{FitConcern::correlated});
+    CHECK(concerns_of(fit)[0].value == -0.991);
+    CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height, Parameter::fractal_dimension});
+
+    fit = good();
+    fit.parameters[0].low = 0.9e-8, fit.parameters[0].high = 1e-6;
+    REQUIRE(words(fit) == Concerns{FitConcern::unresolved});
+    CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
+    CHECK(test::relative_error(concerns_of(fit)[0].value, 1 / 0.9e-2) < 1e-15);
+
+    for (const double end : {1 + 1e-7, 2 - 1e-7}) {
+        fit = good();
+        fit.parameters[1].value = end;
+        fit.parameters[1].at_bound = true;
+        REQUIRE(words(fit) == Concerns{FitConcern::at_bound});
+        CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::fractal_dimension});
+    }
+
+    fit = good();
+    fit.status = FitStatus::not_converged;
+    fit.covariance.resize(0, 0), fit.correlation.resize(0, 0);
+    CHECK(words(fit) == Concerns{FitConcern::not_converged, FitConcern::no_errors});
+}
+
+TEST_CASE("What the data do not see stands alone, and is fatal") {
+    auto fit = good();
+    fit.status = FitStatus::singular;
+    fit.chi_squared = 1e6;
+    fit.parameters[0].null_share = 1;
+    fit.parameters[1].null_share = 0.01;
+    REQUIRE(words(fit) == Concerns{FitConcern::singular});
+    CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
+    CHECK(is_fatal(FitConcern::singular));
+    CHECK((is_fatal(FitConcern::not_converged) && is_fatal(FitConcern::at_bound)));
+    for (const FitConcern concern :
+         {FitConcern::misfit, FitConcern::no_errors, FitConcern::unresolved, FitConcern::correlated})
+        CHECK(!is_fatal(concern));
+    CHECK(name_of(FitConcern::correlated) == "correlated");
+}
+
+TEST_CASE("R and D_p of K(p) cannot be told apart; sigma alone has nothing against it") {
+    const ContactParameters<double> truth{0.832e-6, 40e-6, 500e6, 1.62, 112.6e9, 0.6, 1.1, 0};
+    const auto hertz = [](double) { return HertzLaw<double>{}; };
+    const RoughContact contact(Roughness<double>{truth.rms_height, truth.peak_radius, truth.peak_density, 0},
+                               PeakDistribution<double>(truth.r, truth.theta), HertzLaw<double>{},
+                               truth.effective_modulus);
+    std::vector<Observation<double>> data;
+    for (const double p : {1e6, 2e6, 4e6, 8e6, 16e6}) {
+        const double k = contact.at_pressure(p, Quantity::stiffness).stiffness.value;
+        data.push_back({p, k, 0.01 * k});
+    }
+    const auto both = identify(data, {Parameter::peak_radius, Parameter::peak_density}, truth, hertz);
+    REQUIRE(words(both) == Concerns{FitConcern::singular});
+    CHECK(concerns_of(both)[0].parameters == std::vector{Parameter::peak_radius, Parameter::peak_density});
+    CHECK(concerns_of(identify(data, {Parameter::rms_height}, truth, hertz)).empty());
+}

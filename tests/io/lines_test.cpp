@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines, and refusals with their place: the sentences are written out.
+#include <fstiff/io/lines.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <sstream>
+
+using namespace fstiff;
+using namespace fstiff::io::detail;
+
+TEST_CASE("lines are trimmed, counted and left out when blank", "[lines]") {
+    std::size_t count = 0;
+    const auto lines = lines_of("a\r\n\r\n  b\t\n \nc", "file", count);
+    CHECK(count == 5);
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[0].text == "a");
+    CHECK(lines[1].text == "b\t");  // a tab may end an empty cell
+    CHECK(lines[1].number == 3);
+    CHECK(lines[2].number == 5);
+    CHECK(lines_of("a\rb", "file", count).size() == 2);
+    CHECK(test::refusal([&] { (void)lines_of("1\n" + std::string((1u << 20) + 1, '1'), "file", count); }) ==
+          "file, line 2: is longer than 2^20 characters; must be shorter");
+}
+
+TEST_CASE("a file is refused with its place as a field", "[lines]") {
+    try {
+        refuse_line("a.txt", 7, {"holds ", 3, " points of ", 0.5, " m; must be ", std::string("more")});
+    } catch (const domain_error& error) {
+        CHECK(std::string(error.what()) == "a.txt, line 7: holds 3 points of 0.5 m; must be more");
+        CHECK(error.place().file == "a.txt");
+        CHECK(error.place().line == 7);
+        CHECK(error.reason() == "holds 3 points of 0.5 m; must be more");
+    }
+    try {
+        refuse_field("a.sdf", "DataType", "9", "between 0 and 7");
+    } catch (const domain_error& error) {
+        CHECK(std::string(error.what()) == "a.sdf: DataType = 9: must be between 0 and 7");
+        CHECK(error.parameter() == "DataType");
+        CHECK(error.place().file == "a.sdf");
+    }
+    CHECK_THROWS_AS(refuse_file("a", {"b"}), domain_error);
+    CHECK_THROWS_AS(refuse_field("a", "b", "c", "d"), domain_error);
+}
+
+TEST_CASE("a stream that breaks off is a file that cannot be read", "[lines]") {
+    std::istringstream good("12");
+    CHECK(read_bytes(good, "file").bytes == "12");
+    struct Broken : std::streambuf {
+        int_type underflow() override { throw 1; }
+    } buffer;
+    std::istream broken(&buffer);
+    CHECK_THROWS_AS(read_bytes(broken, "file"), file_error);
+    CHECK_THROWS_AS(read_bytes(std::filesystem::path("no/such/file"), "anything"), file_error);
+    CHECK_THROWS_AS(read_bytes(std::filesystem::temp_directory_path(), "anything"), file_error);
+}
+
+TEST_CASE("a text is no text when it holds NUL or nothing, and loses its byte order mark", "[lines]") {
+    CHECK(text_of("\xEF\xBB\xBF"
+                  "1",
+                  "file", "rows") == "1");
+    CHECK(test::refusal([] { (void)text_of("", "file", "rows"); }) ==
+          "file: is empty; must be delimited text with rows");
+    CHECK_FALSE(test::refusal([] { (void)text_of(std::string("1\0", 2), "file", "rows"); }).empty());
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rows of numbers, for both kinds of rules. The tables are read by eye.
+#include <fstiff/io/number_table.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+using namespace fstiff::io::detail;
+
+namespace {
+
+NumberTable table_of(std::string_view text, const TableRules& rules) {
+    NumberTable table = open_table(text, "file", rules);
+    read_rows(table, "file", rules);
+    return table;
+}
+
+constexpr TableRules padded{.holds = "numbers", .short_rows = true};
+constexpr TableRules whole{.holds = "numbers", .missing_words = true};
+
+}  // namespace
+
+TEST_CASE("the header ends at the first row of numbers, whose signs hold for all", "[number_table]") {
+    const NumberTable table = table_of("title\n# 1 2\n1;2\n3,5;4\n", whole);
+    CHECK(table.lines[table.first].number == 3);
+    CHECK(table.dialect.separator == ';');
+    CHECK(table.dialect.decimal_comma);
+    CHECK(table.values == std::vector<double>{1, 2, 3.5, 4});
+    CHECK(table.row_lines == std::vector<std::size_t>{3, 4});
+    fstiff::io::TextRecord record;
+    table.describe(record);
+    CHECK(record.separator == "semicolon");
+    CHECK(record.decimal_comma);
+    CHECK(record.lines == 4);
+    CHECK(record.header_lines == 2);
+}
+
+TEST_CASE("cells at the end of a row may be left out where the rules say so", "[number_table]") {
+    const NumberTable table = table_of("1,\n2,3,\n4\n", padded);
+    CHECK(table.columns == 2);
+    CHECK(table.at(1, 1) == 3);
+    CHECK((std::isnan(table.at(0, 1)) && std::isnan(table.at(2, 1))));
+    CHECK(test::refusal([] { (void)table_of("1,2\n3\n", whole); }) ==
+          "file, line 2: has 1 columns; must be 2 as in line 1");
+}
+
+TEST_CASE("a separator at the end of every row makes no column, an empty last cell does", "[number_table]") {
+    const NumberTable dropped = table_of("1;2;\n3;4;\n", whole);
+    CHECK(dropped.columns == 2);
+    CHECK(dropped.values == std::vector<double>{1, 2, 3, 4});
+    const NumberTable kept = table_of("1;2;\n3;4;5\n", whole);
+    CHECK(kept.columns == 3);
+    CHECK(std::isnan(kept.at(0, 2)));
+}
+
+TEST_CASE("words are missing points where the rules say so", "[number_table]") {
+    CHECK(std::isnan(table_of("1 BAD\n3 4\n", whole).at(0, 1)));
+    CHECK_FALSE(test::refusal([] { (void)table_of("1 2\n3 BAD\n", padded); }).empty());
+}
+
+TEST_CASE("a first row with both decimal signs is refused once the others have one", "[number_table]") {
+    for (const TableRules& rules : {padded, whole})
+        CHECK(test::refusal([&] { (void)table_of("0.5;1,5\n1,5;2,5\n", rules); }).find("file, line 1: \"1,5\"") == 0);
+}

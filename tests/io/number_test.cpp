@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of text. Truth: the digits are counted by eye, the numbers are what the compiler makes of the same literal.
+#include <fstiff/io/number.hpp>
+
+#include "support/catch.hpp"
+
+using namespace fstiff::io::detail;
+
+TEST_CASE("a cell is a number when nothing else is in it", "[number]") {
+    CHECK(number_in("-1.5e-3", false) == -1.5e-3);
+    CHECK(number_in("+12", false) == 12.0);
+    CHECK(number_in("1,5", true) == 1.5);
+    CHECK(number_in("1.5", true) == 1.5);
+    CHECK(number_in("1e-999", false) == 0.0);
+    CHECK(number_in("1e999", false) == std::numeric_limits<double>::infinity());
+    for (const char* cell : {"", "1,5", "1 ", "nan", "inf", "0x10", "1e", "--1"}) CHECK_FALSE(number_in(cell, false));
+    CHECK_FALSE(number_in("1.5,2", true));
+}
+
+TEST_CASE("the last digit of a number has a power of ten", "[number]") {
+    CHECK(last_digit_of("12") == 0);
+    CHECK(last_digit_of("1.50") == -2);
+    CHECK(last_digit_of("1,50") == -2);
+    CHECK(last_digit_of("1.50e3") == 1);
+    CHECK(last_digit_of("2E-7") == -7);
+}
+
+TEST_CASE("a column is printed to decimals or to significant digits, whichever is coarser", "[number]") {
+    PrintedDigits decimals, significant;
+    for (const auto& [cell, value] : {std::pair{"0.25", 0.25}, {"10.25", 10.25}, {"0.00", 0.0}})
+        decimals.add(cell, value);
+    CHECK(decimals.resolution() == 0.01);
+    for (const auto& [cell, value] : {std::pair{"0.00125", 0.00125}, {"125", 125.0}}) significant.add(cell, value);
+    CHECK(significant.resolution() == 1.0);
+}
+
+TEST_CASE("what a message shows of a cell is short and printable", "[number]") {
+    CHECK(shown_cell("a\tb\xFF") == "\"a?b?\"");
+    CHECK(shown_cell(std::string(41, 'x')) == "\"" + std::string(40, 'x') + "...\"");
+    CHECK(printable("abc\n", 3) == "abc");
+    CHECK(is_missing_word("BAD"));
+    CHECK(is_missing_word("NaN"));
+    CHECK_FALSE(is_missing_word("bads"));
+}

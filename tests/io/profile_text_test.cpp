@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/profile_text.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/skip.hpp"
+
+#include <cstdio>
+#include <functional>
+#include <sstream>
+
+using namespace fstiff;
+using io::ProfileTextOptions;
+
+namespace {
+
+/// What read_profile makes of \p text.
+io::ProfileFromText read(const std::string& text, const ProfileTextOptions& options = {}) {
+    std::istringstream input(text);
+    return io::read_profile(input, "file.txt", options);
+}
+
+std::string refusal(const std::string& text, const ProfileTextOptions& options = {}) {
+    return test::refusal([&] { (void)read(text, options); });
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The height of row i in the file's unit: changes sign and digits, repeats after 10.
+int height(int i) { return (i * 7) % 10 - 3; }
+
+/// Rows of position i/2 and height(i)/10, written by \p row(i, "0.5", "-0.3").
+using Row = std::function<std::string(const std::string&, const std::string&)>;
+std::string rows(const Row& row, int count = 20) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        const int z = height(i);
+        text += row(std::to_string(i / 2) + (i % 2 ? ".5" : ".0"),
+                    std::string(z < 0 ? "-0." : "0.") + std::to_string(std::abs(z)));
+    }
+    return text;
+}
+std::string with_commas(std::string text) {
+    std::replace(text.begin(), text.end(), '.', ',');
+    return text;
+}
+
+/// Checks the profile that rows() writes, with lengths in \p unit and heights in \p height_unit.
+void check_rows(const io::ProfileFromText& read, double unit, double height_unit) {
+    REQUIRE(read.profile.size() == 20);
+    CHECK(test::ulps(read.profile.spacing, 0.5 * unit) <= 2);
+    for (int i = 0; i < 20; ++i) {
+        const double truth = height(i) / 10.0 * height_unit;
+        REQUIRE(std::abs(read.profile.heights[static_cast<std::size_t>(i)] - truth) <= 2.3e-16 * std::abs(truth));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Comma, semicolon, tab and blanks separate columns") {
+    const ProfileTextOptions units{.units = "um,nm"};
+    const auto comma = read(rows([](auto x, auto z) { return x + "," + z + "\n"; }), units);
+    check_rows(comma, 1e-6, 1e-9);
+    CHECK(comma.record.separator == "comma");
+    const auto spaced = read(rows([](auto x, auto z) { return x + ", " + z + "\n"; }), units);
+    check_rows(spaced, 1e-6, 1e-9);
+    const auto semicolon = read(rows([](auto x, auto z) { return x + ";" + z + "\n"; }), units);
+    check_rows(semicolon, 1e-6, 1e-9);
+    CHECK(semicolon.record.separator == "semicolon");
+    const auto tab = read(rows([](auto x, auto z) { return x + "\t" + z + "\n"; }), units);
+    check_rows(tab, 1e-6, 1e-9);
+    CHECK(tab.record.separator == "tab");
+    const auto blanks = read(rows([](auto x, auto z) { return "  " + x + "   " + z + "  \n"; }), units);
+    check_rows(blanks, 1e-6, 1e-9);
+    CHECK(blanks.record.separator == "blanks");
+    const auto mixed = read(rows([](auto x, auto z) { return " " + x + " \t " + z + "\t\n"; }), units);
+    check_rows(mixed, 1e-6, 1e-9);
+    CHECK(comma.record.units_from == "options");
+    CHECK(comma.record.points == 20);
+    CHECK(comma.record.missing == 0);
+    CHECK(comma.record.sentences().size() == 6);
+}
+
+TEST_CASE("The decimal sign may be a comma where the comma does not separate") {
+    const ProfileTextOptions units{.units = "um,nm"};
+    for (const std::string separator : {";", "\t", " ", "; "}) {
+        CAPTURE(separator);
+        const auto read_back =
+            read(rows([&](auto x, auto z) { return with_commas(x) + separator + with_commas(z) + "\r\n"; }), units);
+        check_rows(read_back, 1e-6, 1e-9);
+        CHECK(read_back.record.decimal_comma);
+    }
+    // one column of "0,3": no equally spaced positions, so the comma is decimal
+    const auto one = read(rows([](auto, auto z) { return with_commas(z) + "\n"; }), {.spacing = 0.5e-6, .units = "nm"});
+    check_rows(one, 1e-6, 1e-9);
+    CHECK(one.record.separator == "none");
+    // but "1,5" with positions 0, 1, 2, ... are two columns of whole numbers
+    std::string whole;
+    for (int i = 0; i < 20; ++i) whole += std::to_string(i) + "," + std::to_string(std::abs(height(i))) + "\n";
+    const auto two = read(whole, units);
+    CHECK(two.record.separator == "comma");
+    CHECK(test::relative_error(two.profile.spacing, 1e-6) < 1e-15);
+    // whole numbers in the first rows do not hide the decimal commas of later ones
+    std::string late = "0;1\n1;2\n";
+    for (int i = 2; i < 20; ++i) late += std::to_string(i) + ";1,5\n";
+    CHECK(read(late, units).record.decimal_comma);
+}
+
+TEST_CASE("Every kind of line end, a byte order mark, comments and blank lines are understood") {
+    const ProfileTextOptions units{.units = "um,nm"};
+    for (const std::string end : {"\n", "\r\n", "\r\r\n", "\r", "\n\n", ",,\r\n"}) {
+        CAPTURE(end.size());
+        check_rows(read(rows([&](auto x, auto z) { return x + "," + z + end; }), units), 1e-6, 1e-9);
+    }
+    const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
+    check_rows(read("\xEF\xBB\xBF" + plain, units), 1e-6, 1e-9);
+    check_rows(read("# one\n% two\n// three\n; four\n! five\n\n" + plain + "\n# end\n\n", units), 1e-6, 1e-9);
+    check_rows(read(plain.substr(0, plain.size() - 1), units), 1e-6, 1e-9);  // no line end after the last row
+    check_rows(read(rows([](auto x, auto z) { return "\"" + x + "\",\"" + z + "\"\n"; }), units), 1e-6, 1e-9);
+    check_rows(read(rows([](auto x, auto z) { return x + "," + z + "  # noted\n"; }), units), 1e-6, 1e-9);
+    const auto headed = read("Company\nDate,2014-01-02\nx,z\n" + plain, units);
+    check_rows(headed, 1e-6, 1e-9);
+    CHECK(headed.record.header_lines == 3);
+}
+
+TEST_CASE("Units are taken from the header wherever it states them, and options replace them") {
+    const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
+    for (const std::string header :
+         {"Lateral um,Raw Nanometer", "x [um]; z [nm]", "x [um],z [nm]", "x (\xC2\xB5m),z (nm)", "x (\xB5m),z (nm)",
+          "x/\xCE\xBCm,z/nm", "um,nm", "# x [um]; z [nm]", "# x (um) z (nm)", "# x in um, z in nm",
+          "x [um],z [nm]\nposition,height", "\"Position (um)\",\"Height (nm)\"", "% um nm"}) {
+        CAPTURE(header);
+        const auto result = read(header + "\n" + plain);
+        check_rows(result, 1e-6, 1e-9);
+        CHECK(has(result.record.units_from, "line 1"));
+    }
+    const auto replaced = read("x [um],z [nm]\n" + plain, {.units = "mm,um"});
+    check_rows(replaced, 1e-3, 1e-6);
+    CHECK(replaced.record.units_from == "options");
+    check_rows(read(plain, {.units = "um"}), 1e-6, 1e-6);  // one unit for both
+    const std::string one = rows([](auto, auto z) { return z + "\n"; });
+    check_rows(read("z [nm]\n" + one, {.spacing = 0.5e-6}), 1e-6, 1e-9);
+    check_rows(read("Resolution,0.5 um/sample\nz [nm]\n" + one), 1e-6, 1e-9);
+}
+
+TEST_CASE("A file without a unit is refused, whatever looks like one") {
+    const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
+    for (const std::string header :
+         {"", "x,z\n", "Location,0.0 um, 0.0 um\n", "Range,524 um\n", "x [s],z [V]\n", "x,z [nm]\n", "made in,um\n"}) {
+        CAPTURE(header);
+        const std::string text = refusal(header + plain);
+        CHECK(has(text, "file.txt"));
+        CHECK(has(text, "unit"));
+        CHECK(has(text, "um"));
+    }
+    CHECK(has(refusal(plain, {.units = "um,parsec"}), "parsec"));
+    CHECK(has(refusal(plain, {.units = "um,nm,mm"}), "units = "));
+}
+
+TEST_CASE("Positions printed with few digits are equally spaced as far as they tell") {
+    // steps of 0.156 printed to 0.1: 0.0 0.2 0.3 0.5 0.6 0.8 0.9 1.1
+    std::string coarse, coarser;
+    for (int i = 0; i < 200; ++i) {
+        char line[64];
+        std::snprintf(line, sizeof line, "%.1f,%d\n", 0.15625 * i, height(i));
+        coarse += line;
+        std::snprintf(line, sizeof line, "%.0f,%d\n", 0.15625 * i, height(i));
+        coarser += line;
+    }
+    const auto read_coarse = read("x [um],z [nm]\n" + coarse);
+    CHECK(test::relative_error(read_coarse.profile.spacing, 0.15625e-6) < 0.1 / 31);  // both ends to 0.05 of 31
+    CHECK(has(read_coarse.record.spacing_from, "mean step"));
+    // neighbours that share a printed position are allowed where the step is below the last digit
+    CHECK(test::relative_error(read("x [um],z [nm]\n" + coarser).profile.spacing, 0.15625e-6) < 1.0 / 31);
+    const auto stated = read("Resolution,0.156 um/sample\nx [um],z [nm]\n" + coarse);
+    CHECK(has(stated.record.spacing_from, "agrees with line 1"));
+    CHECK(has(refusal("Resolution,0.3 um/sample\nx [um],z [nm]\n" + coarse), "disagrees"));
+    CHECK(read("x [um],z [nm]\n" + coarse, {.spacing = 0.156e-6}).profile.spacing == 0.156e-6);
+}
+
+TEST_CASE("Unequal steps are seen through the digits, and a missing row in whole steps too") {
+    // x of each of 200 rows, as a printf format and a function of the row
+    const auto text = [](const char* format, auto&& position) {
+        std::string rows = "x [um],z [nm]\n";
+        for (int i = 0; i < 200; ++i) {
+            char line[64];
+            std::snprintf(line, sizeof line, format, static_cast<double>(position(i)));
+            rows += line + ("," + std::to_string(height(i))) + "\n";
+        }
+        return rows;
+    };
+    // trailing zeros dropped: 29, 30.5, 31.5 ... are printed to a tenth; a row is missing in 0, 1, 2, 4, 5
+    const std::string shifted = refusal(text("%g", [](int i) { return i < 30 ? i : i + 0.5; }));
+    CHECK(has(shifted, "line 32"));
+    CHECK(has(shifted, "30.5"));
+    for (const char* format : {"%.0f", "%.1f", "%.3f", "%g"})
+        for (const int missing : {1, 3, 100, 197}) {
+            const std::string gap = refusal(text(format, [missing](int i) { return i < missing ? i : i + 1; }));
+            INFO(format << ' ' << missing << ' ' << gap);
+            CHECK(has(gap, "line " + std::to_string(missing + 2)));
+            CHECK(has(gap, "equally spaced"));
+        }
+    // what rounding does to equal steps is no gap: decimals, six significant digits, powers of ten
+    for (const char* format : {"%.0f", "%.1f", "%g", "%.4e"})
+        for (const double step : {0.15625, 1.03, 7.77}) {
+            INFO(format << ' ' << step);
+            const auto result = read(text(format, [step](int i) { return step * i; }));
+            CHECK(test::relative_error(result.profile.spacing, step * 1e-6) < 1 / (199 * step));
+        }
+}
+
+TEST_CASE("Falling positions turn the profile round") {
+    std::string text = "x [um],z [nm]\n";
+    for (int i = 0; i < 20; ++i) text += std::to_string(19 - i) + ".0," + std::to_string(height(i)) + "\n";
+    const auto result = read(text);
+    CHECK(result.record.reversed);
+    CHECK(test::relative_error(result.profile.spacing, 1e-6) < 1e-15);
+    CHECK(std::abs(result.profile.heights.front() - height(19) * 1e-9) < 1e-24);
+}
+
+TEST_CASE("An empty cell is a missing point") {
+    std::string text = "x [um],z [nm]\n";
+    for (int i = 0; i < 30; ++i)
+        text += std::to_string(i) + ".0," + (i % 5 == 2 ? "" : std::to_string(height(i))) + "\n";
+    const auto result = read(text);
+    CHECK(result.record.points == 30);
+    CHECK(result.record.missing == 6);
+    CHECK(std::isnan(result.profile.heights[7]));
+    CHECK_FALSE(std::isnan(result.profile.heights[8]));
+}
+
+TEST_CASE("A column may be chosen among many, and more than two need a choice") {
+    const std::string text = rows([](auto x, auto z) { return x + ",9," + z + ",8\n"; });
+    CHECK(has(refusal(text, {.units = "um,nm"}), "4 columns"));
+    check_rows(read(text, {.units = "um,nm", .column = 3}), 1e-6, 1e-9);
+    check_rows(read(text, {.spacing = 0.5e-6, .units = "nm", .column = 3}), 1e-6, 1e-9);
+    CHECK(has(refusal(text, {.units = "um,nm", .column = 5}), "column = 5: must be between 1 and 4"));
+    CHECK(has(refusal(text, {.units = "um,nm", .column = 1}), "spacing"));
+    const auto two =
+        read(rows([](auto x, auto z) { return z + "," + x + "\n"; }), {.spacing = 0.5e-6, .units = "nm", .column = 1});
+    check_rows(two, 1e-6, 1e-9);
+}
+
+TEST_CASE("Bad input is refused in one sentence with file, line, value and what is allowed") {
+    const ProfileTextOptions units{.units = "um,nm"};
+    const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
+    CHECK(has(refusal(""), "file.txt: is empty"));
+    CHECK(has(refusal("\n \r\n\t\n"), "blank lines"));
+    CHECK(has(refusal(std::string("1,2\n\0", 5)), "binary"));
+    CHECK(has(refusal("only words\nand more\n"), "line 1: \"only words\""));
+    for (const std::string word : {"word", "nan", "NaN", "inf", "-inf", "1.0x", "0x10", "1e", "--1", "1 2"}) {
+        CAPTURE(word);
+        const std::string text = refusal(plain + "10.0," + word + "\n", units);
+        CHECK(has(text, "file.txt, line 21: "));
+        CHECK(has(text, "\"" + word + "\""));
+        CHECK(has(text, "allowed"));
+    }
+    CHECK(has(refusal(plain + "10.0,1e400\n", units), "line 21: \"1e400\" is beyond"));
+    CHECK(has(refusal(plain + "10.0,1,2\n", units), "line 21: has 3 columns; must be 2 as in line 1"));
+    CHECK(has(refusal(plain + "9.0,1\n", units), "line 21: position 9 follows 9.5"));
+    CHECK(has(refusal(plain + "9.5,1\n", units), "line 21: position 9.5 follows 9.5"));
+    CHECK(has(refusal(plain + "11.0,1\n", units), "line 21: position 11 is a step of 1.5 where the usual one is 0.5"));
+    CHECK(has(refusal(plain + ",1\n", units), "line 21: has no position"));
+    CHECK(has(refusal(rows([](auto x, auto) { return x + ",1.5\n"; }), units), "constant height"));
+    CHECK(has(refusal(rows([](auto x, auto z) { return x + "," + z + "\n"; }, 15), units),
+              "15 points; must be at least 16"));
+    CHECK(has(refusal("1,2\n", units), "1 points"));
+    CHECK(has(refusal(rows([](auto, auto z) { return z + "\n"; }), units), "no spacing"));
+    CHECK(has(refusal(rows([](auto, auto z) { return z + "\n"; }), {.spacing = -1.0, .units = "nm"}), "spacing = -1"));
+    const std::string missing =
+        test::refusal([] { (void)io::read_profile(std::filesystem::path("no/such/file.csv")); });
+    CHECK(has(missing, "file.csv: cannot be opened"));
+    CHECK(has(test::refusal([] { (void)io::read_profile(std::filesystem::temp_directory_path()); }), "folder"));
+    // what a message shows of a file is short and printable
+    const std::string strange = refusal(plain + "10.0," + std::string(5000, '\x1b') + "\n", units);
+    CHECK(strange.size() < 300);
+    CHECK(strange.find('\x1b') == std::string::npos);
+    CHECK(has(refusal(std::string((1 << 20) + 1, '1') + "\n", units), "longer than"));
+}
+
+TEST_CASE("No damaged file makes the reader crash, hang or return what is no number") {
+    // every prefix of a file, and the file with each byte replaced by one of a few nasty ones
+    const std::string file = "# made up\r\nx (\xB5m);z (nm)\r\n" +
+                             rows([](auto x, auto z) { return with_commas(x + ";" + z) + ";;\r\r\n"; });
+    const auto try_it = [](const std::string& text) {
+        try {
+            const auto result = read(text);
+            REQUIRE(result.profile.present() >= 16);
+            REQUIRE(result.profile.spacing > 0);
+            for (const double z : result.profile.heights) REQUIRE_FALSE(std::isinf(z));
+        } catch (const domain_error& error) {
+            REQUIRE(has(error.what(), "file.txt"));
+        }
+    };
+    for (std::size_t n = 0; n <= file.size(); ++n) try_it(file.substr(0, n));
+    for (const char c : {'\n', '\r', ';', ',', '.', ' ', '\t', '"', 'e', '-', '9', '#', '[', '\xFF', '(', '/'})
+        for (std::size_t n = 0; n < file.size(); ++n) {
+            std::string damaged = file;
+            damaged[n] = c;
+            try_it(damaged);
+        }
+}
+
+TEST_CASE("Real stylus files are read as their owners describe them") {
+    const std::filesystem::path folder = FSTIFF_SURFACES;
+    if (!std::filesystem::exists(folder)) SKIP_CASE("there is no folder of measured surfaces " + folder.string());
+    const auto dektak = io::read_profile(folder / "dektak-1.csv");
+    CHECK(dektak.profile.size() == 9600);
+    CHECK(test::relative_error(dektak.profile.spacing, 1500e-6 / 9600) <
+          1e-4);  // 1500 um, in steps printed as 0.156 um
+    CHECK(test::relative_error(dektak.profile.heights.front(), -0.00933e-6) < 1e-15);
+    CHECK(test::relative_error(dektak.profile.heights.back(), 16.58112e-6) < 1e-15);
+    CHECK(dektak.record.units_from == "line 28");
+    CHECK(dektak.record.header_lines == 28);
+
+    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "opdx-3.txt"); }), "unit"));
+    const auto opdx = io::read_profile(folder / "opdx-3.txt", {.units = "m,m"});
+    CHECK(opdx.profile.size() == 3001);
+    CHECK(test::relative_error(opdx.profile.length(), 49.966689e-6) < 1e-9);
+    CHECK(opdx.record.separator == "blanks");
+
+    const auto xy = io::read_profile(folder / "xy-4.txt", {.units = "um,um"});
+    CHECK(xy.profile.size() == 10001);
+    CHECK(test::relative_error(xy.profile.spacing, 0.995613e-6 / 10000) < 1e-6);
+
+    // maps are no profiles
+    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "matrix-3.txt"); }), "256 columns"));
+    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "nanovea_test1.txt", {.units = "mm,um"}); }),
+              "3 columns"));
+    CHECK(has(
+        test::refusal([&] { (void)io::read_profile(folder / "nanovea_test1.txt", {.units = "mm,um", .column = 3}); }),
+        "line 104"));
+    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "x3p-2.x3p"); }), "binary"));
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is written, the reader must give back; what a file cannot hold is refused.
+#include <fstiff/io/sdf.hpp>
+#include <fstiff/io/write_sdf.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <bit>
+#include <sstream>
+
+using namespace fstiff;
+
+namespace {
+
+io::SdfSurface read(const std::string& bytes) {
+    std::istringstream input(bytes);
+    return io::read_sdf(input, "file.sdf");
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+HeightMap<double> rough_map() {
+    HeightMap<double> map;
+    map.heights.resize(7, 5);
+    for (Eigen::Index i = 0; i < map.size(); ++i)
+        map.heights.data()[i] = 1e-6 * std::sin(1.7 * static_cast<double>(i * i)) / 3;
+    map.heights(2, 3) = std::numeric_limits<double>::quiet_NaN();
+    map.heights(4, 4) = 0x1p-1074;
+    map.heights(0, 1) = -0.0;
+    map.heights(0, 2) = std::numeric_limits<double>::max();
+    map.dx = 1e-6 / 3;
+    map.dy = 2e-6 / 7;
+    return map;
+}
+
+}  // namespace
+
+TEST_CASE("What is written comes back bit for bit, text and binary") {
+    const bool binary = GENERATE(true, false);
+    const HeightMap<double> map = rough_map();
+    std::ostringstream output;
+    io::write_sdf(output, map, {.binary = binary, .manufacturer = "me", .date = "311219991234"});
+    const auto back = read(output.str());
+    CHECK(back.record.version == "ISO-1.0");
+    CHECK(back.record.manufacturer == "me");
+    CHECK(back.map.dx == map.dx);
+    CHECK(back.map.dy == map.dy);
+    REQUIRE(back.map.size() == map.size());
+    for (Eigen::Index i = 0; i < map.size(); ++i) {
+        const double old = map.heights.data()[i], now = back.map.heights.data()[i];
+        CHECK(((std::isnan(old) && std::isnan(now)) ||
+               std::bit_cast<std::uint64_t>(old) == std::bit_cast<std::uint64_t>(now)));
+    }
+    // the header as another program counts its bytes
+    if (binary) CHECK(output.str().size() == 81 + 35 * 8);
+}
+
+TEST_CASE("A profile is written as a file of one profile, a long side as version 2.0") {
+    Profile<double> profile{{}, 1e-7};
+    for (int i = 0; i < 70000; ++i) profile.heights.push_back(i % 17 * 1e-9);
+    std::ostringstream output;
+    io::write_sdf(output, profile);
+    const auto back = read(output.str());
+    CHECK(back.record.version == "ISO-2.0");
+    REQUIRE(back.map.columns() == 70000);
+    CHECK(back.map.heights(0, 16) == 16e-9);
+    CHECK(back.map.dx == 1e-7);
+}
+
+TEST_CASE("What a file cannot hold is not written") {
+    HeightMap<double> map = rough_map();
+    std::ostringstream output;
+    const auto refused = [&](const io::SdfOptions& options) {
+        return test::refusal([&] { io::write_sdf(output, map, options); });
+    };
+    CHECK(has(refused({.manufacturer = "elevenchars"}), "at most 10"));
+    CHECK(has(refused({.date = "today"}), "12 digits"));
+    map.heights(0, 0) = std::numeric_limits<double>::lowest();
+    CHECK(has(refused({}), "stands for a missing point"));
+    map.heights(0, 0) = std::numeric_limits<double>::infinity();
+    CHECK(has(refused({}), "infinite"));
+    CHECK(output.str().empty());
+}
+
+TEST_CASE("An output that takes nothing is a file that cannot be written") {
+    std::ostringstream output;
+    output.setstate(std::ios::badbit);
+    CHECK_THROWS_AS(io::write_sdf(output, rough_map()), file_error);
+}

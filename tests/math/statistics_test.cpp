@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Quantiles by hand; resamples against the variance of a mean of blocks.
+#include <fstiff/math/statistics.hpp>
+
+#include "support/catch.hpp"
+
+#include <numeric>
+
+using namespace fstiff;
+
+TEST_CASE("The quantile of sorted values is linear between neighbours") {
+    const std::vector<double> values{1, 2, 4, 8, 16};
+    const std::span<const double> sorted(values);
+    CHECK(sorted_quantile(sorted, 0.0) == 1);
+    CHECK(sorted_quantile(sorted, 1.0) == 16);
+    CHECK(sorted_quantile(sorted, 0.8125) == 10);
+}
+
+TEST_CASE("A block draw has as many blocks as make the whole, and reaches every one alike") {
+    BlockDraw draw(10, 3, 1);
+    CHECK(draw.blocks() == 4);
+    std::vector<int> count(8, 0);
+    for (int i = 0; i < 8000; ++i) ++count.at(draw());
+    for (const int c : count) CHECK(std::abs(c - 1000) < 4 * std::sqrt(1000 * 7.0 / 8));
+}
+
+TEST_CASE("Resampled means have the mean of the whole and the variance of independent blocks") {
+    // blocks of one part: the variance of a mean of as many independent draws
+    const std::size_t parts = 64, resamples = 20000;
+    std::vector<double> sum(parts), weight(parts, 2);
+    for (std::size_t i = 0; i < parts; ++i) sum[i] = std::sin(0.7 * static_cast<double>(i)) + 3;
+    BlockBootstrap<double> bootstrap(parts, 1, resamples, 5);
+    const std::vector<double>& means = bootstrap.means([&](std::size_t i) { return std::pair{sum[i], weight[i]}; });
+    const double whole = std::accumulate(sum.begin(), sum.end(), 0.0) / parts / 2;
+    double mean = 0, square = 0, variance = 0;
+    for (const double m : means) mean += m / resamples;
+    for (const double m : means) square += (m - mean) * (m - mean) / (resamples - 1);
+    for (const double s : sum) variance += (s / 2 - whole) * (s / 2 - whole) / parts / parts;
+    CHECK(std::abs(mean - whole) < 4 * std::sqrt(variance / resamples));
+    CHECK(std::abs(square / variance - 1) < 4 * std::sqrt(2.0 / resamples));
+}
+
+TEST_CASE("A resample that holds nothing has the mean of the whole") {
+    BlockBootstrap<double> bootstrap(4, 1, 200, 3);
+    const std::vector<double>& means = bootstrap.means([](std::size_t i) {
+        return i == 0 ? std::pair{6.0, 2.0} : std::pair{0.0, 0.0};
+    });
+    for (const double m : means) CHECK(m == 3);
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every concern just within its limit and just beyond it; and of surfaces that are made to have it.
+#include <fstiff/measured/measured_concerns.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+
+using namespace fstiff;
+using enum MeasuredConcern;
+
+namespace {
+
+using Concerns = std::vector<MeasuredConcern>;
+
+FractalFit<double> sound_fit() {
+    FractalFit<double> fit;
+    fit.fractal = {1.5, 1e-9};
+    fit.dimension_error = 0.02;
+    fit.log_roughness_error = 2.3;
+    fit.automatic_window = true;
+    fit.window = {1e-6, 20e-6};
+    fit.min_slope = 0.69;
+    fit.flattest_lag = 0.5e-6;
+    fit.flattest_slope = 0.19;
+    return fit;
+}
+
+}  // namespace
+
+TEST_CASE("A sound fit has no concerns") {
+    CHECK(concerns_of(sound_fit()).empty());
+    LevelledProfile<double> levelled;
+    CHECK(concerns_of(sound_fit(), levelled, {}).empty());
+    levelled.cutoff = 200e-6;
+    SpectralFit<double> spectrum;
+    spectrum.dimension = 1.61;
+    spectrum.dimension_error = 0.031;  // three times hypot(0.031, 0.02) is 0.1107
+    CHECK(concerns_of(sound_fit(), levelled, std::optional(spectrum)).empty());
+}
+
+TEST_CASE("A fit tells each concern beyond its limit") {
+    auto fit = sound_fit();
+    fit.curved = true;
+    CHECK(concerns_of(fit) == Concerns{curved});
+    fit = sound_fit();
+    fit.min_slope = 0.7;
+    CHECK(concerns_of(fit) == Concerns{saturated});
+    fit.automatic_window = false;
+    CHECK(concerns_of(fit).empty());
+    fit = sound_fit();
+    fit.behind_plateau = true;
+    CHECK(concerns_of(fit) == Concerns{saturated});
+    fit.flattest_slope = 0.21;
+    CHECK(concerns_of(fit).empty());
+    fit = sound_fit();
+    fit.log_roughness_error = 2.31;
+    CHECK(concerns_of(fit) == Concerns{roughness_uncertain});
+    LevelledProfile<double> levelled;
+    levelled.cutoff = 199e-6;
+    SpectralFit<double> spectrum;
+    spectrum.dimension = 1.61;
+    spectrum.dimension_error = 0.0299;  // three times hypot(0.0299, 0.02) is 0.108
+    CHECK(concerns_of(sound_fit(), levelled, std::optional(spectrum)) == Concerns{filtered, spectrum_differs});
+    spectrum.dimension = 1.59;  // less than 0.1 away
+    spectrum.dimension_error = 0;
+    CHECK(concerns_of(sound_fit(), {}, std::optional(spectrum)).empty());
+}
+
+TEST_CASE("A surface tells each concern beyond its limit") {
+    SurfaceParameters<double> surface;
+    surface.peak_radius = {1e-6, 0.299e-6};
+    surface.peak_density = {1e9, 0.299e9};
+    surface.peaks_counted = 30;
+    CHECK(concerns_of(surface).empty());
+    surface.peak_radius.error = 0.301e-6;
+    CHECK(concerns_of(surface) == Concerns{radius_uncertain});
+    surface.peak_density.error = 0.301e9;
+    surface.peaks_counted = 29;
+    surface.anisotropic = surface.curved = true;
+    CHECK(concerns_of(surface) == Concerns{curved, anisotropic, few_peaks, radius_uncertain, density_uncertain});
+}
+
+TEST_CASE("A map that is stretched is told to be anisotropic") {
+    auto map = self_affine_map<double>({.hurst = 0.6, .rms = 1e-6, .seed = 3}, 256, 256, 1e-6, 1e-6);
+    map.dx *= 4;
+    const Concerns found = concerns_of(surface_parameters(level(map, MapForm::plane)));
+    CHECK(std::find(found.begin(), found.end(), anisotropic) != found.end());
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is levelled against the steps it is made of; the mark that a fit makes up for.
+#include <fstiff/profile/fractal_fit.hpp>
+
+#include "support/catch.hpp"
+#include "support/fractional_brownian.hpp"
+
+using namespace fstiff;
+
+namespace {
+
+Profile<double> rough() {
+    Profile<double> profile{test::fractional_brownian(2048, 0.8, 3), 1e-6};
+    for (double& z : profile.heights) z *= 1e-8;
+    return profile;
+}
+
+}  // namespace
+
+TEST_CASE("A levelled profile is the detrended one, and knows the form") {
+    const auto profile = rough();
+    for (const Form form : {Form::none, Form::mean, Form::line, Form::parabola}) {
+        const auto flat = level(profile, form);
+        CHECK(flat.profile.heights == detrend(profile, form).heights);
+        CHECK(flat.profile.spacing == profile.spacing);
+        CHECK(flat.removed == form);
+        CHECK(flat.mark() == form);
+    }
+}
+
+TEST_CASE("Behind a Gaussian filter the form has left no mark") {
+    const auto profile = rough();
+    const auto flat = level(profile, Form::line, 200e-6);
+    CHECK(flat.profile.heights == gaussian_roughness(detrend(profile, Form::line), 200e-6).heights);
+    CHECK(flat.cutoff == 200e-6);
+    CHECK(flat.mark() == Form::none);
+    CHECK(fit_fractal(flat).fractal.dimension == fit_fractal(flat.profile).fractal.dimension);
+}
+
+TEST_CASE("A fit makes up for the form that the profile knows, and for none of a bare profile") {
+    const auto flat = level(rough(), Form::line);
+    CHECK(fit_fractal(level(flat.profile, Form::none)).fractal.dimension ==
+          fit_fractal(flat.profile).fractal.dimension);
+    CHECK(fit_fractal(flat).fractal.dimension < fit_fractal(flat.profile).fractal.dimension - 0.01);
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff::scene by itself: read_scene and compute, against the numbers that the command prints.
+#include "scene/results.hpp"
+
+#include "cli/command.hpp"
+
+#include "scene/file.hpp"
+#include "scene/identification.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scene = fstiff::scene;
+
+namespace {
+
+/// A short scene whose section [contact] ends with \p contact.
+std::string text_of(const std::string& contact) {
+    return "name = \"short\"\n[surface]\nrms_height = \"1 um\"\npeak_radius = \"60 um\"\npeak_density = \"500 /mm^2\"\n"
+           "fractal_dimension = 1.5\nerrors = { rms_height = \"0.1 um\" }\n[material.upper]\n"
+           "youngs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[uncertainty]\nsamples = 40\n"
+           "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\nnominal_area = \"195 mm^2\"\n" +
+           contact;
+}
+
+}  // namespace
+
+TEST_CASE("The scenes of data/ have the numbers that fstiff run prints") {
+    for (const char* name : {"sand_blasted_fine", "sand_blasted_coarse", "electrical_discharge_machined"}) {
+        const std::string file = std::string(FSTIFF_SCENES "/") + name + ".toml";
+        INFO(file);
+        const auto results = compute(scene::read_scene(test::read(file), {.name = file}));
+        const auto outcome = test::fstiff("run '" + file + "' --format csv");
+        REQUIRE(outcome.status == (results.doubtful ? 4 : 0));
+        const test::Csv printed(outcome.out);
+        std::size_t row = 0, differences = 0, compared = 0;
+        for (const auto& curve : results.curves)
+            for (std::size_t i = 0; i < curve.states.size(); ++i, ++row) {
+                differences += printed.text(row, "law") != curve.law->name;
+                for (const auto& column : curve.columns) {
+                    differences += printed.number(row, column.key) != column.values[i];  // 17 digits read back exactly
+                    ++compared;
+                }
+            }
+        CHECK(row == printed.size());
+        CHECK(compared >= 7 * row);
+        CHECK(differences == 0);
+    }
+}
+
+TEST_CASE("The built-in scene is the text of data/sand_blasted_fine.toml") {
+    CHECK(test::read(FSTIFF_SCENES "/sand_blasted_fine.toml") == scene::builtin_scene);
+}
+
+TEST_CASE("Every column of a curve names its unit and has a value a point") {
+    const auto read = scene::read_scene(text_of(""), {.name = "short.toml"});
+    std::size_t calls = 0;
+    const auto results = compute(read, [&](std::string_view, std::size_t done, std::size_t all) {
+        CHECK(done < all);
+        ++calls;
+    });
+    CHECK(calls > 0);
+    REQUIRE(results.curves.size() == 5);
+    for (const auto& curve : results.curves) {
+        REQUIRE(curve.columns.size() == results.curves.front().columns.size());
+        for (std::size_t k = 0; k < curve.columns.size(); ++k) {
+            CHECK(curve.columns[k].key == results.curves.front().columns[k].key);
+            CHECK(curve.columns[k].values.size() == 2);
+        }
+        const auto& columns = curve.columns;
+        const auto stiffness = std::find_if(columns.begin(), columns.end(),
+                                            [](const auto& one) { return one.key == "stiffness_p05_Pa_per_m"; });
+        REQUIRE(stiffness != columns.end());
+        CHECK(stiffness->unit == "Pa/m");
+        CHECK(stiffness->values[0] == curve.band[0].low);
+    }
+}
+
+TEST_CASE("Interaction makes every law softer, Greenwood and Williamson's too, and never stiffer than the bulk") {
+    const std::string interaction = "interaction = { reading = \"effective_separation\", length = \"nominal\" }\n";
+    const auto alone = compute(scene::read_scene(text_of(""), {.name = "short.toml"}));
+    const auto with = compute(scene::read_scene(text_of(interaction), {.name = "short.toml"}));
+    REQUIRE(alone.curves.size() == with.curves.size());
+    const double length = std::sqrt(195e-6);
+    for (std::size_t c = 0; c < with.curves.size(); ++c)
+        for (std::size_t i = 0; i < 2; ++i) {
+            INFO(title(with.curves[c]));
+            const double k = with.curves[c].states[i].stiffness.value;
+            CHECK(k < alone.curves[c].states[i].stiffness.value);
+            if (with.curves[c].law->name != "greenwood_williamson") continue;
+            // two springs in series: 1/K' = 1/K + L/E, and K = -dp/dd for Hertzian peaks
+            const double series = 1 / (1 / alone.curves[c].states[i].stiffness.value + length / with.modulus);
+            CHECK(std::abs(k / series - 1) < 1e-9);
+        }
+    CHECK(std::none_of(with.warnings.begin(), with.warnings.end(),
+                       [](const auto& line) { return test::contains(line, "not applied"); }));
+}
+
+TEST_CASE("What a scene lacks is thrown as a domain_error with its place, and nothing is printed") {
+    const std::string bad = test::replaced(text_of(""), "\"1 um\"", "\"-1 um\"");
+    try {
+        static_cast<void>(scene::read_scene(bad, {.name = "bad.toml"}));
+        FAIL("a negative rms height was taken");
+    } catch (const fstiff::domain_error& error) {
+        CHECK(test::contains(error.what(), "bad.toml:3: surface.rms_height"));
+    }
+    CHECK_THROWS_AS(scene::read_all("/no/such/file"), fstiff::file_error);
+}
+
+TEST_CASE("Every law of the table has a name, its equations and a contact, and is found by its name") {
+    for (const scene::Law& law : scene::laws()) {
+        INFO(law.name);
+        CHECK(scene::find_law(law.name) == &law);
+        CHECK(law.contact != nullptr);
+        CHECK(!law.load.empty());
+        CHECK(!law.stiffness.empty());
+        CHECK(!law.peaks.empty());
+        const auto read =
+            scene::read_scene(text_of("laws = [\"" + std::string(law.name) + "\"]\n"), {.name = "x.toml"});
+        CHECK(compute(read).curves.size() == (law.has_peaks ? 2 : 1));
+    }
+    CHECK(scene::find_law("no law") == nullptr);
+}
+
+TEST_CASE("A scene is identified from a curve without a command line") {
+    const test::Folder folder;
+    const auto read = scene::read_scene(text_of("laws = [\"hertz\"]\npeaks = [{ theta = \"pi/3\", r = 0.4 }]\n"),
+                                        {.name = "short.toml"});
+    const auto results = compute(read);
+    std::string file = "pressure [Pa],stiffness [Pa/m]\n";
+    for (const auto& state : results.curves[0].states)
+        file += scene::exact(state.pressure.value) + "," + scene::exact(2 * state.stiffness.value) + "\n";
+    const auto curve = scene::read_measured_curve(folder.write("k.csv", file));
+    const auto found = scene::identify(read, curve, {.wanted = {fstiff::Parameter::rms_height}});
+    REQUIRE(found.fits.size() == 1);
+    // K is proportional to 1/sigma at a given pressure where K ~ p, and nearly so here: twice K, about half of sigma
+    CHECK(found.fits[0].found.parameters[0].value < 0.7e-6);
+    CHECK_THROWS_AS(scene::identify(read, curve, {.wanted = {}, .law = "", .shear = true}), scene::option_error);
+}
