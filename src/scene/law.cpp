@@ -2,10 +2,14 @@
 #include "scene/law.hpp"
 
 #include "scene/contact_instances.hpp"
+#include "scene/surface_instances.hpp"
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/halfspace/truth.hpp>
 
 #include <algorithm>
 #include <array>
@@ -62,13 +66,153 @@ std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
         GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, Heights::gaussian, options_of(inputs)));
 }
 
-const std::array<Law, 4> table{{
+PerssonContact<double> crowded(const ContactInputs& inputs) {
+    return inputs.map && inputs.spectrum_of_map
+               ? PerssonContact<double>(inputs.map->spectrum, inputs.effective_modulus, inputs.gamma)
+               : PerssonContact<double>(band_of_moments(inputs.moments, inputs.hurst), inputs.effective_modulus,
+                                        inputs.gamma);
+}
+
+std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(crowded(inputs)); }
+
+std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
+    return held(SummitContact<double>(inputs.map->summits, inputs.effective_modulus));
+}
+
+std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
+    if (inputs.map)
+        return held(
+            HybridContact(SummitContact<double>(inputs.map->summits, inputs.effective_modulus), crowded(inputs)));
+    return held(
+        HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),
+                      crowded(inputs)));
+}
+
+std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
+    return held(RoughContact(inputs.surface, *inputs.peaks,
+                             PlasticLaw<double>(inputs.material.hardness_or_default(), inputs.effective_modulus),
+                             inputs.effective_modulus, options_of(inputs)));
+}
+
+/// A law of peaks that begin to flow. Its integrals have two dimensions, and the law itself is known to some percent.
+template <class OfMaterial>
+std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
+    RoughContactOptions<double> options = options_of(inputs);
+    options.integrals.relative_tolerance = 1e-9;
+    PlasticMaterial<double> material = inputs.material;
+    material.effective_modulus = inputs.effective_modulus;
+    return held(RoughContact(inputs.surface, *inputs.peaks, OfMaterial(material), inputs.effective_modulus, options));
+}
+
+/// Boundary elements of the map itself.
+class Elements final : public AnyContact {
+public:
+    explicit Elements(const ContactInputs& inputs)
+        : map_(inputs.map->map), modulus_(inputs.effective_modulus), how_(inputs.elements), progress_(inputs.progress) {}
+    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity) const override {
+        std::vector<ContactPoint<double>> points;
+        for (const double p : pressures) require_positive("pressure", p);
+        if (how_.hardness > 0)
+            for (const double p : pressures)
+                require(p < how_.hardness, "pressure", p, "less than boundary_elements.hardness (Pa)");
+        const double rms = fstiff::rms_height(*map_), area = map_->area();
+        for (const TruthPoint<double>& one :
+             truth(*map_, modulus_, std::vector<double>(pressures.begin(), pressures.end()),
+                   {.points = how_.points, .edges = how_.edges, .hardness = how_.hardness, .progress = progress_})) {
+            const BoundaryElementState<double>& found = one.state;
+            if (!std::isfinite(found.stiffness)) {
+                points.push_back(ContactPoint<double>::out_of_reach("all points of the map are in contact"));
+                continue;
+            }
+            ContactState<double> state;
+            state.pressure = {found.pressure, 0, 0};
+            state.separation = {found.mean_gap, one.gap_error, found.iterations};
+            state.eta = found.mean_gap / rms;
+            state.stiffness = {found.stiffness, one.stiffness_error, found.iterations};
+            if (!(how_.hardness > 0)) state.loading_stiffness = state.stiffness;
+            state.real_area_fraction = {found.contact_fraction, 0, 0};
+            state.contact_density = {static_cast<double>(found.spots) / area, 0, 0};
+            points.push_back(ContactPoint<double>::of(state));
+        }
+        return points;
+    }
+    std::vector<ContactPoint<double>> at_separations(std::span<const double>, Quantity) const override {
+        throw domain_error("law boundary_elements: is computed at pressures; contact.pressures must stand in place of "
+                           "contact.separations");
+    }
+
+private:
+    std::shared_ptr<const HeightMap<double>> map_;
+    double modulus_;
+    ElementInputs how_;
+    ProgressHook progress_;
+};
+
+std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
+    return std::make_unique<Elements>(inputs);
+}
+
+constexpr Quantity without_contacts =
+    Quantity::pressure | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
+
+const std::array<Law, 11> table{{
     {"fractal", true, true, "(3.7)", "(3.14), (4.9)", "(4.4)", joint<fractal>, fitted<fractal>},
     {"fractal_consistent", true, true, "integral of (3.14)", "(3.14), (4.9)", "(4.4)", joint<fractal_consistent>,
      fitted<fractal_consistent>},
     {"hertz", false, true, "(3.7)", "derivative of (3.7)", "(4.4)", joint<hertz>, fitted<hertz>},
     {"greenwood_williamson", false, false, "(3.7)", "derivative of (3.7)", "Gaussian, one radius",
      greenwood_williamson},
+    {.name = "hybrid",
+     .load = "at equal K",
+     .stiffness = "(hertz^5 + persson^5)^(1/5)",
+     .peaks = "(4.4); of a map its summits",
+     .contact = hybrid,
+     .needs_spectrum = true,
+     .summits_of_map = true,
+     .holds_when_crowded = true},
+    {.name = "persson",
+     .has_peaks = false,
+     .load = "Persson (2007)",
+     .stiffness = "Persson (2007), Almqvist et al. (2011)",
+     .peaks = "none: the spectrum",
+     .contact = persson,
+     .quantities = without_contacts,
+     .needs_spectrum = true,
+     .holds_when_crowded = true},
+    {.name = "summits",
+     .has_peaks = false,
+     .load = "(3.7)",
+     .stiffness = "derivative of (3.7)",
+     .peaks = "the summits of the map",
+     .contact = summits,
+     .needs_map = true},
+    {.name = "plastic",
+     .load = "hardness times area, 2 pi R omega",
+     .stiffness = "unloading, 2 E a",
+     .peaks = "(4.4)",
+     .contact = plastic,
+     .needs_hardness = true},
+    {.name = "jackson_green",
+     .load = "Jackson, Green (2005)",
+     .stiffness = "unloading, 2 E a",
+     .peaks = "(4.4)",
+     .contact = elastic_plastic<JacksonGreenLaw<double>>,
+     .needs_yield = true},
+    {.name = "kogut_etsion",
+     .load = "Kogut, Etsion (2002)",
+     .stiffness = "unloading, 2 E a",
+     .peaks = "(4.4)",
+     .contact = elastic_plastic<KogutEtsionLaw<double>>,
+     .needs_yield = true},
+    {.name = "boundary_elements",
+     .has_peaks = false,
+     .load = "elastic half space",
+     .stiffness = "of the contact held together",
+     .peaks = "the map itself",
+     .contact = boundary_elements,
+     .needs_map = true,
+     .holds_when_crowded = true,
+     .varies = false},
 }};
 
 }  // namespace

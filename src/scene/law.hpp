@@ -2,13 +2,18 @@
 #pragma once
 // A law by its name at run time: one table, in law.cpp. To add a law is one line there and the include of its header.
 
+#include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/progress.hpp>
 #include <fstiff/fit/identify.hpp>
+#include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/io/quantity.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/roughness.hpp>
+#include <fstiff/surface/roughness_spectrum.hpp>
+#include <fstiff/topography/summits.hpp>
 
 #include <memory>
 #include <optional>
@@ -37,6 +42,20 @@ struct LawOption {
     std::optional<double> otherwise{};         ///< [SI] where the scene does not say; none: the scene must say
 };
 
+/// What laws take of a measured map beside its numbers.
+struct MapOfSurface {
+    std::shared_ptr<const HeightMap<double>> map;  ///< without its form
+    Summits<double> summits;
+    SpectrumShells<double> spectrum;  ///< without shells where points are missing
+};
+
+/// The section [boundary_elements].
+struct ElementInputs {
+    Eigen::Index points = 256;  ///< a side
+    Edges edges = Edges::mirrored;
+    double hardness = 0;  ///< [Pa]; 0: elastic
+};
+
 /// What a contact is made of.
 struct ContactInputs {
     Roughness<double> surface{};
@@ -45,6 +64,13 @@ struct ContactInputs {
     double fractal_dimension = 0;                     ///< of a law that needs it
     Interaction<double> interaction{};
     std::vector<double> options{};  ///< [SI], in the order of Law::options
+    SurfaceMoments<double> moments{};  ///< of the surface, where the spectrum is a band
+    double hurst = 0.8, gamma = 0.45;
+    const MapOfSurface* map = nullptr;  ///< none: numbers alone
+    bool spectrum_of_map = false;
+    PlasticMaterial<double> material{};  ///< of the softer body
+    ElementInputs elements{};
+    ProgressHook progress{};
 };
 
 /// A measured curve and how it is fitted.
@@ -68,6 +94,10 @@ struct Law {
     Identification<double> (*fit)(const FitInputs&) = nullptr;
     Quantity quantities = Quantity::all;  ///< that the law gives
     std::span<const LawOption> options{};
+    bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
+    bool summits_of_map = false;  ///< of a map it takes the summits in place of a joint distribution
+    bool holds_when_crowded = false;  ///< peaks that push each other down are in it
+    bool varies = true;           ///< can be computed of surfaces drawn about the measured one, for a band
 };
 
 /// All laws, in the order in which choices are listed.

@@ -76,6 +76,17 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
     }
     surface.max_peak_height = read("max_peak_height").value_or(Measurement<double>{});
     surface.fractal_roughness = read("fractal_roughness");
+    if (const auto moments = document.find("moments"); moments != document.end() && moments->is_object()) {
+        const auto moment = [&](const char* key) { return number_of(*moments, key, name + ": moments"); };
+        surface.heights = HeightStatistics<double>{.skewness = read("skewness").value_or(Measurement<double>{}),
+                                                   .kurtosis = read("kurtosis").value_or(Measurement<double>{0, 0}),
+                                                   .rms_gradient = read("rms_gradient").value_or(Measurement<double>{}),
+                                                   .m0 = moment("m0_m2"),
+                                                   .m2 = moment("m2"),
+                                                   .m4 = moment("m4_per_m2")};
+        if (!(surface.heights->m2 > 0 && surface.heights->bandwidth() > 0 && surface.heights->rms_gradient.value > 0))
+            throw domain_error(name + ": moments: must be greater than 0, and stand beside surface.rms_gradient");
+    }
     if (const auto correlation = document.find("correlation_of_errors");
         correlation != document.end() && correlation->is_object()) {
         const auto matrix = correlation->find("matrix");

@@ -4,6 +4,7 @@
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/measured/measured_concerns.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include <array>
 #include <cmath>
@@ -72,6 +73,12 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
         }
 }
 
+std::shared_ptr<const MapOfSurface> map_of_surface(const HeightMap<double>& map) {
+    return std::make_shared<const MapOfSurface>(
+        MapOfSurface{std::make_shared<const HeightMap<double>>(map), summits_of(map),
+                     map.present() == map.size() ? map_spectrum(map) : SpectrumShells<double>{}});
+}
+
 }  // namespace
 
 MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes, const ProgressHook& progress) {
@@ -103,6 +110,12 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
         const PreparedMap& levelled = *surface.map;
         found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
+    }
+    if (profile) {
+        surface.heights = height_statistics(surface.profile->profile);
+    } else {
+        surface.heights = height_statistics(surface.map->map);
+        surface.of_map = map_of_surface(surface.map->map);
     }
     surface.profile_fit = std::move(found.profile_fit);
     surface.map_fit = std::move(found.map_fit);
@@ -136,6 +149,13 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
     if (p.known[index_of(Parameter::r)]) {
         lines.push_back({"r", "", of(Parameter::r), "triples of neighbours, (4.1)"});
         lines.push_back({"theta", "", of(Parameter::theta), "triples of neighbours, (4.3) [rad]"});
+    }
+    if (surface.heights) {
+        const HeightStatistics<double>& heights = *surface.heights;
+        lines.push_back({"rms_gradient", "", heights.rms_gradient,
+                         profile ? "root of twice the mean square slope" : "neighbours along x and y"});
+        lines.push_back({"skewness", "", heights.skewness, "of the heights; 0 of Gaussian ones"});
+        lines.push_back({"kurtosis", "", heights.kurtosis, "of the heights; 3 of Gaussian ones"});
     }
     return lines;
 }

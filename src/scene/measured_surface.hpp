@@ -2,9 +2,11 @@
 #pragma once
 // The parameters of a scene's [surface], from a measured file or from what `fstiff measure` wrote of one.
 
+#include "scene/law.hpp"
 #include "scene/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
+#include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
@@ -33,6 +35,8 @@ struct MeasuredSurface {
     UncertainSurface<double> parameters;
     Measurement<double> max_peak_height;  ///< [m]; 0: not known
     std::optional<Measurement<double>> fractal_roughness;
+    std::optional<HeightStatistics<double>> heights;        ///< none: the JSON is of an older fstiff
+    std::shared_ptr<const MapOfSurface> of_map;     ///< for laws of the map itself
     std::string fractal_refusal, peaks_refusal;  ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
     std::shared_ptr<const PreparedProfile> profile;

@@ -3,6 +3,7 @@
 
 #include "scene/contact_instances.hpp"
 #include "scene/file.hpp"
+#include "scene/verdict.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -22,6 +23,7 @@ Quantity wanted(const Scene& scene, const Law& law) {
     if (scene.needs_stiffness()) set = set | Quantity::stiffness;
     if (scene.real_area) set = set | Quantity::real_area;
     if (scene.contacts) set = set | Quantity::contacts;
+    if (scene.loading_stiffness) set = set | Quantity::loading_stiffness;
     return static_cast<Quantity>(static_cast<unsigned>(set) & static_cast<unsigned>(law.quantities));
 }
 
@@ -47,19 +49,37 @@ std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact
                                 : contact.at_pressures(scene.points, quantities);
 }
 
+/// The rms gradient of the surface for p*: known, or of the spectrum that \p law takes.
+std::optional<double> gradient_of(const Scene& scene, const Law& law) {
+    if (scene.rms_gradient) return scene.rms_gradient;
+    if (law.needs_spectrum) return std::sqrt(2 * spectral_moments(scene).m2);
+    return std::nullopt;
+}
+
 /// Calls \p visit with every contact of the scene, one a law and distribution of peaks, and its curve, still without
 /// states.
 template <class Visit>
-void for_each_contact(const Scene& scene, double modulus, const Visit& visit) {
+void for_each_contact(const Scene& scene, double modulus, const ProgressHook& progress, const Visit& visit) {
     ContactInputs inputs{.surface = scene.surface,
                          .effective_modulus = modulus,
                          .fractal_dimension = scene.fractal_dimension.value_or(0),
-                         .interaction = interaction(scene)};
+                         .interaction = interaction(scene),
+                         .moments = spectral_moments(scene),
+                         .hurst = hurst_exponent(scene),
+                         .gamma = scene.gamma,
+                         .map = scene.map.get(),
+                         .spectrum_of_map = scene.spectrum_of_map,
+                         .material = {.effective_modulus = modulus,
+                                      .yield_strength = scene.yield_strength.value_or(0),
+                                      .poisson_ratio = scene.softer_poisson,
+                                      .hardness = scene.hardness.value_or(0)},
+                         .elements = scene.elements,
+                         .progress = progress};
     for (const ChosenLaw& chosen : scene.laws) {
         const Law& law = *chosen.law;
         inputs.options = chosen.options;
-        if (!law.has_peaks) {
-            visit(Curve{.law = &law}, *law.contact(inputs));
+        if (!law.has_peaks || (law.summits_of_map && scene.map)) {
+            visit(Curve{.law = &law, .rms_gradient = gradient_of(scene, law)}, *law.contact(inputs));
             continue;
         }
         for (const Peaks& of : scene.peaks) {
@@ -68,7 +88,7 @@ void for_each_contact(const Scene& scene, double modulus, const Visit& visit) {
             visit(Curve{.law = &law,
                         .theta = peaks.theta(),
                         .r = peaks.r(),
-                        .rms_gradient = rms_gradient(scene.surface, peaks)},
+                        .rms_gradient = scene.rms_gradient ? scene.rms_gradient : rms_gradient(scene.surface, peaks)},
                   *law.contact(inputs));
         }
     }
@@ -132,13 +152,22 @@ void add_warnings(const Scene& scene, Results& results) {
     if (results.warnings.size() > before) results.doubtful = true;
 }
 
-/// The scene with the surface \p drawn about its own.
-Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn) {
+/// The scene with the surface \p drawn about its own. Of a map the tiles are drawn anew, with the random \p tiles.
+Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn, std::uint64_t& tiles) {
+    const double rms_height = scene.surface.rms_height;
     const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
     scene.surface.rms_height = value(Parameter::rms_height);
     scene.surface.peak_radius = value(Parameter::peak_radius);
     scene.surface.peak_density = value(Parameter::peak_density);
     if (scene.fractal_dimension) scene.fractal_dimension = value(Parameter::fractal_dimension);
+    const double taller = scene.surface.rms_height / rms_height;
+    if (scene.rms_gradient) *scene.rms_gradient *= taller;
+    if (scene.map) {
+        MapOfSurface map{nullptr, resampled(scene.map->summits, 4, tiles), scene.map->spectrum};
+        map.spectrum.rms_height *= taller;
+        for (auto& shell : map.spectrum.shells) shell.q2_h2 *= taller * taller, shell.q_h2 *= taller * taller;
+        scene.map = std::make_shared<const MapOfSurface>(std::move(map));
+    }
     for (Peaks& peaks : scene.peaks)
         if (peaks.of_surface) peaks.r = value(Parameter::r), peaks.theta = value(Parameter::theta);
     return scene;
@@ -149,9 +178,11 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
     Scene lean = scene;  // is copied with every surface
     lean.inputs.clear();
     lean.measured.reset();
+    std::erase_if(lean.laws, [](const ChosenLaw& chosen) { return !chosen.law->varies; });
+    std::uint64_t tiles = scene.seed;
     const auto stiffness_of = [&](const std::array<double, surface_parameter_count>& drawn) {
         std::vector<double> all;
-        for_each_contact(with_surface(lean, drawn), results.modulus, [&](const Curve&, const auto& contact) {
+        for_each_contact(with_surface(lean, drawn, tiles), results.modulus, {}, [&](const Curve&, const auto& contact) {
             for (const auto& point : points_of(scene, contact, Quantity::pressure | Quantity::stiffness))
                 all.push_back(point.state.stiffness.value);
         });
@@ -162,7 +193,7 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
     std::size_t failed = 0;
     auto next = bands.begin();
     for (Curve& curve : results.curves)
-        for (std::size_t i = 0; i < curve.states.size(); ++i) {
+        for (std::size_t i = 0; curve.law->varies && i < curve.states.size(); ++i) {
             failed = std::max(failed, next->failed);
             curve.band.push_back(*next++);
         }
@@ -173,7 +204,7 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
 }
 
 /// The columns of \p curve in the order in which documents show them; law, theta and r stand before them.
-std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio) {
+std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio, bool bands) {
     std::vector<Column> columns;
     const auto add = [&](const std::string& name, const std::string& suffix, const std::string& unit, Quantity quantity,
                          const auto& value) {
@@ -191,11 +222,15 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
         add_state(name, suffix, unit, Quantity::stiffness, [&](const State& s) { return estimate(s.stiffness).value; });
         add_state(name + "_error", suffix, unit, Quantity::stiffness,
                   [&](const State& s) { return estimate(s.stiffness).error; });
-        if (curve.band.empty()) return;
+        if (!bands) return;
         const auto end = [&](double SampledBand<double>::*of) {
             return [&, of](std::size_t i) { return estimate(Estimate<double>{curve.band[i].*of, 0}).value; };
         };
         using Band = SampledBand<double>;
+        if (curve.band.empty()) {  // of a law that does not vary with the surface drawn
+            for (const char* quantile : {"_p05", "_p95"}) columns.push_back({name + quantile + suffix, unit, {}});
+            return;
+        }
         add(name + "_p05", suffix, unit, Quantity::stiffness, end(falls ? &Band::high : &Band::low));
         add(name + "_p95", suffix, unit, Quantity::stiffness, end(falls ? &Band::low : &Band::high));
     };
@@ -206,6 +241,9 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
     if (scene.stiffness)
         with_error_and_band(
             "stiffness", "_Pa_per_m", "Pa/m", [](const Estimate<double>& k) { return k; }, false);
+    if (scene.loading_stiffness)
+        add_state("loading_stiffness", "_Pa_per_m", "Pa/m", Quantity::loading_stiffness,
+                  [](const State& s) { return s.loading_stiffness.value; });
     if (scene.tangential_stiffness)
         with_error_and_band(
             "tangential_stiffness", "_Pa_per_m", "Pa/m",
@@ -257,7 +295,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     results.surface_checks = check_surface(scene.surface, results.modulus, scene.yield_strength);
-    for_each_contact(scene, results.modulus, [&](Curve curve, const AnyContact& contact) {
+    for_each_contact(scene, results.modulus, progress, [&](Curve curve, const AnyContact& contact) {
         const Quantity quantities = wanted(scene, *curve.law);
         curve.states = accepted(scene, *curve.law, points_of(scene, contact, quantities));
         curve.checks = check_curve<double>(curve.states,
@@ -267,11 +305,18 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
                                             .nominal_area = scene.nominal_area,
                                             .yield_strength = scene.yield_strength},
                                            quantities);
+        std::erase_if(curve.checks, [&](const Check<double>& check) {
+            return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
+                   (check.concern == Concern::not_converged && !curve.law->varies);  // the error is that of the grid
+        });
         results.curves.push_back(std::move(curve));
     });
     if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);
-    for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio);
+    const bool bands = std::any_of(results.curves.begin(), results.curves.end(),
+                                   [](const Curve& curve) { return !curve.band.empty(); });
+    for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio, bands);
     add_warnings(scene, results);
+    results.verdict = verdict(scene, results);
     return results;
 }
 

@@ -49,6 +49,7 @@ struct Results {
     std::vector<Check<double>> surface_checks;
     std::vector<Curve> curves;
     std::vector<std::string> warnings;  ///< sentences on the checks that do not hold, and on the scene
+    std::vector<std::string> verdict;   ///< which law to believe, and to about what; the most important sentence first
     bool doubtful = false;              ///< a real area above the nominal one, or integrals that did not converge
 };
 

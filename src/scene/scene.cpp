@@ -24,6 +24,7 @@ constexpr void expect_toml(bool whole) {
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
+#include <limits>
 #include <string_view>
 
 namespace fstiff::scene {
@@ -209,7 +210,17 @@ private:
     std::string path_;
 };
 
-Material<double> read_material(Source& source, const Section& body, std::optional<double>& yield_strength) {
+/// What decides which body is the softer one.
+struct Strength {
+    std::optional<double> yield, hardness;
+    double poisson = 0;
+    /// Hardness, given or by Tabor's factor; infinite where nothing is known.
+    [[nodiscard]] double resistance() const {
+        return hardness ? *hardness : yield ? 2.8 * *yield : std::numeric_limits<double>::infinity();
+    }
+};
+
+Material<double> read_material(Source& source, const Section& body, Strength& strength) {
     Material<double> material{};
     material.youngs_modulus = body.positive("youngs_modulus", Dimension::pressure);
     const toml::node& nu = body.at("poisson_ratio");
@@ -219,20 +230,27 @@ Material<double> read_material(Source& source, const Section& body, std::optiona
     } catch (const domain_error& error) {
         throw error.with_parameter(body.key(error.parameter())).with_place(source.place(nu));
     }
-    if (const auto yield = body.optional_positive("yield_strength", Dimension::pressure))
-        yield_strength = yield_strength ? std::min(*yield_strength, *yield) : *yield;
+    strength = {body.optional_positive("yield_strength", Dimension::pressure),
+                body.optional_positive("hardness", Dimension::pressure), material.poisson_ratio};
     return material;
 }
 
 void read_materials(Source& source, const toml::table& table, Scene& scene) {
     const Section material(source, table, "material", {"upper", "lower"});
-    const std::initializer_list<std::string_view> keys{"youngs_modulus", "poisson_ratio", "yield_strength"};
-    scene.upper = read_material(source, Section(source, material.subtable("upper"), "material.upper", keys),
-                                scene.yield_strength);
-    scene.lower = material.find("lower")
-                      ? read_material(source, Section(source, material.subtable("lower"), "material.lower", keys),
-                                      scene.yield_strength)
-                      : scene.upper;
+    const std::initializer_list<std::string_view> keys{"youngs_modulus", "poisson_ratio", "yield_strength", "hardness"};
+    std::array<Strength, 2> of;
+    const auto read = [&](const char* name, Strength& strength) {
+        return read_material(source, Section(source, material.subtable(name), "material." + std::string(name), keys),
+                             strength);
+    };
+    scene.upper = read("upper", of[0]);
+    scene.lower = material.find("lower") ? read("lower", of[1]) : scene.upper;
+    if (!material.find("lower")) of[1] = of[0];
+    const Strength& softer = of[of[1].resistance() < of[0].resistance() ? 1 : 0];
+    scene.softer_poisson = softer.poisson;
+    scene.hardness = softer.hardness;
+    for (const Strength& one : of)
+        if (one.yield) scene.yield_strength = scene.yield_strength ? std::min(*scene.yield_strength, *one.yield) : *one.yield;
     if (!material.find("lower")) source.record("material.lower", "as material.upper (default)");
 }
 
@@ -367,6 +385,11 @@ void take_measured(Source& source, Scene& scene) {
                      measured.max_peak_height.value};
     if (known(Parameter::fractal_dimension)) scene.fractal_dimension = value(Parameter::fractal_dimension);
     if (measured.fractal_roughness) scene.fractal_roughness = measured.fractal_roughness->value;
+    if (measured.heights) {
+        scene.rms_gradient = measured.heights->rms_gradient.value;
+        scene.alpha = measured.heights->bandwidth();
+    }
+    scene.map = measured.of_map;
     if (known(Parameter::r) && known(Parameter::theta)) {
         scene.r = value(Parameter::r);
         scene.theta = value(Parameter::theta);
@@ -400,6 +423,21 @@ double read_parameter(Source& source, const Section& section, const ParameterRow
     return read_angle(source, node, key);
 }
 
+/// rms_gradient, alpha and hurst, as they are written; what was measured stays where they are not.
+void read_spectrum(Source& source, const Section& surface, Scene& scene) {
+    const auto read = [&](std::string_view name, std::optional<double>& into, double low, double high,
+                          const char* range) {
+        const toml::node* node = surface.find(name);
+        if (!node) return;
+        into = source.number(*node, surface.key(name));
+        if (!(*into > low && *into <= high)) source.refuse(*node, surface.key(name), range);
+    };
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    read("rms_gradient", scene.rms_gradient, 0, infinity, "must be greater than 0");
+    read("alpha", scene.alpha, 1.5, infinity, "must be greater than 1.5, which every isotropic surface exceeds");
+    read("hurst", scene.hurst, 0, 1, "must be greater than 0 and at most 1");
+}
+
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {
     const auto all = std::span(parameter_table).first<surface_parameter_count>();
     const std::initializer_list<std::string_view> written_keys{"from",
@@ -411,6 +449,9 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
                                                                "fractal_roughness",
                                                                "r",
                                                                "theta",
+                                                               "rms_gradient",
+                                                               "alpha",
+                                                               "hurst",
                                                                "errors"};
     std::vector<std::string_view> valid(written_keys);
     if (table.contains("from")) valid.insert(valid.end(), reading_keys.begin(), reading_keys.end());
@@ -419,12 +460,26 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
         scene.measured = read_from(source, surface, progress);
         take_measured(source, scene);
     }
+    read_spectrum(source, surface, scene);
     UncertainSurface<double>& uncertain = scene.uncertain;
     for (const ParameterRow& row : all) {
         const std::size_t i = index_of(row.parameter);
-        const toml::node* node =
-            !scene.measured && row.parameter <= Parameter::peak_density ? &surface.at(row.key) : surface.find(row.key);
-        if (!node) continue;
+        // R and D_p follow from the moments where these are complete
+        const bool follows = row.parameter > Parameter::rms_height && scene.rms_gradient && scene.alpha;
+        const bool needed = !scene.measured && row.parameter <= Parameter::peak_density && !follows;
+        const toml::node* node = needed ? &surface.at(row.key) : surface.find(row.key);
+        if (!node) {
+            if (!scene.measured && row.parameter <= Parameter::peak_density) {
+                const auto moments = moments_of_gradient(uncertain.value[index_of(Parameter::rms_height)],
+                                                         *scene.rms_gradient, *scene.alpha);
+                const double value =
+                    row.parameter == Parameter::peak_radius ? peak_radius_of(moments) : peak_density_of(moments);
+                uncertain.set(row.parameter, {value, 0});
+                source.record(surface.key(row.key), "of rms_height, rms_gradient and alpha (default)", value,
+                              row.parameter == Parameter::peak_radius ? "m" : "1/m^2");
+            }
+            continue;
+        }
         uncertain.set(row.parameter, {read_parameter(source, surface, row, *node), 0});
         if (!parameter_in_range(row.parameter, uncertain.value[i]))
             source.refuse(*node, surface.key(row.key), "must be " + row.range());
@@ -591,6 +646,22 @@ std::vector<double> read_law_options(Source& source, const Section& contact, con
     return values;
 }
 
+/// Why \p law cannot be computed of \p scene; empty where it can.
+std::string refusal_of(const Law& law, const Scene& scene) {
+    if (law.needs_map && !scene.map)
+        return "needs a map: surface.from, or --surface, must name the file of one (the JSON of fstiff measure holds its "
+               "numbers alone)";
+    if (law.needs_map && scene.map->map->present() != scene.map->map->size() && law.name == "boundary_elements")
+        return "needs a map without missing points; " +
+               std::to_string(scene.map->map->size() - scene.map->map->present()) + " are missing";
+    if (law.needs_spectrum)
+        if (const std::string why = no_spectrum(scene); !why.empty()) return "needs a spectrum: " + why;
+    if (law.needs_hardness && !scene.hardness && !scene.yield_strength)
+        return "needs material.upper.hardness or material.upper.yield_strength (hardness = 2.8 times it)";
+    if (law.needs_yield && !scene.yield_strength) return "needs material.upper.yield_strength";
+    return "";
+}
+
 void read_laws(Source& source, const Section& contact, Scene& scene, bool replaced) {
     std::vector<const Law*> chosen;
     if (const auto* node = contact.find("laws")) {
@@ -603,6 +674,12 @@ void read_laws(Source& source, const Section& contact, Scene& scene, bool replac
                                                                    : "hertz, greenwood_williamson (default)");
     }
     const auto lacks = [&](const Law* law) { return law->needs_dimension && !scene.fractal_dimension; };
+    if (scene.measured && (replaced || !contact.find("laws")) && !std::count(chosen.begin(), chosen.end(), find_law("hybrid"))) {
+        if (const std::string why = no_spectrum(scene); why.empty())
+            chosen.insert(chosen.begin(), find_law("hybrid"));
+        else
+            scene.warnings.push_back("law hybrid is not computed: " + why);
+    }
     if (replaced && !std::all_of(chosen.begin(), chosen.end(), lacks)) {
         if (std::erase_if(chosen, lacks) > 0) scene.warnings.push_back("no fractal law is computed, for want of D");
     }
@@ -613,6 +690,9 @@ void read_laws(Source& source, const Section& contact, Scene& scene, bool replac
                                (scene.measured && !scene.measured->fractal_refusal.empty()
                                     ? "; it was not found: " + scene.measured->fractal_refusal
                                     : ""));
+        if (const std::string why = refusal_of(*law, scene); !why.empty())
+            throw domain_error((contact.find("laws") ? source.at(*contact.find("laws")) : source.file) + ": " +
+                               contact.key("laws") + ": \"" + std::string(law->name) + "\" " + why);
         scene.laws.push_back({law, read_law_options(source, contact, *law)});
     }
 }
@@ -668,11 +748,12 @@ void read_contact(Source& source, const toml::table& table, Scene& scene, bool r
 }
 
 void read_output(Source& source, const toml::table* table, Scene& scene) {
-    constexpr std::array<std::string_view, 7> names{
-        "stiffness", "separation", "real_area", "contacts", "tangential_stiffness", "reflection", "shear_reflection"};
-    const std::array<bool*, 7> flags{&scene.stiffness,       &scene.separation,           &scene.real_area,
-                                     &scene.contacts,        &scene.tangential_stiffness, &scene.reflection,
-                                     &scene.shear_reflection};
+    constexpr std::array<std::string_view, 8> names{"stiffness",        "separation",           "real_area",
+                                                    "contacts",         "tangential_stiffness", "reflection",
+                                                    "shear_reflection", "loading_stiffness"};
+    const std::array<bool*, 8> flags{&scene.stiffness,        &scene.separation,           &scene.real_area,
+                                     &scene.contacts,         &scene.tangential_stiffness, &scene.reflection,
+                                     &scene.shear_reflection, &scene.loading_stiffness};
     static const toml::table none;
     const Section output(source, table ? *table : none, "output", {"quantities"});
     const bool shear = scene.ultrasound && scene.ultrasound->shear;
@@ -713,6 +794,36 @@ void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
         scene.samples = static_cast<int>(*samples);
     }
     if (const auto seed = whole("seed", (1LL << 53) - 1)) scene.seed = static_cast<std::uint64_t>(*seed);
+}
+
+void read_persson(Source& source, const toml::table& table, Scene& scene) {
+    const Section section(source, table, "persson", {"gamma", "spectrum"});
+    if (const toml::node* node = section.find("gamma")) {
+        scene.gamma = source.number(*node, section.key("gamma"));
+        if (!(scene.gamma > 0 && scene.gamma <= 1))
+            source.refuse(*node, section.key("gamma"), "must be greater than 0 and at most 1");
+    }
+    if (const toml::node* node = section.find("spectrum")) {
+        constexpr std::array<std::string_view, 2> sources{"map", "moments"};
+        scene.spectrum_of_map = source.choice(*node, section.key("spectrum"), sources) == 0;
+        if (scene.spectrum_of_map && !scene.map)
+            source.refuse(*node, section.key("spectrum"),
+                          "needs a map: surface.from, or --surface, must name the file of one");
+    }
+}
+
+void read_elements(Source& source, const toml::table& table, Scene& scene) {
+    const Section section(source, table, "boundary_elements", {"points", "edges", "hardness"});
+    if (const toml::node* node = section.find("points")) {
+        const auto* points = node->as_integer();
+        if (!points || points->get() < 16 || points->get() > 4096)
+            source.refuse(*node, section.key("points"), "must be a whole number from 16 to 4096");
+        scene.elements.points = points->get();
+        source.record(section.key("points"), written(*node), static_cast<double>(points->get()));
+    }
+    if (const toml::node* node = section.find("edges"))
+        scene.elements.edges = source.choice<Edges>(*node, section.key("edges"));
+    scene.elements.hardness = section.optional_positive("hardness", Dimension::pressure).value_or(0);
 }
 
 /// TOML allows characters beyond ASCII in quotation marks and comments only; elsewhere toml++ 3.3 runs into undefined
@@ -791,6 +902,29 @@ PeakDistribution<double> peak_density(const Peaks& peaks) {
     }
 }
 
+SurfaceMoments<double> spectral_moments(const Scene& scene) {
+    const Roughness<double>& of = scene.surface;
+    SurfaceMoments<double> moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
+    if (scene.rms_gradient && scene.alpha)
+        return moments_of_gradient(of.rms_height, *scene.rms_gradient, *scene.alpha);
+    if (scene.rms_gradient) moments.m2 = *scene.rms_gradient * *scene.rms_gradient / 2;
+    if (scene.alpha) moments.m2 = of.rms_height * std::sqrt(moments.m4 / *scene.alpha);
+    return moments;
+}
+
+double hurst_exponent(const Scene& scene) {
+    return scene.hurst ? *scene.hurst : scene.fractal_dimension ? 2 - *scene.fractal_dimension : 0.8;
+}
+
+std::string no_spectrum(const Scene& scene) {
+    if (scene.map && scene.spectrum_of_map)
+        return scene.map->spectrum.shells.empty() ? "points of the map are missing" : "";
+    const double alpha = spectral_moments(scene).bandwidth();
+    if (alpha > 1.5) return "";
+    return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(alpha, 3) +
+           ", and every isotropic surface has more than 1.5; must be told surface.rms_gradient";
+}
+
 Scene read_scene(const std::string& text, const SceneSource& from) {
     const std::string &file = from.name, &surface = from.surface;
     Source source{file, {}};
@@ -800,7 +934,8 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
     scene.sha256 = sha256(text);
 
     const Section top(source, root, "",
-                      {"name", "surface", "material", "contact", "ultrasound", "uncertainty", "output"});
+                      {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound",
+                       "uncertainty", "output"});
     if (const auto* name = top.find("name"))
         scene.name = source.text(*name, "name");
     else
@@ -821,6 +956,8 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
     if (scene.measured) scene.warnings = scene.measured->warnings;
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.subtable("material"), scene);
+    if (top.find("persson")) read_persson(source, top.subtable("persson"), scene);
+    if (top.find("boundary_elements")) read_elements(source, top.subtable("boundary_elements"), scene);
     read_contact(source, top.subtable("contact"), scene, !surface.empty());
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);

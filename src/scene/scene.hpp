@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,6 +83,11 @@ struct Scene {
     std::optional<double> fractal_roughness;  ///< [m]
 
     std::optional<double> r, theta;           ///< of the surface [1, rad]; both or none
+    std::optional<double> rms_gradient, alpha, hurst;  ///< written, or measured; alpha is Nayak's m0 m4/m2^2
+    double gamma = 0.45;                               ///< [persson] gamma
+    bool spectrum_of_map = true;                       ///< [persson] spectrum = "map", where there is one
+    std::shared_ptr<const MapOfSurface> map;           ///< where the surface was measured as a map
+    ElementInputs elements;                            ///< [boundary_elements]
     UncertainSurface<double> uncertain;       ///< the same with errors
     std::optional<MeasuredSurface> measured;  ///< where surface.from says, or --surface
     int samples = 400;                        ///< of the band; 0: no band
@@ -95,6 +101,8 @@ struct Scene {
 
     Material<double> upper, lower;
     std::optional<double> yield_strength;  ///< the smaller of the two that are given [Pa]
+    std::optional<double> hardness;        ///< the smaller of the two that are given [Pa]
+    double softer_poisson = 0;             ///< of the body whose hardness, or 2.8 times its yield strength, is smaller
 
     std::optional<double> nominal_area;  ///< [m^2]
     bool at_separations = false;         ///< points are separations [m], not pressures [Pa]
@@ -109,7 +117,7 @@ struct Scene {
     std::optional<Waves> ultrasound;
 
     /// output.quantities
-    bool stiffness = false, separation = false, real_area = false, contacts = false;
+    bool stiffness = false, separation = false, real_area = false, contacts = false, loading_stiffness = false;
     bool tangential_stiffness = false, reflection = false, shear_reflection = false;
 
     /// Whether K is computed, though it may not be shown.
@@ -119,6 +127,13 @@ struct Scene {
 
     std::vector<Input> inputs;  ///< every key that was written or filled in by a default
 };
+
+/// Moments of the spectrum of the surface of \p scene, and its Hurst exponent (2 - D, or 0.8 where neither is known): from rms
+/// gradient and alpha where they are known, else from R and D_p with eq. (4.10) and Nayak.
+[[nodiscard]] SurfaceMoments<double> spectral_moments(const Scene& scene);
+[[nodiscard]] double hurst_exponent(const Scene& scene);
+/// Why \p scene has no spectrum for Persson's theory; empty where it has one.
+[[nodiscard]] std::string no_spectrum(const Scene& scene);
 
 /// Where a scene comes from.
 struct SceneSource {

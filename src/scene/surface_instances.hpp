@@ -3,6 +3,8 @@
 // What the subcommands compute of a profile or a map is compiled once, in surface_instances.cpp: files that include this
 // are quick to compile, and need no optimisation of their own.
 
+#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/profile/all_lags.hpp>
@@ -15,6 +17,8 @@
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/islands.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/summits.hpp>
 
 #ifndef FSTIFF_SCENE_INSTANCE
 #define FSTIFF_SCENE_INSTANCE extern template
@@ -42,6 +46,14 @@ FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const Levelle
                                                                    const SurfaceParameterOptions<double>&);
 FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const HeightMap<double>&,
                                                                    const SurfaceParameterOptions<double>&);
+
+FSTIFF_SCENE_INSTANCE SpectrumShells<double> map_spectrum(const HeightMap<double>&, SpectrumWindow);
+FSTIFF_SCENE_INSTANCE Summits<double> summits_of(const HeightMap<double>&);
+FSTIFF_SCENE_INSTANCE HeightStatistics<double> height_statistics(const Profile<double>&);
+FSTIFF_SCENE_INSTANCE HeightStatistics<double> height_statistics(const HeightMap<double>&);
+FSTIFF_SCENE_INSTANCE class BoundaryElements<double>;
+FSTIFF_SCENE_INSTANCE std::vector<TruthPoint<double>> truth(const HeightMap<double>&, double,
+                                                            const std::vector<double>&, const TruthOptions<double>&);
 
 FSTIFF_SCENE_INSTANCE Profile<double> self_affine_profile(const SelfAffineOptions<double>&, std::size_t, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> self_affine_map(const SelfAffineOptions<double>&, std::size_t, std::size_t,

@@ -33,7 +33,7 @@ Summits<double> drawn(std::size_t count) {
 }  // namespace
 
 TEST_CASE("one summit is Hertz's sphere") {
-    const Summits<double> one{{{2e-6, 3e4, 5e4, 0, 0}}, 1e-8, 1e-6};
+    const Summits<double> one{{{2e-6, 3e4, 5e4, 0, 0}}, 1e-8, 1e-4, 1e-4, 1e-6};
     const double E = 1e11, R = 2 / 8e4, omega = 3e-7;
     const SummitContact<double> contact(one, E);
     const auto state = contact.at_separation(2e-6 - omega);
@@ -65,7 +65,7 @@ TEST_CASE("pressure and separation undo each other, K is the slope, whatever the
 }
 
 TEST_CASE("contacts of summits that are none are refused") {
-    CHECK(test::refusal([] { SummitContact<double>({{}, 1, 1}, 1.0); }).find("summits") == 0);
+    CHECK(test::refusal([] { SummitContact<double>({{}, 1, 1, 1, 1}, 1.0); }).find("summits") == 0);
     CHECK(test::refusal([] { SummitContact<double>(drawn(3), 0.0); }).find("effective_modulus") == 0);
     const SummitContact<double> contact(drawn(10), 1e11);
     for (const double p : {0.0, -1.0, std::nan("")})

@@ -205,6 +205,9 @@ private:
 
     [[nodiscard]] Outcome state_at_pressure(T pressure, Quantity wanted) const {
         require_positive("pressure", pressure);
+        if constexpr (requires { law_.pressure_limit(); })  // of a plastic law, at which all of the area is in contact
+            if (!(pressure < static_cast<T>(law_.pressure_limit())))
+                return {{}, detail::refusal_of("pressure", pressure, "less than the hardness of the law (Pa)")};
         Integrator roughly(law_, peaks_, scales_, slope_quantities,
                            std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
         Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);

@@ -13,11 +13,13 @@
 /// Valid       maps of 3 x 3 points at least; remove the form first
 /// Accuracy    rounding; what three points lose of a curvature is (pi/samples of its wave)^2/3 (tests/topography/summits_test.cpp)
 
+#include <fstiff/math/random.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace fstiff {
@@ -36,6 +38,7 @@ template <Real T = double>
 struct Summits {
     std::vector<Summit<T>> summits;  ///< the highest first
     T area{};                        ///< of the points that can be summits [m^2]
+    T width{}, height{};             ///< of the map [m]
     T rms_height{};                  ///< of the map [m]
 };
 
@@ -55,6 +58,8 @@ template <Real T>
     for (Index k = 0; k < z.size(); ++k)
         if (!std::isnan(z.data()[k])) squares += (z.data()[k] - mean) * (z.data()[k] - mean);
     Summits<T> found;
+    found.width = static_cast<T>(z.cols()) * map.dx;
+    found.height = static_cast<T>(z.rows()) * map.dy;
     found.rms_height = std::sqrt(squares / present);
     std::size_t inner = 0;
     for (Index j = 1; j + 1 < z.rows(); ++j)
@@ -72,6 +77,21 @@ template <Real T>
     std::sort(found.summits.begin(), found.summits.end(),
               [](const Summit<T>& a, const Summit<T>& b) { return a.height > b.height; });
     return found;
+}
+
+/// Another map of the same surface, as far as this one tells: \p tiles by \p tiles of it, drawn with replacement. \p state is
+/// that of splitmix64, and goes on.
+template <Real T>
+[[nodiscard]] Summits<T> resampled(const Summits<T>& of, std::size_t tiles, std::uint64_t& state) {
+    std::vector<std::size_t> times(tiles * tiles, 0);
+    for (std::size_t i = 0; i < times.size(); ++i) ++times[splitmix64(state) % times.size()];
+    const auto tile = [&](T x, T side) {
+        return std::min(tiles - 1, static_cast<std::size_t>(x / side * static_cast<T>(tiles)));
+    };
+    Summits<T> drawn{{}, of.area, of.width, of.height, of.rms_height};
+    for (const Summit<T>& one : of.summits)
+        drawn.summits.insert(drawn.summits.end(), times[tile(one.y, of.height) * tiles + tile(one.x, of.width)], one);
+    return drawn;
 }
 
 }  // namespace fstiff

@@ -43,6 +43,11 @@ Json measured_document(const MeasuredSurface& surface) {
         if (!line.unit.empty()) entry["unit"] = line.unit;
         entry["how"] = line.how;
     }
+    if (surface.heights)
+        document["moments"] = {{"m0_m2", surface.heights->m0},
+                               {"m2", surface.heights->m2},
+                               {"m4_per_m2", surface.heights->m4},
+                               {"alpha", surface.heights->bandwidth()}};
     if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;
     if (!surface.peaks_refusal.empty()) document["no_r_and_theta"] = surface.peaks_refusal;
     Json names = Json::array(), rows = Json::array();

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/verdict.hpp"
+
+#include "scene/file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fstiff::scene {
+namespace {
+
+bool has_law(const Scene& scene, std::string_view name) {
+    return std::any_of(scene.laws.begin(), scene.laws.end(),
+                       [&](const ChosenLaw& chosen) { return chosen.law->name == name; });
+}
+
+/// "add law "x" to contact.laws", unless it is there.
+std::string unless_there(const Scene& scene, std::string_view law) {
+    return has_law(scene, law) ? "" : " (add \"" + std::string(law) + "\" to contact.laws)";
+}
+
+/// What the distribution of the heights does to every law over Gaussian peaks; empty for Gaussian heights.
+std::string about_heights(const Scene& scene) {
+    if (!scene.measured || !scene.measured->heights) return "";
+    const double skewness = scene.measured->heights->skewness.value, kurtosis = scene.measured->heights->kurtosis.value;
+    if (kurtosis == 0) return "";  // a document without it
+    const double highest = scene.surface.max_peak_height / scene.surface.rms_height;
+    const double summits = scene.map ? static_cast<double>(scene.map->summits.summits.size()) : 0;
+    const double gaussian = std::sqrt(2 * std::log(std::max(summits, 2.0)));
+    std::string numbers = "skewness " + rounded(skewness, 2) + ", kurtosis " + rounded(kurtosis, 2);
+    if (summits > 0 && highest > 0)
+        numbers += ", highest point " + rounded(highest, 2) + " sigma, where " + rounded(summits, 3) +
+                   " Gaussian summits reach " + rounded(gaussian, 2);
+    const bool too_high = summits > 0 && highest > 1.6 * gaussian;
+    if (std::abs(skewness) > 1 || std::abs(kurtosis - 3) > 2 || too_high)
+        return "the heights are far from Gaussian (" + numbers + "): no law over a distribution of peaks is near the truth " +
+               "here, and K may be wrong by 5 times; believe " +
+               (scene.map ? "boundary_elements" + unless_there(scene, "boundary_elements") +
+                                ", then summits at light loads" + unless_there(scene, "summits")
+                          : std::string("boundary_elements of a map of this surface (fstiff truth)"));
+    if (std::abs(skewness) > 0.3 || std::abs(kurtosis - 3) > 1)
+        return "the heights are not Gaussian (" + numbers + "): K of laws over Gaussian peaks is " +
+               (skewness > 0 ? "1.05 to 1.9 times too large at skewnesses of 0.35 to 0.9"
+                             : "too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23");
+    return "";
+}
+
+/// Which elastic law holds at the pressures of the scene.
+std::string about_pressures(const Scene& scene, const Results& results) {
+    const Curve* curve = nullptr;
+    for (const Curve& one : results.curves)
+        if (one.rms_gradient && !one.states.empty()) curve = &one;
+    if (!curve) return "";
+    const auto relative = [&](double p) { return dimensionless_pressure(p, results.modulus, *curve->rms_gradient); };
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const auto& state : curve->states) {
+        low = std::min(low, relative(state.pressure.value));
+        high = std::max(high, relative(state.pressure.value));
+    }
+    std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) + ": of elastic contacts believe hybrid" +
+                       unless_there(scene, "hybrid") + ", to about ";
+    text += low >= 0.003 ? "10 %" : low >= 0.001 ? "a quarter" : "a quarter above p* = 0.001 and a factor of two below";
+    if (high > 0.01) text += "; hertz and the other sums over peaks give too little K above p* = 0.01, half at 0.1";
+    if (high > 0.25) text += "; nothing was compared above p* = 0.25";
+    return text;
+}
+
+std::string about_contacts(const Scene& scene, const Results& results) {
+    const double area = scene.nominal_area ? *scene.nominal_area : scene.map ? scene.map->map->area() : 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Curve& curve : results.curves)
+        for (const auto& state : curve.states)
+            if (state.contact_density.value > 0) least = std::min(least, state.contact_density.value * area);
+    if (!(area > 0) || !(least < 200)) return "";
+    const char* scatter = least > 100 ? "7 %" : least > 40 ? "11 %" : least > 15 ? "16 %" : "34 % or more";
+    return "as few as " + rounded(least, 2) + " contacts are expected on the " + (scene.nominal_area ? "nominal area" : "map") +
+           ": one surface departs from a law by about " + scatter + " there (rms); its own summits or boundary elements do not";
+}
+
+std::string about_flow(const Scene& scene, const Results& results) {
+    if (!results.plasticity_index || *results.plasticity_index <= 1) return "";
+    return "the peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
+           "): what a wave sees is the unloading stiffness of plastic or jackson_green" + unless_there(scene, "plastic") +
+           ", several times K of an elastic law; plastic is good to a fifth up to p = 0.03 H where H/(E g) is 0.05 or less";
+}
+
+}  // namespace
+
+std::vector<std::string> verdict(const Scene& scene, const Results& results) {
+    std::vector<std::string> sentences;
+    for (std::string sentence : {about_heights(scene), about_flow(scene, results), about_pressures(scene, results),
+                                 about_contacts(scene, results)})
+        if (!sentence.empty()) sentences.push_back(std::move(sentence));
+    return sentences;
+}
+
+}  // namespace fstiff::scene
