@@ -7,6 +7,7 @@
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
@@ -75,7 +76,13 @@ PerssonContact<double> crowded(const ContactInputs& inputs) {
 
 std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(crowded(inputs)); }
 
+/// Whether summits push each other down; 0 for a sum of summits that do not, as which a band varies.
+constexpr std::array<double, 1> quick_summits{0};
+constexpr std::array<LawOption, 1> summit_options{{{.key = "mutual", .otherwise = 1}}};
+
 std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
+    if (inputs.options.front() != 0)
+        return held(MutualSummits<double>(inputs.map->summits, inputs.effective_modulus, inputs.elements.edges));
     return held(SummitContact<double>(inputs.map->summits, inputs.effective_modulus));
 }
 
@@ -185,7 +192,10 @@ const std::array<Law, 11> table{{
      .stiffness = "derivative of (3.7)",
      .peaks = "the summits of the map",
      .contact = summits,
-     .needs_map = true},
+     .options = summit_options,
+     .needs_map = true,
+     .ends = true,
+     .quick_options = quick_summits},
     {.name = "plastic",
      .load = "hardness times area, 2 pi R omega",
      .stiffness = "unloading, 2 E a",

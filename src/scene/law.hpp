@@ -97,6 +97,8 @@ struct Law {
     bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
     bool summits_of_map = false;  ///< of a map it takes the summits in place of a joint distribution
     bool holds_when_crowded = false;  ///< peaks that push each other down are in it
+    bool ends = false;  ///< has no state above some pressure: the curve ends there, with a warning
+    std::span<const double> quick_options{};  ///< in place of `options` where a law is computed 400 times, for the shape of a band
     bool varies = true;           ///< can be computed of surfaces drawn about the measured one, for a band
 };
 

@@ -32,6 +32,7 @@ std::vector<ContactState<double>> accepted(const Scene& scene, const Law& law,
                                            const std::vector<ContactPoint<double>>& points) {
     std::vector<ContactState<double>> states;
     for (const auto& point : points) {
+        if (!point.ok() && law.ends && !states.empty()) return states;
         if (!point.ok())
             throw domain_error(scene.points_where + "law " + std::string(law.name) + ": " +
                                (point.status == PointStatus::out_of_reach
@@ -180,6 +181,9 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
     lean.measured.reset();
     std::erase_if(lean.laws, [](const ChosenLaw& chosen) { return !chosen.law->varies; });
     std::uint64_t tiles = scene.seed;
+    for (ChosenLaw& chosen : lean.laws)
+        if (!chosen.law->quick_options.empty())
+            chosen.options.assign(chosen.law->quick_options.begin(), chosen.law->quick_options.end());
     const auto stiffness_of = [&](const std::array<double, surface_parameter_count>& drawn) {
         std::vector<double> all;
         for_each_contact(with_surface(lean, drawn, tiles), results.modulus, {}, [&](const Curve&, const auto& contact) {
@@ -190,13 +194,25 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
     };
     const auto bands =
         sampled_band(scene.uncertain, stiffness_of, {static_cast<std::size_t>(scene.samples), scene.seed, progress});
-    std::size_t failed = 0;
-    auto next = bands.begin();
-    for (Curve& curve : results.curves)
-        for (std::size_t i = 0; curve.law->varies && i < curve.states.size(); ++i) {
-            failed = std::max(failed, next->failed);
-            curve.band.push_back(*next++);
+    std::vector<double> quick;  // of the surface itself, by the laws that were sampled
+    for_each_contact(lean, results.modulus, {}, [&](const Curve&, const auto& contact) {
+        for (const auto& point : points_of(scene, contact, Quantity::pressure | Quantity::stiffness))
+            quick.push_back(point.state.stiffness.value);
+    });
+    std::size_t failed = 0, next = 0;
+    for (Curve& curve : results.curves) {
+        if (!curve.law->varies) continue;
+        for (std::size_t i = 0; i < curve.states.size(); ++i) {
+            SampledBand<double> band = bands[next + i];
+            failed = std::max(failed, band.failed);
+            if (!curve.law->quick_options.empty()) {
+                const double factor = curve.states[i].stiffness.value / quick[next + i];
+                band.low *= factor, band.median *= factor, band.high *= factor;
+            }
+            curve.band.push_back(band);
         }
+        next += scene.points.size();
+    }
     if (failed > 0)
         results.warnings.push_back("up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +
                                    " sampled surfaces are beyond the reach of the model at a point: the band there is "
@@ -298,6 +314,10 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     for_each_contact(scene, results.modulus, progress, [&](Curve curve, const AnyContact& contact) {
         const Quantity quantities = wanted(scene, *curve.law);
         curve.states = accepted(scene, *curve.law, points_of(scene, contact, quantities));
+        if (curve.states.size() < scene.points.size())
+            results.warnings.push_back(
+                "law " + std::string(curve.law->name) + " ends before " + shortest(scene.points[curve.states.size()]) +
+                (scene.at_separations ? " m" : " Pa") + ": its contacts are too many or too crowded beyond");
         curve.checks = check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,
