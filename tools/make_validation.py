@@ -24,6 +24,8 @@ DOCUMENT = ROOT / "docs" / "validation.md"
 PICTURE = ROOT / "docs" / "validation.svg"
 
 LAWS = {  # law: (label, colour on light, colour on dark, marker)
+    "hybrid": ("hybrid", "#1d1d1f", "#ececf1", "circle"),
+    "persson": ("persson", "#c25700", "#ffb074", "square"),
     "hertz": ("hertz", "#b3261e", "#ff8a80", "circle"),
     "greenwood_williamson": ("greenwood_williamson", "#0b57a4", "#7db8ff", "square"),
     "fractal": ("fractal, D = 2 − H", "#1b7f54", "#5ccf97", "triangle"),

@@ -90,9 +90,8 @@ std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
     if (inputs.map)
         return held(
             HybridContact(SummitContact<double>(inputs.map->summits, inputs.effective_modulus), crowded(inputs)));
-    return held(
-        HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),
-                      crowded(inputs)));
+    return held(HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),
+                              crowded(inputs)));
 }
 
 std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
@@ -115,7 +114,10 @@ std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
 class Elements final : public AnyContact {
 public:
     explicit Elements(const ContactInputs& inputs)
-        : map_(inputs.map->map), modulus_(inputs.effective_modulus), how_(inputs.elements), progress_(inputs.progress) {}
+        : map_(inputs.map->map),
+          modulus_(inputs.effective_modulus),
+          how_(inputs.elements),
+          progress_(inputs.progress) {}
     std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity) const override {
         std::vector<ContactPoint<double>> points;
         for (const double p : pressures) require_positive("pressure", p);
@@ -144,8 +146,9 @@ public:
         return points;
     }
     std::vector<ContactPoint<double>> at_separations(std::span<const double>, Quantity) const override {
-        throw domain_error("law boundary_elements: is computed at pressures; contact.pressures must stand in place of "
-                           "contact.separations");
+        throw domain_error(
+            "law boundary_elements: is computed at pressures; contact.pressures must stand in place of "
+            "contact.separations");
     }
 
 private:

@@ -63,7 +63,7 @@ struct ContactInputs {
     const PeakDistribution<double>* peaks = nullptr;  ///< none of a law that has no joint distribution
     double fractal_dimension = 0;                     ///< of a law that needs it
     Interaction<double> interaction{};
-    std::vector<double> options{};  ///< [SI], in the order of Law::options
+    std::vector<double> options{};     ///< [SI], in the order of Law::options
     SurfaceMoments<double> moments{};  ///< of the surface, where the spectrum is a band
     double hurst = 0.8, gamma = 0.45;
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
@@ -95,11 +95,12 @@ struct Law {
     Quantity quantities = Quantity::all;  ///< that the law gives
     std::span<const LawOption> options{};
     bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
-    bool summits_of_map = false;  ///< of a map it takes the summits in place of a joint distribution
+    bool summits_of_map = false;      ///< of a map it takes the summits in place of a joint distribution
     bool holds_when_crowded = false;  ///< peaks that push each other down are in it
-    bool ends = false;  ///< has no state above some pressure: the curve ends there, with a warning
-    std::span<const double> quick_options{};  ///< in place of `options` where a law is computed 400 times, for the shape of a band
-    bool varies = true;           ///< can be computed of surfaces drawn about the measured one, for a band
+    bool ends = false;                ///< has no state above some pressure: the curve ends there, with a warning
+    std::span<const double>
+        quick_options{};  ///< in place of `options` where a law is computed 400 times, for the shape of a band
+    bool varies = true;   ///< can be computed of surfaces drawn about the measured one, for a band
 };
 
 /// All laws, in the order in which choices are listed.

@@ -250,7 +250,8 @@ void read_materials(Source& source, const toml::table& table, Scene& scene) {
     scene.softer_poisson = softer.poisson;
     scene.hardness = softer.hardness;
     for (const Strength& one : of)
-        if (one.yield) scene.yield_strength = scene.yield_strength ? std::min(*scene.yield_strength, *one.yield) : *one.yield;
+        if (one.yield)
+            scene.yield_strength = scene.yield_strength ? std::min(*scene.yield_strength, *one.yield) : *one.yield;
     if (!material.find("lower")) source.record("material.lower", "as material.upper (default)");
 }
 
@@ -649,7 +650,8 @@ std::vector<double> read_law_options(Source& source, const Section& contact, con
 /// Why \p law cannot be computed of \p scene; empty where it can.
 std::string refusal_of(const Law& law, const Scene& scene) {
     if (law.needs_map && !scene.map)
-        return "needs a map: surface.from, or --surface, must name the file of one (the JSON of fstiff measure holds its "
+        return "needs a map: surface.from, or --surface, must name the file of one (the JSON of fstiff measure holds "
+               "its "
                "numbers alone)";
     if (law.needs_map && scene.map->map->present() != scene.map->map->size() && law.name == "boundary_elements")
         return "needs a map without missing points; " +
@@ -674,7 +676,8 @@ void read_laws(Source& source, const Section& contact, Scene& scene, bool replac
                                                                    : "hertz, greenwood_williamson (default)");
     }
     const auto lacks = [&](const Law* law) { return law->needs_dimension && !scene.fractal_dimension; };
-    if (scene.measured && (replaced || !contact.find("laws")) && !std::count(chosen.begin(), chosen.end(), find_law("hybrid"))) {
+    if (scene.measured && (replaced || !contact.find("laws")) &&
+        !std::count(chosen.begin(), chosen.end(), find_law("hybrid"))) {
         if (const std::string why = no_spectrum(scene); why.empty())
             chosen.insert(chosen.begin(), find_law("hybrid"));
         else
@@ -905,8 +908,7 @@ PeakDistribution<double> peak_density(const Peaks& peaks) {
 SurfaceMoments<double> spectral_moments(const Scene& scene) {
     const Roughness<double>& of = scene.surface;
     SurfaceMoments<double> moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
-    if (scene.rms_gradient && scene.alpha)
-        return moments_of_gradient(of.rms_height, *scene.rms_gradient, *scene.alpha);
+    if (scene.rms_gradient && scene.alpha) return moments_of_gradient(of.rms_height, *scene.rms_gradient, *scene.alpha);
     if (scene.rms_gradient) moments.m2 = *scene.rms_gradient * *scene.rms_gradient / 2;
     if (scene.alpha) moments.m2 = of.rms_height * std::sqrt(moments.m4 / *scene.alpha);
     return moments;

@@ -33,7 +33,8 @@ std::string about_heights(const Scene& scene) {
                    " Gaussian summits reach " + rounded(gaussian, 2);
     const bool too_high = summits > 0 && highest > 1.6 * gaussian;
     if (std::abs(skewness) > 1 || std::abs(kurtosis - 3) > 2 || too_high)
-        return "the heights are far from Gaussian (" + numbers + "): no law over a distribution of peaks is near the truth " +
+        return "the heights are far from Gaussian (" + numbers +
+               "): no law over a distribution of peaks is near the truth " +
                "here, and K may be wrong by 5 times; believe " +
                (scene.map ? "boundary_elements" + unless_there(scene, "boundary_elements") +
                                 ", then summits at light loads" + unless_there(scene, "summits")
@@ -57,8 +58,8 @@ std::string about_pressures(const Scene& scene, const Results& results) {
         low = std::min(low, relative(state.pressure.value));
         high = std::max(high, relative(state.pressure.value));
     }
-    std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) + ": of elastic contacts believe hybrid" +
-                       unless_there(scene, "hybrid") + ", to about ";
+    std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) +
+                       ": of elastic contacts believe hybrid" + unless_there(scene, "hybrid") + ", to about ";
     text += low >= 0.003 ? "10 %" : low >= 0.001 ? "a quarter" : "a quarter above p* = 0.001 and a factor of two below";
     if (high > 0.01) text += "; hertz and the other sums over peaks give too little K above p* = 0.01, half at 0.1";
     if (high > 0.25) text += "; nothing was compared above p* = 0.25";
@@ -73,15 +74,18 @@ std::string about_contacts(const Scene& scene, const Results& results) {
             if (state.contact_density.value > 0) least = std::min(least, state.contact_density.value * area);
     if (!(area > 0) || !(least < 200)) return "";
     const char* scatter = least > 100 ? "7 %" : least > 40 ? "11 %" : least > 15 ? "16 %" : "34 % or more";
-    return "as few as " + rounded(least, 2) + " contacts are expected on the " + (scene.nominal_area ? "nominal area" : "map") +
-           ": one surface departs from a law by about " + scatter + " there (rms); its own summits or boundary elements do not";
+    return "as few as " + rounded(least, 2) + " contacts are expected on the " +
+           (scene.nominal_area ? "nominal area" : "map") + ": one surface departs from a law by about " + scatter +
+           " there (rms); its own summits or boundary elements do not";
 }
 
 std::string about_flow(const Scene& scene, const Results& results) {
     if (!results.plasticity_index || *results.plasticity_index <= 1) return "";
     return "the peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
-           "): what a wave sees is the unloading stiffness of plastic or jackson_green" + unless_there(scene, "plastic") +
-           ", several times K of an elastic law; plastic is good to a fifth up to p = 0.03 H where H/(E g) is 0.05 or less";
+           "): what a wave sees is the unloading stiffness of plastic or jackson_green" +
+           unless_there(scene, "plastic") +
+           ", several times K of an elastic law; plastic is good to a fifth up to p = 0.03 H where H/(E g) is 0.05 or "
+           "less";
 }
 
 }  // namespace

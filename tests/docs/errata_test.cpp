@@ -2,6 +2,7 @@
 // The figures of docs/errata.md that no test beside its header holds: each to the digits in which it is quoted.
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/validity.hpp>
@@ -152,4 +153,30 @@ TEST_CASE("The conclusions: fractal over Greenwood-Williamson, and the influence
     }
     CHECK(reads(least, 1.68, 0.01));
     CHECK(reads(most, 2.14, 0.01));
+}
+
+TEST_CASE("What plastic flow alone would give over the printed fractal law") {
+    const double pressures[] = {1e5, 1e6, 1e7, 1e8}, fine[] = {0.96, 1.01, 1.07, 1.15};
+    const double ends[3][2] = {{0.96, 1.15}, {2.2, 3.4}, {2.8, 4.8}};  // least and most of plastic and jackson_green
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& surface = test::paper_surfaces[i];
+        double least = 1e9, most = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const PlasticMaterial<double> steel{modulus, 400e6, 0.3};
+            const auto at = [&](const auto& law) {
+                return RoughContact(surface.roughness(), quarter, law, modulus)
+                    .at_pressure(pressures[k], Quantity::stiffness)
+                    .stiffness.value;
+            };
+            const double fractal = at(FractalLaw<double>(surface.fractal_dimension));
+            const double flowing = at(JacksonGreenLaw<double>(steel)) / fractal;
+            const double plastic = at(PlasticLaw<double>(steel.hardness_or_default(), modulus)) / fractal;
+            if (i == 0) CHECK(reads(flowing, fine[k], 0.01));
+            least = std::min(least, i == 0 ? flowing : std::min(flowing, plastic));
+            most = std::max(most, i == 0 ? flowing : std::max(flowing, plastic));
+        }
+        CAPTURE(surface.name, least, most);
+        CHECK(reads(least, ends[i][0], i == 0 ? 0.01 : 0.1));
+        CHECK(reads(most, ends[i][1], i == 0 ? 0.01 : 0.1));
+    }
 }

@@ -4,26 +4,15 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/half_space_maps.hpp"
 #include "support/table.hpp"
 
-#include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
 using namespace fstiff;
 
 namespace {
-
-HeightMap<double> map_named(const std::string& name) {
-    std::array<float, 65536> heights;
-    std::ifstream file(FSTIFF_TEST_DATA "/bem_map_" + name + ".f32", std::ios::binary);
-    if (!file.read(reinterpret_cast<char*>(heights.data()), sizeof heights)) throw std::runtime_error("no map " + name);
-    HeightMap<double> map;
-    map.dx = map.dy = 1.0 / 256;
-    map.heights = Eigen::Map<const Eigen::Array<float, 256, 256, Eigen::RowMajor>>(heights.data()).cast<double>();
-    return map;
-}
 
 /// \p cells of one period 1 along x of the amplitude 1e-3, the same all along y.
 HeightMap<double> wave(Eigen::Index cells) {
@@ -40,7 +29,7 @@ HeightMap<double> wave(Eigen::Index cells) {
 TEST_CASE("boundary elements of three maps are those of another code") {
     const test::Table table("bem_maps.csv");
     for (std::size_t row = 0; row < table.size(); row += 2) {
-        const HeightMap<double> map = map_named(table.text(row, "map"));
+        const HeightMap<double> map = test::half_space_map(table.text(row, "map"));
         BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic});
         const auto state = solver.at_pressure(table.input(row, "p_over_E"));
         CAPTURE(table.text(row, "map"), table.input(row, "p_star"), state.iterations);
@@ -77,7 +66,7 @@ TEST_CASE("a wave is Westergaard's, the better the finer the grid") {
 }
 
 TEST_CASE("a map mirrored by the solver is the map mirrored by hand") {
-    const HeightMap<double> map = map_named("skewed");
+    const HeightMap<double> map = test::half_space_map("skewed");
     HeightMap<double> part, whole;
     part.dx = part.dy = whole.dx = whole.dy = map.dx;
     part.heights = map.heights.block(0, 0, 40, 60);
@@ -92,7 +81,7 @@ TEST_CASE("a map mirrored by the solver is the map mirrored by hand") {
 }
 
 TEST_CASE("the stiffness held together is the slope of the pressure, of elastic contacts") {
-    const HeightMap<double> map = map_named("gaussian");
+    const HeightMap<double> map = test::half_space_map("gaussian");
     BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic, .tolerance = 1e-10});
     const double p = 1e-3;
     const auto low = solver.at_pressure(0.99 * p), high = solver.at_pressure(1.01 * p), middle = solver.at_pressure(p);
@@ -101,7 +90,7 @@ TEST_CASE("the stiffness held together is the slope of the pressure, of elastic 
 }
 
 TEST_CASE("pressures cut at the hardness: area p/H in the limit, and a stiffer contact") {
-    const HeightMap<double> map = map_named("gaussian");  // gradient 0.1
+    const HeightMap<double> map = test::half_space_map("gaussian");  // gradient 0.1
     BoundaryElements<double> elastic(map, 1.0, {.edges = Edges::periodic});
     const double H = 0.0015;  // H/(E g) = 0.015
     BoundaryElements<double> plastic(map, 1.0, {.edges = Edges::periodic, .hardness = H});

@@ -43,9 +43,7 @@ struct HeightPowers {
     T points{}, first{}, second{}, third{}, fourth{};
     T pairs{}, slopes{}, triples{}, bends{};  // along x and y, squares
 
-    void add_height(T z) {
-        points += 1, first += z, second += z * z, third += z * z * z, fourth += z * z * z * z;
-    }
+    void add_height(T z) { points += 1, first += z, second += z * z, third += z * z * z, fourth += z * z * z * z; }
     /// \p a, \p b, \p c one after the other at the distance \p h; NaN where missing.
     void add_neighbours(T a, T b, T c, T h) {
         const T slope = (b - a) / h, next = (c - b) / h;
@@ -117,7 +115,9 @@ template <Real T>
     const T mean = mean_height(profile), rms = rms_height(profile);
     const std::vector<T>& z = profile.heights;
     std::array<detail::HeightPowers<T>, 16> sums{};
-    const auto height = [&](std::size_t i) { return i < z.size() ? (z[i] - mean) / rms : std::numeric_limits<T>::quiet_NaN(); };
+    const auto height = [&](std::size_t i) {
+        return i < z.size() ? (z[i] - mean) / rms : std::numeric_limits<T>::quiet_NaN();
+    };
     for (std::size_t i = 0; i < z.size(); ++i) {
         auto& block = sums[i * 16 / z.size()];
         if (!std::isnan(z[i])) block.add_height(height(i));

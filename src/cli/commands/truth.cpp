@@ -40,7 +40,8 @@ std::vector<double> pressures_of(const std::string& list) {
     std::vector<double> pressures;
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
-        pressures.push_back(io::parse_quantity(list.substr(begin, end - begin), io::Dimension::pressure, "--pressures"));
+        pressures.push_back(
+            io::parse_quantity(list.substr(begin, end - begin), io::Dimension::pressure, "--pressures"));
         require_positive("--pressures", pressures.back());
         begin = end + 1;
     }
@@ -111,8 +112,8 @@ Report execute(const Options& options) {
         failed += point.state.converged ? 0 : 1;
     }
     if (unresolved > 0)
-        warnings.push_back("K changes by more than a fifth from the grid half as fine at " + std::to_string(unresolved) +
-                           " of " + std::to_string(solved.at.size()) +
+        warnings.push_back("K changes by more than a fifth from the grid half as fine at " +
+                           std::to_string(unresolved) + " of " + std::to_string(solved.at.size()) +
                            " pressures: the contacts there are a few points wide (--points, or a finer map)");
     if (failed > 0) warnings.push_back(std::to_string(failed) + " solutions did not converge");
     return report({.table =
@@ -157,13 +158,17 @@ Command add_truth(CLI::App& app) {
     command.option("--pressures", options->pressures, "nominal pressures in place of those, such as \"1 MPa,10 MPa\"");
     command.option("--modulus", options->modulus, "effective modulus in place of that of the material");
     command.option("--hardness", options->hardness, "hardness at which pressures are cut; the default is elastic");
-    command.option("--points", options->points, "points along the longer side that the map is made coarser to; the default is 256")
+    command
+        .option("--points", options->points,
+                "points along the longer side that the map is made coarser to; the default is 256")
         .between(16, 4096);
     command.option("--edges", options->edges, "how the map goes on beyond its edges: mirrored (default) or periodic");
     add_output_options(command, options->output);
     command.footer(
-        "The error of K is its change from a grid half as fine. Exit code 4: it is above a fifth of K, or no convergence.\n"
-        "Example:\n  fstiff generate map --hurst 0.8 --rms \"1 um\" --spacing \"1 um\" | fstiff truth - --pressures \"10 MPa\"");
+        "The error of K is its change from a grid half as fine. Exit code 4: it is above a fifth of K, or no "
+        "convergence.\n"
+        "Example:\n  fstiff generate map --hurst 0.8 --rms \"1 um\" --spacing \"1 um\" | fstiff truth - --pressures "
+        "\"10 MPa\"");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The keys of a scene for the laws beside those of the paper. Truth: the library's contacts, made by hand; tests/data.
+#include "scene/results.hpp"
+
+#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/io/write_csv.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/half_space_maps.hpp"
+#include "support/table.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+using namespace fstiff;
+
+namespace {
+
+std::string scene_of(const std::string& surface, const std::string& laws, const std::string& more = "") {
+    return "[surface]\n" + surface +
+           "\n[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.0\nyield_strength = \"4 MPa\"\n"
+           "[contact]\npressures = [\"1 MPa\", \"5 MPa\"]\nlaws = [" +
+           laws + "]\npeaks = [{ theta = 1.0, r = 0.5 }]\n" + more;
+}
+
+scene::Results computed(const std::string& text) { return scene::compute(scene::read_scene(text, {.name = "s.toml"})); }
+
+std::string refused(const std::string& text) {
+    return test::refusal([&] { (void)computed(text); });
+}
+
+const std::string moments = "rms_height = \"1.1 um\"\nrms_gradient = 0.1\nalpha = 8.24\nhurst = 0.7";
+
+/// The Gaussian map of tests/data, in SI over (100 um)^2, in a file.
+class MapFile {
+public:
+    MapFile() : path_(std::filesystem::temp_directory_path() / "fstiff_laws_test_map.csv") {
+        map = test::half_space_map("gaussian");
+        map.heights *= 1e-4;
+        map.dx *= 1e-4;
+        map.dy *= 1e-4;
+        std::ofstream file(path_);
+        io::write_csv(file, map);
+    }
+    ~MapFile() { std::filesystem::remove(path_); }
+    [[nodiscard]] std::string surface() const { return "from = \"" + path_.string() + "\"\ndetrend = \"mean\""; }
+    HeightMap<double> map;
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("rms_height, rms_gradient and alpha suffice for hybrid and persson") {
+    const auto results = computed(scene_of(moments, "\"hybrid\", \"persson\"", "[persson]\ngamma = 0.5\n"));
+    const double E = 1e9;
+    const auto m = moments_of_gradient(1.1e-6, 0.1, 8.24);
+    const Roughness<double> surface{1.1e-6, peak_radius_of(m), peak_density_of(m)};
+    const PerssonContact<double> persson(band_of_moments(m, 0.7), E, 0.5);
+    const HybridContact hybrid(RoughContact(surface, PeakDistribution<double>(0.5, 1.0), HertzLaw<double>{}, E),
+                               persson);
+    REQUIRE(results.curves.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double p = i == 0 ? 1e6 : 5e6;
+        CHECK(test::relative_error(results.curves[0].states[i].stiffness.value, hybrid.stiffness(p)) < 1e-12);
+        CHECK(test::relative_error(results.curves[1].states[i].stiffness.value, persson.stiffness(p)) < 1e-12);
+        CHECK(test::relative_error(results.curves[0].states[i].separation.value, hybrid.separation(p).value) < 1e-10);
+    }
+    CHECK(test::relative_error(*results.curves[0].rms_gradient, 0.1) < 1e-14);
+    CHECK(results.curves[1].states[0].contact_density.value == 0);
+}
+
+TEST_CASE("plastic laws take the hardness of the softer body, and print loading beside unloading") {
+    const std::string body =
+        "\n[material.lower]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.0\nhardness = \"9 MPa\"\n";
+    const auto results =
+        computed(scene_of(moments, "\"plastic\"", "[output]\nquantities = [\"loading_stiffness\"]" + body));
+    const auto& state = results.curves[0].states[0];
+    CHECK(test::relative_error(1e6 / 9e6, state.real_area_fraction.value) > 0);  // not asked for
+    bool found = false;
+    for (const auto& column : results.curves[0].columns)
+        if (column.key == "loading_stiffness_Pa_per_m") {
+            found = true;
+            CHECK(column.values[0] == state.loading_stiffness.value);
+            CHECK(column.values[0] > 0);
+        }
+    CHECK(found);
+    const auto area = computed(scene_of(moments, "\"plastic\"", body)).curves[0].states[0].real_area_fraction.value;
+    CHECK(test::relative_error(area, 1.0 / 9) < 1e-12);
+}
+
+TEST_CASE("laws of a map: its summits and boundary elements") {
+    const MapFile file;
+    const auto results = computed(scene_of(file.surface(), "\"summits\", \"hybrid\", \"boundary_elements\"",
+                                           "[boundary_elements]\npoints = 128\nedges = \"periodic\"\n"));
+    REQUIRE(results.curves.size() == 3);
+    const auto truth =
+        fstiff::truth(file.map, 1e9, std::vector<double>{1e6, 5e6}, {.points = 128, .edges = Edges::periodic});
+    for (std::size_t i = 0; i < 2; ++i) {
+        // the file has nine digits or more
+        CHECK(test::relative_error(results.curves[2].states[i].stiffness.value, truth[i].state.stiffness) < 1e-3);
+        CHECK(test::relative_error(results.curves[2].states[i].separation.value, truth[i].state.mean_gap) < 1e-4);
+        CHECK(results.curves[2].states[i].stiffness.error > 0);
+    }
+    for (const auto& curve : results.curves) CHECK_FALSE(curve.theta);
+    CHECK(results.curves[2].band.empty());
+    CHECK_FALSE(results.curves[1].band.empty());
+    CHECK_FALSE(results.verdict.empty());
+}
+
+TEST_CASE("hybrid is the first law of a measured surface") {
+    const MapFile file;
+    std::string text = scene_of(file.surface(), "");
+    text.erase(text.find("laws = []\n"), 10);
+    const auto results = computed(text);
+    CHECK(results.curves.front().law->name == "hybrid");
+}
+
+TEST_CASE("scenes that a law cannot be computed of are refused with what is missing") {
+    const std::string islands = "rms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"";
+    CHECK(refused(scene_of(islands, "\"persson\"")).find("surface.rms_gradient") != std::string::npos);
+    CHECK(refused(scene_of(islands, "\"hybrid\"")).find("more than 1.5") != std::string::npos);
+    CHECK(refused(scene_of(moments, "\"summits\"")).find("needs a map") != std::string::npos);
+    CHECK(refused(scene_of(moments, "\"boundary_elements\"")).find("needs a map") != std::string::npos);
+    CHECK(refused(scene_of(moments, "\"hybrid\"", "[persson]\ngamma = 0\n")).find("persson.gamma = 0: must be") !=
+          std::string::npos);
+    CHECK(refused(scene_of(moments, "\"hybrid\"", "[persson]\nspectrum = \"map\"\n")).find("needs a map") !=
+          std::string::npos);
+    CHECK(refused(scene_of("rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 1.5", "\"hybrid\""))
+              .find("surface.alpha = 1.5") != std::string::npos);
+    CHECK(refused(scene_of("rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\nhurst = 1.2", "\"hybrid\""))
+              .find("surface.hurst") != std::string::npos);
+    CHECK(refused(scene_of(moments, "\"hybrid\"", "[boundary_elements]\npoints = 8\n")).find("from 16 to 4096") !=
+          std::string::npos);
+    std::string weak = scene_of(moments, "\"jackson_green\"");
+    weak.erase(weak.find("yield_strength"), std::string("yield_strength = \"4 MPa\"\n").size());
+    CHECK(refused(weak).find("needs material.upper.yield_strength") != std::string::npos);
+}
