@@ -88,10 +88,12 @@
 #include <fstiff/contact/law_tabulator.hpp>
 #include <fstiff/contact/law_text.hpp>
 #include <fstiff/contact/linear_law.hpp>
+#include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/peak_nodes.hpp>
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/persson_contact.hpp>
+#include <fstiff/contact/persson_sensitivity.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/sensitivity.hpp>
@@ -104,6 +106,7 @@
 #include <fstiff/ultrasound/resolvable_stiffness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 #include <fstiff/measured/from_profile.hpp>
+#include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/sampled_band.hpp>
