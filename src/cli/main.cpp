@@ -27,7 +27,7 @@ void say(std::string message) {
 
 int execute(const Command& command) {
     if (const std::string& file = command.output->file; !file.empty()) {
-        require_folder_of(file);
+        require_writable(file);
         fstiff::scene::keep_for_output(file);
     }
     const Report report = [&] {

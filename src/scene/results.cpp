@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace fstiff::scene {
@@ -269,9 +270,16 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     results.surface_checks = check_surface(scene.surface, results.modulus, scene.yield_strength);
+    std::size_t curves = 0;
+    for (const ChosenLaw& chosen : scene.laws) curves += chosen.law->has_peaks ? scene.peaks.size() : 1;
+    ProgressHook of_all;  // one bar for the points of all curves
+    if (progress)
+        of_all = [&](std::string_view what, std::size_t done, std::size_t all) {
+            progress(what, results.curves.size() * all + done, curves * all);
+        };
     for_each_contact(scene, results.modulus, [&](Curve curve, const AnyContact& contact) {
         const Quantity quantities = wanted(scene, *curve.law);
-        curve.states = accepted(scene, *curve.law, points_of(scene, contact, quantities, progress));
+        curve.states = accepted(scene, *curve.law, points_of(scene, contact, quantities, of_all));
         curve.checks = check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,

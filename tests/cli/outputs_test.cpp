@@ -152,6 +152,31 @@ TEST_CASE("A full disk is reported with its reason, and nothing is left on it") 
     CHECK(contains(full.err, "standard output cannot be written: No space left on device"));
 }
 
+TEST_CASE("What is protected from writing stays, and is refused with its reason") {
+    const Folder folder;
+    std::filesystem::copy_file(FSTIFF_COMMAND, folder / "command");  // where everybody reaches it
+    folder.write("old.txt", "old\n");
+    const std::string as = "cd '" + (folder / "") +
+                           "' && chmod 555 . command && chmod 444 old.txt && $(test $(id -u) = 0 && " +
+                           "echo setpriv --reuid 65534 --regid 65534 --clear-groups) ./command ";
+    const auto refused = [&](const std::string& arguments, const std::string& sentence) {
+        const Outcome outcome = shell(as + arguments);
+        INFO(arguments << "\n" << outcome.err);
+        CHECK(outcome.status == 3);
+        CHECK(contains(outcome.err, sentence));
+    };
+    if (shell(as + "--version").status == 0) {
+        refused("run -o old.txt", "old.txt: cannot be written: Permission denied");
+        refused("run -o new.txt", "new.txt: cannot be written: Permission denied");
+        refused("report -o new/folder", "new/folder: is no folder and cannot be made one: Permission denied");
+    } else {
+        leave_out("nobody but root can run the command here");
+    }
+    CHECK(read(folder / "old.txt") == "old\n");
+    CHECK(folder.files() == 2);
+    shell("chmod 755 '" + (folder / "") + "'");
+}
+
 TEST_CASE("An empty argument is refused, as of a script whose variable is not set") {
     const Folder folder;
     for (const char* arguments : {"run ''", "run -o ''", "run --plot ''", "run --plot=", "run --surface ''", "fit ''",

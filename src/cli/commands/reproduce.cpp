@@ -531,6 +531,8 @@ Report execute(const Options& options) {
     const std::string errata = (folder / "errata.md").string(), index = (folder / "index.html").string();
     require_own(errata);
     require_own(index);
+    for (const char* name : {"fig2", "fig4", "fig6", "fig7", "fig8", "fig9"})
+        for (const std::string& file : PictureFiles((folder / name).string() + ".svg").all()) require_own(file);
     const Reproduction all = compute();
     std::vector<OutputFile> written;
     for (const Picture& picture : all.pictures)

@@ -29,9 +29,10 @@ std::size_t width(std::string_view text) {
 }
 
 [[noreturn]] void cannot_write(const std::string& file, int reason) {
-    const bool of_folder = reason == ENOENT || reason == ENOTDIR || reason == EACCES || reason == EROFS;
-    throw file_error(file, "cannot be written: " + std::generic_category().message(reason) +
-                               (of_folder ? "; the folder must exist and be writable" : ""));
+    const char* wanted = reason == ENOENT || reason == ENOTDIR ? "; the folder must exist"
+                         : reason == EACCES || reason == EROFS ? "; the file and its folder must be writable"
+                                                               : "";
+    throw file_error(file, "cannot be written: " + std::generic_category().message(reason) + wanted);
 }
 
 /// Whether \p text is in \p stream whole; if not, errno tells why.
@@ -148,11 +149,12 @@ Json json_document(std::string_view command) {
     return document;
 }
 
-void require_folder_of(const std::string& file) {
+void require_writable(const std::string& file) {
     std::error_code error;
     const fs::path target = target_of(file);
     if (fs::is_directory(target, error)) throw file_error(file, "is a folder; the output must be a file");
     if (!fs::is_directory(target.parent_path(), error)) cannot_write(file, ENOENT);
+    if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0) cannot_write(file, errno);
 }
 
 void require_own(const std::string& file) {
@@ -196,7 +198,9 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder) {
     Partials until_renamed(partials, made);
     if (!folder.empty()) {
         fs::create_directories(folder, error);
-        if (!fs::is_directory(folder)) throw file_error(folder, "is no folder and cannot be made one");
+        if (!fs::is_directory(folder))
+            throw file_error(folder, "is no folder and cannot be made one: " +
+                                         (error ? error : std::make_error_code(std::errc::not_a_directory)).message());
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (fs::is_directory(targets[i], error))

@@ -100,8 +100,9 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder = "
 /// For a file that nobody named, such as one beside a picture. \throws file_error where \p file is there and its first
 /// line does not say that fstiff made it.
 void require_own(const std::string& file);
-/// Before a long computation. \throws file_error where the folder of \p file is not there, or \p file is a folder.
-void require_folder_of(const std::string& file);
+/// Before a long computation. \throws file_error where the folder of \p file is not there, or \p file is a folder or
+/// protected from writing.
+void require_writable(const std::string& file);
 
 /// First line of a page that `require_own` knows again.
 inline constexpr const char* page_mark = "<!-- fstiff made this page and replaces it when it is asked for again -->\n";

@@ -605,7 +605,7 @@ PictureFiles::PictureFiles(const std::string& file) : picture(file) {
 
 void keep_for_picture(const std::string& file) {
     const PictureFiles names(file);
-    require_folder_of(file);
+    require_writable(file);
     require_own(names.table);
     require_own(names.script);
     for (const std::string& name : names.all()) keep_for_output(name);
