@@ -21,13 +21,15 @@ struct Row {
 /// The ending of a surface's file decides nothing: its first bytes and lines do.
 constexpr std::array<Row, 8> rows{{
     {"profile", ".csv .txt .dat .asc ...", "text: heights, or position and height in a line",
-     "one or two columns of numbers, or named columns", "--units without a header that has them; --spacing of heights"},
+     "one or two columns, or --spacing or --column", "--units without a header that has them; --spacing of heights"},
     {"triples", ".xyz .csv .txt ...", "text: x, y, z in a line", "three columns that fill a rectangular grid",
      "--units without a header that has them"},
-    {"matrix", ".txt .asc .csv ...", "text: a row of the map in a line", "more than three columns",
+    {"matrix", ".txt .asc .csv ...", "text: a row of the map in a line",
+     "four columns and more, or a size in the header or by --dx or --width",
      "--units, and --dx or --width, without a header that has them"},
     {"sdf", ".sdf", "ISO 25178-71, text or binary", "its first bytes, such as aISO-1.0 or bISO-1.0", "nothing"},
-    {"x3p", ".x3p", "ISO 25178-72", "its first bytes, those of a ZIP archive", "nothing"},
+    {"x3p", ".x3p", "ISO 25178-72, where fstiff was built with libzip and pugixml",
+     "its first bytes, those of a ZIP archive", "nothing"},
     {"scene", ".toml", "TOML, as run --example prints it", "an argument of run, identify and report", "nothing"},
     {"surface", ".json", "the JSON of measure", "an argument of --surface, or surface.from in a scene", "nothing"},
     {"curve", ".csv", "text: pressure, and stiffness or reflection, with their errors if they are known",
