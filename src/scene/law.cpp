@@ -163,7 +163,7 @@ std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
 }
 
 constexpr Quantity without_contacts =
-    Quantity::pressure | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
+    Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
 
 const std::array<Law, 11> table{{
     {"fractal", true, true, "(3.7)", "(3.14), (4.9)", "(4.4)", joint<fractal>, fitted<fractal>},

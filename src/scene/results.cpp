@@ -21,7 +21,7 @@ namespace {
 
 /// What \p scene asks of \p law, as far as the law gives it.
 Quantity wanted(const Scene& scene, const Law& law) {
-    Quantity set = Quantity::pressure;
+    Quantity set = Quantity::pressure | Quantity::separation;
     if (scene.needs_stiffness()) set = set | Quantity::stiffness;
     if (scene.real_area) set = set | Quantity::real_area;
     if (scene.contacts) set = set | Quantity::contacts;

@@ -11,8 +11,8 @@
 /// elements, 4 to 8 do nearly as well. Both must be of the same surface. Interaction between the peaks is what Persson's
 /// theory adds: the contact of the peaks is taken without it.
 ///
-/// d is integrated in ln p over panels one e-fold wide by 16 Gauss-Legendre points, from 2 E g down, once when the contact is
-/// made; a pressure then costs the rest of one panel.
+/// d is integrated in ln p over panels one e-fold wide by 16 Gauss-Legendre points, from 2 E g down, once when the first
+/// separation is asked for; a pressure then costs the rest of one panel.
 ///
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (4.9);
 ///             the exponent: docs/validation.md.
@@ -30,6 +30,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace fstiff {
@@ -42,9 +45,6 @@ public:
     HybridContact(Peaks peaks, PerssonContact<T> crowded) : peaks_(std::move(peaks)), crowded_(std::move(crowded)) {
         if (peaks_.interaction().reading != InteractionReading::none)
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
-        knots_.reserve(panels + 1);
-        knots_.push_back(T(0));
-        for (int i = 0; i < panels; ++i) knots_.push_back(knots_.back() + panel(log_end() - i - 1, log_end() - i));
     }
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
@@ -67,7 +67,7 @@ public:
         }
         if (!has(wanted, Quantity::stiffness)) state.stiffness = {};
         if (!has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = {};
-        state.separation = separation(pressure);
+        state.separation = has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height();
         return state;
     }
@@ -93,8 +93,9 @@ public:
         const T above = log_end() - std::log(pressure);
         if (above <= 0) return {T(0), rms_height() * std::numeric_limits<T>::epsilon(), 0};
         const auto whole = static_cast<std::size_t>(above);
-        T d = knots_[std::min(whole, knots_.size() - 1)];
-        for (std::size_t i = knots_.size() - 1; i < whole; ++i) d += panel(log_end() - T(i + 1), log_end() - T(i));
+        const std::vector<T>& at = knots();
+        T d = at[std::min(whole, at.size() - 1)];
+        for (std::size_t i = at.size() - 1; i < whole; ++i) d += panel(log_end() - T(i + 1), log_end() - T(i));
         d += panel(std::log(pressure), log_end() - T(whole));
         return {d, (T(1e-11) + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
     }
@@ -104,8 +105,9 @@ public:
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
         const T d = eta * rms_height();
-        const auto beyond = std::upper_bound(knots_.begin(), knots_.end(), d) - knots_.begin();
-        const T high = log_end() - T(beyond - 1), low = high - (beyond < std::ssize(knots_) ? T(1) : T(500));
+        const std::vector<T>& at = knots();
+        const auto beyond = std::upper_bound(at.begin(), at.end(), d) - at.begin();
+        const T high = log_end() - T(beyond - 1), low = high - (beyond < std::ssize(at) ? T(1) : T(500));
         const auto residual = [&](T log_p) {
             const T p = std::exp(log_p);
             return std::pair(separation(p).value - d, -p / stiffness(p));
@@ -145,7 +147,20 @@ private:
 
     Peaks peaks_;
     PerssonContact<T> crowded_;
-    std::vector<T> knots_;  ///< separations at 2 E g, and one e-fold of pressure below each other
+    /// Separations at 2 E g, and one e-fold of pressure below each other: made when the first is asked for, by one thread.
+    struct Knots {
+        std::once_flag once;
+        std::vector<T> at;
+    };
+    [[nodiscard]] const std::vector<T>& knots() const {
+        std::call_once(knots_->once, [this] {
+            knots_->at = {T(0)};
+            for (int i = 0; i < panels; ++i)
+                knots_->at.push_back(knots_->at.back() + panel(log_end() - T(i + 1), log_end() - T(i)));
+        });
+        return knots_->at;
+    }
+    std::shared_ptr<Knots> knots_ = std::make_shared<Knots>();  ///< copies share it
 };
 
 }  // namespace fstiff

@@ -154,7 +154,7 @@ public:
             if (has(wanted, Quantity::loading_stiffness)) state.loading_stiffness = state.stiffness;
             if (!has(wanted, Quantity::stiffness)) state.stiffness = {};
         }
-        state.separation = separation(pressure);
+        if (has(wanted, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height_;
         if (has(wanted, Quantity::real_area)) {
             const T share = real_area_fraction(pressure);

@@ -14,7 +14,8 @@ enum class Quantity : unsigned {
     stiffness = 4,
     real_area = 8,
     loading_stiffness = 16,  ///< -dp/dd, the slope of the load
-    all = 31
+    separation = 32,  ///< known without asking, but where it is an integral over pressures (HybridContact, PerssonContact)
+    all = 63
 };
 
 [[nodiscard]] constexpr Quantity operator|(Quantity a, Quantity b) {
