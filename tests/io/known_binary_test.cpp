@@ -38,6 +38,7 @@ TEST_CASE("A binary file is called what its first bytes say, with the way out") 
     for (const auto& [bytes, name] : files) {
         INFO(name);
         CHECK(has(refusal(bytes), name));
+        CHECK(has(refusal(bytes), "is binary: "));
         CHECK(
             has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71) or X3P"));
     }
@@ -55,6 +56,8 @@ TEST_CASE("Endless input is refused at its first block") {
         }
     } buffer;
     std::istream input(&buffer);
-    CHECK(has(test::refusal([&] { (void)io::detail::read_bytes(input, "zero"); }), "zero: is binary"));
+    const std::string bytes = io::detail::read_bytes(input, "zero").bytes;
+    CHECK(bytes.size() <= 2 * sizeof buffer.block);
+    CHECK(has(refusal(bytes), "is binary"));
     CHECK(buffer.calls <= 2);
 }

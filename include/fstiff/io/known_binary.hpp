@@ -51,11 +51,11 @@ inline constexpr std::array known_binaries{
     KnownBinary{"\x88\x1B\x03\x71", "a Zygo MetroPro file (.dat)", from_the_instrument},
     KnownBinary{"VK4_", "a Keyence file (.vk4)", from_the_instrument},
     KnownBinary{"\\*File list", "a Nanoscope file of an atomic force microscope", from_the_instrument},
-    KnownBinary{"\x1F\x8B", "packed by gzip", unpack},
-    KnownBinary{"BZh", "packed by bzip2", unpack},
+    KnownBinary{"\x1F\x8B", "a file packed by gzip", unpack},
+    KnownBinary{"BZh", "a file packed by bzip2", unpack},
     KnownBinary{"\xFD"
                 "7zXZ",
-                "packed by xz", unpack},
+                "a file packed by xz", unpack},
     KnownBinary{"7z\xBC\xAF", "a 7z archive", unpack},
     KnownBinary{"Rar!", "a RAR archive", unpack},
     KnownBinary{"PK\x03\x04", "a zip archive", "unpack it first; of an Excel workbook (.xlsx), save the sheet as CSV"},
@@ -70,7 +70,7 @@ inline constexpr std::array known_binaries{
 /// What fstiff reads, for messages.
 inline constexpr std::string_view readable_forms = "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71) or X3P";
 
-/// "is a PNG picture; must be ..."; empty when the first bytes are of no format that is known here.
+/// "is binary: a PNG picture, which is not read; must be ..."; empty when the first bytes are of no format that is known here.
 inline std::string known_binary_refusal(std::string_view bytes) {
     std::string_view name, way;
     for (const KnownBinary& known : known_binaries)
@@ -86,7 +86,7 @@ inline std::string known_binary_refusal(std::string_view bytes) {
         way = from_the_instrument;
     }
     if (name.empty()) return {};
-    return "is " + std::string(name) + ", which is not read; must be " + std::string(readable_forms) + ": " +
+    return "is binary: " + std::string(name) + ", which is not read; must be " + std::string(readable_forms) + ": " +
            std::string(way);
 }
 

@@ -64,16 +64,14 @@ struct NamedBytes {
 /// What no file may exceed: a map of 8000 x 8000 points with 17 digits each has 1.5e9 bytes.
 inline constexpr std::uint64_t most_bytes = std::uint64_t(1) << 31;
 
-/// Appends all bytes of \p input. What is neither text nor a binary form that is read is refused at its first block, so that
-/// endless input ends there. \throws domain_error, file_error
+/// Appends the bytes of \p input, to its end, or to the end of the first block with a NUL byte of what is no binary form that
+/// is read: no reader takes that, and endless input ends there. \throws domain_error, file_error
 inline void append_bytes(std::istream& input, const std::string& name, std::string& bytes) {
     std::vector<char> chunk(std::size_t(1) << 16);
-    const auto refused = [&](std::string_view block) {
-        return block.find('\0') != std::string_view::npos && !may_be_binary_surface(bytes);
-    };
     while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), input.gcount() > 0) {
-        bytes.append(chunk.data(), static_cast<std::size_t>(input.gcount()));
-        if (refused({chunk.data(), static_cast<std::size_t>(input.gcount())})) refuse_binary(name, bytes);
+        const std::string_view block(chunk.data(), static_cast<std::size_t>(input.gcount()));
+        bytes += block;
+        if (block.find('\0') != std::string_view::npos && !may_be_binary_surface(bytes)) return;
         if (bytes.size() > most_bytes) refuse_file(name, {"is longer than 2^31 bytes (2 GiB); must be shorter"});
     }
     if (input.bad()) throw file_error(name, "cannot be read to its end; must be a readable file");
