@@ -60,7 +60,7 @@ std::vector<std::string> warnings(const SurfaceInput& input, const Result& resul
     if (r.islands < few)
         all.push_back("there are " + std::to_string(r.islands) +
                       " islands at the greatest density; a larger map would know R and D_p better");
-    for (std::string& line : missing_points_warning(input, "they are part of no island and of no area"))
+    for (std::string& line : reading_warnings(input, "they are part of no island and of no area"))
         all.push_back(std::move(line));
     return all;
 }
