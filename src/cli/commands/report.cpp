@@ -340,14 +340,14 @@ void results_section(Page& page, const Scene& scene, const Results& results) {
 
     page.heading("Real area, contacts and separation");
     Figure others{.title = "Under the same pressures", .panels = {}};
-    Panel area = quantity_panel(results, "real area / nominal", true,
+    Panel area = quantity_panel(results, {.label = "real area / nominal"},
                                 [](const ContactState<double>& s) { return s.real_area_fraction.value; });
     area.title = "Real area";
-    Panel contacts = quantity_panel(results, "contacts [1/mm²]", true,
-                                    [](const ContactState<double>& s) { return s.contact_density.value * 1e-6; });
+    Panel contacts = quantity_panel(results, {.label = "contacts", .si = "1/m^2"},
+                                    [](const ContactState<double>& s) { return s.contact_density.value; });
     contacts.title = "Contacts";
-    Panel separation = quantity_panel(results, "separation [µm]", false,
-                                      [](const ContactState<double>& s) { return s.separation.value / um; });
+    Panel separation = quantity_panel(results, {.label = "separation", .logarithmic = false, .si = "m"},
+                                      [](const ContactState<double>& s) { return s.separation.value; });
     separation.title = "Separation of the mean planes";
     others.panels = {area, contacts, separation};
     const auto has = [&](std::string_view law) {
