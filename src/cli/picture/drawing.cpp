@@ -8,8 +8,6 @@
 namespace fstiff::cli {
 namespace {
 
-constexpr std::size_t legend_characters = 36;
-
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }
 
 std::vector<PlotLine> coloured(const Panel& panel) {
@@ -134,13 +132,12 @@ void Drawing::tell_apart() {
 std::vector<Entry> Drawing::legend() const {
     std::vector<Entry> result;
     if (!panel.legend) return result;
-    for (const PlotLine& line : lines) {
-        if (!line.label.empty()) result.push_back({&line, nullptr, false, wrapped(line.label, legend_characters)});
-        if (!line.band.empty()) result.push_back({&line, nullptr, true, wrapped(line.band, legend_characters)});
-    }
+    constexpr std::size_t most = 44;  // characters of a line
+    for (const PlotLine& line : lines)
+        if (!line.label.empty())
+            result.push_back({&line, nullptr, wrapped(line.label + (line.band.empty() ? "" : ", " + line.band), most)});
     for (const PlotWindow& window : panel.windows)
-        if (!window.label.empty())
-            result.push_back({nullptr, &window, false, wrapped(window.label, legend_characters)});
+        if (!window.label.empty()) result.push_back({nullptr, &window, wrapped(window.label, most)});
     return result;
 }
 

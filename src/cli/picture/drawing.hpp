@@ -31,9 +31,8 @@ inline Colour colour_of(int colour) {
 
 /// One sample and its text, of which the lines stand below one another.
 struct Entry {
-    const PlotLine* line;      ///< or
-    const PlotWindow* window;  ///< a shaded window, or
-    bool band;                 ///< the band of the line
+    const PlotLine* line;      ///< with its band, or
+    const PlotWindow* window;  ///< a shaded window
     std::vector<std::string> text;
 };
 

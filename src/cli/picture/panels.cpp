@@ -18,7 +18,7 @@
 namespace fstiff::cli {
 namespace {
 
-constexpr std::size_t most_curves = 12;
+constexpr std::size_t most_curves = 8;
 
 /// Those that are drawn: all, or so many that they can be told apart, spread over the list.
 std::vector<const Curve*> drawn(const Results& results) {
@@ -28,8 +28,8 @@ std::vector<const Curve*> drawn(const Results& results) {
     return curves;
 }
 
-/// Laws by their colours, the joint distributions of one law by their strokes; where the strokes are not enough, colours
-/// and strokes by their numbers.
+/// Laws by their colours, the joint distributions of one law by their strokes; where the strokes are not enough, every
+/// curve has a colour of its own.
 void choose_look(std::vector<PlotLine>& lines, const std::vector<const Curve*>& curves) {
     std::vector<const Law*> laws;
     std::vector<int> same_law;
@@ -42,13 +42,13 @@ void choose_look(std::vector<PlotLine>& lines, const std::vector<const Curve*>& 
         }
         const auto law = at - laws.begin();
         const int before = same_law[static_cast<std::size_t>(law)]++;
-        enough = enough && before < 3 && law < 8;
+        enough = enough && before < 3;
         lines[k].colour = static_cast<int>(law);
         lines[k].stroke = static_cast<Stroke>(std::min(before, 2));
     }
     for (std::size_t k = 0; k < curves.size() && !enough; ++k) {
-        lines[k].colour = static_cast<int>(k % 8);
-        lines[k].stroke = static_cast<Stroke>(k / 8);
+        lines[k].colour = static_cast<int>(k);
+        lines[k].stroke = Stroke::solid;
     }
 }
 
@@ -70,7 +70,7 @@ void frame_reflection(Panel& panel) {
         for (const auto* values : {&line.y, &line.low, &line.high})
             for (const double value : *values) least = std::min(least, value), greatest = std::max(greatest, value);
     const bool high = least > 0.8, low = greatest < 0.2 && greatest > 0;
-    const double span = high ? std::max(1 - least, 1e-3) : low ? greatest : 1;
+    const double span = high ? std::max(1 - least, 1e-6) : low ? greatest : 1;
     panel.y.low = (high ? 1 - span : 0) - 0.04 * span;
     panel.y.high = (low ? span : 1) + 0.04 * span;
 }

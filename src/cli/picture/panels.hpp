@@ -25,7 +25,7 @@ Panel stiffness_panel(const Scene& scene, const Results& results);
 /// One panel of a quantity of the states against the pressure, with \p ends of its band where it is given.
 Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
                      const std::function<std::pair<double, double>(const SampledBand<double>&)>& ends = {});
-/// "12 of 30 curves are drawn": more cannot be told apart; empty where all are.
+/// "8 of 30 curves are drawn": more cannot be told apart; empty where all are.
 std::string left_out(const Results& results);
 /// |R| of longitudinal waves, and of shear waves where they are known; none without [ultrasound].
 std::vector<Panel> reflection_panels(const Scene& scene, const Results& results);

@@ -24,8 +24,8 @@ Scale::Scale(const Axis& axis, const Range& range) : logarithmic_(axis.logarithm
     const double low = axis.low.value_or(found ? range.low : logarithmic_ ? 1 : 0);
     const double high = axis.high.value_or(found ? range.high : logarithmic_ ? 10 : 1);
     low_ = place(low), high_ = place(high);
-    // at least two numbers stand on a logarithmic axis, and four digits tell those of a linear one apart
-    const double least = logarithmic_ ? 0.7 : std::max(1e-3 * std::max(std::abs(low), std::abs(high)), 1e-300);
+    // at least two numbers stand on a logarithmic axis, and seven digits tell those of a linear one apart
+    const double least = logarithmic_ ? 0.7 : std::max(1e-6 * std::max(std::abs(low), std::abs(high)), 1e-300);
     if (!(high_ - low_ >= least)) {
         const double middle = (low_ + high_) / 2;
         low_ = middle - least / 2, high_ = middle + least / 2;
@@ -65,7 +65,7 @@ double Scale::step() const {
 
 int Scale::power() const {
     const double greatest = std::max(std::abs(low_), std::abs(high_));
-    return logarithmic_ || (greatest < 1e5 && step() > 0.9e-4) ? 0 : static_cast<int>(std::floor(std::log10(greatest)));
+    return logarithmic_ || (greatest < 1e5 && greatest > 1e-3) ? 0 : static_cast<int>(std::floor(std::log10(greatest)));
 }
 
 std::vector<Tick> Scale::steps() const {

@@ -10,7 +10,7 @@
 namespace fstiff::cli {
 namespace {
 
-constexpr double left = 84, title_height = 26, below = 54, row = 24, line_height = 16, gap = 24;
+constexpr double left = 84, title_height = 26, below = 54, row = 24, line_height = 17, gap = 24;
 
 /// Pixels to a tenth, as short as can be.
 std::string px(double value) {
@@ -92,7 +92,8 @@ std::string style() {
         ".fstiff .grid{stroke:#d9d9de}.fstiff .fine{stroke:#eeeef1}.fstiff .frame{fill:none;stroke:#6b6b70}"
         ".fstiff .title{font-size:15px;font-weight:600}.fstiff .small{font-size:11px}"
         ".fstiff .line{fill:none;stroke-width:2;stroke-linejoin:round}.fstiff .dash{stroke-dasharray:7 4}"
-        ".fstiff .dot{stroke-dasharray:2 4}.fstiff .wide{stroke-width:5}.fstiff .band{stroke:none;opacity:.18}"
+        ".fstiff .dot{stroke-dasharray:2 4}.fstiff .wide{stroke-width:6;stroke-opacity:.45}.fstiff "
+        ".band{stroke:none;opacity:.18}"
         ".fstiff .window{fill-opacity:.14;stroke-opacity:.7;fill:";
     light += std::string(window_colour.light) + "}";
     std::string dark =
@@ -163,7 +164,7 @@ std::string line_and_marks(const Drawing& d, const PlotLine& line) {
         const auto far = [&](const auto& at) {
             return std::hypot(at.first - stretch[0].first, at.second - stretch[0].second) > 12;
         };
-        if (line.marker == Marker::none && std::none_of(stretch.begin(), stretch.end(), far))
+        if (line.marker == Marker::none && !line.label.empty() && std::none_of(stretch.begin(), stretch.end(), far))
             for (const auto& [x, y] : stretch) marks += mark(Marker::circle, x, y);
         stretch.clear();
     };
@@ -213,9 +214,9 @@ std::string draw(const std::vector<Entry>& legend, double x, double y) {
     for (const Entry& entry : legend) {
         if (entry.window)
             out += rectangle(window_class(*entry.window), x, y - 7, 30, 14);
-        else if (entry.band)
-            out += rectangle("band f" + colour_class(entry.line->colour), x, y - 7, 30, 14);
         else {
+            if (!entry.line->band.empty())
+                out += rectangle("band f" + colour_class(entry.line->colour), x, y - 7, 30, 14);
             if (entry.line->stroke != Stroke::none)
                 out += line_at("line " + stroke_class(*entry.line), x, y, x + 30, y);
             if (entry.line->marker != Marker::none)
@@ -282,6 +283,7 @@ double height_of(const Panel& panel) { return size_of(panel, false).height; }
 
 std::string svg(const Figure& given) {
     const Figure figure = in_units(given);
+    const std::string name = escaped(figure.title.empty() ? figure.panels.front().title : figure.title);
     double width = 300;
     for (const Panel& panel : figure.panels) width = std::max(width, size_of(panel, figure.legend_below).width);
     const auto lines_of = [&](const std::string& text, double character) {
@@ -298,9 +300,9 @@ std::string svg(const Figure& given) {
     }
     const double height = top + (note.empty() ? 0 : 6 + line_height * static_cast<double>(note.size()));
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fstiff\" viewBox=\"0 0 " + px(width) + " " + px(height) +
-           "\" width=\"" + px(width) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" +
-           escaped(figure.title) + "\">\n<title>" + escaped(figure.title) + "</title>\n" + style() +
-           rectangle("back", 0, 0, width, height) + paragraph_at(left, 27, title, "class=\"title\"") + panels +
+           "\" width=\"" + px(width) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" + name +
+           "\">\n<title>" + name + "</title>\n" + style() + rectangle("back", 0, 0, width, height) +
+           paragraph_at(left, 27, title, "class=\"title\"") + panels +
            paragraph_at(left, top + 8, note, "class=\"small\"") + "</svg>\n";
 }
 

@@ -45,9 +45,11 @@ Unit unit_for(std::string_view si, double size) {
     return {si, 1};
 }
 
-std::string with_unit(double value, std::string_view si, int digits) {
-    const Unit unit = unit_for(si, std::abs(value));
-    return rounded_text(value / unit.size, digits) + (unit.name.empty() ? "" : " " + std::string(unit.name));
+std::string with_unit(double value, std::string_view si, int digits, double error) {
+    Unit unit = unit_for(si == "/m^2" ? "1/m^2" : si, std::abs(value));
+    if (value != 0 && std::abs(value) < 1e-3 * unit.size) unit = {si, 1};  // no unit has a word for it
+    return rounded_text(value / unit.size, digits) + (error > 0 ? " ± " + rounded_text(error / unit.size, 2) : "") +
+           (unit.name.empty() ? "" : " " + std::string(unit.name));
 }
 
 }  // namespace fstiff::cli
