@@ -100,9 +100,10 @@ std::string gnuplot_script(const Figure& given, const std::string& csv, const st
             const std::string dash = line.stroke == Stroke::dashed   ? " dashtype 2"
                                      : line.stroke == Stroke::dotted ? " dashtype 3"
                                                                      : "";
-            const std::string with = line.stroke == Stroke::none                        ? "points"
-                                     : line.marker == Marker::none && line.x.size() > 2 ? "lines"
-                                                                                        : "linespoints";
+            const std::string with = line.stroke == Stroke::none ? "points"
+                                     : line.marker == Marker::none && (line.x.size() > 2 || line.colour < 0)
+                                         ? "lines"
+                                         : "linespoints";
             add(column(5) + ":7 with " + with + " linecolor rgb '" + colour + "'" +
                 (line.beneath ? " linewidth 4" : "") + (with == "points" ? "" : dash) +
                 (line.label.empty()

@@ -30,6 +30,14 @@ const std::vector<Ladder>& ladders() {
     return all;
 }
 
+/// \p digits of the value, without a power of ten where people write none.
+std::string plain(double value, int digits) {
+    const double size = std::abs(value);
+    if (!(size >= std::pow(10.0, digits)) || size >= 1e7) return rounded_text(value, digits);
+    const double last = std::pow(10.0, std::floor(std::log10(size)) - digits + 1);
+    return fixed_text(std::round(value / last) * last, 0);
+}
+
 }  // namespace
 
 Unit unit_for(std::string_view si, double size) {
@@ -48,7 +56,7 @@ Unit unit_for(std::string_view si, double size) {
 std::string with_unit(double value, std::string_view si, int digits, double error) {
     Unit unit = unit_for(si == "/m^2" ? "1/m^2" : si, std::abs(value));
     if (value != 0 && std::abs(value) < 1e-3 * unit.size) unit = {si, 1};  // no unit has a word for it
-    return rounded_text(value / unit.size, digits) + (error > 0 ? " ± " + rounded_text(error / unit.size, 2) : "") +
+    return plain(value / unit.size, digits) + (error > 0 ? " ± " + plain(error / unit.size, 2) : "") +
            (unit.name.empty() ? "" : " " + std::string(unit.name));
 }
 
