@@ -39,17 +39,6 @@ struct Options {
 using Rows = std::vector<std::vector<std::string>>;
 constexpr double um = 1e-6;
 
-/// A curve of \p size points.
-template <class X, class Y>
-PlotLine line_of(std::string label, std::size_t size, const X& x, const Y& y) {
-    PlotLine line{.label = std::move(label), .x = {}, .y = {}};
-    for (std::size_t k = 0; k < size; ++k) {
-        line.x.push_back(x(k));
-        line.y.push_back(y(k));
-    }
-    return line;
-}
-
 /// A figure as wide as a phone can show, with its legend below.
 void show(Page& page, std::vector<Panel> panels, std::string_view caption = "") {
     for (Panel& panel : panels)

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fstiff::cli {
@@ -40,6 +41,17 @@ struct PlotLine {
     bool sets_range = true;  ///< whether the axes are chosen to show it
     bool beneath = false;    ///< drawn wide, since another lies on it; svg() finds those
 };
+
+/// A curve of \p size points.
+template <class X, class Y>
+PlotLine line_of(std::string label, std::size_t size, const X& x, const Y& y) {
+    PlotLine line{.label = std::move(label), .x = {}, .y = {}};
+    for (std::size_t k = 0; k < size; ++k) {
+        line.x.push_back(x(k));
+        line.y.push_back(y(k));
+    }
+    return line;
+}
 
 /// A shaded range of the horizontal or of the vertical axis, drawn over the lines \p from to \p to.
 struct PlotWindow {
