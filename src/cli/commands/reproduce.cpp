@@ -138,8 +138,10 @@ Picture figure_2() {
         panel.lines.back().colour = colour++;
         panel.lines.back().stroke = stroke;
     }
-    panel.lines.push_back(line_of("Gaussian heights of all ordinates", 161, height,
-                                  [&](auto k) { return std::exp(-height(k) * height(k) / 2) / std::sqrt(2 * pi); }));
+    panel.lines.push_back(line_of("Gaussian heights of all ordinates", 161, height, [](std::size_t k) {
+        const int n = static_cast<int>(k) - 80;
+        return std::exp(-n * n / 800.0) / std::sqrt(2 * pi);
+    }));
     panel.lines.back().colour = neutral;
     panel.lines.back().stroke = Stroke::dotted;
     return {"fig2",
