@@ -360,7 +360,8 @@ Rows stiffness_rows(const Scene& scene, const Results& results) {
     std::vector<std::size_t> points;
     for (const std::size_t i : {std::size_t(0), first.size() / 2, first.size() - 1})
         if (points.empty() || i != points.back()) points.push_back(i);
-    const Unit unit = unit_for("Pa/m", first[points[points.size() / 2]].stiffness.value);
+    const Unit unit =
+        unit_for("Pa/m", std::sqrt(first.front().stiffness.value) * std::sqrt(first.back().stiffness.value));
     Rows rows{{"K/A₀ [" + std::string(unit.name) + "]"}};
     for (const std::size_t i : points)
         rows[0].push_back(scene.at_separations ? "at d = " + with_unit(first[i].separation.value, "m", 3)
