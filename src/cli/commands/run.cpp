@@ -16,12 +16,16 @@
 #include <utility>
 
 namespace fstiff::cli {
+
+extern const char* const example_scene;  // data/example_scene.toml
+
 namespace {
 
 struct Options {
     OutputOptions output;
     SceneOptions scene;
     std::string picture;  ///< file; empty: none
+    bool example = false;
 };
 
 /// How people read the columns of a curve; a column that is not here stands in CSV and JSON alone.
@@ -197,7 +201,12 @@ std::string table(const Scene& scene, const Results& results) {
 }
 
 Report execute(const Options& options) {
-    if (!options.picture.empty()) require_picture_name(options.picture);
+    if (options.example) {
+        if (!options.scene.scene.empty() || !options.scene.surface.empty() || !options.picture.empty())
+            throw Usage("--example prints a scene and computes nothing; give no scene, --surface or --plot with it");
+        return {example_scene, {}, success};
+    }
+    if (!options.picture.empty()) keep_for_picture(options.picture);
     const Scene scene = read_scene(options.scene);
     const Results results = compute(scene, progress_bar());
     std::vector<std::string> files;
@@ -223,8 +232,10 @@ Command add_run(CLI::App& app) {
                       "- is standard input");
     add_output_options(command, options->output);
     add_picture_option(command, options->picture, "draw K(p)");
+    command.flag("--example", options->example, "print a scene with comments, to begin one of your own");
     command.footer(
-        "The keys of a scene are in docs/scene.md. Exit code 4: a real area above the nominal one, or no convergence.\n"
+        "A scene says what is in contact; run --example > my.toml is one to change. Exit code 4: a real area above the "
+        "nominal one, or no convergence.\n"
         "Example:\n  fstiff run --format csv");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }
