@@ -219,8 +219,21 @@ TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
     const std::string picture = test::read(folder / "fit.svg");
     CHECK(test::contains(picture, "</svg>"));
     CHECK(test::contains(picture, "Residuals"));
-    // two panels: measured and model above, residuals below, 12 points each
-    CHECK(test::lines(test::read(folder / "fit.plot.csv")).size() >= 1 + 3 * 12);
+    CHECK(test::contains(picture, "Stiffness: measured points and fitted models"));
+    // measured points and their residuals, and a model so fine that it is smooth, through the same values
+    const auto rows = test::lines(test::read(folder / "fit.plot.csv"));
+    std::vector<std::vector<std::string>> model;
+    for (const auto& row : rows)
+        if (const auto cells = test::csv_cells(row);
+            cells.size() > 2 && cells.at(1) == "1" && cells.at(2).starts_with("hertz"))
+            model.push_back(cells);
+    REQUIRE(model.size() == 101);
+    const auto& points = fit["rows"];
+    for (const auto& [row, i] :
+         {std::pair(model.front(), std::size_t(0)), std::pair(model.back(), points.size() - 1)}) {
+        CHECK(std::abs(std::stod(row.at(4)) * 1e6 / points[i]["pressure_Pa"].get<double>() - 1) < 1e-12);
+        CHECK(std::abs(std::stod(row.at(6)) * 1e15 / points[i]["model"].get<double>() - 1) < 1e-10);
+    }
 }
 
 TEST_CASE("identify refuses what it cannot fit, in one sentence") {

@@ -111,3 +111,109 @@ TEST_CASE("run --plot refuses other endings, folders that are not there, and a s
     CHECK(contains(outcome.err, "stiffness"));
     CHECK(folder.files() == 1);
 }
+
+namespace {
+
+/// What stands between \p open and \p close, every time.
+std::vector<std::string> all_between(const std::string& text, const std::string& open, const std::string& close) {
+    std::vector<std::string> found;
+    for (auto at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
+        at += open.size();
+        found.push_back(text.substr(at, text.find(close, at) - at));
+    }
+    return found;
+}
+
+/// The parts of a picture that its frames cut out: one a panel.
+std::vector<std::string> plots(const std::string& picture) {
+    return all_between(picture, "overflow=\"hidden\">", "</svg>");
+}
+
+std::string drawn(const Folder& folder, const std::string& scene) {
+    const std::string file = folder.write("scene.toml", scene);
+    const Outcome outcome = fstiff("run '" + file + "' --plot '" + folder / "out.svg" + "'");
+    INFO(outcome.err);
+    REQUIRE((outcome.status == 0 || outcome.status == 4));
+    return read(folder / "out.svg");
+}
+
+const std::string range = "pressures = { from = \"0.1 MPa\", to = \"100 MPa\", count = 31, spacing = \"log\" }";
+
+}  // namespace
+
+TEST_CASE("The numbers of an axis are powers of ten or plain, never both") {
+    const Folder folder;
+    const std::string picture = drawn(folder, read(scene_file));
+    // K from 1e-3 to 1 GPa/um: its axis needs a power somewhere, so that 0.1 is one too
+    CHECK(contains(picture, "text-anchor=\"end\">10⁻¹<"));
+    CHECK_FALSE(contains(picture, "text-anchor=\"end\">0.1<"));
+    // and 0 of |R| has the decimals of its neighbours
+    CHECK(contains(picture, "text-anchor=\"end\">0.0<"));
+    CHECK(contains(picture, "text-anchor=\"end\">0.2<"));
+}
+
+TEST_CASE("Two pressures that are close are drawn as points between numbers") {
+    const Folder folder;
+    const std::string picture =
+        drawn(folder, replaced(read(scene_file), range, "pressures = [\"10 MPa\", \"10.01 MPa\"]"));
+    REQUIRE(plots(picture).size() == 2);
+    for (const std::string& plot : plots(picture)) CHECK(all_between(plot, "<circle", "/>").size() >= 2 * 2);
+    CHECK(contains(picture, "text-anchor=\"middle\">10<"));
+    CHECK(contains(picture, "text-anchor=\"middle\">20<"));
+}
+
+TEST_CASE("No reflection is drawn on the frame") {
+    const Folder folder;
+    // 1 MHz and 0.1 MPa: |R| is 0.9987 and 0.9998; the frame of 240 has room above 1
+    for (const std::string& path : all_between(plots(drawn(folder, read(scene_file))).at(1), " d=\"M", "L")) {
+        INFO(path);
+        CHECK(std::stod(path.substr(path.find(' '))) > 5);
+    }
+    // where all of them are close to 1 they fill the frame: 50 MHz gives 0.9996 to 0.99997 at 1 and 0.1 MPa
+    const std::string text = replaced(replaced(read(scene_file), "1 MHz", "50 MHz"), "100 MPa", "1 MPa");
+    const auto lines = all_between(plots(drawn(folder, text)).at(1), "<path class=\"line c0\" d=\"M", "\"");
+    REQUIRE(lines.size() == 1);
+    const double first = std::stod(lines[0].substr(lines[0].find(' '))),
+                 last = std::stod(lines[0].substr(lines[0].rfind(' ')));
+    CHECK(first > 5);
+    CHECK(last < 235);
+    CHECK(last - first > 5);
+}
+
+TEST_CASE("Many curves are few that can be told apart, and long names are broken") {
+    const Folder folder;
+    std::string many = "peaks = [";
+    for (int k = 1; k <= 10; ++k)
+        many += std::string(k > 1 ? ", " : "") + "{ theta = \"pi/4\", r = 0.0" + std::to_string(k) + " }";
+    std::string text =
+        replaced(read(scene_file), "peaks     = [ { theta = \"pi/4\", r = \"exponential\" } ]", many + "]");
+    std::string name;
+    for (int k = 0; k < 40; ++k) name += "sample ";
+    text = replaced(replaced(text, "sand blasted (fine) on steel", name + "end"), "0.010", "0.1");
+    const std::string picture = drawn(folder, text);
+    CHECK(contains(picture, "8 of 20 curves are drawn"));
+    std::vector<std::string> looks = all_between(plots(picture).at(0), "<path class=\"line ", "\"");
+    CHECK(looks.size() == 9);  // and p/(0.48 sigma)
+    // the legend tells those that lie on one another, which these nearly do
+    CHECK(contains(picture, "(lies on"));
+    CHECK(contains(picture, " wide\""));
+    std::sort(looks.begin(), looks.end());
+    looks.erase(std::unique(looks.begin(), looks.end()), looks.end());
+    CHECK(looks.size() == 9);
+    CHECK(std::stod(all_between(picture, "viewBox=\"0 0 ", " ").at(0)) < 1100);
+    CHECK(all_between(picture, "class=\"title\">", "<").size() >= 3);
+}
+
+TEST_CASE("The axes of a picture are in the unit that fits") {
+    const Folder folder;
+    // a light touch: pressures of kPa, stiffness of kPa/um
+    std::string text =
+        replaced(read(scene_file), "from = \"0.1 MPa\", to = \"100 MPa\"", "from = \"0.1 kPa\", to = \"10 kPa\"");
+    const std::string picture = drawn(folder, text);
+    CHECK(contains(picture, "nominal pressure p [kPa]"));
+    CHECK(contains(picture, "K/A₀ [kPa/µm]"));
+    const auto first = curves(folder / "out.plot.csv").at(0);
+    const Csv run(fstiff("run '" + folder / "scene.toml" + "' --format csv").out);
+    CHECK(std::abs(first.x.at(0) * 1e3 / run.number(0, "pressure_Pa") - 1) < 1e-14);
+    CHECK(std::abs(first.y.at(0) * 1e9 / run.number(0, "stiffness_Pa_per_m") - 1) < 1e-14);
+}

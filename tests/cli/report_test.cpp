@@ -19,7 +19,7 @@ const figures = [...document.querySelectorAll("figure > svg")].map(picture => {
         return b.left < f.right && b.right > f.left && b.top < f.bottom && b.bottom > f.top;
     });
     const drawn = path => path.getTotalLength() > 20 && getComputedStyle(path).stroke != "none" && inside(path);
-    return {width: box.width, height: box.height, panels: frames.length,
+    return {width: box.width, height: box.height, bottom: box.bottom, panels: frames.length,
             lines: [...picture.querySelectorAll(":scope > svg path.line")].filter(drawn).length,
             bands: [...picture.querySelectorAll(":scope > svg path.band")].filter(inside).length,
             windows: [...picture.querySelectorAll(":scope > svg rect.window")].filter(w => w.getBBox().width > 1 && w.getBBox().height > 1).length,
@@ -36,6 +36,7 @@ Promise.all(images).then(sizes => {
     const answer = document.createElement("pre");
     answer.id = "measured";
     answer.textContent = JSON.stringify({figures, sizes, rows: document.querySelectorAll("tr").length,
+                                         verdict: document.querySelector(".verdict").getBoundingClientRect().bottom,
                                          wide: document.documentElement.scrollWidth, title: document.title});
     document.body.append(answer);
 });
@@ -104,17 +105,21 @@ TEST_CASE("The report of given parameters shows stiffness, reflection, area, con
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 2);
-    const Json &k = seen["figures"][0], &others = seen["figures"][1];
-    CHECK(k["width"].get<double>() > 500);
-    CHECK(k["height"].get<double>() > 600);
-    CHECK(k["panels"] == 3);     // K, R, shear R
-    CHECK(k["lines"] >= 5 * 3);  // five curves in each, and p/(0.48 sigma)
-    CHECK(k["bands"] == 5 * 3);
+    REQUIRE(seen.at("figures").size() == 6);  // K, R, shear R; area, contacts, separation
+    const Json& k = seen["figures"][0];
+    CHECK(k["width"].get<double>() > 400);
+    CHECK(k["height"].get<double>() > 400);
+    CHECK(k["lines"] == 5 + 1);  // and p/(0.48 sigma)
     CHECK(k["windows"] == 1);
-    CHECK(others["panels"] == 3);
-    CHECK(others["lines"] == 5 * 3);
+    for (std::size_t i = 0; i < 6; ++i) {
+        CHECK(seen["figures"][i]["panels"] == 1);
+        CHECK(seen["figures"][i]["lines"] >= 5);
+        CHECK(seen["figures"][i]["bands"] == (i < 3 ? 5 : 0));
+    }
     CHECK(seen["wide"].get<double>() <= 1280);
+    // the answer is on the first screen: the picture, and the verdict beside it
+    CHECK(k["bottom"].get<double>() < 1000);
+    CHECK(seen["verdict"].get<double>() < 1000);
 }
 
 TEST_CASE("The report of a measured profile shows it, its bearing curve and its structure function") {
@@ -132,13 +137,13 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 4);
-    CHECK(seen["figures"][0]["panels"] == 2);
-    CHECK(seen["figures"][0]["lines"] == 2);
-    CHECK(seen["figures"][1]["points"] > 20);
-    CHECK(seen["figures"][1]["lines"] == 1);
-    CHECK(seen["figures"][1]["windows"] == 1);
-    CHECK(seen["figures"][2]["bands"].get<int>() > 0);
+    REQUIRE(seen.at("figures").size() == 4 + 3);  // K, area, contacts, separation; profile, bearing curve, structure
+    CHECK(seen["figures"][0]["bands"].get<int>() > 0);
+    CHECK(seen["figures"][4]["lines"] == 1);
+    CHECK(seen["figures"][5]["lines"] == 1);
+    CHECK(seen["figures"][6]["points"] > 20);
+    CHECK(seen["figures"][6]["lines"] == 1);
+    CHECK(seen["figures"][6]["windows"] == 1);
 }
 
 TEST_CASE("The report of a measured map shows it in colours") {
@@ -153,16 +158,29 @@ TEST_CASE("The report of a measured map shows it in colours") {
     REQUIRE((outcome.status == 0 || outcome.status == 4));
     const std::string page = read(folder / "out/report.html");
     check_self_contained(page);
+    // the windows of the fits along x and y have the colours of their curves
+    CHECK(contains(page, "class=\"window fc0 c0\""));
+    CHECK(contains(page, "class=\"window fc1 c1\""));
+    // the pair that was chosen stands in both pictures of the islands, as fstiff islands gives it
+    const Csv islands(fstiff("islands '" + folder / "map.sdf" + "' --format csv").out);
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < islands.size(); ++i)
+        if (islands.number(i, "density_per_m2") > islands.number(most, "density_per_m2")) most = i;
+    char level[80];
+    std::snprintf(level, sizeof level, "level chosen: %.3g %%, R = %.3g µm", 100 * islands.number(most, "bearing_area"),
+                  islands.number(most, "radius_m") * 1e6);
+    INFO(level);
+    CHECK(contains(page, level));
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 5);
-    CHECK(seen["figures"][0]["images"] == 2);
+    REQUIRE(seen.at("figures").size() == 4 + 5);  // map, bearing curve, structure, islands and their radius
+    CHECK(seen["figures"][4]["images"] == 2);
     REQUIRE(seen["sizes"].size() == 2);
     CHECK(seen["sizes"][0] == 200 * 160);
     CHECK(seen["sizes"][1] == 255);
-    CHECK(seen["figures"][1]["windows"].get<int>() >= 1);
-    CHECK(seen["figures"][2]["lines"] == 1);  // islands
+    CHECK(seen["figures"][6]["windows"].get<int>() >= 1);
+    CHECK(seen["figures"][7]["lines"] == 1);
 }
 
 TEST_CASE("report refuses what run refuses, and leaves no folder then") {
@@ -172,4 +190,71 @@ TEST_CASE("report refuses what run refuses, and leaves no folder then") {
     CHECK(lines(bad.err).size() == 1);
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
     CHECK(fstiff("report").status == 2);
+}
+
+TEST_CASE("The report begins with the answer and says which material was assumed") {
+    const Folder folder;
+    REQUIRE(fstiff("report -o '" + folder / "builtin" + "'").status == 0);
+    const std::string page = read(folder / "builtin/report.html");
+    CHECK(contains(page,
+                   "Material assumed, not given: steel of the built-in scene, E = 205 GPa, ν = 0.3 of both bodies"));
+    const auto before_inputs = [&](const std::string& text) { return page.find(text) < page.find("<h2>Inputs</h2>"); };
+    for (const char* part : {"rms height σ = 0.832 µm", "<th>at 0.1 MPa</th><th>at 3.16 MPa</th><th>at 100 MPa</th>",
+                             "Verdict: computed, but not all", "plasticity index 14.5", "<figure>"}) {
+        INFO(part);
+        CHECK(before_inputs(part));
+    }
+    // K at 3.16 MPa is that of run, in the unit of the table
+    const Csv run(fstiff("run --format csv").out);
+    char shown[32];
+    std::snprintf(shown, sizeof shown, "<td>%.3g</td>", run.number(15, "stiffness_Pa_per_m") / 1e15);
+    CHECK(before_inputs(shown));
+    const std::string scene = folder.write("scene.toml", replaced(read(FSTIFF_SCENES "/../docs/stiffness.toml"),
+                                                                  "[material.lower]\nyoungs_modulus = "
+                                                                  "\"205 GPa\"",
+                                                                  "[material.lower]\nyoungs_modulus = \"70 GPa\""));
+    REQUIRE(fstiff("report '" + scene + "' -o '" + folder / "own" + "'").status == 0);
+    const std::string own = read(folder / "own/report.html");
+    CHECK(contains(own, "Material: E = 205 GPa, ν = 0.3 on E = 70 GPa, ν = 0.3; no yield strength is given"));
+    CHECK_FALSE(contains(own, "assumed"));
+    CHECK(contains(own, "0.00"));  // K with its band in brackets
+    CHECK(contains(own, " to "));
+}
+
+TEST_CASE("The report fits a telephone and is printed on few pages") {
+    if (shell("command -v chromium").status != 0)
+        SKIP_CASE("there is no chromium: the look of the report is not tested");
+    const Folder folder;
+    REQUIRE(fstiff("report '" FSTIFF_SCENES "/../docs/stiffness.toml' -o '" + folder / "out" + "'").status == 0);
+    const std::string file = folder / "out/report.html",
+                      start =
+                          "chromium --headless --no-sandbox --disable-gpu "
+                          "--host-resolver-rules='MAP * ~NOTFOUND' --virtual-time-budget=5000 --user-data-dir='" +
+                          folder / "profile" + "' ";
+    REQUIRE(shell(start + "--no-pdf-header-footer --print-to-pdf='" + folder / "out.pdf" + "' 'file://" + file + "'")
+                .status == 0);
+    std::size_t pages = 0;
+    const std::string pdf = read(folder / "out.pdf");
+    for (auto at = pdf.find("/Type /Page\n"); at != std::string::npos; at = pdf.find("/Type /Page\n", at + 1)) ++pages;
+    CHECK(pages >= 1);
+    CHECK(pages <= 4);
+
+    // headless windows are not narrower than 500: a frame of 390 is
+    std::string inside = read(file);
+    for (const auto& [from, to] : {std::pair("&", "&amp;"), std::pair("\"", "&quot;")})
+        for (auto at = inside.find(from); at != std::string::npos; at = inside.find(from, at + std::string(to).size()))
+            inside.replace(at, 1, to);
+    const std::string phone =
+        folder.write("phone.html",
+                     "<!doctype html><iframe width=390 height=844 frameborder=0 srcdoc=\"" + inside +
+                         "\"></iframe><pre id=answer></pre><script>onload = () => { const page = "
+                         "document.querySelector('iframe').contentDocument; answer.textContent = 'wide ' + "
+                         "page.documentElement.scrollWidth + ' text ' + Math.min(...[...page.querySelectorAll('.fstiff "
+                         "text')].map(t => t.getBoundingClientRect().height)); }</script>");
+    const Outcome seen = shell(start + "--dump-dom 'file://" + phone + "'");
+    const auto at = seen.out.find("wide ", seen.out.find("id=\"answer\""));
+    REQUIRE(at != std::string::npos);
+    INFO(seen.out.substr(at, 60));
+    CHECK(std::stod(seen.out.substr(at + 5)) <= 390);
+    CHECK(std::stod(seen.out.substr(seen.out.find("text ", at) + 5)) > 9);  // readable: the lines of text are 9 high
 }

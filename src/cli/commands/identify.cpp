@@ -300,11 +300,42 @@ void draw_measured(Panel& panel, const MeasuredCurve& curve, double factor) {
     panel.lines.push_back(std::move(measured));
 }
 
+/// The fitted model from the least pressure to the greatest, many points, so that it is smooth.
+PlotLine model_line(const Work& work, const Fit& fit, double factor) {
+    const auto& all = fit.found.all;
+    const auto order = rising(fit.points);
+    const double least = fit.points[order.front()].pressure, greatest = fit.points[order.back()].pressure;
+    std::vector<double> pressures, loads;
+    for (int k = 0; k <= 100; ++k) {
+        pressures.push_back(least * std::pow(greatest / least, k / 100.0));
+        loads.push_back(std::max(pressures.back() + all.offset, 1e-6 * pressures.back()));
+    }
+    const PeakDistribution<double> peaks(all.r, all.theta);
+    const auto contact = fit.law->contact({.surface = {all.rms_height, all.peak_radius, all.peak_density},
+                                           .effective_modulus = all.effective_modulus,
+                                           .peaks = &peaks,
+                                           .fractal_dimension = all.fractal_dimension});
+    PlotLine line{.label = legend_of(fit.law->name, fit.theta, fit.r), .x = {}, .y = {}};
+    const auto states = contact->at_pressures(loads, Quantity::stiffness);
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        if (!states[k].ok()) continue;
+        const double stiffness = states[k].state.stiffness.value;
+        const auto& wave = work.found.wave;
+        const double value =
+            wave ? reflection(wave->stiffness_ratio * stiffness, wave->media, wave->angular_frequency) : stiffness;
+        line.x.push_back(pressures[k] / 1e6);
+        line.y.push_back(value * factor);
+    }
+    return line;
+}
+
 /// The measured curve with those that were fitted, and the residuals below.
 Figure picture(const Work& work) {
     const MeasuredCurve& curve = work.curve;
     const Shown y = shown(curve);
-    Panel above{.x = {.label = "nominal pressure p [MPa]"},
+    Panel above{.title = curve.is_reflection ? "Reflection: measured points and fitted models"
+                                             : "Stiffness: measured points and fitted models",
+                .x = {.label = "nominal pressure p [MPa]"},
                 .y = {.label = curve.is_reflection ? "|R|" : "K/A₀ [GPa/µm]", .logarithmic = !curve.is_reflection},
                 .height = 300};
     Panel below{.title = "Residuals",
@@ -320,14 +351,11 @@ Figure picture(const Work& work) {
     int colour = 0;
     for (const Fit& fit : work.found.fits) {
         if (fit.found.status == FitStatus::singular) continue;
-        PlotLine model{.label = legend_of(fit.law->name, fit.theta, fit.r), .x = {}, .y = {}};
-        model.colour = colour;
-        PlotLine residual = model;
+        PlotLine model = model_line(work, fit, y.factor), residual{.label = model.label, .x = {}, .y = {}};
+        residual.colour = model.colour = colour;
         residual.stroke = Stroke::none;
         residual.marker = markers[static_cast<std::size_t>(colour) % markers.size()];
         for (const std::size_t i : rising(fit.points)) {
-            model.x.push_back(fit.points[i].pressure / 1e6);
-            model.y.push_back(fit.found.model[i] * y.factor);
             residual.x.push_back(fit.points[i].pressure / 1e6);
             residual.y.push_back(fit.found.residuals[i]);
             widest = std::max(widest, 1.1 * std::abs(fit.found.residuals[i]));

@@ -5,6 +5,7 @@
 #include "input/scene_options.hpp"
 #include "picture/page.hpp"
 #include "picture/panels.hpp"
+#include "picture/unit.hpp"
 #include "scene/results.hpp"
 #include "scene/surface_instances.hpp"
 
@@ -38,22 +39,25 @@ struct Options {
 using Rows = std::vector<std::vector<std::string>>;
 constexpr double um = 1e-6;
 
-std::string with_error(double value, double error, int digits = 5) {
-    return rounded(value, digits) + (error > 0 ? " ± " + rounded(error, 2) : "");
+/// A figure as wide as a phone can show, with its legend below.
+void show(Page& page, std::vector<Panel> panels, std::string_view caption = "") {
+    for (Panel& panel : panels)
+        if (!panel.image) panel.width = 440;
+    page.figure({.title = "", .panels = std::move(panels), .legend_below = true}, caption);
 }
 
 /// A long profile keeps the least and greatest height of every one of \p parts stretches; missing points leave gaps.
 Panel profile_panel(const Profile<double>& profile) {
     constexpr std::size_t parts = 1000;
     Panel panel{.title = "Measured profile, without its form",
-                .x = {.label = "x [mm]", .logarithmic = false},
-                .y = {.label = "height [µm]", .logarithmic = false},
+                .x = {.label = "x", .logarithmic = false, .si = "m along"},
+                .y = {.label = "height", .logarithmic = false, .si = "m"},
                 .height = 200,
                 .legend = false};
     PlotLine line{.label = "height", .x = {}, .y = {}};
     const auto add = [&](std::size_t i) {
-        line.x.push_back(static_cast<double>(i) * profile.spacing * 1e3);
-        line.y.push_back(profile.heights[i] / um);
+        line.x.push_back(static_cast<double>(i) * profile.spacing);
+        line.y.push_back(profile.heights[i]);
     };
     const std::size_t step = std::max<std::size_t>(1, profile.size() / parts);
     for (std::size_t from = 0; from < profile.size(); from += step) {
@@ -98,24 +102,23 @@ std::vector<Panel> map_panels(const HeightMap<double>& map) {
                                               : static_cast<unsigned char>(std::lround(
                                                     high > low ? 254 * ((mean - low) / (high - low)) : 127)));
         }
-    const double x = static_cast<double>(map.columns()) * map.dx * 1e3,
-                 y = static_cast<double>(map.rows()) * map.dy * 1e3;
-    const double scale = std::min(480 / x, 480 / y);
+    const double x = static_cast<double>(map.columns()) * map.dx, y = static_cast<double>(map.rows()) * map.dy;
+    const double scale = std::min(440 / x, 440 / y);
 
     Panel heights{
         .title = "Measured map, without its form",
-        .x = {.label = "x [mm]", .logarithmic = false, .low = 0.0, .high = x},
-        .y = {.label = "y [mm]", .logarithmic = false, .low = 0.0, .high = y},
+        .x = {.label = "x", .logarithmic = false, .low = 0.0, .high = x, .si = "m along"},
+        .y = {.label = "y", .logarithmic = false, .low = 0.0, .high = y, .si = "m along"},
         .image = PlotImage{heat_map_png(shades, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)), 0,
                            x, 0, y},
         .width = std::max(60.0, scale * x),
         .height = std::max(60.0, scale * y)};
     std::vector<unsigned char> bar;
     for (int k = 0; k < 255; ++k) bar.push_back(static_cast<unsigned char>(k));
-    Panel colours{.x = {.label = "height [µm]", .logarithmic = false, .low = low / um, .high = high / um},
+    Panel colours{.x = {.label = "height", .logarithmic = false, .low = low, .high = high, .si = "m"},
                   .y = {.label = "", .logarithmic = false, .low = 0.0, .high = 1.0, .ticks = false},
-                  .image = PlotImage{heat_map_png(bar, 255, 1), low / um, high / um, 0, 1},
-                  .width = 480,
+                  .image = PlotImage{heat_map_png(bar, 255, 1), low, high, 0, 1},
+                  .width = 440,
                   .height = 18};
     return {heights, colours};
 }
@@ -124,57 +127,53 @@ std::vector<Panel> map_panels(const HeightMap<double>& map) {
 Panel bearing_panel(std::span<const double> heights) {
     Panel panel{.title = "Bearing curve",
                 .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 100.0},
-                .y = {.label = "height [µm]", .logarithmic = false},
-                .height = 240,
+                .y = {.label = "height", .logarithmic = false, .si = "m"},
+                .height = 200,
                 .legend = false};
-    PlotLine line{.label = "height", .x = {}, .y = {}};
     const BearingCurve<double> curve = bearing_curve(heights);
-    for (std::size_t k = 0; k < curve.size(); ++k) {
-        line.x.push_back(100 * curve.share[k]);
-        line.y.push_back(curve.height[k] / um);
-    }
-    panel.lines.push_back(std::move(line));
+    panel.lines.push_back(line_of(
+        "height", curve.size(), [&](auto k) { return 100 * curve.share[k]; }, [&](auto k) { return curve.height[k]; }));
     return panel;
 }
 
 void add_structure(Panel& panel, const FractalFit<double>& fit, const std::string& of) {
     const auto& s = fit.structure_function;
-    PlotLine measured{.label = "S" + of, .x = {}, .y = {}};
+    std::vector<std::size_t> shown;  // about as many as can be told apart
+    for (std::size_t k = 0; k < s.size(); ++k)
+        if (shown.empty() || s.lag[k] >= 1.08 * s.lag[shown.back()]) shown.push_back(k);
+    const auto lag = [&](auto k) { return s.lag[shown[k]]; };
+    PlotLine measured = line_of("S" + of, shown.size(), lag, [&](auto k) { return s.value[shown[k]]; });
     measured.colour = static_cast<int>(panel.lines.size()) / 2;
     measured.stroke = Stroke::none;
-    measured.marker = Marker::circle;
-    PlotLine fitted{.label = "D = " + with_error(fit.fractal.dimension, fit.dimension_error, 4), .x = {}, .y = {}};
+    measured.marker = measured.colour == 0 ? Marker::circle : Marker::triangle;
+    PlotLine fitted = line_of("D = " + with_unit(fit.fractal.dimension, "", 4, fit.dimension_error) + of, shown.size(),
+                              lag, [&](auto k) { return structure_function_at(lag(k), fit.fractal); });
     fitted.colour = measured.colour;
     fitted.stroke = Stroke::dashed;
     fitted.sets_range = false;
-    double last = 0;
-    for (std::size_t k = 0; k < s.size(); ++k) {
-        if (last > 0 && s.lag[k] < 1.08 * last) continue;  // about as many as can be told apart
-        last = s.lag[k];
-        measured.x.push_back(s.lag[k] / um);
-        measured.y.push_back(s.value[k] / (um * um));
-        fitted.x.push_back(s.lag[k] / um);
-        fitted.y.push_back(structure_function_at(s.lag[k], fit.fractal) / (um * um));
-    }
+    panel.windows.push_back(
+        {.label = "window of the fit" + of, .low = fit.window.from, .high = fit.window.to, .colour = measured.colour});
     panel.lines.push_back(std::move(measured));
     panel.lines.push_back(std::move(fitted));
-    panel.windows.push_back({"window of the fit" + of, fit.window.from / um, fit.window.to / um});
 }
 
 Panel structure_panel() {
-    return {.title = "Structure function (2.8)", .x = {.label = "lag τ [µm]"}, .y = {.label = "S [µm²]"}};
+    return {.title = "Structure function (2.8)",
+            .x = {.label = "lag τ", .si = "m"},
+            .y = {.label = "S", .si = "m^2"},
+            .height = 300};
 }
 
 /// The profile, its bearing curve and structure function. \returns its peak statistics for a table.
-Rows profile_part(Page& page, const MeasuredSurface& surface, const std::string& shown) {
+Rows profile_part(Page& page, const MeasuredSurface& surface) {
     Rows peaks{{"peak statistics", "value"}};
     const Profile<double>& profile = surface.profile->profile;
-    page.figure({.title = shown, .panels = {profile_panel(profile), bearing_panel(profile.heights)}},
-                "Profile, and its height against the share of it that stands above.");
+    show(page, {profile_panel(profile)});
+    show(page, {bearing_panel(profile.heights)}, "Height against the share of the profile that stands above.");
     if (surface.profile_fit) {
         Panel panel = structure_panel();
         add_structure(panel, *surface.profile_fit, "");
-        page.figure({.title = shown, .panels = {panel}}, "Structure function, its fit and the window.");
+        show(page, {panel}, "Structure function, its fit and the window.");
     } else {
         page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
     }
@@ -195,34 +194,45 @@ Rows profile_part(Page& page, const MeasuredSurface& surface, const std::string&
     return peaks;
 }
 
-void islands_figure(Page& page, const MeasuredSurface& surface, const std::string& shown) {
+void islands_figure(Page& page, const MeasuredSurface& surface) {
     try {
         const IslandCurve<double> curve = surface.islands ? *surface.islands : island_curve(surface.map->map);
-        Panel islands{.title = "Islands",
+        const std::size_t chosen = curve.representative();
+        Panel density{.title = "Density of islands",
                       .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 100.0},
-                      .y = {.label = "density [1/mm²]", .logarithmic = false, .low = 0.0},
-                      .height = 240,
-                      .legend = false};
-        PlotLine line{.label = "islands", .x = {}, .y = {}};
-        for (std::size_t k = 0; k < curve.size(); ++k) {
-            line.x.push_back(100 * curve.bearing_area[k]);
-            line.y.push_back(curve.density[k] * 1e-6);
-        }
-        islands.lines.push_back(std::move(line));
-        page.figure({.title = shown, .panels = {islands}}, "Islands above a cut, against the bearing area there.");
+                      .y = {.label = "D_p", .logarithmic = false, .low = 0.0, .si = "1/m^2"},
+                      .height = 200};
+        Panel radius = density;
+        radius.title = "Radius of the mean island";
+        radius.y = {.label = "R", .logarithmic = false, .low = 0.0, .si = "m"};
+        const auto add = [&](Panel& panel, const char* name, const std::vector<double>& values, std::string_view si) {
+            const auto share = [&](auto k) { return 100 * curve.bearing_area[k]; };
+            PlotLine point{.label = "level chosen: " + rounded(share(chosen), 3) + " %, " + name + " = " +
+                                    with_unit(values[chosen], si, 3),
+                           .x = {share(chosen)},
+                           .y = {values[chosen]}};
+            point.stroke = Stroke::none;
+            point.marker = Marker::diamond;
+            panel.lines = {line_of("islands above a level", curve.size(), share, [&](auto k) { return values[k]; }),
+                           std::move(point)};
+        };
+        add(density, "D_p", curve.density, "1/m^2");
+        add(radius, "R", curve.radius, "m");
+        radius.y.high = 4 * curve.radius[chosen];  // that of the few islands at the lowest levels is of no use
+        show(page, {density});
+        show(page, {radius}, "Islands above a level against the bearing area there, and their radius.");
     } catch (const domain_error& error) {
         page.paragraph("No islands: " + std::string(error.what()));
     }
 }
 
 /// The map, its bearing curve, structure functions and islands. \returns its summits for a table.
-Rows map_part(Page& page, const MeasuredSurface& surface, const std::string& shown) {
+Rows map_part(Page& page, const MeasuredSurface& surface) {
     Rows peaks{{"peak statistics", "value"}};
     const HeightMap<double>& map = surface.map->map;
-    std::vector<Panel> panels = map_panels(map);
-    panels.push_back(bearing_panel({map.heights.data(), static_cast<std::size_t>(map.size())}));
-    page.figure({.title = shown, .panels = panels},
-                "Map, the heights of its colours, and height against the share of the map that stands above.");
+    show(page, map_panels(map), "Map, and the heights of its colours.");
+    show(page, {bearing_panel({map.heights.data(), static_cast<std::size_t>(map.size())})},
+         "Height against the share of the map that stands above.");
     if (surface.map_fit) {
         const DirectionalFit<double>& fit = *surface.map_fit;
         Panel panel = structure_panel();
@@ -231,8 +241,7 @@ Rows map_part(Page& page, const MeasuredSurface& surface, const std::string& sho
         for (const auto& [direction, refusal] : {std::pair("x", fit.why_no_fit_x), std::pair("y", fit.why_no_fit_y)})
             if (!refusal.empty()) page.paragraph("No fit along " + std::string(direction) + ": " + refusal);
         if (!panel.lines.empty())
-            page.figure({.title = shown, .panels = {panel}},
-                        "Structure functions along both directions, their fits and windows.");
+            show(page, {panel}, "Structure functions along both directions, their fits and windows.");
     } else {
         page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
     }
@@ -242,20 +251,19 @@ Rows map_part(Page& page, const MeasuredSurface& surface, const std::string& sho
                                {"mean height of the summits [µm]", rounded(a.summit_height / um)},
                                {"rms gradient", rounded(a.rms_gradient)},
                                {"α = m0 m4/m2²", rounded(a.nayak)}});
-    islands_figure(page, surface, shown);
+    islands_figure(page, surface);
     return peaks;
 }
 
 void measured_section(Page& page, const MeasuredSurface& surface) {
-    const std::string shown = std::filesystem::path(surface.file).filename().string();
     page.heading("Measured surface");
     Rows source{{"", ""}, {"file", surface.file}, {"kind", surface.kind}, {"SHA-256", surface.sha256}};
     page.table(source);
     page.list(surface.decisions);
 
-    Rows rows{{"parameter", "value", "error", "unit", "found by"}};
+    Rows rows{{"parameter", "value", "found by"}};
     for (const ParameterLine& line : parameter_lines(surface))
-        rows.push_back({line.name, rounded(line.measured.value), rounded(line.measured.error, 2), line.unit, line.how});
+        rows.push_back({line.name, with_unit(line.measured.value, line.unit, 5, line.measured.error), line.how});
     page.table(rows);
     if (!surface.fractal_refusal.empty()) page.paragraph("No D and G: " + surface.fractal_refusal);
     if (!surface.peaks_refusal.empty()) page.paragraph("No r and θ: " + surface.peaks_refusal);
@@ -264,28 +272,29 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
         page.paragraph("The numbers come from the JSON of fstiff measure, which holds no heights: none are drawn.");
         return;
     }
-    const Rows peaks = surface.profile ? profile_part(page, surface, shown) : map_part(page, surface, shown);
+    page.begin("div class=\"pair\"");
+    const Rows peaks = surface.profile ? profile_part(page, surface) : map_part(page, surface);
+    page.end("div");
     if (peaks.size() > 1) page.table(peaks);
 }
 
-void given_section(Page& page, const Scene& scene) {
-    page.heading("Surface");
-    page.paragraph("The surface is given by its parameters; there is no measured profile or map to show.");
+/// Name and value with its error of what the surface is given by.
+Rows surface_rows(const Scene& scene) {
     const auto& s = scene.surface;
-    const auto error = [&](Parameter which) { return scene.uncertain.error[static_cast<std::size_t>(which)]; };
-    Rows rows{{"parameter", "value", "unit"}};
-    rows.push_back({"rms height σ", with_error(s.rms_height / um, error(Parameter::rms_height) / um), "µm"});
-    rows.push_back({"peak radius R", with_error(s.peak_radius / um, error(Parameter::peak_radius) / um), "µm"});
-    rows.push_back(
-        {"peak density D_p", with_error(s.peak_density * 1e-6, error(Parameter::peak_density) * 1e-6), "1/mm²"});
-    if (s.max_peak_height > 0) rows.push_back({"highest peak R_p", rounded(s.max_peak_height / um), "µm"});
-    if (scene.fractal_dimension)
-        rows.push_back(
-            {"fractal dimension D", with_error(*scene.fractal_dimension, error(Parameter::fractal_dimension)), ""});
-    if (scene.fractal_roughness) rows.push_back({"fractal roughness G", rounded(*scene.fractal_roughness), "m"});
-    if (scene.r) rows.push_back({"r", with_error(*scene.r, error(Parameter::r)), ""});
-    if (scene.theta) rows.push_back({"θ", with_error(*scene.theta, error(Parameter::theta)), "rad"});
-    page.table(rows);
+    Rows rows;
+    const auto add = [&](const char* name, std::optional<double> value, std::string_view si, Parameter which) {
+        if (value)
+            rows.push_back({name, with_unit(*value, si, 4, scene.uncertain.error[static_cast<std::size_t>(which)])});
+    };
+    add("rms height σ", s.rms_height, "m", Parameter::rms_height);
+    add("peak radius R", s.peak_radius, "m", Parameter::peak_radius);
+    add("peak density D_p", s.peak_density, "1/m^2", Parameter::peak_density);
+    add("fractal dimension D", scene.fractal_dimension, "", Parameter::fractal_dimension);
+    add("r", scene.r, "", Parameter::r);
+    add("θ", scene.theta, "rad", Parameter::theta);
+    if (scene.fractal_roughness) rows.push_back({"fractal roughness G", rounded(*scene.fractal_roughness, 4) + " m"});
+    if (s.max_peak_height > 0) rows.push_back({"highest peak R_p", with_unit(s.max_peak_height, "m", 4)});
+    return rows;
 }
 
 std::string range_of(double low, double high, int digits = 3) {
@@ -323,44 +332,114 @@ void validity_section(Page& page, const Scene& scene, const Results& results) {
                                                   : "does not hold"});
     }
     page.table(rows);
-    if (!results.warnings.empty()) {
-        page.paragraph("Warnings:");
-        page.list(results.warnings);
-    } else {
-        page.paragraph("No warnings.");
-    }
+    if (results.warnings.size() > 5) page.list(results.warnings);
 }
 
-void results_section(Page& page, const Scene& scene, const Results& results) {
-    page.heading("Stiffness");
-    page.figure(results_figure(scene, results),
-                "K per nominal area against pressure" +
-                    std::string(scene.ultrasound ? ", and the reflection of ultrasound, eq. (5.1)." : "."));
+std::string body(const Material<double>& material) {
+    return "E = " + with_unit(material.youngs_modulus, "Pa", 4) + ", ν = " + rounded(material.poisson_ratio, 3);
+}
+
+/// What the bodies are made of, and whether anybody said so.
+std::string material_sentence(const Scene& scene) {
+    const bool assumed = scene.file == "built-in scene";
+    const bool alike = scene.upper.youngs_modulus == scene.lower.youngs_modulus &&
+                       scene.upper.poisson_ratio == scene.lower.poisson_ratio;
+    std::string text = assumed ? "Material assumed, not given: steel of the built-in scene, " : "Material: ";
+    text += alike ? body(scene.upper) + " of both bodies" : body(scene.upper) + " on " + body(scene.lower);
+    const auto same = [](const Input& input) { return input.key == "material.lower"; };
+    if (std::any_of(scene.inputs.begin(), scene.inputs.end(), same))
+        text += " (the lower is assumed to be as the upper)";
+    text += scene.yield_strength ? ", yield strength " + with_unit(*scene.yield_strength, "Pa", 4)
+                                 : "; no yield strength is given, so that yielding is not judged";
+    return text + (assumed ? ". Give your own in a scene, section [material]." : ".");
+}
+
+/// K of every curve at the first, the middle and the last point, with its band.
+Rows stiffness_rows(const Scene& scene, const Results& results) {
+    const auto& first = results.curves.front().states;
+    std::vector<std::size_t> points;
+    for (const std::size_t i : {std::size_t(0), first.size() / 2, first.size() - 1})
+        if (points.empty() || i != points.back()) points.push_back(i);
+    const Unit unit =
+        unit_for("Pa/m", std::sqrt(first.front().stiffness.value) * std::sqrt(first.back().stiffness.value));
+    Rows rows{{"K/A₀ [" + std::string(unit.name) + "]"}};
+    for (const std::size_t i : points)
+        rows[0].push_back(scene.at_separations ? "at d = " + with_unit(first[i].separation.value, "m", 3)
+                                               : "at " + with_unit(first[i].pressure.value, "Pa", 3));
+    for (const Curve& curve : results.curves) {
+        std::vector<std::string> row{legend_of(curve)};
+        for (const std::size_t i : points) {
+            const bool known = i < curve.states.size() && std::isfinite(curve.states[i].stiffness.value);
+            row.push_back(known ? rounded(curve.states[i].stiffness.value / unit.size, 3) : "-");
+            if (known && i < curve.band.size())
+                row.back() += " (" + rounded(curve.band[i].low / unit.size, 3) + " to " +
+                              rounded(curve.band[i].high / unit.size, 3) + ")";
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// The first screen: surface, K, what speaks against it, and the picture.
+void answer_section(Page& page, const Scene& scene, const Results& results) {
+    std::string surface = scene.measured ? "Surface measured from " + scene.measured->file + ": "
+                                         : "Surface as given in " + scene.file + ": ";
+    const Rows parameters = surface_rows(scene);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        surface += (i ? ", " : "") + parameters[i][0] + " = " + parameters[i][1];
+    page.begin("div class=\"answer\"");
+    page.begin("div");
+    page.paragraph(surface + ".");
+    page.paragraph(material_sentence(scene));
+    Rows rows = stiffness_rows(scene, results);
+    constexpr std::size_t most = 7, sentences = 5;
+    const std::size_t curves = rows.size() - 1;
+    if (curves > most) rows.resize(most + 1);
+    page.table(rows);
+    std::string about = results.curves.front().band.empty()
+                            ? "Without errors of the surface's parameters K has no band."
+                            : "In brackets the band that holds 5 to 95 % of " + std::to_string(scene.samples) +
+                                  " surfaces drawn about this one by its errors.";
+    if (curves > most) about += " The first " + std::to_string(most) + " of " + std::to_string(curves) + " curves.";
+    page.paragraph(about);
+    const std::size_t count = results.warnings.size();
+    page.begin(count == 0 ? "div class=\"verdict\"" : "div class=\"verdict warned\"");
+    page.paragraph(count == 0         ? "Verdict: no check of validity speaks against these results."
+                   : results.doubtful ? "Verdict: doubtful. Read the warnings before any of these numbers is used."
+                                      : "Verdict: computed, but not all assumptions of the model hold.");
+    page.list(
+        {results.warnings.begin(), results.warnings.begin() + static_cast<std::ptrdiff_t>(std::min(count, sentences))});
+    if (count > sentences) page.paragraph(std::to_string(count - sentences) + " more under Validity.");
+    page.end("div");
+    page.end("div");
+    show(page, {stiffness_panel(scene, results)}, left_out(results));
+    page.end("div");
+}
+
+void other_figures(Page& page, const Scene& scene, const Results& results) {
+    page.heading("Under the same pressures");
+    page.begin("div class=\"pair\"");
+    if (scene.ultrasound)
+        for (Panel& panel : reflection_panels(scene, results))
+            show(page, {std::move(panel)}, "Reflection of ultrasound by the contact, eq. (5.1).");
+    std::vector<Panel> panels{quantity_panel(results, {.label = "real area / nominal"},
+                                             [](const ContactState<double>& s) { return s.real_area_fraction.value; }),
+                              quantity_panel(results, {.label = "contacts", .si = "1/m^2"},
+                                             [](const ContactState<double>& s) { return s.contact_density.value; }),
+                              quantity_panel(results, {.label = "separation", .logarithmic = false, .si = "m"},
+                                             [](const ContactState<double>& s) { return s.separation.value; })};
+    panels[0].title = "Real area";
+    panels[1].title = "Contacts";
+    panels[2].title = "Separation of the mean planes";
+    for (Panel& panel : panels) show(page, {std::move(panel)});
+    page.end("div");
     if (!scene.ultrasound) page.paragraph("The scene has no section [ultrasound]: no reflection is computed.");
+}
 
-    page.heading("Real area, contacts and separation");
-    Figure others{.title = "Under the same pressures", .panels = {}};
-    Panel area = quantity_panel(results, "real area / nominal", true,
-                                [](const ContactState<double>& s) { return s.real_area_fraction.value; });
-    area.title = "Real area";
-    Panel contacts = quantity_panel(results, "contacts [1/mm²]", true,
-                                    [](const ContactState<double>& s) { return s.contact_density.value * 1e-6; });
-    contacts.title = "Contacts";
-    Panel separation = quantity_panel(results, "separation [µm]", false,
-                                      [](const ContactState<double>& s) { return s.separation.value / um; });
-    separation.title = "Separation of the mean planes";
-    others.panels = {area, contacts, separation};
-    const auto has = [&](std::string_view law) {
-        return std::any_of(scene.laws.begin(), scene.laws.end(), [&](const auto& one) { return one.law->name == law; });
-    };
-    page.figure(others, std::string("Real area, number of contacts and separation against pressure.") +
-                            (has("fractal") && has("hertz")
-                                 ? " fractal and hertz have one load, (3.7): here their curves lie on one another."
-                                 : ""));
-
+/// Every number, one closed table for each curve.
+void numbers_section(Page& page, const Scene& scene, const Results& results) {
     page.heading("Numbers");
     for (const Curve& curve : results.curves) {
-        page.paragraph(legend_of(curve));
         std::vector<std::string> header{"p [MPa]", "η", "separation [µm]", "K/A₀ [GPa/µm]"};
         if (!curve.band.empty()) header.insert(header.end(), {"5 %", "95 %"});
         if (scene.ultrasound) header.push_back("|R|");
@@ -383,26 +462,24 @@ void results_section(Page& page, const Scene& scene, const Results& results) {
             row.insert(row.end(), {rounded(s.real_area_fraction.value), rounded(s.contact_density.value * 1e-6)});
             rows.push_back(std::move(row));
         }
+        page.begin_details(legend_of(curve) + ": " + std::to_string(curve.states.size()) + " points");
         page.table(rows);
+        page.end("details");
     }
 }
 
-std::string page_of(const Scene& scene, const Results& results) {
-    Page page(scene.name);
-    page.paragraph("Normal contact stiffness, computed by fstiff " FSTIFF_VERSION " from " + scene.file + ".");
+void inputs_section(Page& page, const Scene& scene) {
     page.heading("Inputs");
-    page.table({{"scene", "SHA-256"}, {scene.file, scene.sha256}});
-    Rows inputs{{"key", "written", "value", "unit"}};
+    Rows inputs{{"key", "value", "as written"}};
     for (const Input& input : scene.inputs)
-        inputs.push_back({input.key, input.written, input.value ? rounded(*input.value, 6) : "", input.unit});
+        inputs.push_back({input.key, input.value ? with_unit(*input.value, input.unit) : "",
+                          input.key.ends_with("(measured)") ? "" : input.written});
     page.table(inputs);
-    if (scene.measured)
-        measured_section(page, *scene.measured);
-    else
-        given_section(page, scene);
-    results_section(page, scene, results);
-    validity_section(page, scene, results);
+    if (!scene.measured)
+        page.paragraph("The surface is given by its parameters; there is no measured profile or map to show.");
+}
 
+void equations_section(Page& page, const Scene& scene, const Results& results) {
     page.heading("Equations");
     Rows rows{{"law", "load", "stiffness", "peaks"}};
     for (const ChosenLaw& chosen : scene.laws) {
@@ -417,13 +494,24 @@ std::string page_of(const Scene& scene, const Results& results) {
     if (scene.ultrasound)
         rest += " Reflection by (5.1); shear waves see the tangential stiffness, " + rounded(results.tangential_ratio) +
                 " K by Mindlin.";
-    if (!results.curves.front().band.empty())
-        rest += " The band holds 5 to 95 % of " + std::to_string(scene.samples) +
-                " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) + ".";
+    if (!results.curves.front().band.empty()) rest += " The band is of seed " + std::to_string(scene.seed) + ".";
     page.paragraph(rest);
     page.paragraph(
         "The numbers of the equations are those of R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness "
         "of fractal rough surfaces, Arch. Mech. 66 (2014). K is the stiffness per nominal area, 1 GPa/µm = 1e15 Pa/m.");
+    page.paragraph("Normal contact stiffness, computed by fstiff " FSTIFF_VERSION " from " + scene.file + ", SHA-256 " +
+                   scene.sha256 + ".");
+}
+
+std::string page_of(const Scene& scene, const Results& results) {
+    Page page(scene.name);
+    answer_section(page, scene, results);
+    other_figures(page, scene, results);
+    inputs_section(page, scene);
+    if (scene.measured) measured_section(page, *scene.measured);
+    validity_section(page, scene, results);
+    numbers_section(page, scene, results);
+    equations_section(page, scene, results);
     return page.str();
 }
 

@@ -127,25 +127,23 @@ std::vector<std::string> errata() {
 Picture figure_2() {
     Panel panel{.x = {.label = "height of a peak ζ = z/σ", .logarithmic = false},
                 .y = {.label = "probability density", .logarithmic = false, .low = 0.0}};
-    PlotLine gauss{.label = "Gaussian heights of all ordinates", .x = {}, .y = {}, .colour = neutral};
-    gauss.stroke = Stroke::dotted;
+    const auto height = [](std::size_t k) { return (static_cast<int>(k) - 80) / 20.0; };
     int colour = 0;
     for (const auto& [r, name, stroke] : {std::tuple{1.0 / 2, "1/2", Stroke::dotted},
                                           {1.0 / 3, "1/3", Stroke::solid},
                                           {1.0 / 5, "1/5", Stroke::dashed}}) {
         const PeakDistribution<double> peaks(r, pi / 3);
-        PlotLine line{.label = std::string("r = ") + name, .x = {}, .y = {}, .colour = colour++, .stroke = stroke};
-        for (int k = -80; k <= 80; ++k) {
-            line.x.push_back(k / 20.0);
-            line.y.push_back(peaks.height_marginal(k / 20.0));
-        }
-        panel.lines.push_back(std::move(line));
+        panel.lines.push_back(
+            line_of(std::string("r = ") + name, 161, height, [&](auto k) { return peaks.height_marginal(height(k)); }));
+        panel.lines.back().colour = colour++;
+        panel.lines.back().stroke = stroke;
     }
-    for (int k = -80; k <= 80; ++k) {
-        gauss.x.push_back(k / 20.0);
-        gauss.y.push_back(std::exp(-k * k / 800.0) / std::sqrt(2 * pi));
-    }
-    panel.lines.push_back(std::move(gauss));
+    panel.lines.push_back(line_of("Gaussian heights of all ordinates", 161, height, [](std::size_t k) {
+        const int n = static_cast<int>(k) - 80;
+        return std::exp(-n * n / 800.0) / std::sqrt(2 * pi);
+    }));
+    panel.lines.back().colour = neutral;
+    panel.lines.back().stroke = Stroke::dotted;
     return {"fig2",
             "Fig. 2: density of the heights of the peaks for θ = π/3, eq. (4.4) integrated over the curvature.",
             {.title = "Fig. 2: heights of the peaks, θ = π/3", .panels = {panel}}};
@@ -184,15 +182,12 @@ Picture figure_4(Reproduction& all) {
             };
         }
         const auto islands = representative_islands(map, how, spread);
-        PlotLine density{.label = surface.name, .x = {}, .y = {}}, radius = density;
-        for (std::size_t k = 0; k < islands.curve.size(); ++k) {
-            density.x.push_back(100 * islands.curve.bearing_area[k]);
-            density.y.push_back(islands.curve.density[k] * 1e-6);
-            radius.x.push_back(100 * islands.curve.bearing_area[k]);
-            radius.y.push_back(islands.curve.radius[k] * 1e6);
-        }
-        densities.lines.push_back(std::move(density));
-        radii.lines.push_back(std::move(radius));
+        const auto& curve = islands.curve;
+        const auto share = [&](auto k) { return 100 * curve.bearing_area[k]; };
+        densities.lines.push_back(
+            line_of(surface.name, curve.size(), share, [&](auto k) { return curve.density[k] * 1e-6; }));
+        radii.lines.push_back(
+            line_of(surface.name, curve.size(), share, [&](auto k) { return curve.radius[k] * 1e6; }));
         const auto row = [&](const std::string& quantity, const std::string& value, const std::string& table) {
             all.generated.push_back({"Fig. 4", surface.name, quantity, value, table});
         };
@@ -227,22 +222,21 @@ Picture figure_6(Reproduction& all) {
     options.seed = seed;
     const FractalFit<double> fit = fit_fractal(profile, options);
     const auto& s = fit.structure_function;
-    PlotLine measured{.label = "S of the profile, eq. (2.8)", .x = {}, .y = {}};
+    const auto shown = logarithmic_lags(s.size(), 8);
+    const auto lag = [&](auto k) { return s.lag[shown[k] - 1]; };
+    const auto draw = [&](const char* label, int colour, const auto& value) {
+        PlotLine line = line_of(
+            label, shown.size(), [&](auto k) { return lag(k) * 1e6; }, [&](auto k) { return value(k) * 1e12; });
+        line.colour = colour;
+        return line;
+    };
+    PlotLine measured = draw("S of the profile, eq. (2.8)", 0, [&](auto k) { return s.value[shown[k] - 1]; });
     measured.stroke = Stroke::none;
     measured.marker = Marker::circle;
-    PlotLine law{.label = "C τ^(4-2D), D and G of Table 2", .x = {}, .y = {}, .colour = neutral}, line = law;
-    line.label = "fitted D and G";
-    line.colour = 1;
+    PlotLine law = draw("C τ^(4-2D), D and G of Table 2", neutral,
+                        [&](auto k) { return structure_function_at(lag(k), surface.fractal); });
+    PlotLine line = draw("fitted D and G", 1, [&](auto k) { return structure_function_at(lag(k), fit.fractal); });
     line.stroke = Stroke::dashed;
-    for (const std::size_t k : logarithmic_lags(s.size(), 8)) {
-        const double lag = s.lag[k - 1];
-        measured.x.push_back(lag * 1e6);
-        measured.y.push_back(s.value[k - 1] * 1e12);
-        law.x.push_back(lag * 1e6);
-        law.y.push_back(structure_function_at(lag, surface.fractal) * 1e12);
-        line.x.push_back(lag * 1e6);
-        line.y.push_back(structure_function_at(lag, fit.fractal) * 1e12);
-    }
     law.sets_range = line.sets_range = false;
     const auto row = [&](const std::string& quantity, const std::string& value, const std::string& table) {
         all.generated.push_back({"Fig. 6", surface.name, quantity, value, table});
@@ -289,11 +283,10 @@ Picture stiffness_figure(const Surface& surface, Reproduction& all) {
     };
     const auto draw = [&](Panel& into, const char* label, int colour, Stroke stroke,
                           const std::vector<double>& values) {
-        PlotLine line{.label = label, .x = {}, .y = {}, .colour = colour, .stroke = stroke};
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            line.x.push_back(points[k] / 1e6);
-            line.y.push_back(values[k] / 1e15);
-        }
+        PlotLine line = line_of(
+            label, points.size(), [&](auto k) { return points[k] / 1e6; }, [&](auto k) { return values[k] / 1e15; });
+        line.colour = colour;
+        line.stroke = stroke;
         into.lines.push_back(std::move(line));
     };
     Panel without = panel("The interface alone"), with = panel("With the interaction (4.11), L = √A₀, η_old effective");

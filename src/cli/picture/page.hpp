@@ -21,6 +21,11 @@ public:
         for (const auto& item : items) body_ += "<li>" + escaped(item) + "</li>\n";
         body_ += "</ul>\n";
     }
+    /// A part of the page, such as <div class="answer">, until end("div").
+    void begin(std::string_view tag) { body_ += "<" + std::string(tag) + ">\n"; }
+    void end(std::string_view tag) { body_ += "</" + std::string(tag) + ">\n"; }
+    /// What is read when it is opened, and printed when it is open; until end("details").
+    void begin_details(std::string_view summary) { body_ += "<details><summary>" + escaped(summary) + "</summary>\n"; }
     void figure(const Figure& figure, std::string_view caption) {
         body_ += "<figure>\n" + svg(figure);
         if (!caption.empty()) body_ += "<figcaption>" + escaped(caption) + "</figcaption>\n";
@@ -42,15 +47,25 @@ public:
                "content=\"width=device-width\"><title>" +
                escaped(title_) +
                "</title>\n<style>\n:root{color-scheme:light dark}\nbody{font:15px/1.5 system-ui,'DejaVu "
-               "Sans',sans-serif;"
-               "max-width:62rem;margin:1.5rem auto;padding:0 1rem;color:#1d1d1f;background:#ffffff}\n"
-               "table{border-collapse:collapse;font-size:13px}th,td{border:1px solid #c9c9d0;padding:.25rem .6rem;"
-               "text-align:left;vertical-align:top}th{background:#f2f2f5}.wide{overflow-x:auto;margin:.8rem 0}\n"
+               "Sans',sans-serif;max-width:70rem;margin:1.5rem auto;padding:0 "
+               "1rem;color:#1d1d1f;background:#ffffff;overflow-wrap:anywhere}\n"
+               "table{border-collapse:collapse;font-size:13px;overflow-wrap:normal}th,td{border:1px solid "
+               "#c9c9d0;padding:.25rem .6rem;text-align:left;vertical-align:top}th{background:#f2f2f5}"
+               ".wide{overflow-x:auto;margin:.8rem 0}\n"
                "figure{margin:1rem 0}figcaption{font-size:13px}svg{max-width:100%;height:auto}\n"
-               "h2{margin-top:2rem;border-bottom:1px solid #c9c9d0}\n"
+               "h1{margin:.5rem 0;font-size:1.6rem}h2{margin-top:2rem;border-bottom:1px solid #c9c9d0}\n"
+               ".verdict{border-left:4px solid #1b7f54;padding-left:.8rem}.verdict.warned{border-color:#b06000}"
+               ".verdict li{margin:.2rem 0}summary{cursor:pointer;font-weight:600}\n"
+               "@media screen and (min-width:60rem){.answer,.pair{display:grid;grid-template-columns:1fr 1fr;gap:0 "
+               "1.5rem}}\n.answer>div,.pair>*{min-width:0}.answer>div>:first-child,.answer figure{margin-top:0}\n"
+               "@media screen and (max-width:40rem){body{margin:.5rem auto;padding:0 .7rem}.fstiff text{font-size:16px "
+               "!important}td,th{padding:.2rem .35rem}}\n"
                "@media screen and (prefers-color-scheme:dark){body{color:#ececf1;background:#16161a}"
                "th{background:#26262c}th,td,h2{border-color:#3a3a42}}\n"
-               "@media print{figure,table{break-inside:avoid}}\n</style></head>\n<body>\n<h1>" +
+               "@page{size:A4;margin:14mm}@media print{body{font-size:10pt;line-height:1.35;margin:0;padding:0;"
+               "max-width:none}table{font-size:8pt}th,td{padding:.1rem .35rem}figure,table,.verdict{break-inside:avoid}"
+               "h2{margin-top:1rem;break-after:avoid}figure{margin:.4rem 0}figure svg{max-height:85mm;width:auto}"
+               ".answer,.pair{display:grid;grid-template-columns:1fr 1fr;gap:0 1rem}}\n</style></head>\n<body>\n<h1>" +
                escaped(title_) + "</h1>\n" + body_ + "</body></html>\n";
     }
 

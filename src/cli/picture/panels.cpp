@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/panels.hpp"
 
+#include "picture/scale.hpp"
+#include "picture/unit.hpp"
+
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
@@ -15,32 +18,38 @@
 namespace fstiff::cli {
 namespace {
 
-constexpr double MPa = 1e6, GPa_per_um = 1e15;
+constexpr std::size_t most_curves = 8;
 
-/// Law and peak density tell themselves apart by colour and stroke: the first density solid, the second dashed.
-Stroke stroke_of(const Results& results, const Curve& curve) {
-    int before = 0;
-    for (const Curve& other : results.curves) {
-        if (&other == &curve) break;
-        before += other.law == curve.law;
-    }
-    return before == 0 ? Stroke::solid : before % 2 == 1 ? Stroke::dashed : Stroke::dotted;
+/// Those that are drawn: all, or so many that they can be told apart, spread over the list.
+std::vector<const Curve*> drawn(const Results& results) {
+    std::vector<const Curve*> curves;
+    const std::size_t all = results.curves.size(), some = std::min(all, most_curves);
+    for (std::size_t k = 0; k < some; ++k) curves.push_back(&results.curves[some < 2 ? 0 : k * (all - 1) / (some - 1)]);
+    return curves;
 }
 
-int colour_of(const Results& results, const Curve& curve) {
+/// Laws by their colours, the joint distributions of one law by their strokes; where the strokes are not enough, every
+/// curve has a colour of its own.
+void choose_look(std::vector<PlotLine>& lines, const std::vector<const Curve*>& curves) {
     std::vector<const Law*> laws;
-    for (const Curve& other : results.curves)
-        if (std::find(laws.begin(), laws.end(), other.law) == laws.end()) laws.push_back(other.law);
-    return static_cast<int>(std::find(laws.begin(), laws.end(), curve.law) - laws.begin());
-}
-
-PlotLine line_of(const Results& results, const Curve& curve) {
-    PlotLine line{.label = legend_of(curve), .x = {}, .y = {}};
-    line.colour = colour_of(results, curve);
-    line.stroke = stroke_of(results, curve);
-    if (curve.states.size() == 1) line.marker = Marker::circle;
-    for (const auto& state : curve.states) line.x.push_back(state.pressure.value / MPa);
-    return line;
+    std::vector<int> same_law;
+    bool enough = true;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        auto at = std::find(laws.begin(), laws.end(), curves[k]->law);
+        if (at == laws.end()) {
+            at = laws.insert(at, curves[k]->law);
+            same_law.push_back(0);
+        }
+        const auto law = at - laws.begin();
+        const int before = same_law[static_cast<std::size_t>(law)]++;
+        enough = enough && before < 3;
+        lines[k].colour = static_cast<int>(law);
+        lines[k].stroke = static_cast<Stroke>(std::min(before, 2));
+    }
+    for (std::size_t k = 0; k < curves.size() && !enough; ++k) {
+        lines[k].colour = static_cast<int>(k);
+        lines[k].stroke = Stroke::solid;
+    }
 }
 
 /// K that a wave of the scene's frequency tells from a weld and from a gap.
@@ -51,26 +60,30 @@ std::optional<PlotWindow> ultrasonic_window(const Scene& scene) {
     if (!range) return std::nullopt;
     return PlotWindow{"|R| " + rounded(range->min_reflection, 2) + " to " + rounded(range->max_reflection, 2) + " at " +
                           rounded(waves.frequency / 1e6, 3) + " MHz",
-                      range->low / GPa_per_um, range->high / GPa_per_um, true};
+                      range->low, range->high, true};
+}
+
+/// The frame leaves room about 0 and 1; what is all close to one of them fills it.
+void frame_reflection(Panel& panel) {
+    double least = 1, greatest = 0;
+    for (const PlotLine& line : panel.lines)
+        for (const auto* values : {&line.y, &line.low, &line.high})
+            for (const double value : *values) least = std::min(least, value), greatest = std::max(greatest, value);
+    const bool high = least > 0.8, low = greatest < 0.2 && greatest > 0;
+    const double span = high ? std::max(1 - least, 1e-6) : low ? greatest : 1;
+    panel.y.low = (high ? 1 - span : 0) - 0.04 * span;
+    panel.y.high = (low ? span : 1) + 0.04 * span;
 }
 
 Panel reflection_panel(const Scene& scene, const Results& results, const char* title, const Impedances<double>& media,
                        double ratio) {
     const auto of = [&](double stiffness) { return reflection(ratio * stiffness, media, scene.ultrasound->angular()); };
-    Panel panel = quantity_panel(results, "|R|", false,
-                                 [&](const ContactState<double>& state) { return of(state.stiffness.value); });
+    Panel panel = quantity_panel(
+        results, {.label = "|R|", .logarithmic = false},
+        [&](const ContactState<double>& state) { return of(state.stiffness.value); },
+        [&](const SampledBand<double>& band) { return std::pair(of(band.high), of(band.low)); });  // R falls with K
     panel.title = std::string(title) + ", " + rounded(scene.ultrasound->frequency / 1e6) + " MHz";
-    panel.y.low = 0.0;
-    panel.y.high = 1.0;
-    for (std::size_t c = 0; c < results.curves.size(); ++c) {
-        const Curve& curve = results.curves[c];
-        if (curve.band.empty() || curve.band.size() != curve.states.size()) continue;
-        for (const SampledBand<double>& band : curve.band) {  // R falls with K
-            panel.lines[c].low.push_back(of(band.high));
-            panel.lines[c].high.push_back(of(band.low));
-        }
-        panel.lines[c].band = "5 to 95 %";
-    }
+    frame_reflection(panel);
     return panel;
 }
 
@@ -103,34 +116,20 @@ std::string legend_of(std::string_view law, std::optional<double> theta, std::op
 std::string legend_of(const Curve& curve) { return legend_of(curve.law->name, curve.theta, curve.r); }
 
 Panel stiffness_panel(const Scene& scene, const Results& results) {
-    Panel panel{.title = "Normal stiffness per nominal area",
-                .x = {.label = "nominal pressure p [MPa]"},
-                .y = {.label = "K/A₀ [GPa/µm]"}};
-    double low = std::numeric_limits<double>::infinity(), high = 0;
-    for (const Curve& curve : results.curves) {
-        PlotLine line = line_of(results, curve);
-        for (const auto& state : curve.states) {
-            line.y.push_back(state.stiffness.value / GPa_per_um);
-            if (state.pressure.value > 0) low = std::min(low, state.pressure.value);
-            high = std::max(high, state.pressure.value);
-        }
-        if (curve.band.size() == curve.states.size() && !curve.band.empty()) {
-            for (const SampledBand<double>& band : curve.band) {
-                line.low.push_back(band.low / GPa_per_um);
-                line.high.push_back(band.high / GPa_per_um);
-            }
-            line.band = "5 to 95 %";
-        }
-        panel.lines.push_back(std::move(line));
-    }
+    Panel panel = quantity_panel(
+        results, {.label = "K/A₀", .si = "Pa/m"},
+        [](const ContactState<double>& state) { return state.stiffness.value; },
+        [](const SampledBand<double>& band) { return std::pair(band.low, band.high); });
+    panel.title = "Normal stiffness per nominal area";
+    panel.height = 360;
     if (const auto window = ultrasonic_window(scene)) panel.windows.push_back(*window);
-    if (low < high) {
+    Range pressures;
+    for (const Curve& curve : results.curves)
+        for (const auto& state : curve.states) pressures.add(state.pressure.value, true);
+    if (pressures.low < pressures.high) {
         // a straight line on logarithmic axes: two points are enough
-        PlotLine reference{.label = "p/(0.48 σ)", .x = {}, .y = {}};
-        for (const double p : {low, high}) {
-            reference.x.push_back(p / MPa);
-            reference.y.push_back(linear_stiffness(p, scene.surface.rms_height) / GPa_per_um);
-        }
+        PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low, pressures.high}, .y = {}};
+        for (const double p : reference.x) reference.y.push_back(linear_stiffness(p, scene.surface.rms_height));
         reference.colour = neutral;
         reference.stroke = Stroke::dashed;
         panel.lines.push_back(std::move(reference));
@@ -138,17 +137,33 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
     return panel;
 }
 
-Panel quantity_panel(const Results& results, std::string label, bool logarithmic,
-                     const std::function<double(const ContactState<double>&)>& value) {
-    Panel panel{.x = {.label = "nominal pressure p [MPa]"},
-                .y = {.label = std::move(label), .logarithmic = logarithmic},
-                .height = 240};
-    for (const Curve& curve : results.curves) {
-        PlotLine line = line_of(results, curve);
-        for (const auto& state : curve.states) line.y.push_back(value(state));
+Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
+                     const std::function<std::pair<double, double>(const SampledBand<double>&)>& ends) {
+    Panel panel{.x = {.label = "nominal pressure p", .si = "Pa"}, .y = std::move(axis), .height = 240};
+    const auto curves = drawn(results);
+    for (const Curve* curve : curves) {
+        PlotLine line{.label = legend_of(*curve), .x = {}, .y = {}};
+        for (const auto& state : curve->states) {
+            line.x.push_back(state.pressure.value);
+            line.y.push_back(value(state));
+        }
+        if (ends && !curve->band.empty() && curve->band.size() == curve->states.size()) {
+            for (const SampledBand<double>& band : curve->band) {
+                const auto [low, high] = ends(band);
+                line.low.push_back(low);
+                line.high.push_back(high);
+            }
+            line.band = "5 to 95 %";
+        }
         panel.lines.push_back(std::move(line));
     }
+    choose_look(panel.lines, curves);
     return panel;
+}
+
+std::string left_out(const Results& results) {
+    const std::size_t all = results.curves.size(), some = drawn(results).size();
+    return some == all ? "" : std::to_string(some) + " of " + std::to_string(all) + " curves are drawn";
 }
 
 Figure results_figure(const Scene& scene, const Results& results) {
@@ -156,8 +171,9 @@ Figure results_figure(const Scene& scene, const Results& results) {
         throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
     Figure figure{.title = "Contact stiffness: " + scene.name, .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
-    figure.note =
-        "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " + rounded(scene.surface.rms_height * 1e6, 4) + " µm";
+    figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " + with_unit(scene.surface.rms_height, "m", 4);
+    if (const std::string some = left_out(results); !some.empty())
+        figure.note += "; " + some + ", fstiff run --format csv has the numbers of all";
     return figure;
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace fstiff::cli {
 
@@ -21,9 +22,11 @@ std::string legend_of(const Curve& curve);
 
 /// K(p) of all curves, with the bands there are.
 Panel stiffness_panel(const Scene& scene, const Results& results);
-/// One panel of another quantity of the states against the pressure.
-Panel quantity_panel(const Results& results, std::string label, bool logarithmic,
-                     const std::function<double(const ContactState<double>&)>& value);
+/// One panel of a quantity of the states against the pressure, with \p ends of its band where it is given.
+Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
+                     const std::function<std::pair<double, double>(const SampledBand<double>&)>& ends = {});
+/// "8 of 30 curves are drawn": more cannot be told apart; empty where all are.
+std::string left_out(const Results& results);
 /// |R| of longitudinal waves, and of shear waves where they are known; none without [ultrasound].
 std::vector<Panel> reflection_panels(const Scene& scene, const Results& results);
 

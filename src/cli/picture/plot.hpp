@@ -3,21 +3,25 @@
 // Pictures of curves as SVG that needs nothing else: no script, no font, no file beside it. Colours follow the reader's
 // light or dark setting. The same figure is written as CSV and as a gnuplot script that draws that CSV.
 // The same figure gives the same bytes.
+//
+// svg.cpp draws it; scale.hpp chooses its ticks, unit.hpp its units, drawing.hpp its colours and legend; raster.cpp makes maps.
 
 #include "document/output.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fstiff::cli {
 
 struct Axis {
-    std::string label;  ///< with its unit, such as "p [MPa]"
+    std::string label;  ///< with its unit, such as "p [MPa]", unless si is given
     bool logarithmic = true;
     std::optional<double> low = {}, high = {};  ///< none: from the curves
     bool ticks = true;
+    std::string si = {};  ///< unit of the values, such as "Pa": the picture chooses nm or mm and adds it to the label
 };
 
 enum class Stroke { solid, dashed, dotted, none };
@@ -37,13 +41,26 @@ struct PlotLine {
     Stroke stroke = Stroke::solid;
     Marker marker = Marker::none;
     bool sets_range = true;  ///< whether the axes are chosen to show it
+    bool beneath = false;    ///< drawn wide, since another lies on it; svg() finds those
 };
+
+/// A curve of \p size points.
+template <class X, class Y>
+PlotLine line_of(std::string label, std::size_t size, const X& x, const Y& y) {
+    PlotLine line{.label = std::move(label), .x = {}, .y = {}};
+    for (std::size_t k = 0; k < size; ++k) {
+        line.x.push_back(x(k));
+        line.y.push_back(y(k));
+    }
+    return line;
+}
 
 /// A shaded range of the horizontal or of the vertical axis, drawn over the lines \p from to \p to.
 struct PlotWindow {
     std::string label;
     double low = 0, high = 0;
     bool of_y = false;
+    int colour = next_colour;  ///< that of the line it belongs to; else one of its own
 };
 
 /// A PNG that fills a range of the axes.
@@ -66,10 +83,16 @@ struct Figure {
     std::string title;
     std::vector<Panel> panels;  ///< from top to bottom
     std::string note = {};      ///< below, small
+    bool legend_below = false;  ///< else at the right
 };
+
+/// The values of every axis in the unit that fits their size, named in its label.
+Figure in_units(Figure figure);
 
 /// A file of its own, or an element inside a page.
 std::string svg(const Figure& figure);
+/// Of the panel in a picture of its own, in pixels.
+double height_of(const Panel& panel);
 /// The SVG in a page.
 std::string html_page(const Figure& figure);
 /// curve,panel,label,x_quantity,x,y_quantity,y,low,high: the numbers that are drawn.
@@ -98,8 +121,6 @@ std::string escaped(std::string_view text);
 
 /// Bytes as an indexed PNG: \p shade holds rows from top to bottom, 0 to 254 from low to high, 255 for nothing there.
 std::string heat_map_png(const std::vector<unsigned char>& shade, std::size_t columns, std::size_t rows);
-/// The colour "#rrggbb" of a share 0 to 1 of the range of a heat map.
-std::string heat_map_colour(double share);
 std::string base64(std::string_view bytes);
 
 }  // namespace fstiff::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "picture/scale.hpp"
+
+#include <fstiff/core/text.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace fstiff::cli {
+namespace {
+
+/// 10 to the power \p exponent, in superscript digits.
+std::string power_of_ten(int exponent) {
+    static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "10⁻" : "10";
+    for (const char c : std::to_string(std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
+    return text;
+}
+
+}  // namespace
+
+Scale::Scale(const Axis& axis, const Range& range) : logarithmic_(axis.logarithmic), label_(axis.label) {
+    const bool found = range.low <= range.high;
+    const double low = axis.low.value_or(found ? range.low : logarithmic_ ? 1 : 0);
+    const double high = axis.high.value_or(found ? range.high : logarithmic_ ? 10 : 1);
+    low_ = place(low), high_ = place(high);
+    // at least two numbers stand on a logarithmic axis, and seven digits tell those of a linear one apart
+    const double least = logarithmic_ ? 0.7 : std::max(1e-6 * std::max(std::abs(low), std::abs(high)), 1e-300);
+    if (!(high_ - low_ >= least)) {
+        const double middle = (low_ + high_) / 2;
+        low_ = middle - least / 2, high_ = middle + least / 2;
+    }
+    const double space = 0.04 * (high_ - low_);
+    if (!axis.low) low_ -= space;
+    if (!axis.high) high_ += space;
+}
+
+std::vector<Tick> Scale::decades() const {
+    std::vector<Tick> result;
+    const double span = high_ - low_;
+    const int every = std::max(1, static_cast<int>(std::ceil(span / 9)));
+    const int first = static_cast<int>(std::floor(low_)), last = static_cast<int>(std::ceil(high_));
+    const bool plain = low_ > -3.5 && high_ < 4.5;  // else all of them are powers
+    for (int k = first; k <= last; ++k)
+        for (int m = 1; m < 10; ++m) {
+            const double at = k + std::log10(m);
+            if (at < low_ - 1e-9 || at > high_ + 1e-9) continue;
+            const bool numbered = m == 1       ? k % every == 0
+                                  : span < 0.8 ? m < 6 || m == 7
+                                               : span < 1.6 && (m == 2 || m == 5);
+            if (m > 1 && !numbered && span > 4.5) continue;
+            const double value = m * std::pow(10.0, k);
+            result.push_back({value, !numbered ? ""
+                                     : plain   ? fixed_text(value, std::max(0, -k))
+                                     : m == 1  ? power_of_ten(k)
+                                               : std::to_string(m) + "·" + power_of_ten(k)});
+        }
+    return result;
+}
+
+double Scale::step() const {
+    const double raw = (high_ - low_) / 6, decade = std::pow(10.0, std::floor(std::log10(raw)));
+    return decade * (raw / decade <= 1 ? 1 : raw / decade <= 2 ? 2 : raw / decade <= 5 ? 5 : 10);
+}
+
+int Scale::power() const {
+    const double greatest = std::max(std::abs(low_), std::abs(high_));
+    return logarithmic_ || (greatest < 1e5 && greatest > 1e-3) ? 0 : static_cast<int>(std::floor(std::log10(greatest)));
+}
+
+std::vector<Tick> Scale::steps() const {
+    const double width = step(), unit = std::pow(10.0, power());
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(width / unit) + 1e-9)));
+    std::vector<Tick> result;
+    for (double k = std::ceil(low_ / width - 1e-9); k * width <= high_ + 1e-9 * width; ++k)
+        result.push_back({k * width, fixed_text(k == 0 ? 0.0 : k * width / unit, decimals)});
+    return result;
+}
+
+std::string Scale::label() const { return power() == 0 ? label_ : label_ + " × " + power_of_ten(power()); }
+
+}  // namespace fstiff::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// An axis with its range: where a value stands on it, and its ticks, all written in one style.
+
+#include "picture/plot.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace fstiff::cli {
+
+/// Least and greatest of what sets the range of an axis.
+struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    void add(double value, bool logarithmic) {
+        if (!std::isfinite(value) || (logarithmic && !(value > 0))) return;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+struct Tick {
+    double value;
+    std::string label;  ///< empty: a fainter line without a number
+};
+
+class Scale {
+public:
+    /// Of \p axis, for the values of \p range. Close values get room about them.
+    Scale(const Axis& axis, const Range& range);
+    bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
+    /// 0 at the lower end, 1 at the upper one.
+    double operator()(double value) const { return (place(value) - low_) / (high_ - low_); }
+    double low() const { return logarithmic_ ? std::pow(10.0, low_) : low_; }
+    double high() const { return logarithmic_ ? std::pow(10.0, high_) : high_; }
+
+    std::vector<Tick> ticks() const { return logarithmic_ ? decades() : steps(); }
+    /// The label of the axis, with the power of ten that stands before every number.
+    std::string label() const;
+
+private:
+    double place(double value) const { return logarithmic_ ? std::log10(value) : value; }
+    double step() const;
+    /// Of a linear axis: the power of ten that its numbers leave out, 0 where they need none.
+    int power() const;
+    std::vector<Tick> decades() const;
+    std::vector<Tick> steps() const;
+
+    bool logarithmic_;
+    std::string label_;
+    double low_ = 0, high_ = 1;
+};
+
+}  // namespace fstiff::cli

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The figure as SVG: each part of a panel is drawn into coordinates of its own frame.
+#include "picture/drawing.hpp"
+
+#include <fstiff/core/text.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace fstiff::cli {
+namespace {
+
+constexpr double left = 84, title_height = 26, below = 54, row = 24, line_height = 17, gap = 24;
+
+/// Pixels to a tenth, as short as can be.
+std::string px(double value) {
+    std::string text = fixed_text(value, 1);
+    if (text.ends_with(".0")) text.resize(text.size() - 2);
+    return text == "-0" ? "0" : text;
+}
+
+using Attributes = std::initializer_list<std::pair<const char*, double>>;
+std::string element(std::string_view name, std::string_view kind, const Attributes& attributes) {
+    std::string text = "<" + std::string(name);
+    if (!kind.empty()) text += " class=\"" + std::string(kind) + "\"";
+    for (const auto& [key, value] : attributes) text += " " + std::string(key) + "=\"" + px(value) + "\"";
+    return text + "/>\n";
+}
+std::string line_at(std::string_view kind, double x1, double y1, double x2, double y2) {
+    return element("line", kind, {{"x1", x1}, {"y1", y1}, {"x2", x2}, {"y2", y2}});
+}
+std::string rectangle(std::string_view kind, double x, double y, double width, double height) {
+    return element("rect", kind, {{"x", x}, {"y", y}, {"width", width}, {"height", height}});
+}
+std::string text_at(double x, double y, std::string_view text, std::string_view attributes = "") {
+    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\"" + (attributes.empty() ? "" : " ") + std::string(attributes) +
+           ">" + escaped(text) + "</text>\n";
+}
+std::string paragraph_at(double x, double y, const std::vector<std::string>& lines, std::string_view attributes = "") {
+    std::string out;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        out += text_at(x, y + line_height * static_cast<double>(i), lines[i], attributes);
+    return out;
+}
+
+std::string colour_class(int colour) {
+    return colour < 0 ? "cn" : "c" + std::to_string(colour % static_cast<int>(palette.size()));
+}
+std::string stroke_class(const PlotLine& line) {
+    return colour_class(line.colour) +
+           (line.stroke == Stroke::dashed   ? " dash"
+            : line.stroke == Stroke::dotted ? " dot"
+                                            : "") +
+           (line.beneath ? " wide" : "");
+}
+std::string window_class(const PlotWindow& window) {
+    const std::string colour = colour_class(window.colour);
+    return window.colour == next_colour ? "window" : "window f" + colour + " " + colour;
+}
+
+std::string mark(Marker marker, double x, double y) {
+    using Points = std::vector<std::pair<double, double>>;
+    static const std::array<Points, 6> shapes{Points{},
+                                              Points{},
+                                              Points{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}},
+                                              Points{{0, -4}, {3.8, 3}, {-3.8, 3}},
+                                              Points{{0, -4.4}, {4.4, 0}, {0, 4.4}, {-4.4, 0}},
+                                              Points{{-1, -4},
+                                                     {1, -4},
+                                                     {1, -1},
+                                                     {4, -1},
+                                                     {4, 1},
+                                                     {1, 1},
+                                                     {1, 4},
+                                                     {-1, 4},
+                                                     {-1, 1},
+                                                     {-4, 1},
+                                                     {-4, -1},
+                                                     {-1, -1}}};  // in the order of Marker
+    if (marker == Marker::none) return "";
+    if (marker == Marker::circle) return "<circle cx=\"" + px(x) + "\" cy=\"" + px(y) + "\" r=\"3.2\"/>";
+    std::string text = "<polygon points=\"";
+    for (const auto& [dx, dy] : shapes[static_cast<std::size_t>(marker)]) text += px(x + dx) + "," + px(y + dy) + " ";
+    text.back() = '"';
+    return text + "/>";
+}
+
+std::string style() {
+    // every rule is under .fstiff: several pictures share a page and its own rules stay its own
+    std::string light =
+        ".fstiff text{font:13px system-ui,'DejaVu Sans',sans-serif;fill:#1d1d1f}.fstiff .back{fill:#ffffff}"
+        ".fstiff .grid{stroke:#d9d9de}.fstiff .fine{stroke:#eeeef1}.fstiff .frame{fill:none;stroke:#6b6b70}"
+        ".fstiff .title{font-size:15px;font-weight:600}.fstiff .small{font-size:11px}"
+        ".fstiff .line{fill:none;stroke-width:2;stroke-linejoin:round}.fstiff .dash{stroke-dasharray:7 4}"
+        ".fstiff .dot{stroke-dasharray:2 4}.fstiff .wide{stroke-width:6;stroke-opacity:.45}.fstiff "
+        ".band{stroke:none;opacity:.18}"
+        ".fstiff .window{fill-opacity:.14;stroke-opacity:.7;fill:";
+    light += std::string(window_colour.light) + "}";
+    std::string dark =
+        ".fstiff text{fill:#ececf1}.fstiff .back{fill:#16161a}.fstiff .grid{stroke:#3a3a42}.fstiff "
+        ".fine{stroke:#26262c}"
+        ".fstiff .frame{stroke:#9a9aa2}.fstiff .band{opacity:.26}.fstiff .window{fill-opacity:.18;fill:";
+    dark += std::string(window_colour.dark) + "}";
+    const auto add = [&](const std::string& name, const Colour& colour) {
+        light += ".fstiff ." + name + "{stroke:" + colour.light + "}.fstiff .f" + name + "{fill:" + colour.light + "}";
+        dark += ".fstiff ." + name + "{stroke:" + colour.dark + "}.fstiff .f" + name + "{fill:" + colour.dark + "}";
+    };
+    for (std::size_t i = 0; i < palette.size(); ++i) add("c" + std::to_string(i), palette[i]);
+    add("cn", grey);
+    return "<style>" + light + "@media screen and (prefers-color-scheme:dark){" + dark + "}</style>\n";
+}
+
+/// What lies behind the lines: an image, shaded windows, the grid.
+std::string background(const Drawing& d) {
+    const Panel& panel = d.panel;
+    const double width = panel.width, height = panel.height;
+    std::string out;
+    if (panel.image) {
+        const PlotImage& image = *panel.image;
+        const double x = d.place_x(image.x_low), y = d.place_y(image.y_high);
+        out += "<image x=\"" + px(x) + "\" y=\"" + px(y) + "\" width=\"" + px(d.place_x(image.x_high) - x) +
+               "\" height=\"" + px(d.place_y(image.y_low) - y) +
+               "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," + base64(image.png) + "\"/>\n";
+    }
+    for (const PlotWindow& window : panel.windows) {
+        const auto bounded = [](double at, double size) { return std::clamp(at, 0.0, size); };
+        if (window.of_y) {
+            const double high = bounded(d.place_y(window.high), height), low = bounded(d.place_y(window.low), height);
+            out += rectangle(window_class(window), 0, high, width, low - high);
+        } else {
+            const double low = bounded(d.place_x(window.low), width), high = bounded(d.place_x(window.high), width);
+            out += rectangle(window_class(window), low, 0, high - low, height);
+        }
+    }
+    if (panel.image) return out;
+    const auto kind = [](const Tick& tick) { return tick.label.empty() ? "fine" : "grid"; };
+    for (const Tick& tick : d.x_scale.ticks())
+        out += line_at(kind(tick), d.place_x(tick.value), 0, d.place_x(tick.value), height);
+    for (const Tick& tick : d.y_scale.ticks())
+        out += line_at(kind(tick), 0, d.place_y(tick.value), width, d.place_y(tick.value));
+    return out;
+}
+
+std::string bands(const Drawing& d) {
+    std::string out;
+    for (const PlotLine& line : d.lines) {
+        if (line.low.size() != line.x.size() || line.high.size() != line.x.size() || line.x.empty()) continue;
+        std::string path;
+        for (std::size_t i = 0; i < line.x.size(); ++i)
+            path += (i ? "L" : "M") + px(d.place_x(line.x[i])) + " " + px(d.place_y(line.high[i]));
+        for (std::size_t i = line.x.size(); i-- > 0;)
+            path += "L" + px(d.place_x(line.x[i])) + " " +
+                    px(d.y_scale.shows(line.low[i]) ? d.place_y(line.low[i]) : d.panel.height + 10);
+        out += "<path class=\"band f" + colour_class(line.colour) + "\" d=\"" + path + "Z\"/>\n";
+    }
+    return out;
+}
+
+/// One line. Where a stretch of it would be too short to be seen, its points are marked.
+std::string line_and_marks(const Drawing& d, const PlotLine& line) {
+    std::string path, marks;
+    std::vector<std::pair<double, double>> stretch;
+    const auto end_stretch = [&] {
+        const auto far = [&](const auto& at) {
+            return std::hypot(at.first - stretch[0].first, at.second - stretch[0].second) > 12;
+        };
+        if (line.marker == Marker::none && !line.label.empty() && std::none_of(stretch.begin(), stretch.end(), far))
+            for (const auto& [x, y] : stretch) marks += mark(Marker::circle, x, y);
+        stretch.clear();
+    };
+    for (std::size_t i = 0; i < line.x.size(); ++i) {
+        if (!d.x_scale.shows(line.x[i]) || !d.y_scale.shows(line.y[i])) {
+            end_stretch();
+            continue;
+        }
+        // far outside the frame is as good as anywhere there; numbers stay short
+        const double x = std::clamp(d.place_x(line.x[i]), -1e4, 1e4), y = std::clamp(d.place_y(line.y[i]), -1e4, 1e4);
+        path += (stretch.empty() ? "M" : "L") + px(x) + " " + px(y);
+        marks += mark(line.marker, x, y);
+        stretch.emplace_back(x, y);
+    }
+    end_stretch();
+    std::string out;
+    if (line.stroke != Stroke::none && !path.empty())
+        out += "<path class=\"line " + stroke_class(line) + "\" d=\"" + path + "\"/>\n";
+    if (!marks.empty()) out += "<g class=\"f" + colour_class(line.colour) + "\">" + marks + "</g>\n";
+    return out;
+}
+
+/// Numbers and labels of both axes of a plot whose upper edge is at \p plot_top.
+std::string axes(const Drawing& d, double plot_top) {
+    const Panel& panel = d.panel;
+    const double width = panel.width, height = panel.height;
+    std::string out;
+    for (const Tick& tick : d.x_scale.ticks())
+        if (panel.x.ticks && !tick.label.empty())
+            out += text_at(left + d.place_x(tick.value), plot_top + height + 18, tick.label, "text-anchor=\"middle\"");
+    for (const Tick& tick : d.y_scale.ticks())
+        if (panel.y.ticks && !tick.label.empty())
+            out += text_at(left - 7, plot_top + d.place_y(tick.value) + 4.5, tick.label, "text-anchor=\"end\"");
+    out += text_at(left + width / 2, plot_top + height + 40, d.x_scale.label(), "text-anchor=\"middle\"");
+    return out + text_at(18, plot_top + height / 2, d.y_scale.label(),
+                         "text-anchor=\"middle\" transform=\"rotate(-90 18 " + px(plot_top + height / 2) + ")\"");
+}
+
+double height_of(const std::vector<Entry>& legend) {
+    double height = 0;
+    for (const Entry& entry : legend) height += row + line_height * static_cast<double>(entry.text.size() - 1);
+    return height;
+}
+
+std::string draw(const std::vector<Entry>& legend, double x, double y) {
+    std::string out;
+    for (const Entry& entry : legend) {
+        if (entry.window)
+            out += rectangle(window_class(*entry.window), x, y - 7, 30, 14);
+        else {
+            if (!entry.line->band.empty())
+                out += rectangle("band f" + colour_class(entry.line->colour), x, y - 7, 30, 14);
+            if (entry.line->stroke != Stroke::none)
+                out += line_at("line " + stroke_class(*entry.line), x, y, x + 30, y);
+            if (entry.line->marker != Marker::none)
+                out += "<g class=\"f" + colour_class(entry.line->colour) + "\">" + mark(entry.line->marker, x + 15, y) +
+                       "</g>\n";
+        }
+        out += paragraph_at(x + 38, y + 4.5, entry.text);
+        y += height_of({entry});
+    }
+    return out;
+}
+
+/// What a panel takes, with its legend.
+struct Size {
+    double width, height;
+};
+Size size_of(const Panel& panel, bool legend_below) {
+    const std::vector<Entry> legend = Drawing(panel).legend();
+    std::size_t widest = 0;
+    for (const Entry& entry : legend)
+        for (const auto& text : entry.text) widest = std::max(widest, characters(text));
+    const double title = panel.title.empty() ? 12 : title_height;
+    if (legend.empty() || legend_below)
+        return {left + panel.width + 24, title + panel.height + below + height_of(legend)};
+    return {left + panel.width + gap + 46 + 7.3 * static_cast<double>(widest),
+            title + std::max(panel.height, height_of(legend)) + below};
+}
+
+/// One panel whose upper edge is at \p top.
+std::string draw(const Panel& panel, double top, bool legend_below) {
+    const Drawing d(panel);
+    std::string out;
+    if (!panel.title.empty()) out += text_at(left, top + 16, panel.title, "font-weight=\"600\"");
+    const double plot_top = top + (panel.title.empty() ? 12 : title_height);
+    // what may reach beyond the frame stands in an inner picture, which cuts it off there
+    out += "<svg x=\"" + px(left) + "\" y=\"" + px(plot_top) + "\" width=\"" + px(panel.width) + "\" height=\"" +
+           px(panel.height) + "\" overflow=\"hidden\">\n" + background(d) + bands(d);
+    for (const PlotLine& line : d.lines) out += line_and_marks(d, line);
+    out += "</svg>\n" + rectangle("frame", left, plot_top, panel.width, panel.height) + axes(d, plot_top);
+    return out + (legend_below ? draw(d.legend(), left, plot_top + panel.height + below + 4)
+                               : draw(d.legend(), left + panel.width + gap, plot_top + 12));
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+    }
+    return result;
+}
+
+double height_of(const Panel& panel) { return size_of(panel, false).height; }
+
+std::string svg(const Figure& given) {
+    const Figure figure = in_units(given);
+    const std::string name = escaped(figure.title.empty() ? figure.panels.front().title : figure.title);
+    double width = 300;
+    for (const Panel& panel : figure.panels) width = std::max(width, size_of(panel, figure.legend_below).width);
+    const auto lines_of = [&](const std::string& text, double character) {
+        return text.empty() ? std::vector<std::string>{}
+                            : wrapped(text, static_cast<std::size_t>((width - left - 16) / character));
+    };
+    const auto title = lines_of(figure.title, 8.4), note = lines_of(figure.note, 6.3);
+    const double first = title.empty() ? 6 : 24 + line_height * static_cast<double>(title.size());
+    std::string panels;
+    double top = first;
+    for (const Panel& panel : figure.panels) {
+        panels += draw(panel, top, figure.legend_below);
+        top += size_of(panel, figure.legend_below).height;
+    }
+    const double height = top + (note.empty() ? 0 : 6 + line_height * static_cast<double>(note.size()));
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fstiff\" viewBox=\"0 0 " + px(width) + " " + px(height) +
+           "\" width=\"" + px(width) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" + name +
+           "\">\n<title>" + name + "</title>\n" + style() + rectangle("back", 0, 0, width, height) +
+           paragraph_at(left, 27, title, "class=\"title\"") + panels +
+           paragraph_at(left, top + 8, note, "class=\"small\"") + "</svg>\n";
+}
+
+}  // namespace fstiff::cli
