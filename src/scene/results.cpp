@@ -47,6 +47,14 @@ std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact
                                 : contact.at_pressures(scene.points, quantities);
 }
 
+/// The rms gradient of the surface under \p peaks; where these do not know it (r = 0, or none), that of the surface's own
+/// r and theta, if it has them.
+std::optional<double> gradient(const Scene& scene, const PeakDistribution<double>* peaks) {
+    const auto of_peaks = peaks ? rms_gradient(scene.surface, *peaks) : std::nullopt;
+    if (of_peaks || !scene.r || !scene.theta) return of_peaks;
+    return rms_gradient(scene.surface, PeakDistribution<double>(*scene.r, *scene.theta));
+}
+
 /// Calls \p visit with every contact of the scene, one a law and distribution of peaks, and its curve, still without
 /// states.
 template <class Visit>
@@ -59,16 +67,13 @@ void for_each_contact(const Scene& scene, double modulus, const Visit& visit) {
         const Law& law = *chosen.law;
         inputs.options = chosen.options;
         if (!law.has_peaks) {
-            visit(Curve{.law = &law}, *law.contact(inputs));
+            visit(Curve{.law = &law, .rms_gradient = gradient(scene, nullptr)}, *law.contact(inputs));
             continue;
         }
         for (const Peaks& of : scene.peaks) {
             const PeakDistribution<double> peaks = peak_density(of);
             inputs.peaks = &peaks;
-            visit(Curve{.law = &law,
-                        .theta = peaks.theta(),
-                        .r = peaks.r(),
-                        .rms_gradient = rms_gradient(scene.surface, peaks)},
+            visit(Curve{.law = &law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = gradient(scene, &peaks)},
                   *law.contact(inputs));
         }
     }
@@ -129,7 +134,7 @@ void add_warnings(const Scene& scene, Results& results) {
 
     const std::size_t before = results.warnings.size();
     for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
-    if (results.warnings.size() > before) results.doubtful = true;
+    if (results.warnings.size() > before || !unknown_parameters(scene).empty()) results.doubtful = true;
 }
 
 /// The scene with the surface \p drawn about its own.
@@ -236,6 +241,10 @@ std::string title(const Curve& curve) {
     std::string text(curve.law->name);
     if (curve.theta) text += ", theta = " + rounded(*curve.theta) + ", r = " + rounded(*curve.r);
     return text;
+}
+
+std::vector<Parameter> unknown_parameters(const Scene& scene) {
+    return scene.measured ? unknown_parameters(*scene.measured, scene.uncertain) : std::vector<Parameter>{};
 }
 
 Interaction<double> interaction(const Scene& scene) {
