@@ -317,10 +317,15 @@ public:
             for (const std::size_t i : points_) {
                 const auto middle = value(key, i);
                 const auto low = value(stem + "_p05_Pa_per_m", i), high = value(stem + "_p95_Pa_per_m", i);
-                row.push_back(!middle ? "-"
-                              : band && low && high
-                                  ? rounded(*middle, 3) + " (" + rounded(*low, 2) + "–" + rounded(*high, 2) + ")"
-                                  : rounded(*middle));
+                if (!middle) {
+                    row.emplace_back("-");
+                } else if (band && low && high) {
+                    const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // as many as tell the ends apart
+                    row.push_back(rounded(*middle, 3) + " (" + rounded(*low, digits) + "–" + rounded(*high, digits) +
+                                  ")");
+                } else {
+                    row.push_back(rounded(*middle));
+                }
             }
             table.add(std::move(row));
         }
