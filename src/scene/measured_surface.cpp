@@ -22,8 +22,6 @@ FractalFitOptions<double> fit_options(const MeasureOptions& options) {
     return fit;
 }
 
-std::string shown(double length) { return unit_of_length(length)(length); }
-
 bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
     return std::find(concerns.begin(), concerns.end(), one) != concerns.end();
 }
@@ -37,7 +35,8 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
               double after, const MeasureOptions& options) {
     auto& said = surface.decisions;
     const bool profile = surface.kind == "profile";
-    said.push_back("rms height " + shown(before) + " as read, " + shown(after) + " without its form (" + form + ")");
+    said.push_back("rms height " + shown_length(before) + " as read, " + shown_length(after) + " without its form (" +
+                   form + ")");
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
@@ -46,11 +45,12 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
             "R and D_p from " + std::to_string(found.peaks_counted) +
             (options.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
     if (found.fractal_dimension)
-        said.push_back("D and G from lags of " + shown(found.window.from) + " to " + shown(found.window.to) +
-                       (options.window.empty() ? " (automatic)" : " (given)"));
-    said.push_back("errors by " + std::to_string(options.resamples) + " resamples of " +
-                   (profile ? "blocks of " + shown(found.block_length) : std::to_string(found.blocks) + " tiles") +
-                   ", seed " + std::to_string(options.seed));
+        said.push_back("D and G from lags of " + shown_length(found.window.from) + " to " +
+                       shown_length(found.window.to) + (options.window.empty() ? " (automatic)" : " (given)"));
+    said.push_back(
+        "errors by " + std::to_string(options.resamples) + " resamples of " +
+        (profile ? "blocks of " + shown_length(found.block_length) : std::to_string(found.blocks) + " tiles") +
+        ", seed " + std::to_string(options.seed));
 
     auto& warned = surface.warnings;
     if (!found.why_no_dimension.empty())

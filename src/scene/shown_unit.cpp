@@ -18,6 +18,8 @@ ShownUnit unit_of_length(double metres) {
     return size < 1e-7 ? ShownUnit{"nm", 1e9} : size < 1e-3 ? ShownUnit{"µm", 1e6} : ShownUnit{"mm", 1e3};
 }
 
+std::string shown_length(double metres, int digits) { return unit_of_length(metres)(metres, digits); }
+
 ShownUnit unit_of_density(double per_area) {
     return per_area < 1e11 ? ShownUnit{"/mm²", 1e-6} : ShownUnit{"/µm²", 1e-12};
 }

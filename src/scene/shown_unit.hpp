@@ -17,6 +17,8 @@ struct ShownUnit {
 
 /// nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm; m for what is smaller or above 1 m.
 [[nodiscard]] ShownUnit unit_of_length(double metres);
+/// \p metres in that unit.
+[[nodiscard]] std::string shown_length(double metres, int digits = 5);
 /// Of a number per area [1/m^2]: /mm², and /µm² from 0.1 /µm².
 [[nodiscard]] ShownUnit unit_of_density(double per_area);
 /// Pa, kPa from 100 Pa, MPa from 0.1 MPa, GPa from 1 GPa.

@@ -123,9 +123,9 @@ std::string table(const Options& options, const SurfaceInput& input, const Resul
     std::string text = "fstiff " FSTIFF_VERSION ": islands of " + display_name(options.surface.file) + "\n" +
                        source_lines(input, "  file     ");
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
-            rounded(map.dx * 1e6) + " µm, dy " + rounded(map.dy * 1e6) + " µm\n";
-    text += "  Sq       " + rounded(result.levelled.rms_as_read * 1e6) + " µm as read, " +
-            rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form + ")\n";
+            shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";
+    text += "  Sq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
+            shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form + ")\n";
     text += "  islands  of " + std::to_string(options.neighbours) + " neighbours, of " +
             std::to_string(options.min_points) + " points at least, at the border " +
             (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +

@@ -184,18 +184,17 @@ std::string introduction(const Scene& scene, const Results& results) {
     const auto& s = scene.surface;
     const std::vector<Parameter> unknown = unknown_parameters(scene);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
-    const auto length = [](double x, int figures = 5) { return unit_of_length(x)(x, figures); };
     const auto pressure = [](double x) { return unit_of_pressure(x)(x); };
     std::vector<std::string> parts{
-        "sigma " + length(s.rms_height, digits(Parameter::rms_height)),
-        "R " + length(s.peak_radius, digits(Parameter::peak_radius)),
+        "sigma " + shown_length(s.rms_height, digits(Parameter::rms_height)),
+        "R " + shown_length(s.peak_radius, digits(Parameter::peak_radius)),
         "D_p " + unit_of_density(s.peak_density)(s.peak_density, digits(Parameter::peak_density))};
-    if (s.max_peak_height > 0) parts.push_back("R_p " + length(s.max_peak_height));
+    if (s.max_peak_height > 0) parts.push_back("R_p " + shown_length(s.max_peak_height));
     if (scene.fractal_dimension)
         parts.push_back("D " + rounded(*scene.fractal_dimension, digits(Parameter::fractal_dimension)));
     if (scene.fractal_roughness) {
         const auto& measured = scene.measured ? scene.measured->fractal_roughness : std::nullopt;
-        parts.push_back("G " + length(*scene.fractal_roughness, measured && !is_known(*measured) ? 2 : 5));
+        parts.push_back("G " + shown_length(*scene.fractal_roughness, measured && !is_known(*measured) ? 2 : 5));
     }
     if (scene.r) {
         parts.push_back("r " + rounded(*scene.r, digits(Parameter::r)));
@@ -228,7 +227,7 @@ std::string introduction(const Scene& scene, const Results& results) {
             ? "no interaction"
             : std::string("interaction ") +
                   (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
-                  " over " + length(how.length));
+                  " over " + shown_length(how.length));
     if (results.plasticity_index) parts.push_back("plasticity index " + rounded(*results.plasticity_index, 3));
     text += in_lines("contact", parts);
     if (scene.ultrasound) {
