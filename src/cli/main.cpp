@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff: normal contact stiffness of rough surfaces. Exit codes are listed in output.hpp and at the end of --help.
 #include "commands/commands.hpp"
+#include "input/progress.hpp"
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/io/units.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -23,21 +26,39 @@ void say(std::string message) {
 }
 
 int execute(const Command& command) {
-    const Report report = command.execute();
+    if (const std::string& file = command.output->file; !file.empty()) {
+        require_writable(file);
+        fstiff::scene::keep_for_output(file);
+    }
+    const Report report = [&] {
+        const Working line(command_name(*command.app));
+        return command.execute();
+    }();
     deliver(report.document, command.output->file);
     for (const std::string& line : report.diagnostics) say(line);
     return report.status;
 }
 
+/// The units of every kind of quantity.
+std::string units() {
+    std::string text = "Units, after a number and in quotation marks, such as \"0.5 um\" or \"0.5 µm\":";
+    for (const auto& [dimension, name] : fstiff::names<fstiff::io::Dimension>)
+        text += "\n  " + std::string(name) + std::string(20 - name.size(), ' ') +
+                fstiff::io::detail::accepted_units(dimension);
+    return text;
+}
+
 int run_main(int argc, char** argv) {
-    Program program("fstiff", "fstiff " FSTIFF_VERSION,
-                    "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
-                    "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, 4 result outside validity or "
-                    "not converged.\nExample:\n  fstiff run");
+    Program program(
+        "fstiff", "fstiff " FSTIFF_VERSION,
+        "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
+        units() +
+            "\nExit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that cannot "
+            "be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run");
     CLI::App& app = program.app();
     const std::vector<Command> commands{add_run(app),      add_measure(app),   add_fit(app),      add_islands(app),
                                         add_peaks(app),    add_integral(app),  add_generate(app), add_ultrasound(app),
-                                        add_identify(app), add_reproduce(app), add_report(app)};
+                                        add_identify(app), add_reproduce(app), add_report(app),   add_formats(app)};
     const CLI::App* chosen = program.parse(argc, argv);
     for (const Command& command : commands)
         if (command.app == chosen) return execute(command);
@@ -48,6 +69,7 @@ int run_main(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond its limit is then an error of writing, with its reason
     try {
         return run_main(argc, argv);
     } catch (const Usage& error) {

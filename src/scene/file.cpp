@@ -9,6 +9,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 namespace fstiff::scene {
 namespace {
@@ -24,6 +25,12 @@ bool read_stream(std::istream& stream, std::string& bytes) {
     return !stream.bad();
 }
 
+/// Files that are going to be written.
+std::vector<std::filesystem::path>& outputs() {
+    static std::vector<std::filesystem::path> files;
+    return files;
+}
+
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
     return rounded_text(value, digits);
@@ -31,7 +38,22 @@ std::string number(double value, int digits) {
 
 }  // namespace
 
+void keep_for_output(const std::string& file) {
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+    for (const auto& other : outputs())
+        if (path == other && (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error)))
+            throw file_error(file, "would be written twice; give every output a name of its own");
+    outputs().push_back(path);
+}
+
 std::string read_all(const std::string& file) {
+    std::error_code ignored;
+    for (const auto& output : outputs())
+        if (std::filesystem::is_regular_file(output, ignored) &&
+            std::filesystem::equivalent(file == "-" ? "/dev/stdin" : file, output, ignored))
+            throw file_error(output.string(),
+                             "is an input of this command and would be written over; give the output another name");
     std::string bytes;
     if (file == "-") {
         if (!read_stream(std::cin, bytes)) throw file_error("standard input", "cannot be read");

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace fstiff::scene {
@@ -42,9 +44,20 @@ std::vector<ContactState<double>> accepted(const Scene& scene, const Law& law,
     return states;
 }
 
-std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact& contact, Quantity quantities) {
-    return scene.at_separations ? contact.at_separations(scene.points, quantities)
-                                : contact.at_pressures(scene.points, quantities);
+/// Every point stands by itself, so that they may be computed in parts, with \p progress told between them.
+std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact& contact, Quantity quantities,
+                                            const ProgressHook& progress = {}) {
+    constexpr std::size_t part = 64;
+    std::vector<ContactPoint<double>> points;
+    for (std::span<const double> rest = scene.points; !rest.empty();) {
+        if (progress) progress("points", scene.points.size() - rest.size(), scene.points.size());
+        const auto some = rest.first(std::min(part, rest.size()));
+        const auto more =
+            scene.at_separations ? contact.at_separations(some, quantities) : contact.at_pressures(some, quantities);
+        points.insert(points.end(), more.begin(), more.end());
+        rest = rest.subspan(some.size());
+    }
+    return points;
 }
 
 /// The rms gradient of the surface under \p peaks; where these do not know it (r = 0, or none), that of the surface's own
@@ -266,9 +279,16 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     results.surface_checks = check_surface(scene.surface, results.modulus, scene.yield_strength);
+    std::size_t curves = 0;
+    for (const ChosenLaw& chosen : scene.laws) curves += chosen.law->has_peaks ? scene.peaks.size() : 1;
+    ProgressHook of_all;  // one bar for the points of all curves
+    if (progress)
+        of_all = [&](std::string_view what, std::size_t done, std::size_t all) {
+            progress(what, results.curves.size() * all + done, curves * all);
+        };
     for_each_contact(scene, results.modulus, [&](Curve curve, const AnyContact& contact) {
         const Quantity quantities = wanted(scene, *curve.law);
-        curve.states = accepted(scene, *curve.law, points_of(scene, contact, quantities));
+        curve.states = accepted(scene, *curve.law, points_of(scene, contact, quantities, of_all));
         curve.checks = check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/command.hpp"
-#include "support/skip.hpp"
 
 #include <fstiff/core/version.hpp>
 
 TEST_CASE("The example at the end of every --help works as pasted") {
     for (const std::string subcommand : {"", "run ", "measure ", "fit ", "islands ", "peaks ", "integral ", "generate ",
-                                         "ultrasound ", "identify ", "reproduce ", "report "}) {
+                                         "ultrasound ", "identify ", "reproduce ", "report ", "formats ", "help "}) {
         const auto help = test::fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);
         CHECK(help.status == 0);
@@ -14,7 +13,7 @@ TEST_CASE("The example at the end of every --help works as pasted") {
         const auto start = help.out.rfind("Example:\n");
         REQUIRE(start != std::string::npos);
         const std::string example = help.out.substr(start + 9);
-        CHECK(test::contains(example, "fstiff " + subcommand));
+        CHECK(test::contains(example, "fstiff " + subcommand.substr(0, subcommand.find(' '))));
         const test::Folder folder;  // for what an example writes
         const auto outcome = test::shell("cd '" + folder / "" + "' || exit 1\n" + example);
         INFO(example << outcome.err);
@@ -37,9 +36,72 @@ TEST_CASE("Wrong use ends with exit code 2 and one sentence") {
     CHECK(bare.out.empty());
 }
 
-TEST_CASE("A full disk is reported, not taken for success") {
-    if (!std::filesystem::exists("/dev/full")) SKIP_CASE("there is no /dev/full");
-    const auto outcome = test::shell("fstiff run > /dev/full");
-    CHECK(outcome.status == 3);
-    CHECK(test::contains(outcome.err, "standard output"));
+TEST_CASE("A wrong word is answered with the nearest right one") {
+    test::check_refused("masure", 2, {"masure", "did you mean measure?"});
+    test::check_refused("reprot", 2, {"did you mean report?"});
+    test::check_refused("run --formt csv", 2, {"--formt", "did you mean --format?"});
+    test::check_refused("fit x --widnow=1", 2, {"did you mean --window?"});
+    test::check_refused("--vresion", 2, {"did you mean --version?"});
+    const auto help = test::fstiff("help msure");
+    CHECK(help.status == 2);
+    CHECK(help.out.empty());
+    CHECK(test::contains(help.err, "msure: is no subcommand or option"));
+    CHECK(test::contains(help.err, "did you mean measure?"));
+    CHECK_FALSE(test::contains(test::fstiff("quaternion").err, "did you mean"));
+    CHECK_FALSE(test::contains(test::fstiff("run --zzzzzz").err, "did you mean"));
+}
+
+TEST_CASE("help prints what --help prints") {
+    CHECK(test::fstiff("help").out == test::fstiff("--help").out);
+    for (const std::string command : {"run", "generate", "formats"}) {
+        const auto help = test::fstiff("help " + command);
+        CHECK(help.status == 0);
+        CHECK(help.out == test::fstiff(command + " --help").out);
+    }
+    CHECK(test::contains(test::fstiff("--help").out, "kg/(m^2 s), Rayl, MRayl"));
+}
+
+TEST_CASE("No help points at a file that is not installed") {
+    for (const std::string command : {"", "run ", "measure ", "fit ", "islands ", "peaks ", "integral ", "generate ",
+                                      "ultrasound ", "identify ", "reproduce ", "report ", "formats ", "help "})
+        for (const char* folder : {"docs/", "data/", "README"}) {
+            INFO(command << folder);
+            CHECK_FALSE(test::contains(test::fstiff(command + "--help").out, folder));
+        }
+}
+
+TEST_CASE("run --example prints a scene that runs, also with all that is commented out in it") {
+    const auto example = test::fstiff("run --example");
+    REQUIRE(example.status == 0);
+    const auto run = test::fstiff("run - --format csv", example.out);
+    INFO(run.err);
+    CHECK(run.status == 0);
+    CHECK(test::lines(run.out).size() == 1 + 2 * 13);
+
+    // "#: key = value" goes to the section above it, "#: [section]" begins one
+    std::string all;
+    std::size_t taken = 0;
+    for (const std::string& line : test::lines(example.out))
+        if (line.starts_with("#: "))
+            all += line.substr(3) + "\n", ++taken;
+        else
+            all += line + "\n";
+    CHECK(taken == 11);
+    const auto full =
+        test::fstiff("run - --format csv", test::replaced(all, "\"contacts\"]", "\"contacts\", \"reflection\"]"));
+    INFO(full.err);
+    CHECK(full.status == 0);
+    CHECK(test::contains(full.out, "reflection_p05"));
+    test::check_refused("run scene.toml --example", 2, {"--example", "computes nothing"});
+}
+
+TEST_CASE("formats tells of every form that --input-format takes") {
+    const auto list = test::fstiff("formats --format csv");
+    CHECK(list.status == 0);
+    for (const char* name : {"profile", "triples", "matrix", "sdf", "x3p", "scene"}) {
+        INFO(name);
+        CHECK(test::contains(list.out, "\n\"" + std::string(name) + "\","));
+        CHECK(test::contains(test::fstiff("formats").out, "\n" + std::string(name) + "  ("));
+        CHECK(test::contains(test::fstiff("formats --format json").out, "\"" + std::string(name) + "\""));
+    }
 }

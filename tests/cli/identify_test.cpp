@@ -220,7 +220,7 @@ TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
     CHECK(test::contains(picture, "</svg>"));
     CHECK(test::contains(picture, "Residuals"));
     // two panels: measured and model above, residuals below, 12 points each
-    CHECK(test::lines(test::read(folder / "fit.csv")).size() >= 1 + 3 * 12);
+    CHECK(test::lines(test::read(folder / "fit.plot.csv")).size() >= 1 + 3 * 12);
 }
 
 TEST_CASE("identify refuses what it cannot fit, in one sentence") {

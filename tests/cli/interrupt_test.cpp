@@ -36,8 +36,9 @@ pid_t start(const std::vector<std::string>& arguments, int error_to, const Befor
     _exit(127);
 }
 
-bool has_partial(const Folder& folder) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "."))
+bool has_partial(const std::string& folder) {
+    if (!std::filesystem::exists(folder)) return false;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (contains(entry.path().filename().string(), ".partial-")) return true;
     return false;
 }
@@ -69,20 +70,20 @@ TEST_CASE("Ctrl-C during long work ends the command and leaves no file") {
 }
 
 #ifdef __linux__
-TEST_CASE("Ctrl-C while a file is written leaves nothing of it") {
-    const Folder folder;
+namespace {
+
+/// Sends Ctrl-C when the first file that is not complete stands in \p watched.
+void interrupt_while_writing(const std::vector<std::string>& arguments, const std::string& watched) {
     const int nothing = open("/dev/null", O_WRONLY);
-    const pid_t child = start({"generate", "map", "--format", "sdf", "--hurst", "0.8", "--rms", "1 um", "--points",
-                               "256", "--spacing", "1 um", "-o", folder / "map.sdf"},
-                              nothing, [] {
-                                  if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(126);
-                              });
+    const pid_t child = start(arguments, nothing, [] {
+        if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(126);
+    });
     close(nothing);
     // From system call to system call, until the file that is being written stands beside the one it will become.
     int code = 0;
     bool seen = false;
     while (!seen && waitpid(child, &code, 0) == child && WIFSTOPPED(code)) {
-        seen = has_partial(folder);
+        seen = has_partial(watched);
         if (seen) kill(child, SIGINT);  // it is stopped: the signal waits for it
         ptrace(seen ? PTRACE_DETACH : PTRACE_SYSCALL, child, nullptr, nullptr);
     }
@@ -91,6 +92,23 @@ TEST_CASE("Ctrl-C while a file is written leaves nothing of it") {
     REQUIRE(seen);
     REQUIRE(WIFSIGNALED(code));
     CHECK(WTERMSIG(code) == SIGINT);
+}
+
+}  // namespace
+
+TEST_CASE("Ctrl-C while a file is written leaves nothing of it") {
+    const Folder folder;
+    interrupt_while_writing({"generate", "map", "--format", "sdf", "--hurst", "0.8", "--rms", "1 um", "--points", "256",
+                             "--spacing", "1 um", "-o", folder / "map.sdf"},
+                            folder / ".");
+    CHECK(folder.files() == 0);
+}
+
+TEST_CASE("Ctrl-C while a folder or a picture is written leaves nothing of them") {
+    const Folder folder;
+    interrupt_while_writing({"report", "-o", folder / "new/report"}, folder / "new/report");
+    CHECK(folder.files() == 0);
+    interrupt_while_writing({"run", "--plot", folder / "k.svg"}, folder / ".");
     CHECK(folder.files() == 0);
 }
 #endif

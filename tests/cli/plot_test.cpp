@@ -19,7 +19,7 @@ std::vector<Drawn> curves(const std::string& file) {
     std::vector<Drawn> result;
     std::string last;
     const auto rows = lines(read(file));
-    for (std::size_t i = 1; i < rows.size(); ++i) {
+    for (std::size_t i = 2; i < rows.size(); ++i) {  // after the mark and the header
         const auto cells = csv_cells(rows[i]);
         if (cells.at(0) != last) result.push_back({cells.at(2), {}, {}, {}, {}});
         last = cells.at(0);
@@ -40,11 +40,11 @@ TEST_CASE("run --plot draws the numbers of run, their band, the reference line a
     const Outcome outcome = fstiff("run '" + scene_file + "' --format csv --plot '" + folder / "out.svg" + "'");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
-    for (const char* name : {"out.svg", "out.csv", "out.gp"}) CHECK(contains(outcome.err, name));
+    for (const char* name : {"out.svg", "out.plot.csv", "out.plot.gp"}) CHECK(contains(outcome.err, name));
     CHECK(folder.files() == 3);
 
     const Csv table(outcome.out);
-    const auto drawn = curves(folder / "out.csv");
+    const auto drawn = curves(folder / "out.plot.csv");
     REQUIRE(drawn.size() == 5);  // K of two laws, p/(0.48 sigma), R of two laws
     const std::size_t points = table.size() / 2;
     for (std::size_t law = 0; law < 2; ++law)
@@ -69,7 +69,7 @@ TEST_CASE("run --plot draws the numbers of run, their band, the reference line a
 
     // the window: K where (5.1) gives 0.99 and 0.1
     const double spring = std::numbers::pi * 1e6 * 7850 * 5900;  // omega z / 2
-    const std::string script = read(folder / "out.gp");
+    const std::string script = read(folder / "out.plot.gp");
     const auto at = script.find("from graph 0,first ");
     REQUIRE(at != std::string::npos);
     const double low = std::stod(script.substr(at + 19));
@@ -83,7 +83,7 @@ TEST_CASE("run --plot draws the numbers of run, their band, the reference line a
     for (const char* label : {"nominal pressure p [MPa]", "K/A₀ [GPa/µm]", "|R|"}) CHECK(contains(picture, label));
 
     if (shell("command -v gnuplot").status != 0) SKIP_CASE("there is no gnuplot: its script is not run");
-    const Outcome gnuplot = shell("cd '" + folder / "" + "' && gnuplot out.gp");
+    const Outcome gnuplot = shell("cd '" + folder / "" + "' && gnuplot out.plot.gp");
     CHECK(gnuplot.status == 0);
     CHECK(gnuplot.err.empty());
     CHECK(contains(read(folder / "out-gnuplot.svg"), "<path"));

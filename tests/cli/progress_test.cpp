@@ -31,3 +31,32 @@ TEST_CASE("Long work shows a bar with the time left on a terminal, and nothing i
     CHECK(shown.out.ends_with("\r\x1b[K"));  // wiped at the end
     CHECK(test::read(folder / "out.csv") == piped.out);
 }
+
+TEST_CASE("Work without a bar of its own shows the time on a terminal, and 100000 pressures a bar") {
+    if (test::shell("script -qec true /dev/null").status != 0)
+        SKIP_CASE("`script` makes no terminal here: the bar is not tested");
+    const test::Folder folder;
+    const auto on_terminal = [&](const std::string& arguments) {
+        const auto shown =
+            test::shell("export TERM=vt100 FSTIFF_PROGRESS_DELAY=0; script -qec \"'" FSTIFF_COMMAND "' " + arguments +
+                        "\" /dev/null");
+        INFO(shown.out);
+        CHECK(shown.status == 0);
+        CHECK(test::contains(shown.out, "\r\x1b[K"));
+        return shown.out;
+    };
+    const std::string map = folder / "map.sdf";
+    CHECK(test::contains(on_terminal("generate map --points 512 --spacing '1 um' --hurst 0.8 --rms '1 um' --format sdf "
+                                     "-o '" +
+                                     map + "' 2>&1"),
+                         "generate: working, "));
+    CHECK(test::contains(on_terminal("fit '" + map + "' --resamples 0 -o '" + folder / "fit" + "'"), "fit: working, "));
+    std::string scene = test::read(FSTIFF_SCENES "/sand_blasted_fine.toml");
+    scene = test::replaced(scene, "count = 31", "count = 100000");
+    scene = test::replaced(scene, "[\"fractal\", \"hertz\", \"greenwood_williamson\"]", "[\"greenwood_williamson\"]");
+    folder.write("scene.toml", scene);
+    const std::string bar =
+        on_terminal("run '" + folder / "scene.toml" + "' --format csv -o '" + folder / "run.csv" + "'");
+    CHECK(test::contains(bar, "points ["));
+    CHECK(test::contains(bar, " s left"));
+}

@@ -17,5 +17,6 @@ Command add_ultrasound(CLI::App& app);
 Command add_identify(CLI::App& app);
 Command add_reproduce(CLI::App& app);
 Command add_report(CLI::App& app);
+Command add_formats(CLI::App& app);
 
 }  // namespace fstiff::cli

@@ -428,16 +428,20 @@ Command add_fit(CLI::App& app) {
     command.option("profile", options->surface.file, "profile or map: delimited text, SDF or X3P; - is standard input")
         .required();
     add_surface_options(command, options->surface);
-    command.option("--window", options->window, "lags that are fitted, such as \"1 um,100 um\"; default automatic");
+    command.option("--window", options->window,
+                   "shortest and longest lag of the fit, such as \"1 um,100 um\"; the default is chosen automatically");
     command.option("--tip-radius", options->tip_radius,
-                   "of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
-    command.option("--resolution", options->resolution, "of the instrument: shorter lags are left out");
+                   "radius of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
+    command.option("--resolution", options->resolution,
+                   "lateral resolution of the instrument; shorter lags are left out of the fit");
     command.option("--convention", options->convention,
                    "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien");
-    command.option("--seed", options->seed, "of the bootstrap; default 2014");
-    command.option("--resamples", options->resamples, "of the bootstrap; default 200, 0 leaves it out")
+    command.option("--seed", options->seed, "seed of the random numbers of the bootstrap; the default is 2014");
+    command
+        .option("--resamples", options->resamples,
+                "number of resamples of the bootstrap; the default is 200, and 0 leaves the bootstrap out")
         .between(0, 100000);
-    command.flag("--all-lags", options->all_lags, "the structure function at every lag (profiles)");
+    command.flag("--all-lags", options->all_lags, "compute the structure function at every lag (profiles only)");
     add_output_options(command, options->output);
     command.footer(
         "The CSV is the structure function; the JSON holds everything. The example makes a random walk, D = 1.5.\n"

@@ -160,22 +160,25 @@ Command add_generate(CLI::App& app) {
                 "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic")
         .required()
         .one_of({"wm", "profile", "map"});
-    command.option("--points", options->points, "of the profile, default 4096; of a row of the map, default 256")
+    command
+        .option("--points", options->points,
+                "number of points of the profile (default 4096) or of a row of the map (default 256)")
         .between(std::size_t(16), max_points);
-    command.option("--rows", options->rows, "of the map; default as many as points")
+    command.option("--rows", options->rows, "number of rows of the map; the default is the number of points")
         .between(std::size_t(16), max_points);
-    command.option("--spacing", options->spacing, "between points, such as \"0.5 um\"");
-    command.option("--dimension", options->dimension, "D of a wm profile, between 1 and 2");
-    command.option("--roughness", options->roughness, "G of a wm profile, such as \"12 nm\"");
+    command.option("--spacing", options->spacing, "distance of neighbouring points, such as \"0.5 um\"");
+    command.option("--dimension", options->dimension, "fractal dimension D of a wm profile, between 1 and 2");
+    command.option("--roughness", options->roughness, "fractal roughness G of a wm profile, such as \"12 nm\"");
     command.option("--gamma", options->gamma, "ratio of neighbouring wavelengths of a wm profile; default 1.5");
-    command.option("--hurst", options->hurst, "H of a profile or map, between 0 and 1; D = 2 - H of a section");
-    command.option("--rms", options->rms, "Rq or Sq of the profile or map, such as \"1 um\"");
-    command.option("--longest", options->longest, "wavelength; default the longest side");
-    command.option("--shortest", options->shortest, "wavelength; default two spacings");
+    command.option("--hurst", options->hurst,
+                   "Hurst exponent H of a profile or map, between 0 and 1; a section has D = 2 - H");
+    command.option("--rms", options->rms, "rms height (Rq or Sq) of the profile or map, such as \"1 um\"");
+    command.option("--longest", options->longest, "longest wavelength; the default is the longest side");
+    command.option("--shortest", options->shortest, "shortest wavelength; the default is two spacings");
     command.option("--long-waves", options->long_waves,
-                   "beyond the longest wavelength: plateau (default), waves as strong as it, or none");
-    command.option("--seed", options->seed, "of the random phases or amplitudes; default 1");
-    command.option("--format", options->form, "csv (default), sdf (binary) or sdf-text")
+                   "waves beyond the longest wavelength: plateau (default), as strong as it, or none");
+    command.option("--seed", options->seed, "seed of the random phases or amplitudes; the default is 1");
+    command.option("--format", options->form, "form of the file: csv (default), sdf (binary) or sdf-text")
         .type_name("FORMAT")
         .one_of({"csv", "sdf", "sdf-text"});
     command.option("-o,--output", options->output.file, "write to FILE instead of standard output").type_name("FILE");

@@ -347,7 +347,7 @@ Figure picture(const Work& work) {
 }
 
 Report execute(const Options& options) {
-    if (!options.picture.empty()) require_picture_name(options.picture);
+    if (!options.picture.empty()) keep_for_picture(options.picture);
     const Work work = work_of(options);
     std::vector<std::string> files;
     if (!options.picture.empty()) files = write_figure(picture(work), options.picture);
@@ -377,12 +377,14 @@ Command add_identify(CLI::App& app) {
         .type_name("FILE");
     std::string fitted;
     for (const std::string_view name : short_names()) fitted += (fitted.empty() ? "" : ", ") + std::string(name);
-    command.option("--fit", options->fit, "what is fitted, of " + fitted + " (of the pressure); the rest stays")
+    command
+        .option("--fit", options->fit,
+                "parameters to fit, among " + fitted + " (offset: of the pressure); the others keep their values")
         .required()
         .delimiter(',')
         .type_name("NAME,...");
-    command.option("--law", options->law, "fit this law of the scene alone").one_of(fitted_law_names());
-    command.option("--wave", options->wave, "what the reflections are of")
+    command.option("--law", options->law, "fit only this law of the scene").one_of(fitted_law_names());
+    command.option("--wave", options->wave, "kind of wave whose reflection coefficients were measured")
         .one_of({"longitudinal", "shear"})
         .show_default();
     add_output_options(command, options->output);

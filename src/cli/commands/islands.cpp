@@ -176,17 +176,24 @@ Command add_islands(CLI::App& app) {
     Arguments command(app, "islands", "Islands of a map at every cutting level, and peak radius R and density D_p");
     command.option("map", options->surface.file, "delimited text, SDF or X3P; - is standard input").required();
     add_surface_options(command, options->surface, SurfaceKind::map);
-    command.option("--neighbours", options->neighbours, "of a point: 8 (default) or 4").one_of({4, 8});
-    command.option("--border", options->border, "islands that reach the edge of the map: keep (default) or drop");
-    command.option("--least-points", options->min_points, "of an island that counts; default 1");
+    command
+        .option("--neighbours", options->neighbours,
+                "how many neighbours of a point can belong to its island: 8 (default) or 4")
+        .one_of({4, 8});
+    command.option("--border", options->border,
+                   "whether islands that reach the edge of the map count: keep (default) or drop");
+    command.option("--least-points", options->min_points,
+                   "smallest number of points of an island that counts; the default is 1");
     command.option("--island-height", options->height,
-                   "of an island: peak (default), its highest point, or twice-mean");
+                   "height of an island: peak (default), its highest point, or twice-mean, twice its mean height");
     command.option("--levels", options->levels,
                    "number of levels, at equal steps of bearing area; default 200, 0 for every height");
-    command.option("--tiles", options->spread.tiles,
-                   "a side, that are drawn from for the errors; default 4, 1 leaves the errors out");
-    command.option("--resamples", options->spread.resamples, "draws of the tiles; default 400");
-    command.option("--seed", options->spread.seed, "of the draws; default 2014");
+    command.option(
+        "--tiles", options->spread.tiles,
+        "divide the map into N x N tiles and draw among them for the standard errors; the default is 4, and 1 gives no "
+        "errors");
+    command.option("--resamples", options->spread.resamples, "how often the tiles are drawn; the default is 400");
+    command.option("--seed", options->spread.seed, "seed of the random numbers of the draws; the default is 2014");
     add_output_options(command, options->output);
     command.footer(
         "The CSV is the curve; the JSON holds everything. R = A_m/(2 pi h_m), of the mean island of the level at "

@@ -85,13 +85,21 @@ Command add_measure(CLI::App& app) {
                       "Every parameter of a scene's surface from a measured profile or map, with errors");
     command.option("file", measure.input.file, "profile or map of any form; - is standard input").required();
     add_surface_options(command, measure.input);
-    command.option("--peaks", measure.peaks, "of a map, R and D_p of its islands (default) or its summits");
-    command.option("--tip-radius", measure.tip_radius,
-                   "of the stylus, of a profile: shorter lags that may show it do not enter D");
-    command.option("--resolution", measure.resolution, "of the instrument: shorter lags do not enter D");
-    command.option("--window", measure.window, "lags that give D, such as \"1 um,100 um\"; default automatic");
-    command.option("--resamples", measure.resamples, "for the errors; default 400").between(2, 100000);
-    command.option("--seed", measure.seed, "of the resamples; default 2014");
+    command.option("--peaks", measure.peaks,
+                   "what counts as a peak of a map, for R and D_p: its islands (default) or its summits");
+    command.option(
+        "--tip-radius", measure.tip_radius,
+        "radius of the stylus, such as \"2 um\": shorter lags of a profile, which may show it, are not used for D");
+    command.option("--resolution", measure.resolution,
+                   "lateral resolution of the instrument; shorter lags are not used for D");
+    command.option(
+        "--window", measure.window,
+        "shortest and longest lag that give D, such as \"1 um,100 um\"; the default is chosen automatically");
+    command
+        .option("--resamples", measure.resamples,
+                "number of resamples that the standard errors are computed from; the default is 400")
+        .between(2, 100000);
+    command.option("--seed", measure.seed, "seed of the random numbers of the resamples; the default is 2014");
     add_output_options(command, options->output, Format::json);
     command.footer(
         "The JSON is what run --surface and a scene's [surface] from = \"...\" read. Exit code 4: a parameter is not "

@@ -178,15 +178,19 @@ Report execute(const Options& options) {
 Command add_peaks(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Arguments command(app, "peaks", "Density of peak heights and curvatures: parameters, moments, height marginal");
-    command.option("--r", options->r, "r of the density (4.4), with --theta: at least 0 and less than 1");
-    command.option("--theta", options->theta, "angle: a number of radians, \"pi/4\" or \"45 deg\"");
-    command.flag("--exponential", options->exponential, "r from --theta as for an exponential autocorrelation");
+    command.option("--r", options->r,
+                   "correlation r of heights and curvatures, at least 0 and less than 1; needs --theta");
+    command.option("--theta", options->theta,
+                   "angle theta of the sampling: a number of radians, \"pi/4\" or \"45 deg\"");
+    command.flag("--exponential", options->exponential,
+                 "take the r that belongs to --theta for an exponential autocorrelation");
     command.option("--rho1", options->rho1, "autocorrelation at one sampling step, with --rho2");
     command.option("--rho2", options->rho2, "autocorrelation at two sampling steps");
     command.option("--profile", options->surface.file,
                    "measured profile, delimited text, SDF or X3P; - is standard input");
     add_surface_options(command, options->surface, SurfaceKind::profile);
-    command.option("--heights", options->heights, "FROM,TO,COUNT: table of the density of the height alone (Fig. 2)");
+    command.option("--heights", options->heights,
+                   "FROM,TO,COUNT: print a table of the probability density of the height alone (Fig. 2)");
     add_output_options(command, options->output);
     command.footer(
         "Heights are in rms heights, curvatures in rms curvatures of the ordinates.\n"

@@ -428,6 +428,9 @@ std::string page_of(const Scene& scene, const Results& results) {
 }
 
 Report execute(const Options& options) {
+    const std::string file = (std::filesystem::path(options.folder) / "report.html").string();
+    require_own(file);
+    keep_for_output(file);
     Scene scene = read_scene(options.scene);
     // a report shows everything, whatever output.quantities asks of run
     scene.stiffness = scene.separation = scene.real_area = scene.contacts = true;
@@ -437,9 +440,7 @@ Report execute(const Options& options) {
     }
     const Results results = compute(scene, progress_bar());
     const std::string document = page_of(scene, results);
-    make_folder(options.folder);
-    const std::string file = (std::filesystem::path(options.folder) / "report.html").string();
-    deliver(document, file);
+    deliver({{file, page_mark + document}}, options.folder);
     Report report;
     report.status = results.doubtful ? doubtful_result : success;
     const Format format = options.output.format;

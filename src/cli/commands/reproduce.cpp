@@ -527,19 +527,22 @@ std::string json(const Reproduction& all, const std::vector<std::string>& files)
 }
 
 Report execute(const Options& options) {
-    const Reproduction all = compute();
-    make_folder(options.folder);
     const std::filesystem::path folder(options.folder);
-    std::vector<std::string> files;
+    const std::string errata = (folder / "errata.md").string(), index = (folder / "index.html").string();
+    require_own(errata);
+    require_own(index);
+    for (const char* name : {"fig2", "fig4", "fig6", "fig7", "fig8", "fig9"})
+        for (const std::string& file : PictureFiles((folder / name).string() + ".svg").all()) require_own(file);
+    const Reproduction all = compute();
+    std::vector<OutputFile> written;
     for (const Picture& picture : all.pictures)
-        for (const std::string& file : write_figure(picture.figure, (folder / (picture.name + ".svg")).string()))
-            files.push_back(file);
-    const auto write = [&](const char* name, const std::string& text) {
-        files.push_back((folder / name).string());
-        deliver(text, files.back());
-    };
-    write("errata.md", errata_page);
-    write("index.html", page(all));
+        for (OutputFile& file : figure_files(picture.figure, (folder / (picture.name + ".svg")).string()))
+            written.push_back(std::move(file));
+    written.push_back({errata, std::string(page_mark) + errata_page});
+    written.push_back({index, page_mark + page(all)});
+    deliver(written, options.folder);
+    std::vector<std::string> files;
+    for (const OutputFile& file : written) files.push_back(file.name);
     const Format format = options.output.format;
     return {format == Format::table ? table(all, files)
             : format == Format::csv ? csv(all)
@@ -558,7 +561,8 @@ Command add_reproduce(CLI::App& app) {
         .required();
     add_format_option(command, options->output);
     command.footer(
-        "Figs. 2, 4, 6, 7, 8, 9 as SVG with their numbers (.csv) and gnuplot scripts (.gp), errata.md, and index.html "
+        "Figs. 2, 4, 6, 7, 8, 9 as SVG with their numbers (.plot.csv) and gnuplot scripts (.plot.gp), errata.md, and "
+        "index.html "
         "with "
         "all of it.\nExample:\n  fstiff reproduce -o reproduced");
     return {command.app(), &options->output, [options] { return execute(*options); }};

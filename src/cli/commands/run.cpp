@@ -19,6 +19,9 @@
 #include <utility>
 
 namespace fstiff::cli {
+
+extern const char* const example_scene;  // data/example_scene.toml
+
 namespace {
 
 struct Options {
@@ -26,6 +29,7 @@ struct Options {
     SceneOptions scene;
     std::string picture;  ///< file; empty: none
     bool full = false;    ///< every point and quantity in the table
+    bool example = false;
 };
 
 /// The units of the columns, by the sizes of the scene.
@@ -417,7 +421,12 @@ std::string table(const Scene& scene, const Results& results) {
 }
 
 Report execute(const Options& options) {
-    if (!options.picture.empty()) require_picture_name(options.picture);
+    if (options.example) {
+        if (!options.scene.scene.empty() || !options.scene.surface.empty() || !options.picture.empty())
+            throw Usage("--example prints a scene and computes nothing; give no scene, --surface or --plot with it");
+        return {example_scene, {}, success};
+    }
+    if (!options.picture.empty()) keep_for_picture(options.picture);
     const Scene scene = read_scene(options.scene);
     const Results results = compute(scene, progress_bar());
     std::vector<std::string> files;
@@ -444,9 +453,10 @@ Command add_run(CLI::App& app) {
     add_output_options(command, options->output);
     command.flag("--full", options->full, "the table has every point and quantity, not a summary");
     add_picture_option(command, options->picture, "draw K(p)");
+    command.flag("--example", options->example, "print a scene with comments, to begin one of your own");
     command.footer(
-        "The keys of a scene are in docs/scene.md. Exit code 4: a real area above the nominal one, no convergence, "
-        "or a\nmeasured parameter that is not known to a factor of two.\n"
+        "A scene says what is in contact; run --example > my.toml is one to change. Exit code 4: a real area above the "
+        "nominal one,\nno convergence, or a measured parameter that is not known to a factor of two.\n"
         "Example:\n  fstiff run --format csv");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }

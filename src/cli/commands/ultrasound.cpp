@@ -230,8 +230,10 @@ Report execute(const Options& options) {
 
 void add_body(Arguments& command, Body& body, const std::string& suffix, const std::string& which) {
     command.option("--impedance" + suffix, body.impedance, "impedance of " + which + ", such as \"46 MRayl\"");
-    command.option("--density" + suffix, body.density, "with --velocity" + suffix + " instead: \"7850 kg/m^3\"");
-    command.option("--velocity" + suffix, body.velocity, "with --density" + suffix + " instead: \"5900 m/s\"");
+    command.option("--density" + suffix, body.density,
+                   "density of that body, such as \"7850 kg/m^3\"; needs --velocity" + suffix);
+    command.option("--velocity" + suffix, body.velocity,
+                   "velocity of sound in that body, such as \"5900 m/s\"; needs --density" + suffix);
 }
 
 }  // namespace
@@ -239,12 +241,14 @@ void add_body(Arguments& command, Body& body, const std::string& suffix, const s
 Command add_ultrasound(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Arguments command(app, "ultrasound", "Ultrasonic reflection from the stiffness of an interface, or back");
-    command.option("--stiffness", options->stiffness, "K per nominal area, such as \"1.764 GPa/um\"");
-    command.option("--reflection", options->reflection,
-                   "measured |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, reflection "
-                   "and, if known, reflection_error, to K(p); - is standard input");
+    command.option("--stiffness", options->stiffness,
+                   "normal contact stiffness K per nominal area, such as \"1.764 GPa/um\"");
+    command.option(
+        "--reflection", options->reflection,
+        "reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, reflection "
+        "and, if known, reflection_error, to K(p); - is standard input");
     command.option("--reflection-error", options->reflection_error,
-                   "standard error of the reflections that have no column of their own");
+                   "standard error of the reflection coefficient, where a file has no column of it");
     command.option("--frequency", options->frequency, "frequency of the wave, such as \"7 MHz\"").required();
     add_body(command, options->incident, "", "the body that the wave comes from");
     add_body(command, options->beyond, "2", "the body beyond (default: the same)");

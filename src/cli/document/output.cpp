@@ -8,10 +8,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cerrno>
 #include <csignal>
-#include <cstring>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -21,44 +20,81 @@
 namespace fstiff::cli {
 namespace {
 
-[[noreturn]] void cannot_write(const std::string& file) {
-    throw file_error(file, "cannot be written; the folder must exist and be writable");
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannot_write(const std::string& file, int reason) {
+    const char* wanted = reason == ENOENT || reason == ENOTDIR ? "; the folder must exist"
+                         : reason == EACCES || reason == EROFS ? "; the file and its folder must be writable"
+                                                               : "";
+    throw file_error(file, "cannot be written: " + std::generic_category().message(reason) + wanted);
 }
 
-void write_bytes(const std::filesystem::path& path, const std::string& document, const std::string& shown) {
-    std::ofstream stream(path, std::ios::binary);
-    stream << document << std::flush;
-    if (!stream) cannot_write(shown);
+/// Whether \p text is in \p stream whole; if not, errno tells why.
+bool written(const std::string& text, std::FILE* stream) {
+    errno = 0;
+    return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
 }
 
-/// Name of the file that is being written, for the signal handler; empty: none.
-std::array<char, 4096> partial_name{};
-volatile std::sig_atomic_t is_partial = 0;
+void write_bytes(const fs::path& path, const std::string& text, const std::string& shown) {
+    std::FILE* const stream = std::fopen(path.c_str(), "wb");
+    if (!stream) cannot_write(shown, errno);
+    int reason = written(text, stream) ? 0 : errno;
+    if (std::fclose(stream) != 0 && reason == 0) reason = errno;
+    if (reason != 0) cannot_write(shown, reason);
+}
 
-extern "C" void remove_partial_and_end(int signal) {
-    if (is_partial) unlink(partial_name.data());
+/// Files that are being written and folders that were made for them, for the signal handler, which reads them while
+/// `has_partials` is 1.
+std::vector<std::string> partial_files, made_folders;
+volatile std::sig_atomic_t has_partials = 0;
+
+extern "C" void remove_partials_and_end(int signal) {
+    if (has_partials) {
+        for (const std::string& file : partial_files) unlink(file.c_str());
+        for (const std::string& folder : made_folders) rmdir(folder.c_str());
+    }
     std::signal(signal, SIG_DFL);
     raise(signal);
 }
 
-/// While it lives, Ctrl-C and the like remove \p path before they end the program.
-class Interruptible {
+/// What is not complete yet: removed when this ends before keep(), be it by an exception or by Ctrl-C and the like.
+class Partials {
 public:
-    explicit Interruptible(const std::filesystem::path& path) {
-        const std::string& name = path.native();
-        if (name.size() >= partial_name.size()) return;
-        std::memcpy(partial_name.data(), name.c_str(), name.size() + 1);
-        is_partial = 1;
-        for (const int signal : signals)  // what the caller ignores (nohup) stays ignored
-            if (std::signal(signal, remove_partial_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
+    Partials(std::vector<std::string> files, std::vector<std::string> folders) {
+        partial_files = std::move(files);
+        made_folders = std::move(folders);
+        has_partials = 1;
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP})  // what the caller ignores (nohup) stays ignored
+            if (std::signal(signal, remove_partials_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
     }
-    Interruptible(const Interruptible&) = delete;
-    Interruptible& operator=(const Interruptible&) = delete;
-    ~Interruptible() { is_partial = 0; }
-
-private:
-    static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+    Partials(const Partials&) = delete;
+    Partials& operator=(const Partials&) = delete;
+    ~Partials() {
+        if (has_partials) {
+            for (const std::string& file : partial_files) unlink(file.c_str());
+            for (const std::string& folder : made_folders) rmdir(folder.c_str());  // where it is empty
+        }
+        has_partials = 0;
+    }
+    void keep() { has_partials = 0; }
 };
+
+/// The file behind a symbolic link, which stays a link.
+fs::path target_of(const std::string& file) {
+    std::error_code error;
+    const fs::path target = fs::weakly_canonical(fs::absolute(file), error);
+    return error ? fs::path(file) : target;
+}
+
+/// \p folder and those above it that are not there, the innermost first.
+std::vector<std::string> missing_folders(const fs::path& folder) {
+    std::vector<std::string> missing;
+    std::error_code error;
+    for (fs::path at = fs::absolute(folder / "."); !fs::exists(at, error) && at.has_relative_path();
+         at = at.parent_path())
+        if (at.has_filename() && at.filename() != ".") missing.push_back(at.string());
+    return missing;
+}
 
 }  // namespace
 
@@ -112,38 +148,72 @@ Json json_document(std::string_view command) {
     return document;
 }
 
-void deliver(const std::string& document, const std::string& file) {
-    namespace fs = std::filesystem;
-    if (file.empty()) {
-        std::cout << document << std::flush;
-        if (!std::cout) throw domain_error("standard output cannot be written");
-        return;
-    }
+void require_writable(const std::string& file) {
     std::error_code error;
-    fs::path target = fs::weakly_canonical(file, error);  // the file behind a symbolic link, which stays a link
-    if (error) target = file;
+    const fs::path target = target_of(file);
     if (fs::is_directory(target, error)) throw file_error(file, "is a folder; the output must be a file");
-    const bool exists = fs::exists(target, error);
-    if (exists && !fs::is_regular_file(target, error))
-        return write_bytes(target, document, file);  // /dev/stdout, a pipe
-
-    fs::path partial = target;
-    partial += ".partial-" + std::to_string(std::random_device{}());
-    const Interruptible until_renamed(partial);
-    try {
-        write_bytes(partial, document, file);
-        if (exists) fs::permissions(partial, fs::status(target).permissions());
-        fs::rename(partial, target);
-    } catch (...) {
-        fs::remove(partial, error);
-        cannot_write(file);
-    }
+    if (!fs::is_directory(target.parent_path(), error)) cannot_write(file, ENOENT);
+    if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0) cannot_write(file, errno);
 }
 
-void make_folder(const std::string& folder) {
+void require_own(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string line(200, '\0');
+    if (!stream) return;  // there is none
+    stream.read(line.data(), static_cast<std::streamsize>(line.size()));
+    line.resize(static_cast<std::size_t>(stream.gcount()));
+    line.resize(std::min(line.find('\n'), line.size()));
+    if (line.starts_with("# fstiff ") || line.starts_with("<!-- fstiff ") ||
+        (line.starts_with("<svg ") && line.find(" class=\"fstiff\" ") != std::string::npos))
+        return;
+    throw file_error(file, "was not made by fstiff and is not replaced; move it away or choose another name");
+}
+
+void deliver(const std::string& document, const std::string& file) {
+    if (!file.empty()) return deliver({{file, document}});
+    std::cout << std::flush;
+    if (!written(document, stdout) || !std::cout)
+        throw domain_error("standard output cannot be written" +
+                           (errno != 0 ? ": " + std::generic_category().message(errno) : std::string()));
+}
+
+void deliver(const std::vector<OutputFile>& files, const std::string& folder) {
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder, error)) throw file_error(folder, "is no folder and cannot be made one");
+    std::vector<std::string> made;
+    if (!folder.empty()) {
+        made = missing_folders(folder);
+        for (const OutputFile& file : files) require_own(file.name);
+    }
+    std::vector<fs::path> targets;
+    std::vector<std::string> partials;
+    for (const OutputFile& file : files) {
+        targets.push_back(target_of(file.name));
+        const bool replaces = fs::exists(targets.back(), error);
+        if (replaces && !fs::is_regular_file(targets.back(), error) && !fs::is_directory(targets.back(), error))
+            partials.emplace_back();  // /dev/stdout, a pipe: written as it is
+        else
+            partials.push_back(targets.back().string() + ".partial-" + std::to_string(std::random_device{}()));
+    }
+    Partials until_renamed(partials, made);
+    if (!folder.empty()) {
+        fs::create_directories(folder, error);
+        if (!fs::is_directory(folder))
+            throw file_error(folder, "is no folder and cannot be made one: " +
+                                         (error ? error : std::make_error_code(std::errc::not_a_directory)).message());
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (fs::is_directory(targets[i], error))
+            throw file_error(files[i].name, "is a folder; the output must be a file");
+        write_bytes(partials[i].empty() ? targets[i] : fs::path(partials[i]), files[i].text, files[i].name);
+        if (const auto old = fs::status(targets[i], error); !partials[i].empty() && fs::exists(old))
+            fs::permissions(partials[i], old.permissions(), error);
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (partials[i].empty()) continue;
+        fs::rename(partials[i], targets[i], error);
+        if (error) cannot_write(files[i].name, error.value());
+    }
+    until_renamed.keep();
 }
 
 }  // namespace fstiff::cli

@@ -87,11 +87,27 @@ std::string csv_line(const std::vector<std::string>& cells);
 /// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
 Json json_document(std::string_view command);
 
-/// Writes \p document to \p file (beside it first, then renamed), or to standard output when \p file is empty.
-/// \throws domain_error naming the file that cannot be written.
-void deliver(const std::string& document, const std::string& file);
+/// A file to write, and what goes into it.
+struct OutputFile {
+    std::string name, text;
+};
 
-/// Makes the folder \p folder, and those above it, where it is missing. \throws domain_error where that fails.
-void make_folder(const std::string& folder);
+/// Writes \p document to \p file, or to standard output when \p file is empty.
+/// \throws file_error as below, domain_error for standard output, with the reason that the system gives.
+void deliver(const std::string& document, const std::string& file);
+/// Writes all of \p files or none: beside their targets first, then renamed. \p folder, where it is given, holds them
+/// all and is made when it is missing; files of others in it are not replaced (require_own).
+/// \throws file_error naming the file that cannot be written, and the reason that the system gives.
+void deliver(const std::vector<OutputFile>& files, const std::string& folder = "");
+
+/// For a file that nobody named, such as one beside a picture. \throws file_error where \p file is there and its first
+/// line does not say that fstiff made it.
+void require_own(const std::string& file);
+/// Before a long computation. \throws file_error where the folder of \p file is not there, or \p file is a folder or
+/// protected from writing.
+void require_writable(const std::string& file);
+
+/// First line of a page that `require_own` knows again.
+inline constexpr const char* page_mark = "<!-- fstiff made this page and replaces it when it is asked for again -->\n";
 
 }  // namespace fstiff::cli

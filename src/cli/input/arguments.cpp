@@ -5,12 +5,105 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <system_error>
+
 namespace fstiff::cli {
 namespace {
 
 template <class Target>
 Option add(CLI::App& app, const std::string& name, Target& target, const std::string& help) {
     return Option(app.add_option(name, target, help));
+}
+
+/// A whole number that is not negative. CLI11 would take -1 for the greatest one.
+template <class Unsigned>
+Option add_whole(CLI::App& app, const std::string& name, Unsigned& target, const std::string& help) {
+    const auto take = [&target, name](const std::string& text) {
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), target);
+        if (error != std::errc() || end != text.data() + text.size())
+            throw CLI::ValidationError(name + " = " + text, "must be a whole number from 0 to " +
+                                                                std::to_string(std::numeric_limits<Unsigned>::max()));
+    };
+    return Option(app.add_option_function<std::string>(name, take, help)->type_name("UINT"));
+}
+
+/// How many letters must be put in, left out, replaced or swapped with their neighbour to make \p a of \p b.
+std::size_t edits(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                d[i][j] = i + j;
+                continue;
+            }
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d[a.size()][b.size()];
+}
+
+/// " (did you mean X?)" for the nearest of \p words, or nothing where none is near.
+std::string suggestion(const std::string& wrong, const std::vector<std::string>& words) {
+    std::size_t least = wrong.size() / 3 + 1;
+    std::string nearest;
+    for (const std::string& word : words)
+        if (const std::size_t distance = edits(wrong, word); distance < least + (nearest.empty() ? 1 : 0))
+            least = distance, nearest = word;
+    return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
+}
+
+std::vector<std::string> command_names(const CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// The sentence about a word that is no subcommand of \p program.
+Usage no_command(const CLI::App& program, const std::string& word) {
+    std::string names;
+    for (const std::string& name : command_names(program)) names += (names.empty() ? "" : ", ") + name;
+    return Usage(word + ": is no subcommand or option; must be one of " + names +
+                 suggestion(word, word.starts_with("-") ? option_names(program) : command_names(program)) + "; see " +
+                 program.get_name() + " --help");
+}
+
+/// The sentence about what CLI11 refused.
+Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
+    const auto chosen = program.get_subcommands();
+    const auto unknown = program.remaining(true);
+    if (chosen.empty() && !unknown.empty()) return no_command(program, unknown.front());
+    std::string text = error.what(), help = program.get_name();
+    if (!chosen.empty()) {
+        help += " " + chosen.front()->get_name();
+        if (!unknown.empty() && unknown.front().starts_with("--"))
+            text += suggestion(unknown.front().substr(0, unknown.front().find('=')), option_names(*chosen.front()));
+    }
+    return Usage(text + "; see " + help + " --help");
+}
+
+void refuse_empty(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool option_alone = word.starts_with("--") && word.find('=') == word.size() - 1;  // --plot=
+        if (!word.empty() && !option_alone) continue;
+        throw Usage("the argument " +
+                    (option_alone ? word
+                     : i > 1      ? "after " + std::string(argv[i - 1])
+                                  : "") +
+                    " is empty; it must be left out or hold something");
+    }
 }
 
 }  // namespace
@@ -64,10 +157,10 @@ Option Arguments::option(const std::string& name, int& target, const std::string
     return add(*app_, name, target, help);
 }
 Option Arguments::option(const std::string& name, unsigned long& target, const std::string& help) {
-    return add(*app_, name, target, help);
+    return add_whole(*app_, name, target, help);
 }
 Option Arguments::option(const std::string& name, unsigned long long& target, const std::string& help) {
-    return add(*app_, name, target, help);
+    return add_whole(*app_, name, target, help);
 }
 Option Arguments::option(const std::string& name, double& target, const std::string& help) {
     return add(*app_, name, target, help);
@@ -84,6 +177,8 @@ void Arguments::flag(const std::string& name, bool& target, const std::string& h
 }
 void Arguments::footer(const std::string& text) { app_->footer(text); }
 
+std::string command_name(const CLI::App& command) { return command.get_name(); }
+
 Program::Program(const std::string& name, const std::string& version, const std::string& description,
                  const std::string& footer)
     : app_(std::make_unique<CLI::App>(description, name)) {
@@ -94,24 +189,30 @@ Program::Program(const std::string& name, const std::string& version, const std:
 Program::~Program() = default;
 
 const CLI::App* Program::parse(int argc, char** argv) {
+    refuse_empty(argc, argv);
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    std::string command;  // of `help COMMAND`, which is COMMAND --help
+    CLI::App* help = app_->add_subcommand("help", "The options of a command, as its --help prints them");
+    help->add_option("command", command, "name of a command; without it the commands are listed")->type_name("NAME");
+    help->footer("Example:\n  fstiff help run");
+    if (!words.empty() && words.front() == "help" &&
+        (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
+        if (words.size() == 2) {
+            const auto names = command_names(*app_);
+            if (std::find(names.begin(), names.end(), words.back()) == names.end())
+                throw no_command(*app_, words.back());
+        }
+        std::rotate(words.begin(), words.begin() + 1, words.end());
+        words.back() = "--help";
+    }
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
     try {
-        app_->parse(argc, argv);
+        app_->parse(words);
         return app_->get_subcommands().front();
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {
-            app_->exit(error);
-            return nullptr;
-        }
-        const auto chosen = app_->get_subcommands();
-        const std::string program = app_->get_name();
-        if (!chosen.empty())
-            throw Usage(std::string(error.what()) + "; see " + program + " " + chosen.front()->get_name() + " --help");
-        if (app_->remaining().empty()) throw Usage(std::string(error.what()) + "; see " + program + " --help");
-        std::string names;
-        for (const CLI::App* command : app_->get_subcommands({}))
-            names += (names.empty() ? "" : ", ") + command->get_name();
-        throw Usage(app_->remaining().front() + ": is no subcommand or option; must be one of " + names + "; see " +
-                    program + " --help");
+        if (error.get_exit_code() != 0) throw refusal(*app_, error);
+        app_->exit(error);
+        return nullptr;
     }
 }
 

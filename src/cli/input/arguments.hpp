@@ -73,6 +73,9 @@ private:
     CLI::App* app_;
 };
 
+/// Name of a subcommand.
+[[nodiscard]] std::string command_name(const CLI::App& command);
+
 /// The command line of the program, all of its subcommands.
 class Program {
 public:
@@ -80,8 +83,9 @@ public:
             const std::string& footer);
     ~Program();
     [[nodiscard]] CLI::App& app() { return *app_; }
-    /// The subcommand that was asked for; null after --help and --version, which print.
-    /// \throws Usage in one sentence that names the help to look at.
+    /// The subcommand that was asked for; null after --help, help and --version, which print.
+    /// \throws Usage in one sentence that names the help to look at; for an argument that is empty, too, as one of a
+    /// script whose variable is not set.
     [[nodiscard]] const CLI::App* parse(int argc, char** argv);
 
 private:

@@ -4,10 +4,29 @@
 
 #include <fstiff/core/progress.hpp>
 
+#include <memory>
+#include <string>
+
 namespace fstiff::cli {
 
 /// Empty, and so never called, where standard error is no terminal. The bar appears when a part has run for half a second
-/// (FSTIFF_PROGRESS_DELAY milliseconds, where the environment has that variable), and is wiped when the hook and its copies are gone: keep them no longer than the work lasts.
+/// (FSTIFF_PROGRESS_DELAY milliseconds, where the environment has that variable), and is wiped when the hook and its
+/// copies are gone: keep them no longer than the work lasts.
 ProgressHook progress_bar();
+
+/// While it lives, a line with the time that passed stands on the terminal wherever no bar tells more: while a file is
+/// read, or numbers are transformed. It appears after a second (or FSTIFF_PROGRESS_DELAY).
+class Working {
+public:
+    /// \p what is done, such as the name of the command.
+    explicit Working(std::string what);
+    Working(const Working&) = delete;
+    Working& operator=(const Working&) = delete;
+    ~Working();
+
+private:
+    struct Clock;
+    std::unique_ptr<Clock> clock_;  ///< none where standard error is no terminal
+};
 
 }  // namespace fstiff::cli

@@ -13,8 +13,9 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
 
 void add_picture_option(Arguments& arguments, std::string& picture, const std::string& draws) {
     arguments
-        .option("--plot", picture,
-                draws + " into FILE (.svg or .html); its numbers (.csv) and a gnuplot script (.gp) go beside it")
+        .option(
+            "--plot", picture,
+            draws + " into FILE (.svg or .html); its numbers (.plot.csv) and a gnuplot script (.plot.gp) go beside it")
         .type_name("FILE");
 }
 

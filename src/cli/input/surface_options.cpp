@@ -38,12 +38,14 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     if (maps) {
         allow(choices<MapForm>());
         forms += "; of a map none, mean, plane (default), quadratic or cubic";
-        arguments.option("--dx", options.dx, "distance of neighbouring columns of a matrix; replaces that of the file");
+        arguments.option("--dx", options.dx,
+                         "distance of neighbouring columns of a matrix; replaces the one in the file");
         arguments.option("--dy", options.dy, "distance of neighbouring rows of a matrix");
-        arguments.option("--width", options.width, "columns times dx of a matrix, instead of --dx");
-        arguments.option("--height", options.height, "rows times dy of a matrix, instead of --dy");
+        arguments.option("--width", options.width, "width of a matrix (number of columns times dx), instead of --dx");
+        arguments.option("--height", options.height, "height of a matrix (number of rows times dy), instead of --dy");
     }
-    arguments.option("--detrend", options.detrend, "form that is removed" + forms).one_of(words);
+    arguments.option("--detrend", options.detrend, "form that is removed before anything is computed" + forms)
+        .one_of(words);
 }
 
 Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {

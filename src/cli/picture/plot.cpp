@@ -6,6 +6,8 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
 
+#include <fstiff/core/version.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -516,7 +518,8 @@ std::string html_page(const Figure& figure) {
 }
 
 std::string figure_csv(const Figure& figure) {
-    std::string text = csv_line({"curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"});
+    std::string text = "# fstiff " FSTIFF_VERSION ": the numbers of a picture\n" +
+                       csv_line({"curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"});
     const auto cell = [](const std::string& s) { return quoted(s, '"', "\"\""); };
     std::size_t curve = 0;
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
@@ -536,7 +539,7 @@ std::string figure_csv(const Figure& figure) {
 std::string gnuplot_script(const Figure& figure, const std::string& csv, const std::string& picture) {
     double height = 40;
     for (const Panel& panel : figure.panels) height += panel_height(panel);
-    std::string text = "# gnuplot: draws the numbers of " + csv +
+    std::string text = "# fstiff " FSTIFF_VERSION ": draws the numbers of " + csv + " with gnuplot" +
                        "\n"
                        "set terminal svg noenhanced size 900," +
                        px(std::round(height)) + "\nset output " + for_gnuplot(picture) +
@@ -569,7 +572,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& csv, const s
                 return "($1==" + std::to_string(curve) + "?$" + std::to_string(n) + ":NaN)";
             };
             const auto add = [&](const std::string& what) {
-                plots += (plots.empty() ? "plot " : ", \\\n     ") + for_gnuplot(csv) + " skip 1 using " + what;
+                plots += (plots.empty() ? "plot " : ", \\\n     ") + for_gnuplot(csv) + " skip 2 using " + what;
             };
             const std::string colour =
                 line.colour < 0 ? "#5f5f66" : palette[static_cast<std::size_t>(line.colour) % palette.size()].light;
@@ -590,24 +593,36 @@ std::string gnuplot_script(const Figure& figure, const std::string& csv, const s
     return text + "unset multiplot\n";
 }
 
-void require_picture_name(const std::string& file) {
-    const std::string ending = std::filesystem::path(file).extension().string();
-    if (ending != ".svg" && ending != ".html")
+PictureFiles::PictureFiles(const std::string& file) : picture(file) {
+    const std::filesystem::path path(file);
+    if (path.extension() != ".svg" && path.extension() != ".html")
         throw Usage("--plot = \"" + file +
-                    "\": must end in .svg or .html; the numbers (.csv) and a script (.gp) are "
-                    "written beside it");
+                    "\": must end in .svg or .html; the numbers (.plot.csv) and a script (.plot.gp) are written "
+                    "beside it");
+    table = std::filesystem::path(path).replace_extension(".plot.csv").string();
+    script = std::filesystem::path(path).replace_extension(".plot.gp").string();
+}
+
+void keep_for_picture(const std::string& file) {
+    const PictureFiles names(file);
+    require_writable(file);
+    require_own(names.table);
+    require_own(names.script);
+    for (const std::string& name : names.all()) keep_for_output(name);
+}
+
+std::vector<OutputFile> figure_files(const Figure& figure, const std::string& file) {
+    const PictureFiles names(file);
+    const std::filesystem::path path(file);
+    return {{names.picture, path.extension() == ".svg" ? svg(figure) : html_page(figure)},
+            {names.table, figure_csv(figure)},
+            {names.script, gnuplot_script(figure, std::filesystem::path(names.table).filename().string(),
+                                          path.stem().string() + "-gnuplot.svg")}};
 }
 
 std::vector<std::string> write_figure(const Figure& figure, const std::string& file) {
-    require_picture_name(file);
-    namespace fs = std::filesystem;
-    const fs::path path(file);
-    const std::string table = fs::path(path).replace_extension(".csv").string(),
-                      script = fs::path(path).replace_extension(".gp").string();
-    deliver(path.extension() == ".svg" ? svg(figure) : html_page(figure), file);
-    deliver(figure_csv(figure), table);
-    deliver(gnuplot_script(figure, fs::path(table).filename().string(), path.stem().string() + "-gnuplot.svg"), script);
-    return {file, table, script};
+    deliver(figure_files(figure, file));
+    return PictureFiles(file).all();
 }
 
 std::string heat_map_colour(double share) {

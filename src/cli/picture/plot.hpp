@@ -4,6 +4,8 @@
 // light or dark setting. The same figure is written as CSV and as a gnuplot script that draws that CSV.
 // The same figure gives the same bytes.
 
+#include "document/output.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,11 +77,21 @@ std::string figure_csv(const Figure& figure);
 /// Draws the file \p csv beside it into \p picture.
 std::string gnuplot_script(const Figure& figure, const std::string& csv, const std::string& picture);
 
-/// Writes the figure to \p file (.svg or .html) and beside it .csv and .gp. \returns the three names.
-/// \throws Usage for another ending, domain_error for a file that cannot be written.
+/// The names of a picture and of what is written beside it: trace.svg, trace.plot.csv and trace.plot.gp.
+struct PictureFiles {
+    std::string picture, table, script;
+    /// \throws Usage unless \p file ends in .svg or .html.
+    explicit PictureFiles(const std::string& file);
+    [[nodiscard]] std::vector<std::string> all() const { return {picture, table, script}; }
+};
+
+/// Before anything is read: no input may be one of the three files.
+/// \throws Usage for another ending, file_error for a file beside the picture that fstiff did not make.
+void keep_for_picture(const std::string& file);
+/// The figure as \p file (.svg or .html), its numbers (.plot.csv) and a gnuplot script (.plot.gp).
+std::vector<OutputFile> figure_files(const Figure& figure, const std::string& file);
+/// Writes all three. \returns their names. \throws file_error for a file that cannot be written.
 std::vector<std::string> write_figure(const Figure& figure, const std::string& file);
-/// \throws Usage unless \p file ends in .svg or .html.
-void require_picture_name(const std::string& file);
 
 /// \p text between the tags of SVG or HTML.
 std::string escaped(std::string_view text);

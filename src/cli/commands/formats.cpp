@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff formats: the files that are read.
+#include "commands/commands.hpp"
+#include "document/document.hpp"
+#include "scene/surface_file.hpp"
+
+#include <fstiff/core/version.hpp>
+
+#include <array>
+#include <memory>
+
+namespace fstiff::cli {
+namespace {
+
+/// A file that some command reads.
+struct Row {
+    std::string_view name;  ///< a surface's as --input-format says it
+    std::string_view endings, holds, recognised, asked;
+};
+
+/// The ending of a surface's file decides nothing: its first bytes and lines do.
+constexpr std::array<Row, 8> rows{{
+    {"profile", ".csv .txt .dat .asc ...", "text: heights, or position and height in a line",
+     "one or two columns, or --spacing or --column", "--units without a header that has them; --spacing of heights"},
+    {"triples", ".xyz .csv .txt ...", "text: x, y, z in a line", "three columns that fill a rectangular grid",
+     "--units without a header that has them"},
+    {"matrix", ".txt .asc .csv ...", "text: a row of the map in a line",
+     "four columns and more, or a size in the header or by --dx or --width",
+     "--units, and --dx or --width, without a header that has them"},
+    {"sdf", ".sdf", "ISO 25178-71, text or binary", "its first bytes, such as aISO-1.0 or bISO-1.0", "nothing"},
+    {"x3p", ".x3p", "ISO 25178-72, where fstiff was built with libzip and pugixml",
+     "its first bytes, those of a ZIP archive", "nothing"},
+    {"scene", ".toml", "TOML, as run --example prints it", "an argument of run, identify and report", "nothing"},
+    {"surface", ".json", "the JSON of measure", "an argument of --surface, or surface.from in a scene", "nothing"},
+    {"curve", ".csv", "text: pressure, and stiffness or reflection, with their errors if they are known",
+     "an argument of identify --measured or ultrasound --reflection", "the columns and units in its first line"},
+}};
+
+/// Every form of a surface that can be asked for must be in the table.
+constexpr bool is_complete() {
+    for (const std::string_view name : choices<io::SurfaceFormat>()) {
+        bool found = name == "auto";
+        for (const Row& row : rows) found = found || row.name == name;
+        if (!found) return false;
+    }
+    return true;
+}
+static_assert(is_complete());
+
+Rows columns() {
+    Rows all;
+    const auto add = [&](const char* key, std::string_view Row::*of) {
+        std::vector<std::string> cells;
+        for (const Row& row : rows) cells.push_back('"' + std::string(row.*of) + '"');
+        all.add({key}, cells);
+    };
+    add("name", &Row::name);
+    add("endings", &Row::endings);
+    add("holds", &Row::holds);
+    add("recognised_by", &Row::recognised);
+    add("asks_for", &Row::asked);
+    return all;
+}
+
+std::string text() {
+    std::string all = "fstiff " FSTIFF_VERSION ": files that are read\n";
+    for (const Row& row : rows)
+        all += "\n" + std::string(row.name) + "  (" + std::string(row.endings) + ")\n  holds          " +
+               std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  asks for       " +
+               std::string(row.asked) + "\n";
+    return all +
+           "\nThe first five are profiles and maps, for fit, measure, islands, peaks and run --surface. The ending of\n"
+           "a file decides nothing; --input-format overrides what was recognised. Any other instrument's file is\n"
+           "to be exported from its own program as text or X3P.\n";
+}
+
+Json json() {
+    Json document = json_document("formats");
+    Json& list = document["formats"] = Json::array();
+    for (const Row& row : rows)
+        list.push_back({{"name", row.name},
+                        {"endings", row.endings},
+                        {"holds", row.holds},
+                        {"recognised_by", row.recognised},
+                        {"asks_for", row.asked}});
+    return document;
+}
+
+}  // namespace
+
+Command add_formats(CLI::App& app) {
+    auto options = std::make_shared<OutputOptions>();
+    Arguments command(app, "formats", "The files that are read: how they are recognised, and what is asked for");
+    add_output_options(command, *options);
+    command.footer("Example:\n  fstiff formats");
+    return {command.app(), options.get(), [options] {
+                return report(
+                    {.table = text, .csv = [] { return columns().csv(); }, .json = json, .json_warnings = false},
+                    options->format);
+            }};
+}
+
+}  // namespace fstiff::cli

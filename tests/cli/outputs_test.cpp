@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Outputs do no harm: no input is written over, nothing of somebody else is replaced, and nothing is left half written.
+#include "cli/command.hpp"
+#include "support/skip.hpp"
+
+using namespace test;
+
+namespace {
+
+/// A profile of 512 points as text, and where it is.
+std::string profile() {
+    const Outcome made = fstiff("generate profile --points 512 --spacing '1 um' --hurst 0.5 --rms '1 um'");
+    REQUIRE(made.status == 0);
+    return made.out;
+}
+
+/// Runs \p arguments in \p folder and checks that the command ends with \p status and one sentence that holds \p parts,
+/// and that no file is new or changed.
+void check_harmless(const Folder& folder, const std::string& arguments, int status,
+                    const std::vector<std::string>& parts) {
+    const std::string list = "cd '" + (folder / "") + "' && find . | sort && find . -type f | sort | xargs cat | cksum";
+    const std::string before = shell(list).out;
+    const Outcome outcome = shell("cd '" + (folder / "") + "' && fstiff " + arguments);
+    INFO("fstiff " << arguments << "\nstandard error: " << outcome.err);
+    CHECK(outcome.status == status);
+    CHECK(outcome.out.empty());
+    CHECK(lines(outcome.err).size() == 1);
+    for (const std::string& part : parts) {
+        INFO("expected: " << part);
+        CHECK(contains(outcome.err, part));
+    }
+    CHECK(shell(list).out == before);
+}
+
+std::string scene_from(const std::string& file) {
+    std::string text = read(FSTIFF_SCENES "/sand_blasted_fine.toml");
+    const auto begin = text.find("[surface]"), end = text.find("[material.upper]");
+    return replaced(text, text.substr(begin, end - begin), "[surface]\nfrom = \"" + file + "\"\n\n");
+}
+
+}  // namespace
+
+TEST_CASE("No command writes over a file that it reads") {
+    const Folder folder;
+    folder.write("d.csv", profile());
+    folder.write("scene.toml", scene_from("d.csv"));
+    folder.write("trace.plot.csv", profile());
+    folder.write("from.toml", scene_from("trace.plot.csv"));
+    folder.write("page.html", read(FSTIFF_SCENES "/sand_blasted_fine.toml"));
+    folder.write("k.csv", "pressure [MPa],stiffness [GPa/um]\n1,0.004\n10,0.03\n100,0.2\n");
+    std::filesystem::create_symlink("d.csv", folder / "link.csv");
+    std::filesystem::create_hard_link(folder / "d.csv", folder / "hard.csv");
+    const std::string input = "is an input of this command";
+    check_harmless(folder, "fit d.csv -o d.csv", 3, {"d.csv", input});
+    check_harmless(folder, "fit d.csv -o ./../$(basename $(pwd))/d.csv", 3, {"d.csv", input});
+    check_harmless(folder, "fit d.csv -o link.csv", 3, {"d.csv", input});
+    check_harmless(folder, "fit link.csv -o hard.csv", 3, {"hard.csv", input});
+    check_harmless(folder, "fit - -o d.csv < d.csv", 3, {"d.csv", input});
+    check_harmless(folder, "measure d.csv -o d.csv", 3, {"d.csv", input});
+    check_harmless(folder, "peaks --profile d.csv -o d.csv", 3, {"d.csv", input});
+    check_harmless(folder, "run scene.toml -o scene.toml", 3, {"scene.toml", input});
+    check_harmless(folder, "run scene.toml -o d.csv", 3, {"d.csv", input});
+    check_harmless(folder, "run --surface d.csv -o d.csv", 3, {"d.csv", input});
+    check_harmless(folder, "run page.html --plot page.html", 3, {"page.html", input});
+    check_harmless(folder, "identify --measured k.csv --fit sigma --law hertz -o k.csv", 3, {"k.csv", input});
+}
+
+TEST_CASE("What stands beside a picture is replaced only where fstiff made it") {
+    const Folder folder;
+    folder.write("trace.csv", profile());
+    // the case of the review: the numbers of the trace were replaced by those of its picture
+    const std::string run = "cd '" + (folder / "") + "' && fstiff run --surface trace.csv --plot trace.svg >/dev/null";
+    REQUIRE(shell(run).status == 0);
+    CHECK(read(folder / "trace.csv") == profile());
+    CHECK(read(folder / "trace.plot.csv").starts_with("# fstiff "));
+    CHECK(read(folder / "trace.plot.gp").starts_with("# fstiff "));
+    CHECK(folder.files() == 4);
+    CHECK(shell(run).status == 0);  // its own files it replaces
+
+    folder.write("trace.plot.gp", "plot sin(x)\n");
+    check_harmless(folder, "run --plot trace.svg", 3, {"trace.plot.gp", "not made by fstiff"});
+    std::filesystem::remove(folder / "trace.plot.gp");
+    folder.write("trace.plot.csv", profile());  // of fstiff generate: no picture's numbers
+    check_harmless(folder, "run --plot trace.html", 3, {"trace.plot.csv", "not made by fstiff"});
+    check_harmless(folder, "identify --measured k.csv --fit sigma --plot trace.svg", 3, {"trace.plot.csv"});
+    check_harmless(folder, "run --plot new.svg -o new.plot.csv", 3, {"new.plot.csv", "written twice"});
+}
+
+TEST_CASE("report and reproduce replace their own pages only, and leave no half folder") {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "site");
+    folder.write("site/index.html", "<!doctype html>\n<title>mine</title>\n");
+    folder.write("site/report.html", "<!doctype html>\n<title>mine</title>\n");
+    check_harmless(folder, "reproduce -o site", 3, {"index.html", "not made by fstiff"});
+    check_harmless(folder, "report -o site", 3, {"report.html", "not made by fstiff"});
+    check_harmless(folder, "report none.toml -o new/folder", 3, {"none.toml"});
+
+    const std::string report = "cd '" + (folder / "") + "' && fstiff report -o new/folder";
+    REQUIRE(shell(report).status == 0);
+    CHECK(shell(report).status == 0);
+    CHECK(read(folder / "new/folder/report.html").starts_with("<!-- fstiff "));
+    // a limit on the size of files that the page exceeds
+    const Outcome limited = shell("cd '" + (folder / "") + "' && ulimit -f 8 && fstiff report -o other/folder");
+    INFO(limited.err);
+    CHECK(limited.status == 3);
+    CHECK_FALSE(std::filesystem::exists(folder / "other"));
+}
+
+TEST_CASE("Files of reproduce that somebody else made stay") {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "paper");
+    folder.write("paper/fig9.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n");
+    check_harmless(folder, "reproduce -o paper", 3, {"fig9.svg", "not made by fstiff"});
+}
+
+TEST_CASE("A file that may not grow further is reported with its reason, and the old one stays") {
+    const Folder folder;
+    folder.write("out.csv", "old\n");
+    const std::string go = "cd '" + (folder / "") + "' && ulimit -f 8 && fstiff ";  // 4 or 8 KiB
+    const Outcome text =
+        shell(go + "generate profile --points 4096 --spacing '1 um' --hurst 0.5 --rms '1 um' -o out.csv");
+    INFO(text.err);
+    CHECK(text.status == 3);
+    CHECK(lines(text.err).size() == 1);
+    CHECK(contains(text.err, "out.csv: cannot be written: File too large"));
+    CHECK(read(folder / "out.csv") == "old\n");
+    const Outcome picture = shell(go + "run --plot new.svg");
+    CHECK(picture.status == 3);
+    CHECK(contains(picture.err, "File too large"));
+    CHECK(folder.files() == 1);  // neither a picture nor what was begun of it
+    const Outcome output = shell(go + "run --format json > all.json");
+    CHECK(output.status == 3);
+    CHECK(contains(output.err, "standard output cannot be written: File too large"));
+}
+
+TEST_CASE("A full disk is reported with its reason, and nothing is left on it") {
+    const Folder folder;
+    const std::string disk = folder / "disk";
+    std::filesystem::create_directory(disk);
+    // a file system of its own for one command, as nobody but root or a name space may mount it
+    const std::string mounted =
+        "unshare -rm sh -c \"mount -t tmpfs -o size=16k none '" + disk + "' && cd '" + disk + "' && ";
+    if (shell(mounted + "true\"").status != 0) SKIP_CASE("no file system can be mounted here");
+    const Outcome outcome =
+        shell(mounted + "'" FSTIFF_COMMAND "' run --format json -o all.json; echo status \\$?; ls -A\"");
+    INFO(outcome.out << outcome.err);
+    CHECK(contains(outcome.err, "all.json: cannot be written: No space left on device"));
+    CHECK(outcome.out == "status 3\n");
+    if (!std::filesystem::exists("/dev/full")) return;
+    const Outcome full = fstiff("run > /dev/full");
+    CHECK(full.status == 3);
+    CHECK(contains(full.err, "standard output cannot be written: No space left on device"));
+}
+
+TEST_CASE("What is protected from writing stays, and is refused with its reason") {
+    const Folder folder;
+    std::filesystem::copy_file(FSTIFF_COMMAND, folder / "command");  // where everybody reaches it
+    folder.write("old.txt", "old\n");
+    const std::string as = "cd '" + (folder / "") +
+                           "' && chmod 555 . command && chmod 444 old.txt && $(test $(id -u) = 0 && " +
+                           "echo setpriv --reuid 65534 --regid 65534 --clear-groups) ./command ";
+    const auto refused = [&](const std::string& arguments, const std::string& sentence) {
+        const Outcome outcome = shell(as + arguments);
+        INFO(arguments << "\n" << outcome.err);
+        CHECK(outcome.status == 3);
+        CHECK(contains(outcome.err, sentence));
+    };
+    if (shell(as + "--version").status == 0) {
+        refused("run -o old.txt", "old.txt: cannot be written: Permission denied");
+        refused("run -o new.txt", "new.txt: cannot be written: Permission denied");
+        refused("report -o new/folder", "new/folder: is no folder and cannot be made one: Permission denied");
+    } else {
+        leave_out("nobody but root can run the command here");
+    }
+    CHECK(read(folder / "old.txt") == "old\n");
+    CHECK(folder.files() == 2);
+    shell("chmod 755 '" + (folder / "") + "'");
+}
+
+TEST_CASE("An empty argument is refused, as of a script whose variable is not set") {
+    const Folder folder;
+    for (const char* arguments : {"run ''", "run -o ''", "run --plot ''", "run --plot=", "run --surface ''", "fit ''",
+                                  "measure --units '' d.csv", "report -o ''", "reproduce -o ''",
+                                  "identify --measured '' --fit sigma", "generate '' --spacing '1 um'", "''"})
+        check_harmless(folder, arguments, 2, {"is empty"});
+}
+
+TEST_CASE("A seed is a whole number of 64 bits that is not negative") {
+    const std::string make = "generate profile --points 16 --spacing '1 um' --hurst 0.5 --rms '1 um' --seed ";
+    const std::string allowed = "from 0 to 18446744073709551615";
+    for (const char* seed : {"-1", "18446744073709551616", "1e3", "1.5", "seven"})
+        check_refused(make + seed, 2, {"--seed = " + std::string(seed), allowed});
+    for (const std::string command : {"fit x", "measure x", "islands x"})
+        check_refused(command + " --seed -1", 2, {"--seed = -1", allowed});
+    const Outcome greatest = fstiff(make + "18446744073709551615");
+    CHECK(greatest.status == 0);
+    CHECK(contains(greatest.out, "seed 18446744073709551615"));
+    CHECK(greatest.out != fstiff(make + "0").out);
+}
