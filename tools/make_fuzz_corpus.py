@@ -35,6 +35,9 @@ put("profile_text", "falling.txt", "x [um] z [um]\n" + "".join(f"{9 - i / 2} {z}
 put("profile_text", "huge.txt", "x [um],z [um]\n" + "".join(f"{i},{z}e308\n" for i, z in enumerate(heights)))
 put("profile_text", "binary.txt", b"0 1\n\0\xff\n")
 put("profile_text", "hole.txt", "x [um],z [um]\n" + "".join(f"{i + (i > 9)},{z}\n" for i, z in enumerate(heights)))
+put("profile_text", "missing-words.txt", "#;x [\u00b5m];z [A]\n" + rows(";").replace("0.4\n", "NA\n").replace("0.1\n", "***\n"))
+put("profile_text", "missing-number.txt", "x [um] z [um]\n" + rows(" ").replace("0.4\n", "-9999\n"))
+put("profile_text", "uneven.txt", "x [um],z [um]\n" + "".join(f"{i + i % 3 / 4},{z}.5D-01\n" for i, z in enumerate(heights)))
 
 # --- maps as text ---
 matrix = lambda sep: "".join(sep.join(str(heights[(5 * j + i) % 20] / 8) for i in range(5)) + "\n" for j in range(4))
@@ -43,6 +46,8 @@ triples = lambda sep: "".join(
     f"{i * 0.5}{sep}{j * 2}{sep}{heights[(5 * j + i) % 20]}\n" for j in range(4) for i in range(5))
 put("map_text", "gwyddion.txt", gwyddion + matrix("\t"))
 put("map_text", "gwyddion-three-columns.txt", gwyddion + "1 2 3\n4 5 7\n0 nan 1\n")
+put("map_text", "esri.asc", "ncols 5\nnrows 4\ncellsize 2\nNODATA_value -9999\n" + matrix(" ").replace("0.5", "-9999"))
+put("map_text", "no-data.xyz", triples(" ").replace(" 4\n", " No Data\n"))
 put("map_text", "factor.txt",
     "h=4 w=5\npixel size=1e-007 m\ndata unit=rad\nheight conversion factor (-> m)=2.5e-008\n" + matrix(" "))
 put("map_text", "wrong-count.txt", "h=9 w=5\npixel size=1e-007 m\ndata unit=m\n" + matrix(" "))

@@ -28,6 +28,7 @@
 #include <fstiff/math/piecewise.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/math/root.hpp>
+#include <fstiff/math/rounding.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/surface/contact_parameter.hpp>

@@ -4,8 +4,10 @@
 /// The readers and writers of files: all of io but the opt-in X3P. Written by tools/check_layers.cmake.
 
 #include <fstiff/io/header.hpp>
+#include <fstiff/io/known_binary.hpp>
 #include <fstiff/io/lines.hpp>
 #include <fstiff/io/map_text.hpp>
+#include <fstiff/io/missing_values.hpp>
 #include <fstiff/io/number.hpp>
 #include <fstiff/io/number_table.hpp>
 #include <fstiff/io/profile_or_map.hpp>

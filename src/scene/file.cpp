@@ -2,6 +2,7 @@
 #include "scene/file.hpp"
 
 #include <fstiff/core/text.hpp>
+#include <fstiff/io/lines.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -13,17 +14,6 @@
 
 namespace fstiff::scene {
 namespace {
-
-/// False when the stream breaks or never ends.
-bool read_stream(std::istream& stream, std::string& bytes) {
-    constexpr std::size_t most = std::size_t(1) << 30;
-    char chunk[65536];
-    while (stream.read(chunk, sizeof chunk) || stream.gcount() > 0) {
-        bytes.append(chunk, static_cast<std::size_t>(stream.gcount()));
-        if (bytes.size() > most) throw domain_error("the input is longer than 1 GiB, which is the most that is read");
-    }
-    return !stream.bad();
-}
 
 /// Files that are going to be written.
 std::vector<std::filesystem::path>& outputs() {
@@ -56,15 +46,18 @@ std::string read_all(const std::string& file) {
                              "is an input of this command and would be written over; give the output another name");
     std::string bytes;
     if (file == "-") {
-        if (!read_stream(std::cin, bytes)) throw file_error("standard input", "cannot be read");
+        io::detail::append_bytes(std::cin, "standard input", bytes);
     } else {
         std::error_code error;
         if (!std::filesystem::exists(file, error))
             throw file_error(file, "no such file; the input must be an existing file");
         if (std::filesystem::is_directory(file, error)) throw file_error(file, "is a folder; the input must be a file");
         std::ifstream stream(file, std::ios::binary);
-        if (!stream || !read_stream(stream, bytes))
-            throw file_error(file, "cannot be read; the input must be a readable file");
+        if (!stream) throw file_error(file, "cannot be read; the input must be a readable file");
+        const std::uintmax_t size =
+            std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
+        if (!error && size <= io::detail::most_bytes) bytes.reserve(static_cast<std::size_t>(size));
+        io::detail::append_bytes(stream, file, bytes);
     }
     if (bytes.find_first_not_of(" \t\r\n") == std::string::npos)
         throw domain_error(display_name(file) + ": is empty; the input must hold text");

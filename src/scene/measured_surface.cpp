@@ -120,7 +120,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     surface.sha256 = input.sha256;
     surface.kind = profile ? "profile" : "map";
     surface.decisions = input.surface.record.sentences();
-    surface.warnings = missing_points_warning(input, "what needs them is left out");
+    surface.warnings = reading_warnings(input, "what needs them is left out");
     if (!profile && how.fit.tip_radius > 0)
         throw domain_error(surface.file +
                            ": is a map, whose lags cannot be freed of the tip; must be told by the resolution instead");

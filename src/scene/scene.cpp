@@ -309,9 +309,9 @@ MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, cons
 }
 
 /// The keys beside surface.from that say how the file is read.
-constexpr std::array<std::string_view, 14> reading_keys{"format", "units",      "spacing",    "column",  "dx",
-                                                        "dy",     "width",      "height",     "detrend", "cutoff",
-                                                        "peaks",  "tip_radius", "resolution", "window"};
+constexpr std::array<std::string_view, 17> reading_keys{
+    "format", "units", "spacing",    "column",     "dx",     "dy",      "width",    "height",       "detrend",
+    "cutoff", "peaks", "tip_radius", "resolution", "window", "missing", "resample", "x3p_increment"};
 
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
@@ -334,7 +334,10 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
                                                              nullptr,
                                                              &options.tip_radius,
                                                              &options.resolution,
-                                                             &options.window};
+                                                             &options.window,
+                                                             nullptr,
+                                                             nullptr,
+                                                             &options.input.x3p_increment};
     bool defaults = true;
     for (std::size_t i = 0; i < reading_keys.size(); ++i) {
         const toml::node* node = surface.find(reading_keys[i]);
@@ -345,6 +348,14 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
             *into[i] = source.text(*node, key);
         } else if (reading_keys[i] == "peaks") {
             options.peaks = source.choice<PeakSource>(*node, key);
+        } else if (reading_keys[i] == "missing") {  // missing = -9999 or missing = "-9999"
+            if (!node->is_number() && !node->is_string()) source.refuse(*node, key, "must be a number or a text");
+            options.input.missing = written(*node);
+            source.record(key, written(*node));
+        } else if (reading_keys[i] == "resample") {
+            if (!node->is_boolean()) source.refuse(*node, key, "must be true or false");
+            options.input.resample = node->as_boolean()->get();
+            source.record(key, written(*node));
         } else {
             const auto* column = node->as_integer();
             if (!column || column->get() < 1 || column->get() > 1000000)
@@ -392,11 +403,13 @@ double read_angle(Source& source, const toml::node& node, const std::string& key
 }
 
 /// One parameter of [surface], or of surface.errors.
-double read_parameter(Source& source, const Section& section, const ParameterRow& row, const toml::node& node) {
+double read_parameter(Source& source, const Section& section, const ParameterRow& row, const toml::node& node,
+                      bool zero_too = false) {
     const std::string key = section.key(row.key);
     if (row.unit.empty()) return source.number(node, key);
     for (const Dimension dimension : {Dimension::length, Dimension::inverse_area})
-        if (row.unit == si_unit(dimension)) return source.positive(node, key, dimension);
+        if (row.unit == si_unit(dimension))
+            return zero_too ? source.quantity(node, key, dimension) : source.positive(node, key, dimension);
     return read_angle(source, node, key);
 }
 
@@ -443,7 +456,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
             const std::string key = section.key(row.key);
             if (!uncertain.known[i])
                 source.refuse(*node, key, "has no value beside it; must stand beside surface." + std::string(row.key));
-            uncertain.error[i] = read_parameter(source, section, row, *node);
+            uncertain.error[i] = read_parameter(source, section, row, *node, true);
             if (!(uncertain.error[i] >= 0 && std::isfinite(uncertain.error[i])))
                 source.refuse(*node, key, "must be finite and not negative");
         }

@@ -74,6 +74,12 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     how.dy = length(options.dy, "dy");
     how.width = length(options.width, "width");
     how.height = length(options.height, "height");
+    how.missing = options.missing;
+    how.resample = options.resample;
+    if (!options.x3p_increment.empty())
+        how.x3p_increment = parse<io::X3pIncrement>(
+            options.x3p_increment,
+            std::string(options.prefix) + (options.prefix.empty() ? "x3p_increment" : "x3p-increment"));
 #ifdef FSTIFF_HAS_X3P
     how.x3p = io::x3p_reader();
 #endif
@@ -101,7 +107,8 @@ PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
     about_file(options.file, [&] {
         const Profile<double>& read = input.surface.profile();
         result.rms_as_read = rms_height(read);
-        static_cast<LevelledProfile<double>&>(result) = level(read, form, result.cutoff);
+        static_cast<LevelledProfile<double>&>(result) =
+            level(read, form, result.cutoff, input.surface.record.resolution);
         result.rms = rms_height(result.profile);
     });
     return result;
@@ -117,7 +124,7 @@ PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
     refuse_cutoff(options);
     about_file(options.file, [&] {
         const HeightMap<double>& read = input.surface.map();
-        result.map = remove_form(read, form);
+        result.map = level(read, form, input.surface.record.resolution).map;
         result.rms_as_read = rms_height(read);
         result.areal = areal_statistics(result.map);
         result.rms = result.areal.rms_height;
@@ -125,10 +132,12 @@ PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
     return result;
 }
 
-std::vector<std::string> missing_points_warning(const SurfaceInput& input, std::string_view consequence) {
-    if (input.missing() == 0) return {};
-    return {std::to_string(input.missing()) + " of " + std::to_string(input.points()) + " points are missing; " +
-            std::string(consequence)};
+std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence) {
+    std::vector<std::string> all = input.surface.record.warnings;
+    if (input.missing() > 0)
+        all.push_back(std::to_string(input.missing()) + " of " + std::to_string(input.points()) +
+                      " points are missing; " + std::string(consequence));
+    return all;
 }
 
 }  // namespace fstiff::scene

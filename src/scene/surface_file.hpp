@@ -26,6 +26,9 @@ struct SurfaceOptions {
     std::string spacing;                ///< of a profile
     std::string dx, dy, width, height;  ///< of a matrix
     int column = 0;                     ///< of the heights of a profile, counted from 1
+    std::string missing;                ///< stands for missing points of a text: "-9999", or "none"
+    bool resample = false;              ///< unequally spaced positions of a profile are interpolated
+    std::string x3p_increment;          ///< apply (or empty) or ignore
     std::string detrend;                ///< see remove_form(); empty: "line" of a profile, "plane" of a map
     std::string cutoff;                 ///< of detrend = "gaussian"
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
@@ -69,8 +72,8 @@ struct PreparedMap {
 /// Removes none, mean, plane, quadratic or cubic. \throws as above.
 [[nodiscard]] PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input);
 
-/// A sentence on missing points; none when there are none.
-[[nodiscard]] std::vector<std::string> missing_points_warning(const SurfaceInput& input, std::string_view consequence);
+/// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the reader.
+[[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence);
 
 /// A length with its unit, greater than 0, of the option called \p name in messages. \throws domain_error.
 [[nodiscard]] double parse_length(const std::string& text, std::string_view name);

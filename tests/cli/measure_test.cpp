@@ -168,6 +168,59 @@ TEST_CASE("Errors of nothing make a band of no width") {
     }
 }
 
+TEST_CASE("An error of nothing may be written with its unit, and gives what no error gives") {
+    const std::string surface =
+        "[surface]\nrms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = "
+        "1.5\n";
+    const auto none = test::fstiff("run - --format csv", surface + material + contact);
+    const auto zero =
+        test::fstiff("run - --format csv",
+                     surface + "errors = { rms_height = \"0 um\", peak_density = \"0 /mm^2\" }\n" + material + contact);
+    CHECK(zero.status == 0);
+    CHECK(zero.out == none.out);
+    test::check_refused("run -", 3, {"surface.errors.rms_height", "not negative"},
+                        surface + "errors = { rms_height = \"-1 um\" }\n" + material + contact);
+}
+
+TEST_CASE("A plane and a line are refused, their rounding is not measured") {
+    std::string plane, line;
+    for (int j = 0; j < 64; ++j) {
+        for (int i = 0; i < 64; ++i) plane += std::to_string(i + j) + (i < 63 ? "," : "\n");
+        line += std::to_string(j) + "\n";
+    }
+    for (const char* form : {"plane", "quadratic", "cubic"})
+        test::check_refused("measure - --units um --dx '1 um' --dy '1 um' --detrend " + std::string(form), 3,
+                            {"map of constant height", form}, plane);
+    for (const char* form : {"line", "parabola"})
+        test::check_refused("measure - --units um --spacing '1 um' --detrend " + std::string(form), 3,
+                            {"profile of constant height", form}, line);
+}
+
+TEST_CASE("Endless input ends at once") { test::check_refused("measure /dev/zero", 3, {"/dev/zero", "is binary"}); }
+
+TEST_CASE("The number for missing points is an option, a key of a scene, and in the JSON") {
+    std::string map;
+    for (int j = 0; j < 64; ++j)
+        for (int i = 0; i < 64; ++i)
+            map += ((i + j) % 17 == 0 ? std::string("-9999") : std::to_string(std::sin(i * i + 3.0 * j * i))) +
+                   (i < 63 ? "," : "\n");
+    const std::string how = "measure - --units um --dx '1 um' --dy '1 um'";
+    test::check_refused(how, 3, {"-9999 um", "--missing \"-9999\""}, map);
+    const auto read = test::fstiff(how + " --missing -9999", map);
+    CHECK(read.status == 0);
+    CHECK(test::contains(read.out, "missing (-9999, from options)"));
+    const test::Folder folder;
+    const std::string file = folder.write("map.csv", map);
+    for (const char* missing : {"-9999", "\"-9999\""}) {
+        const auto scene = test::fstiff("run - --format csv",
+                                        "[surface]\nfrom = '" + file +
+                                            "'\nunits = \"um\"\ndx = \"1 um\"\ndy = \"1 um\"\nmissing = " + missing +
+                                            "\nfractal_dimension = 1.5\n" + material + contact);
+        INFO(scene.err);
+        CHECK(scene.status == 0);
+    }
+}
+
 TEST_CASE("The band of one uncertain parameter lies at its own quantiles") {
     // K falls as sigma grows: the 5 % of K is K at the 95 % of sigma, which is median exp(1.6449 s), s^2 = ln(1 + 0.2^2)
     const auto scene = [](double sigma, const std::string& errors) {

@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string bytes = fuzz::bytes(data, size);
     for (const io::MapTextOptions& options :
          {io::MapTextOptions{}, io::MapTextOptions{.form = io::MapForm::triples, .units = "mm,um"},
-          io::MapTextOptions{.form = io::MapForm::matrix, .dx = 1e-6, .height = 1e-3, .units = "um"}}) {
+          io::MapTextOptions{.form = io::MapForm::matrix, .dx = 1e-6, .height = 1e-3, .units = "um"},
+          io::MapTextOptions{.units = "um,um", .missing = "-9999,void"}}) {
         io::MapFromText read;
         if (!fuzz::returns([&] {
                 std::istringstream input(bytes);
@@ -27,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::ostringstream output;
             if (!fuzz::returns([&] { io::write_csv(output, read.map, form); })) continue;
             std::istringstream again(output.str());  // what is written must be read
-            const HeightMap<double> back = io::read_map(again, "again").map;
+            const HeightMap<double> back = io::read_map(again, "again", {.missing = "none"}).map;
             fuzz::require(back.rows() == read.map.rows() && back.columns() == read.map.columns(), "the same shape");
         }
     }

@@ -204,3 +204,35 @@ TEST_CASE("Bad text is refused with the line and the cell") {
     CHECK(has(refusal("# Width: -3 um\n# Height: 1 um\n" + matrix(" ")), "must be greater than 0"));
     CHECK(has(refusal("# Width: 3 um\n# Width: 4 um\n" + matrix(" ")), "disagrees with line 1"));
 }
+
+TEST_CASE("A number for missing points is honoured where the header names it, and else refused", "[missing]") {
+    const Cell cell = [](int i, int j) { return (i + j) % 4 == 1 ? std::string("-9999") : plain(i, j); };
+    const std::string esri = "ncols 5\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value -9999\n";
+    const auto found = read(esri + matrix(" ", cell), {.units = "um,nm"});
+    CHECK(found.record.missing == 5);
+    CHECK(test::ulps(found.map.dx, 2e-6) <= 1);
+    CHECK(has(found.record.sentences().back(), "5 missing (-9999, from line 6)"));
+    CHECK(std::isnan(found.map.heights(0, 1)));
+    CHECK(found.map.heights(0, 0) == height(0, 0) * 1e-9);
+    CHECK(has(refusal(gwyddion + matrix(" ", cell)), "line 5: height -9999 nm stands here and 4 times more"));
+    CHECK(has(refusal(gwyddion + matrix(" ", cell)), "missing = \"-9999\""));
+    CHECK(read(gwyddion + matrix(" ", cell), {.missing = "-9999"}).record.missing == 5);
+    CHECK(read(gwyddion + matrix(" ", cell), {.missing = "none"}).record.missing == 0);
+    std::string triples = "x [um],y [um],z [nm]\n";
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            triples += std::to_string(i) + "," + std::to_string(j) + "," + cell(i, j) + "\n";
+    CHECK(has(refusal(triples), "line 3: height -9999 nm"));
+    CHECK(read(triples, {.missing = "-9999"}).record.missing == 5);
+}
+
+TEST_CASE("Words for missing points are the same in every form of a map", "[missing]") {
+    for (const char* word : {"nan", "NA", "N/A", "Bad", "No Data", "***"})
+        for (const char* separator : {",", "\t", " "}) {
+            INFO(word << separator);
+            const Cell cell = [&](int i, int j) { return j == 0 ? std::string(word) : plain(i, j); };
+            const auto found = read(gwyddion + matrix(separator, cell));  // the first row is no title
+            CHECK(found.map.rows() == rows);
+            CHECK(found.record.missing == 5);
+        }
+}

@@ -35,7 +35,14 @@ TEST_CASE("a column is printed to decimals or to significant digits, whichever i
 }
 
 TEST_CASE("what a message shows of a cell is short and printable", "[number]") {
-    CHECK(shown_cell("a\tb\xFF") == "\"a?b?\"");
+    CHECK(shown_cell("a\tb\x9F") == "\"a?b?\"");
+    CHECK(shown_cell("\xC2\xB5m \xE2\x84\xAB") == "\"\xC2\xB5m \xE2\x84\xAB\"");  // micro, angstrom
+    CHECK(shown_cell("\xB5m") == "\"\xC2\xB5m\"");                                // the same in CP1252
+    CHECK(shown_cell("\xE2\x80\xAE\xC2\x85\xC2") == "\"??\xC3\x82\"");  // turns text round; a control; half a letter
+    CHECK(number_in("1.0D-02", false) == 0.01);
+    CHECK(number_in("2,5d1", true) == 25);
+    CHECK_FALSE(number_in("1D", false));
+    CHECK(last_digit_of("1.50D-02") == -4);
     CHECK(shown_cell(std::string(41, 'x')) == "\"" + std::string(40, 'x') + "...\"");
     CHECK(printable("abc\n", 3) == "abc");
     CHECK(is_missing_word("BAD"));

@@ -247,7 +247,7 @@ TEST_CASE("Bad input is refused in one sentence with file, line, value and what 
     CHECK(has(refusal("\n \r\n\t\n"), "blank lines"));
     CHECK(has(refusal(std::string("1,2\n\0", 5)), "binary"));
     CHECK(has(refusal("only words\nand more\n"), "line 1: \"only words\""));
-    for (const std::string word : {"word", "nan", "NaN", "inf", "-inf", "1.0x", "0x10", "1e", "--1", "1 2"}) {
+    for (const std::string word : {"word", "inf", "-inf", "1.0x", "0x10", "1e", "--1", "1 2"}) {
         CAPTURE(word);
         const std::string text = refusal(plain + "10.0," + word + "\n", units);
         CHECK(has(text, "file.txt, line 21: "));
@@ -256,9 +256,10 @@ TEST_CASE("Bad input is refused in one sentence with file, line, value and what 
     }
     CHECK(has(refusal(plain + "10.0,1e400\n", units), "line 21: \"1e400\" is beyond"));
     CHECK(has(refusal(plain + "10.0,1,2\n", units), "line 21: has 3 columns; must be 2 as in line 1"));
-    CHECK(has(refusal(plain + "9.0,1\n", units), "line 21: position 9 follows 9.5"));
-    CHECK(has(refusal(plain + "9.5,1\n", units), "line 21: position 9.5 follows 9.5"));
-    CHECK(has(refusal(plain + "11.0,1\n", units), "line 21: position 11 is a step of 1.5 where the usual one is 0.5"));
+    CHECK(has(refusal(plain + "9.0,1\n", units), "line 21: position 9 um follows 9.5 um"));
+    CHECK(has(refusal(plain + "9.5,1\n", units), "line 21: position 9.5 um follows 9.5 um"));
+    CHECK(has(refusal(plain + "11.0,1\n", units),
+              "line 21: position 11 um is a step of 1.5 um where the usual one is 0.5 um"));
     CHECK(has(refusal(plain + ",1\n", units), "line 21: has no position"));
     CHECK(has(refusal(rows([](auto x, auto) { return x + ",1.5\n"; }), units), "constant height"));
     CHECK(has(refusal(rows([](auto x, auto z) { return x + "," + z + "\n"; }, 15), units),
@@ -329,5 +330,104 @@ TEST_CASE("Real stylus files are read as their owners describe them") {
     CHECK(has(
         test::refusal([&] { (void)io::read_profile(folder / "nanovea_test1.txt", {.units = "mm,um", .column = 3}); }),
         "line 104"));
-    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "x3p-2.x3p"); }), "binary"));
+    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "x3p-2.x3p"); }), "zip archive"));
+}
+
+TEST_CASE("Missing points are words, in profiles as in maps", "[missing]") {
+    for (const char* word :
+         {"nan", "NaN", "-nan", "NA", "n/a", "BAD", "Bad", "No Data", "nodata", "***", "*****", ""}) {
+        INFO(word);
+        std::string text = "x [um];z [nm]\n";
+        for (int i = 0; i < 20; ++i)
+            text += std::to_string(i) + ";" + (i == 7 ? std::string(word) : std::to_string(i * i % 11)) + "\n";
+        const auto found = read(text);
+        CHECK(found.record.missing == 1);
+        CHECK(std::isnan(found.profile.heights[7]));
+        CHECK(found.profile.heights[8] == 9 * 1e-9);
+    }
+}
+
+TEST_CASE("Titles behind a comment sign keep their units, angstrom and exponents of Fortran are read") {
+    const auto text = [](const std::string& header, const char* separator, const char* exponent) {
+        std::string all = header + "\n";
+        for (int i = 0; i < 20; ++i)
+            all += std::to_string(i) + separator + std::to_string(i * i % 11) + ".5" + exponent + "\n";
+        return all;
+    };
+    const auto first = read(text("#;x [\xC2\xB5m];z [\xC2\xB5m]", ";", ""));
+    CHECK(first.record.units_from == "line 1");
+    CHECK(test::ulps(first.profile.heights[1], 1.5e-6) <= 1);
+    for (const char* unit : {"A", "\xC3\x85", "\xE2\x84\xAB", "\xC5", "A\xCC\x8A", "angstrom"}) {
+        INFO(unit);
+        const auto found = read(text("x [nm] z [" + std::string(unit) + "]", " ", "D-02"));
+        CHECK(test::ulps(found.profile.heights[3], 9.5e-12) <= 1);
+        CHECK(test::ulps(found.profile.spacing, 1e-9) <= 1);
+    }
+    // letters above columns, and names of channels, are no units
+    for (const char* header : {"A,B", "A,A", "x [um],sensor A"}) CHECK(has(refusal(text(header, ",", "")), "no unit"));
+}
+
+TEST_CASE("Unequal steps are refused beside the option that resamples them") {
+    // z = 3 x + 2 lies on its own straight lines: the answer is exact
+    std::string text = "x [um],z [um]\n", kinked = text;
+    std::vector<double> x(40);
+    for (int i = 0; i < 40; ++i) {
+        x[static_cast<std::size_t>(i)] = i + 0.25 * (i % 3);
+        text += std::to_string(x[static_cast<std::size_t>(i)]) + "," +
+                std::to_string(3 * x[static_cast<std::size_t>(i)] + 2) + "\n";
+        kinked +=
+            std::to_string(x[static_cast<std::size_t>(i)]) + "," + (i == 5 ? "nan" : std::to_string(i % 4)) + "\n";
+    }
+    CHECK(has(refusal(text), "resampled by resample = true"));
+    CHECK(has(refusal(text, {.names = {.prefix = "--", .equals = " "}}), "resampled by --resample"));
+    const auto found = read(text, {.resample = true});
+    REQUIRE(found.profile.size() == 40);
+    CHECK(test::relative_error(found.profile.spacing, x.back() / 39 * 1e-6) < 1e-14);
+    for (int i = 0; i < 40; ++i)
+        CHECK(test::relative_error(found.profile.heights[static_cast<std::size_t>(i)],
+                                   (3 * i * x.back() / 39 + 2) * 1e-6) < 1e-13);
+    CHECK(has(found.record.spacing_from, "unequal steps of 0.5 to 1.25 um resampled to 40 equal ones"));
+    CHECK(read(kinked, {.resample = true}).record.missing >= 1);
+    // equal steps stay as they are
+    CHECK(read("x [um],z [um]\n" + rows([](auto a, auto z) { return a + "," + z + "\n"; }), {.resample = true})
+              .record.spacing_from == "mean step of the positions");
+}
+
+TEST_CASE("A position that leaps forth is named itself, not the one behind it") {
+    std::string text = "x [um],z [um]\n";
+    for (int i = 0; i < 20; ++i)
+        text += (i == 7 ? std::string("70") : std::to_string(i)) + "," + std::to_string(i % 3) + "\n";
+    CHECK(has(refusal(text), "line 9: position 70 um stands between 6 and 8 um"));
+}
+
+TEST_CASE("A number that stands for missing points is told, or refused with the option that tells it", "[missing]") {
+    const auto text = [](const std::string& header, const std::string& missing) {
+        std::string all = header + "x [um],z [nm]\n";
+        for (int i = 0; i < 40; ++i)
+            all += std::to_string(i) + "," + (i % 9 == 4 ? missing : std::to_string(i * i % 11)) + "\n";
+        return all;
+    };
+    for (const char* number : {"-9999", "1e20", "-32768", "3.402823e38", "-12345"}) {
+        INFO(number);
+        const std::string why = refusal(text("", number));
+        CHECK(has(why, "line 6: height "));
+        CHECK(has(why, "and 3 times more"));
+        CHECK(has(why, "0 to 9 nm"));
+        CHECK(has(why, "given as missing = "));
+        CHECK(read(text("", number), {.missing = number}).record.missing == 4);
+        CHECK(read(text("", number), {.missing = "none"}).record.missing == 0);
+        CHECK(read(text("# NODATA_value " + std::string(number) + "\n", number)).record.missing == 4);
+    }
+    CHECK(read(text("", "void of data"), {.missing = "VOID of data"}).record.missing == 4);
+    // positions are left alone
+    const auto zero = read(text("", "5"), {.missing = "5,0"});
+    CHECK(zero.profile.size() == 40);
+    CHECK(zero.record.missing_from == "5, 0, from options");
+    CHECK(has(refusal(text("", "5"), {.missing = "5,"}), "missing = \"5,\": must be"));
+    // a plateau adjoins the rest, steps of two heights have no rest
+    CHECK(read(text("", "10")).record.missing == 0);
+    CHECK(read(text("", "11")).record.missing == 0);
+    std::string steps = "x [um],z [nm]\n";
+    for (int i = 0; i < 40; ++i) steps += std::to_string(i) + (i / 5 % 2 ? ",500\n" : ",0\n");
+    CHECK(read(steps).record.missing == 0);
 }

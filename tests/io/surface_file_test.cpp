@@ -180,9 +180,9 @@ TEST_CASE("Binary files are known by their first bytes") {
 
     CHECK(has(refusal("PK\3\4rest"), "built without"));
     bool called = false;
-    const SurfaceOptions options{.x3p = [&](std::string_view bytes, std::string_view) {
+    const SurfaceOptions options{.x3p = [&](std::string_view bytes, std::string_view, const SurfaceOptions&) {
         called = bytes == "PK\3\4rest";
-        return io::DescribedMap{map, {"a sentence"}};
+        return io::DescribedMap{.map = map, .sentences = {"a sentence"}};
     }};
     CHECK(read("PK\3\4rest", options).map().size() == 30);
     CHECK(called);

@@ -222,3 +222,31 @@ TEST_CASE("Descriptions that cannot be read are refused with element, value and 
     infinite.replace(0, 8, std::string("\0\0\0\0\0\0\xf0\x7f", 8));
     CHECK(has(refusal(Main{}, infinite), "height 1 is infinite"));
 }
+
+TEST_CASE("An increment beside heights of floating point is said, and may be ignored") {
+    const std::string bytes = packed({{"main.xml", Main().text()}, {"bindata/data.bin", heights<double>()}});
+    const auto reading = [&](io::X3pIncrement increment) {
+        return io::read_surface(bytes, "file.x3p", {.x3p_increment = increment, .x3p = io::x3p_reader()});
+    };
+    const auto applied = reading(io::X3pIncrement::apply), ignored = reading(io::X3pIncrement::ignore);
+    for (int k = 0; k < columns * rows; ++k) {
+        CHECK(applied.map().heights.data()[k] == height(k) * 0.5);
+        CHECK(ignored.map().heights.data()[k] == height(k));
+    }
+    REQUIRE(applied.record.warnings.size() == 1);
+    CHECK(applied.record.warnings[0].find("increment of 0.5") != std::string::npos);
+    CHECK(applied.record.warnings[0].ends_with("x3p_increment = ignore"));
+    REQUIRE(ignored.record.warnings.size() == 1);
+    CHECK(ignored.record.warnings[0].ends_with("x3p_increment = apply"));
+    const Main plain{.z = "<Increment>1</Increment>"}, counted{.type = "I"};
+    for (const auto& [main, data] : {std::pair{plain, heights<double>()}, {counted, heights<std::int16_t>()}})
+        CHECK(io::read_surface(packed({{"main.xml", main.text()}, {"bindata/data.bin", data}}), "file.x3p",
+                               {.x3p = io::x3p_reader()})
+                  .record.warnings.empty());
+}
+
+TEST_CASE("An archive that is no X3P file is called what it is") {
+    CHECK(refusal(packed({{"xl/workbook.xml", "x"}})).find("Excel workbook (.xlsx)") != std::string::npos);
+    CHECK(refusal(packed({{"LAYER_0.raw", "x"}, {"index.xml", "x"}})).find("Sensofar") != std::string::npos);
+    CHECK(refusal(packed({{"heights.npy", "x"}})).find("NumPy") != std::string::npos);
+}

@@ -2,6 +2,7 @@
 // What is levelled against the steps it is made of; the mark that a fit makes up for.
 #include <fstiff/profile/fractal_fit.hpp>
 
+#include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
 
@@ -42,4 +43,19 @@ TEST_CASE("A fit makes up for the form that the profile knows, and for none of a
     CHECK(fit_fractal(level(flat.profile, Form::none)).fractal.dimension ==
           fit_fractal(flat.profile).fractal.dimension);
     CHECK(fit_fractal(flat).fractal.dimension < fit_fractal(flat.profile).fractal.dimension - 0.01);
+}
+
+TEST_CASE("A profile that is its own form is refused as a constant one is, whatever the unit") {
+    for (const double unit : {1.0, 1e-6, 1e9})
+        for (const Form form : {Form::line, Form::parabola}) {
+            Profile<double> profile{std::vector<double>(500), unit};
+            for (std::size_t i = 0; i < 500; ++i) {
+                const double x = static_cast<double>(i) / 7;
+                profile.heights[i] = unit * (3 + (form == Form::line ? x : x * (x - 50)));
+            }
+            CHECK(test::refusal([&] { (void)level(profile, form); }).find("profile of constant height once its form") ==
+                  0);
+            profile.heights[250] += 1e-9 * unit;
+            CHECK_NOTHROW(level(profile, form));
+        }
 }

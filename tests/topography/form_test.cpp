@@ -153,3 +153,23 @@ TEST_CASE("A form that the points do not determine is refused") {
     map.dx = -1;
     CHECK(says(MapForm::plane).find("dx = -1") == 0);
 }
+
+TEST_CASE("A map that is its own form is refused as a constant one is, whatever the unit") {
+    for (const double unit : {1.0, 1e-6, 1e9})
+        for (const MapForm form : {MapForm::mean, MapForm::plane, MapForm::quadratic, MapForm::cubic}) {
+            HeightMap<double> map{HeightMap<double>::Array::Zero(64, 64), unit, unit};
+            for (int j = 0; j < 64; ++j)
+                for (int i = 0; i < 64; ++i) {
+                    const double x = i / 7., y = j / 3.;
+                    const int degree = static_cast<int>(form);
+                    map.heights(j, i) = unit * (degree == 0   ? 1 + 1e-17 * i
+                                                : degree == 1 ? x + y
+                                                : degree == 2 ? x * y - y * y
+                                                              : x * x * y - y * y * y + x);
+                }
+            map.heights(0, 0) *= 1 - 1e-15;  // so that the mean is no constant before
+            CHECK(test::refusal([&] { (void)level(map, form); }).find("map of constant height once its form") == 0);
+            map.heights(30, 30) += 1e-9 * unit;
+            CHECK_NOTHROW(level(map, form));
+        }
+}

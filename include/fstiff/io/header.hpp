@@ -38,6 +38,8 @@ inline std::string_view title_unit(std::string_view title) {
     const std::size_t last = title.find_last_of(" \t/_:=");
     const std::string_view word = last == std::string_view::npos ? title : title.substr(last + 1);
     if (!known(word)) return {};
+    if (word == "A" && (last == std::string_view::npos || title[last] != '/'))
+        return {};  // the name of a column, or a channel
     if (last == std::string_view::npos) return word;
     const std::string_view before = trimmed(title.substr(0, last));
     // "0.0 um" is a length, no title; a bare "in" after a word is a preposition that lost its unit
@@ -48,8 +50,10 @@ inline std::string_view title_unit(std::string_view title) {
 /// The units of \p columns columns that \p line states; empty when it does not state them all.
 inline std::vector<std::string_view> units_in(std::string_view line, std::size_t columns, char separator) {
     line = trimmed(line);
+    const bool signed_line = is_comment(line);
     while (!line.empty() && (line.front() == '#' || line.front() == '%' || line.front() == '!' || line.front() == '/'))
         line.remove_prefix(1);
+    if (signed_line && line.starts_with(separator) && separator != ' ') line.remove_prefix(1);  // "#;x [um];z [nm]"
     std::vector<std::string_view> cells, found;
     for (const char candidate : {separator, ';', '\t', ',', ' '}) {
         split_line(line, candidate, cells);
@@ -141,6 +145,12 @@ inline std::string header_key(std::string_view text) {
     return key;
 }
 
+/// The words of the header of an ESRI grid, which have a blank behind them.
+inline bool is_grid_word(std::string_view word) {
+    const std::string key = lower_case(word);
+    return key == "ncols" || key == "nrows" || key == "cellsize" || key == "nodata_value";
+}
+
 inline std::vector<HeaderEntry> header_entries(const NumberTable& table) {
     std::vector<HeaderEntry> entries;
     std::vector<std::string_view> words;
@@ -156,6 +166,12 @@ inline std::vector<HeaderEntry> header_entries(const NumberTable& table) {
                                  line.front() == '!' || line.front() == '/' || line.front() == ';'))
             line.remove_prefix(1);
         const std::size_t sign = line.find_first_of(":=");
+        // "NODATA_value -9999" of an ESRI grid
+        if (split_line(line, ' ', words); words.size() == 2 && is_grid_word(words[0])) {
+            const auto at = static_cast<std::size_t>(words[0].data() - line.data());
+            add(line, at + words[0].size(), table.lines[i].number);
+            continue;
+        }
         if (sign == std::string_view::npos || sign == 0) continue;
         // "h=305 w=75": every word an entry
         split_line(line, ' ', words);
@@ -202,13 +218,14 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
     for (const HeaderEntry& entry : entries) {
         const bool width = is_one_of(entry.key, {"width", "w", "x size", "size x", "x range", "scan size x"});
         const bool height = is_one_of(entry.key, {"height", "h", "y size", "size y", "y range", "scan size y"});
-        const bool both = is_one_of(entry.key, {"pixel size", "pixel pitch", "pixel spacing", "lateral spacing"});
+        const bool both =
+            is_one_of(entry.key, {"pixel size", "pixel pitch", "pixel spacing", "lateral spacing", "cellsize"});
         const bool dx = both || is_one_of(entry.key, {"dx", "pixel width", "x pixel size", "pixel size x", "x spacing",
                                                       "spacing x", "x step", "x increment"});
         const bool dy = both || is_one_of(entry.key, {"dy", "pixel height", "y pixel size", "pixel size y", "y spacing",
                                                       "spacing y", "y step", "y increment"});
-        const bool columns = is_one_of(entry.key, {"columns", "cols", "x pixels", "xres", "nx"});
-        const bool rows = is_one_of(entry.key, {"rows", "lines", "y pixels", "yres", "ny"});
+        const bool columns = is_one_of(entry.key, {"columns", "cols", "x pixels", "xres", "nx", "ncols"});
+        const bool rows = is_one_of(entry.key, {"rows", "lines", "y pixels", "yres", "ny", "nrows"});
         if (!(width || height || dx || dy || columns || rows)) continue;
         const LeadingNumber number = leading_number(entry.value);
         if (number.status != NumberStatus::ok) continue;
@@ -273,6 +290,22 @@ inline StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entri
         if (entry.key.starts_with("height conversion factor")) factor = &entry;
     }
     return {unit, factor};
+}
+
+/// What stands for missing points: \p given, or the number that a header states.
+inline MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::string_view given,
+                                    const std::string& name) {
+    MissingValues missing = given_missing(given, name);
+    if (!missing.from.empty()) return missing;
+    for (const HeaderEntry& entry : entries)
+        for (const char* key : {"nodata value", "nodata", "no data", "no data value", "missing", "missing value",
+                                "missing values", "missing data", "bad value", "bad data", "invalid value",
+                                "invalid data", "undefined value", "fill value", "fillvalue", "null value"})
+            if (const auto number = number_in(unquoted(entry.value), false); entry.key == key && number) {
+                missing.numbers.push_back(*number);
+                missing.from = "line " + std::to_string(entry.line);
+            }
+    return missing;
 }
 
 /// "Form: triples" or "Form: matrix" of a header, as write_csv writes it.

@@ -3,12 +3,14 @@
 /// \file
 /// The bytes and the lines of a file, and how its readers refuse it. All of it is internal.
 ///
-/// Valid       lines up to 2^20 characters, files up to 2^30 bytes
+/// Valid       lines up to 2^20 characters, files up to 2^31 bytes
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/io/known_binary.hpp>
 #include <fstiff/io/number.hpp>
 
 #include <concepts>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -51,16 +53,34 @@ struct NamedBytes {
     std::string name, bytes;
 };
 
-/// All bytes of \p input, of which there may be 2^30.
-inline NamedBytes read_bytes(std::istream& input, std::string_view name) {
-    constexpr std::size_t most = std::size_t(1) << 30;
-    NamedBytes file{std::string(name), {}};
+/// Says what \p bytes are that are no text.
+[[noreturn, gnu::cold]] inline void refuse_binary(const std::string& name, std::string_view bytes) {
+    const std::string known = known_binary_refusal(bytes);
+    if (!known.empty()) refuse_file(name, {known});
+    refuse_file(name, {"is binary, or UTF-16 (it holds NUL bytes); must be ", readable_forms,
+                       "; text in UTF-8 or an 8-bit code page"});
+}
+
+/// What no file may exceed: a map of 8000 x 8000 points with 17 digits each has 1.5e9 bytes.
+inline constexpr std::uint64_t most_bytes = std::uint64_t(1) << 31;
+
+/// Appends the bytes of \p input, to its end, or to the end of the first block with a NUL byte of what is no binary form that
+/// is read: no reader takes that, and endless input ends there. \throws domain_error, file_error
+inline void append_bytes(std::istream& input, const std::string& name, std::string& bytes) {
     std::vector<char> chunk(std::size_t(1) << 16);
     while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), input.gcount() > 0) {
-        file.bytes.append(chunk.data(), static_cast<std::size_t>(input.gcount()));
-        if (file.bytes.size() > most) refuse_file(file.name, {"is longer than 2^30 bytes; must be shorter"});
+        const std::string_view block(chunk.data(), static_cast<std::size_t>(input.gcount()));
+        bytes += block;
+        if (block.find('\0') != std::string_view::npos && !may_be_binary_surface(bytes)) return;
+        if (bytes.size() > most_bytes) refuse_file(name, {"is longer than 2^31 bytes (2 GiB); must be shorter"});
     }
-    if (input.bad()) throw file_error(file.name, "cannot be read to its end; must be a readable file");
+    if (input.bad()) throw file_error(name, "cannot be read to its end; must be a readable file");
+}
+
+/// All bytes of \p input.
+inline NamedBytes read_bytes(std::istream& input, std::string_view name) {
+    NamedBytes file{std::string(name), {}};
+    append_bytes(input, file.name, file.bytes);
     return file;
 }
 
@@ -76,9 +96,7 @@ inline NamedBytes read_bytes(const std::filesystem::path& path, std::string_view
 
 /// \p bytes without a byte order mark, when they may be text; \p what names the text that must be there.
 inline std::string text_of(std::string bytes, const std::string& name, std::string_view what) {
-    if (bytes.find('\0') != std::string::npos)
-        refuse_file(
-            name, {"is binary, or UTF-16 (it holds NUL bytes); must be delimited text in UTF-8 or an 8-bit code page"});
+    if (bytes.find('\0') != std::string::npos || !known_binary_refusal(bytes).empty()) refuse_binary(name, bytes);
     if (bytes.empty()) refuse_file(name, {"is empty; must be delimited text with " + std::string(what)});
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
     return bytes;

@@ -9,14 +9,15 @@
 /// "height conversion factor (-> m)". *Triples* have x, y and z a line, in any order of the points; the grid is
 /// recovered from the coordinates, x and y rise in the map, and points that are not there are missing.
 /// Three columns are triples where x and y form a grid, a matrix where the header states a size; otherwise the form
-/// must be given. Missing points are empty cells, "nan" or "BAD". Rows of a matrix keep the order of the file.
+/// must be given. Missing points are empty cells,
+/// "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header ("NODATA_value -9999") or the options name. Rows of a matrix keep the order of the file.
 ///
 /// Nothing is guessed: without units, without a physical size, or with points off the grid, the file is refused.
 ///
 ///     dx = width / columns,    dy = height / rows               a point stands for a cell, as in Gwyddion
 ///
 /// Units       map in m; MapTextOptions::units are the file's
-/// Valid       2 points a side at least, of heights that vary; lines up to 2^20 characters, files up to 2^30
+/// Valid       2 points a side at least, of heights that vary; lines up to 2^20 characters, files up to 2^31
 /// Accuracy    heights and a stated pitch within 1 ulp of the printed number (tests/io/map_text_test.cpp)
 
 #include <fstiff/io/header.hpp>
@@ -30,6 +31,7 @@ struct MapTextOptions {
     std::optional<double> dx{}, dy{};         ///< of a matrix, between points [m]; replace the header's
     std::optional<double> width{}, height{};  ///< of a matrix, columns dx and rows dy [m]; replace the header's
     std::string units{};                      ///< "um,nm" (x and y, heights), "um,um,nm" or "um" (all)
+    std::string missing{};                    ///< stands for missing points: "-9999", "void", both, or "none"
     OptionNames names{};                      ///< for messages
 };
 
@@ -60,7 +62,7 @@ struct MapFromText {
 
 namespace detail {
 
-inline constexpr TableRules map_rules{.holds = "rows of numbers", .missing_words = true};
+inline constexpr TableRules map_rules{.holds = "rows of numbers"};
 
 /// Everything that reading one map needs to pass between its steps, each of them done once. The text must outlive it.
 class MapTextReader {
@@ -72,7 +74,8 @@ public:
     const NumberTable& opened() const { return table_; }
     const std::vector<HeaderEntry>& entries() const { return entries_; }
     /// Reads the rows, once.
-    const NumberTable& table() {
+    const NumberTable& table(std::string_view missing = {}) {
+        if (table_.row_lines.empty()) table_.missing = stated_missing(entries_, missing, name_);
         if (table_.row_lines.empty()) read_rows(table_, name_, map_rules);
         return table_;
     }
@@ -93,7 +96,9 @@ public:
     MapFromText read(const MapTextOptions& options) {
         options_ = options;
         record_.name = name_;
-        table().describe(record_);
+        table(options_.missing).describe(record_);
+        if (!table_.missing.from.empty())
+            record_.missing_from = table_.missing.text() + ", from " + table_.missing.from;
         given_units_ =
             given_units(options_.units, 3, name_, "one unit, or \"um,nm\" (x and y, heights), or \"um,um,nm\"");
         if (given_units_.size() > 1) lateral_unit_ = given_units_.front();
@@ -156,6 +161,12 @@ private:
         const double y_unit = unit_factor(axes[1], Dimension::length);
         const double z_unit = unit_factor(axes[2], Dimension::length);
         HeightMap<double> map;
+        std::vector<double> z(table_.rows());
+        for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
+        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, axes[2],
+                     [&](std::size_t r) { return table_.row_lines[r]; });
+        for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
+        record_.resolution = table_.printed[2].resolution() * z_unit;
         map.heights = heights_on(*grid(), table_, name_) * z_unit;
         record_.size_from = "steps of x and y";
         map.dx = step_of(x, x_unit, stated_.dx);
@@ -206,6 +217,10 @@ private:
         map.dx = spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns);
         map.dy = spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows);
         const double unit = value_unit();
+        mark_missing(table_.values.data(), table_.values.size(), table_.missing, name_, options_.names, height_unit_,
+                     [&](std::size_t i) { return table_.row_lines[i / columns]; });
+        for (const PrintedDigits& printed : table_.printed)
+            record_.resolution = std::max(record_.resolution, printed.resolution() * unit);
         map.heights = Eigen::Map<const HeightMap<double>::Array>(table_.values.data(), static_cast<Eigen::Index>(rows),
                                                                  static_cast<Eigen::Index>(columns)) *
                       unit;
@@ -258,7 +273,8 @@ private:
     /// One unit of the heights [m].
     double value_unit() {
         if (!given_units_.empty()) {
-            record_.units = "heights in " + std::string(given_units_.back());
+            height_unit_ = given_units_.back();
+            record_.units = "heights in " + height_unit_;
             record_.units_from = "options";
             return unit_factor(given_units_.back(), Dimension::length);
         }
@@ -273,7 +289,8 @@ private:
                         {shown_cell(unit->value),
                          " is no unit of length, and no height conversion factor is stated; must be one of ",
                          accepted_units(Dimension::length)});
-        record_.units = "heights in " + std::string(unit->value);
+        height_unit_ = unit->value;
+        record_.units = "heights in " + height_unit_;
         record_.units_from = "line " + std::to_string(unit->line);
         return unit_factor(unit->value, Dimension::length);
     }
@@ -298,6 +315,7 @@ private:
             refuse_line(name_, entry.line,
                         {"states a height conversion factor, line ", unit->line,
                          " a unit of length that disagrees; must agree, or units be given"});
+        height_unit_ = unit ? std::string(unit->value) : "units";
         record_.units =
             "heights in " + (unit ? std::string(unit->value) : "units") + " of " + number_text(factor) + " m";
         record_.units_from = "line " + std::to_string(entry.line);
@@ -309,7 +327,7 @@ private:
     NumberTable table_;
     MapTextRecord record_;
     std::vector<std::string_view> given_units_;
-    std::string lateral_unit_;
+    std::string lateral_unit_, height_unit_;
     std::vector<HeaderEntry> entries_;
     StatedGrid stated_;
     std::optional<std::optional<Grid>> grid_;  // empty until it is sought
@@ -328,8 +346,7 @@ inline std::vector<std::string> MapTextRecord::sentences() const {
                                 ", from " + form_from);
     all.push_back("units: " + units + ", from " + units_from);
     all.push_back("spacing: from " + size_from);
-    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
-                  std::to_string(missing) + " missing");
+    all.push_back(points_sentence(std::to_string(columns) + " x " + std::to_string(rows)));
     return all;
 }
 

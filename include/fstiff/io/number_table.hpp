@@ -7,25 +7,12 @@
 /// A text is cut into lines once (lines_of), its table opened once (open_table: where the header ends, which separators),
 /// and its numbers parsed once (read_rows).
 ///
-/// Valid       lines up to 2^20 characters, files up to 2^30 bytes
+/// Valid       lines up to 2^20 characters, files up to 2^31 bytes
 /// Accuracy    numbers are correctly rounded
 
-#include <fstiff/io/lines.hpp>
+#include <fstiff/io/missing_values.hpp>
 
 namespace fstiff::io {
-
-/// What messages call the options of a reader: units = "um" in a program, --units "um" on a command line.
-struct OptionNames {
-    std::string prefix{};           ///< before the name of an option
-    std::string format = "format";  ///< the whole name of the option that tells the form
-    std::string equals = " = ";     ///< between an option and its value
-
-    [[nodiscard]] std::string format_as(const std::string& form) const { return format + equals + form; }
-    [[nodiscard]] std::string given_as(const std::string& option, const std::string& value) const {
-        return "given as " + prefix + option + equals + value;
-    }
-    [[nodiscard]] std::string given_steps() const { return "given as " + prefix + "dx and " + prefix + "dy"; }
-};
 
 /// What was decided about any delimited text, and why.
 struct TextRecord {
@@ -36,12 +23,19 @@ struct TextRecord {
     std::size_t header_lines{};  ///< before the first row of numbers, blank lines and comments included
     std::string units_from;      ///< "line 28" or "options"
     std::size_t missing{};
+    std::string missing_from;  ///< "-9999, from line 6": the number that stands for missing points, where one is stated
+    double resolution{};       ///< step in which the heights are printed [m]; 0 where it is not known
 
 protected:
     /// The separators and the header as sentences.
     [[nodiscard]] std::vector<std::string> layout_sentences() const {
         return {"separator: " + separator + ", decimal " + (decimal_comma ? "comma" : "point"),
                 "header: " + std::to_string(header_lines) + (header_lines == 1 ? " line" : " lines")};
+    }
+    /// How many of \p points are missing, and what stands for them.
+    [[nodiscard]] std::string points_sentence(const std::string& points) const {
+        return "points: " + points + ", of which " + std::to_string(missing) + " missing" +
+               (missing_from.empty() ? "" : " (" + missing_from + ")");
     }
 };
 
@@ -67,7 +61,8 @@ inline void split_line(std::string_view line, char separator, std::vector<std::s
     cells.clear();
     if (separator == ' ') {
         for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-            const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+            std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+            if ((line[0] == 'N' || line[0] == 'n') && lower_case(line.substr(0, 7)) == "no data") end = 7;  // one cell
             cells.push_back(unquoted(line.substr(0, end)));
             line.remove_prefix(end);
         }
@@ -88,19 +83,25 @@ inline void split_row(std::string_view line, char separator, std::vector<std::st
     if (separator != ' ') cells.resize(static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1);
 }
 
-/// Whether the cells are numbers, at least one of them; with \p words, also words for missing points.
-inline bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma, bool words = false) {
-    std::size_t numbers = 0;
+/// Whether the cells are numbers or words for missing points; words alone need to be several, or letters, since a line of
+/// asterisks or dashes may be an ornament.
+inline bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma) {
+    std::size_t numbers = 0, words = 0, ornaments = 0;
     for (const std::string_view cell : cells) {
         if (cell.empty()) continue;
-        if (!number_in(cell, decimal_comma) && !(words && is_missing_word(cell))) return false;
-        ++numbers;
+        if (number_in(cell, decimal_comma)) {
+            ++numbers;
+            continue;
+        }
+        if (!is_missing_word(cell)) return false;
+        ++words;
+        ornaments += cell.front() == '-' || (cell.front() == '*' && cells.size() == 1);
     }
-    return numbers > 0;
+    return numbers > 0 || (words > 0 && ornaments == 0);
 }
 
-/// How the line reads as a row of numbers (with \p words, also of missing points); none when it does not.
-inline std::optional<Dialect> dialect_of(std::string_view line, bool words = false) {
+/// How the line reads as a row of numbers and missing points; none when it does not.
+inline std::optional<Dialect> dialect_of(std::string_view line) {
     std::vector<std::string_view> cells;
     std::vector<Dialect> candidates;
     if (line.find(';') != std::string_view::npos)
@@ -116,11 +117,11 @@ inline std::optional<Dialect> dialect_of(std::string_view line, bool words = fal
     // "1,5 2,5": commas inside what blanks separate are decimal; "1, 5" is not
     if (candidates.front().separator == ',' && line.find(' ') != std::string_view::npos) {
         split_line(line, ' ', cells);
-        if (cells.size() > 1 && all_numbers(cells, true, words)) return Dialect{' ', true};
+        if (cells.size() > 1 && all_numbers(cells, true)) return Dialect{' ', true};
     }
     for (const Dialect& dialect : candidates) {
         split_line(line, dialect.separator, cells);
-        if (all_numbers(cells, dialect.decimal_comma, words)) return dialect;
+        if (all_numbers(cells, dialect.decimal_comma)) return dialect;
     }
     return std::nullopt;
 }
@@ -135,9 +136,8 @@ inline bool is_comment(std::string_view line) {
 
 /// What the rows of a table may look like.
 struct TableRules {
-    std::string_view holds;      ///< what must be there, for messages
-    bool missing_words = false;  ///< "nan" and "BAD" are missing points
-    bool short_rows = false;     ///< empty cells at the end of a row may be left out, with their separators
+    std::string_view holds;   ///< what must be there, for messages
+    bool short_rows = false;  ///< empty cells at the end of a row may be left out, with their separators
 };
 
 /// Rows of numbers below a header. Views point into the text, which must outlive them.
@@ -150,6 +150,7 @@ struct NumberTable {
     std::vector<double> values;  // by row; NaN where missing
     std::vector<std::size_t> row_lines;
     std::vector<PrintedDigits> printed;  // of the first three columns
+    MissingValues missing;               // beside the words that are always missing
 
     std::size_t rows() const { return row_lines.size(); }
     double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
@@ -170,7 +171,7 @@ inline void find_first_row(NumberTable& table, const std::string& name, const Ta
     for (table.first = 0; table.first < table.lines.size(); ++table.first) {
         const std::string_view line = table.lines[table.first].text;
         if (is_comment(line)) continue;
-        if (const auto dialect = dialect_of(without_comment(line), rules.missing_words)) {
+        if (const auto dialect = dialect_of(without_comment(line))) {
             table.dialect = *dialect;
             break;
         }
@@ -214,13 +215,13 @@ inline std::size_t widest_row(const NumberTable& table) {
 }
 
 /// The number in a cell that is not empty. \throws domain_error naming the line.
-inline double require_number(std::string_view cell, const NumberTable& table, std::size_t line, const std::string& name,
-                             const TableRules& rules) {
+inline double require_number(std::string_view cell, const NumberTable& table, std::size_t line,
+                             const std::string& name) {
     const auto number = number_in(cell, table.dialect.decimal_comma);
     if (!number)
         refuse_line(name, line,
-                    {shown_cell(cell), " is no number; allowed are finite decimal numbers (an empty cell",
-                     (rules.missing_words ? ", nan or BAD" : ""), " is a missing point)"});
+                    {shown_cell(cell), " is no number; allowed are finite decimal numbers (an empty cell, ",
+                     missing_words_text, " is a missing point)"});
     if (!std::isfinite(*number))
         refuse_line(name, line,
                     {shown_cell(cell), " is beyond the range of double precision; allowed are finite numbers"});
@@ -263,9 +264,10 @@ inline void read_rows(NumberTable& table, const std::string& name, const TableRu
         const bool whole = padded || cells.size() == table.columns;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             double value = std::numeric_limits<double>::quiet_NaN();
-            if (!cells[c].empty() && !(rules.missing_words && is_missing_word(cells[c]))) {
-                value = require_number(cells[c], table, line, name, rules);
-                if (whole && c < table.printed.size()) table.printed[c].add(cells[c], value);
+            if (!cells[c].empty() && !is_missing_word(cells[c]) && !table.missing.has_word(cells[c])) {
+                value = require_number(cells[c], table, line, name);
+                if (whole && c < table.printed.size() && !table.missing.has(value))
+                    table.printed[c].add(cells[c], value);
             }
             if (whole) table.values.push_back(value);
         }

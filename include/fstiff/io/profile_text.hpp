@@ -7,14 +7,17 @@
 /// sign is the point, or the comma where the comma does not separate columns. One column holds heights; two hold
 /// positions and heights; more need ProfileTextOptions::column. Lines before the first row of numbers are the header,
 /// lines that begin with "#", "%", "!", "//" or ";" comments; both are searched for units, from the first row upwards:
-/// "x [um]; z [nm]", "Lateral um,Raw Micrometer", "x (µm)", or the bare units. An empty cell is a missing point.
+/// "x [um]; z [nm]", "Lateral um,Raw Micrometer", "x (µm)", or the bare units. Missing points are empty
+/// cells, "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header or the options name.
 /// Positions may fall (the profile is turned round) but must be equally spaced, as far as the digits they are printed
 /// with can tell; where all steps but one or two are the same, a row is missing.
+/// ProfileTextOptions::resample puts as many points at equal steps from the first position to the last, by straight lines
+/// between neighbours; that lowers the finest waves, as the record says.
 ///
 /// Nothing is guessed: without a unit, without a spacing, or with a cell that is no number, the file is refused.
 ///
 /// Units       profile in m; ProfileTextOptions::units are the file's
-/// Valid       16 points at least, of heights that vary; lines up to 2^20 characters, files up to 2^30
+/// Valid       16 points at least, of heights that vary; lines up to 2^20 characters, files up to 2^31
 /// Accuracy    heights within 1 ulp of the printed number (tests/io/profile_text_test.cpp)
 
 #include <fstiff/io/header.hpp>
@@ -26,6 +29,8 @@ struct ProfileTextOptions {
     std::optional<double> spacing{};  ///< [m]; replaces the positions of the file
     std::string units{};              ///< "um,nm" (positions, heights) or "um" (both); replaces those of the header
     std::size_t column = 0;           ///< of the heights, counted from 1; 0: the last of one or two columns
+    std::string missing{};            ///< stands for missing points: "-9999", "void", both, or "none"
+    bool resample = false;            ///< unequally spaced positions are interpolated
     OptionNames names{};              ///< for messages
 };
 
@@ -71,6 +76,9 @@ public:
 
     ProfileFromText read() {
         settle_lone_commas();
+        table_.missing = stated_missing(header_entries(table_), options_.missing, name_);
+        if (!table_.missing.from.empty())
+            record_.missing_from = table_.missing.text() + ", from " + table_.missing.from;
         read_rows(table_, name_, profile_rules);
         record_.name = name_;
         table_.describe(record_);
@@ -80,9 +88,14 @@ public:
         choose_units();
         ProfileFromText result;
         result.profile.heights = column(record_.height_column);
+        mark_missing(result.profile.heights.data(), result.profile.size(), table_.missing, name_, options_.names,
+                     record_.height_unit, [&](std::size_t i) { return table_.row_lines[i]; });
         const double unit = unit_factor(record_.height_unit, Dimension::length);
+        if (record_.height_column <= table_.printed.size())
+            record_.resolution = table_.printed[record_.height_column - 1].resolution() * unit;
         for (double& z : result.profile.heights) z *= unit;
         result.profile.spacing = spacing();
+        if (resampled_) resample(result.profile.heights);
         if (record_.reversed) std::reverse(result.profile.heights.begin(), result.profile.heights.end());
         record_.points = result.profile.size();
         record_.missing = record_.points - result.profile.present();
@@ -217,18 +230,28 @@ private:
         const double direction = mean < 0 ? -1 : 1;
         for (std::size_t i = 1; i < x.size(); ++i) {
             const double next = (x[i] - x[i - 1]) * direction;
+            // 1 30 3: without the 30, the positions go on as they should
+            if (next < 0 && i > 1 && (x[i] - x[i - 2]) * direction > 0)
+                refuse_line(name_, table_.row_lines[i - 1],
+                            {"position ", x[i - 1], " ", record_.position_unit, " stands between ", x[i - 2], " and ",
+                             x[i], " ", record_.position_unit, "; positions must rise, or fall, throughout"});
             if (next < 0 || (next == 0 && printed < std::abs(mean)))
                 refuse_line(name_, table_.row_lines[i],
-                            {"position ", x[i], " follows ", x[i - 1], "; positions must rise, or fall, throughout"});
+                            {"position ", x[i], " ", record_.position_unit, " follows ", x[i - 1], " ",
+                             record_.position_unit, "; positions must rise, or fall, throughout"});
         }
         if (mean == 0)
-            refuse_file(name_, {"has all its positions at ", x.front(), "; positions must rise, or fall, throughout"});
+            refuse_file(name_, {"has all its positions at ", x.front(), " ", record_.position_unit,
+                                "; positions must rise, or fall, throughout"});
         // both ends of a step and both ends of the whole are rounded, or cut, to the printed digits
         const double allowed = 1.01 * printed + 0.01 * std::abs(mean);
         double worst = 0;
         for (std::size_t i = 0; i < x.size(); ++i)
             worst = std::max(worst, std::abs(x[i] - (x.front() + static_cast<double>(i) * mean)));
-        if (worst > allowed || is_interrupted(x, printed)) refuse_spacing(x);
+        if (worst > allowed || is_interrupted(x, printed)) {
+            if (!options_.resample) refuse_spacing(x);
+            resampled_ = true;
+        }
         record_.reversed = mean < 0;
         return std::abs(mean);
     }
@@ -263,14 +286,42 @@ private:
             steps.begin(), steps.end(), [&](double a, double b) { return std::abs(a - usual) < std::abs(b - usual); });
         const auto row = static_cast<std::size_t>(odd - steps.begin()) + 1;
         refuse_line(name_, table_.row_lines[row],
-                    {"position ", x[row], " is a step of ", *odd, " where the usual one is ", usual,
-                     "; positions must be equally spaced to their printed digits"});
+                    {"position ", x[row], " ", record_.position_unit, " is a step of ", *odd, " ",
+                     record_.position_unit, " where the usual one is ", usual, " ", record_.position_unit,
+                     "; positions must be equally spaced to their printed digits, or be "
+                     "resampled by ",
+                     options_.names.switched_on("resample")});
+    }
+
+    /// Heights at equal steps from the first position to the last, by straight lines between neighbours; missing where one
+    /// of them is.
+    void resample(std::vector<double>& heights) {
+        const std::vector<double> x = column(record_.position_column);
+        const std::vector<double> steps = steps_of(x);
+        const auto [least, most] = std::minmax_element(steps.begin(), steps.end(),
+                                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
+        record_.spacing_from = "interpolation: unequal steps of " + number_text(std::abs(*least)) + " to " +
+                               number_text(std::abs(*most)) + " " + record_.position_unit + " resampled to " +
+                               std::to_string(x.size()) +
+                               " equal ones by straight lines, which lowers the finest waves";
+        const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+        std::vector<double> even(heights.size());
+        for (std::size_t i = 0, k = 0; i < even.size(); ++i) {
+            const double at = i + 1 == even.size() ? x.back() : x.front() + static_cast<double>(i) * step;
+            while (k + 2 < x.size() && (x[k + 1] - at) * step < 0) ++k;
+            const double share = x[k + 1] == x[k] ? 0 : (at - x[k]) / (x[k + 1] - x[k]);
+            even[i] = share <= 0   ? heights[k]
+                      : share >= 1 ? heights[k + 1]
+                                   : heights[k] + share * (heights[k + 1] - heights[k]);
+        }
+        heights = std::move(even);
     }
 
     std::string name_;
     const ProfileTextOptions& options_;
     NumberTable table_;
     ProfileTextRecord record_;
+    bool resampled_ = false;
 };
 
 inline ProfileFromText read_profile_text(NamedBytes file, const ProfileTextOptions& options) {
@@ -289,7 +340,7 @@ inline std::vector<std::string> ProfileTextRecord::sentences() const {
     all.push_back("units: heights in " + height_unit +
                   (position_unit.empty() ? "" : ", positions in " + position_unit) + ", from " + units_from);
     all.push_back("spacing: from " + spacing_from);
-    all.push_back("points: " + std::to_string(points) + ", of which " + std::to_string(missing) + " missing");
+    all.push_back(points_sentence(std::to_string(points)));
     return all;
 }
 

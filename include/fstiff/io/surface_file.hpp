@@ -25,6 +25,10 @@ namespace fstiff::io {
 
 enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p };
 
+/// Heights of X3P that are numbers of floating point are times the increment of the z axis, as ISO 25178-72 says; some
+/// programs write an increment that is not to be applied to them.
+enum class X3pIncrement { apply, ignore };
+
 }  // namespace fstiff::io
 
 namespace fstiff {
@@ -38,6 +42,9 @@ inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
     {io::SurfaceFormat::sdf, "sdf"},
     {io::SurfaceFormat::x3p, "x3p"},
 });
+template <>
+inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io::X3pIncrement::apply, "apply"},
+                                                                             {io::X3pIncrement::ignore, "ignore"}});
 
 }  // namespace fstiff
 
@@ -51,6 +58,8 @@ namespace fstiff::io {
 struct DescribedMap {
     HeightMap<double> map;
     std::vector<std::string> sentences;
+    std::vector<std::string> warnings{};
+    double resolution{};  ///< step in which the heights are counted [m]; 0 where it is not known
 };
 
 /// Only what the form has use for may be given.
@@ -61,16 +70,21 @@ struct SurfaceOptions {
     std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
     std::optional<double> dx{}, dy{};  ///< of a matrix, between points [m]
     std::optional<double> width{}, height{};  ///< of a matrix, columns dx and rows dy [m]
-    OptionNames names{};                      ///< for messages
+    std::string missing{};  ///< of text, stands for missing points: "-9999", "void", both with a comma, or "none"
+    bool resample = false;  ///< of a profile: unequally spaced positions are interpolated
+    X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with heights of floating point
+    OptionNames names{};                               ///< for messages
     /// Reads the bytes of an X3P file: x3p_reader() of <fstiff/io/x3p.hpp>, or nothing where X3P is not there.
-    std::function<DescribedMap(std::string_view bytes, std::string_view name)> x3p{};
+    std::function<DescribedMap(std::string_view bytes, std::string_view name, const SurfaceOptions& options)> x3p{};
 };
 
 struct SurfaceRecord {
     std::string name;
     SurfaceFormat format{};
-    std::string format_from;           ///< how the form was recognised
-    std::vector<std::string> details;  ///< of the reader of that form
+    std::string format_from;            ///< how the form was recognised
+    std::vector<std::string> details;   ///< of the reader of that form
+    std::vector<std::string> warnings;  ///< of readings that may be wrong, with the option of the other
+    double resolution{};  ///< step in which the heights are printed or counted [m]; 0 where it is not known
 
     /// The above as sentences for people, one a line, without a full stop.
     [[nodiscard]] std::vector<std::string> sentences() const;
@@ -98,13 +112,17 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
     const bool profile = format == SurfaceFormat::profile;
     const bool matrix = format == SurfaceFormat::matrix;
     const bool text = profile || matrix || format == SurfaceFormat::triples;
-    const std::pair<const char*, bool> useless[] = {{"units", !options.units.empty() && !text},
-                                                    {"spacing", options.spacing && !profile},
-                                                    {"column", options.column != 0 && !profile},
-                                                    {"dx", options.dx && !matrix},
-                                                    {"dy", options.dy && !matrix},
-                                                    {"width", options.width && !matrix},
-                                                    {"height", options.height && !matrix}};
+    const std::pair<const char*, bool> useless[] = {
+        {"units", !options.units.empty() && !text},
+        {"spacing", options.spacing && !profile},
+        {"column", options.column != 0 && !profile},
+        {"dx", options.dx && !matrix},
+        {"dy", options.dy && !matrix},
+        {"width", options.width && !matrix},
+        {"height", options.height && !matrix},
+        {"missing", !options.missing.empty() && !text},
+        {"resample", options.resample && !profile},
+        {"x3p-increment", options.x3p_increment != X3pIncrement::apply && format != SurfaceFormat::x3p}};
     for (const auto& [option, refused] : useless)
         if (refused)
             refuse_file(name, {"is read as ", surface_format_name(format), ", which has no use for ", option,
@@ -132,7 +150,7 @@ inline std::pair<SurfaceFormat, std::string> text_form(MapTextReader& reader, co
         return {SurfaceFormat::profile, found};
     }
     if (columns == 3) {
-        const bool grid = reader.table().columns == 3 && reader.grid().has_value();
+        const bool grid = reader.table(options.missing).columns == 3 && reader.grid().has_value();
         if (grid && sized)
             ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
                       as("triples") + " or " + as("matrix"));
@@ -177,12 +195,17 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
         std::tie(record.format, record.format_from) = text_form(*map, record.name, options);
     check_options(record.format, options, record.name);
     if (record.format == SurfaceFormat::profile) {
-        const ProfileTextOptions given{
-            .spacing = options.spacing, .units = options.units, .column = options.column, .names = options.names};
+        const ProfileTextOptions given{.spacing = options.spacing,
+                                       .units = options.units,
+                                       .column = options.column,
+                                       .missing = options.missing,
+                                       .resample = options.resample,
+                                       .names = options.names};
         NumberTable table =
             map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules);
         ProfileFromText read = ProfileTextReader(std::move(table), record.name, given).read();
         record.details = read.record.sentences();
+        record.resolution = read.record.resolution;
         surface.data = std::move(read.profile);
     } else {
         const bool triples = record.format == SurfaceFormat::triples;
@@ -192,8 +215,10 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
                                       .width = options.width,
                                       .height = options.height,
                                       .units = options.units,
+                                      .missing = options.missing,
                                       .names = options.names});
         record.details = read.record.sentences();
+        record.resolution = read.record.resolution;
         record.details.erase(record.details.begin());  // the form, which is said already
         surface.data = std::move(read.map);
     }
@@ -223,11 +248,16 @@ inline Surface read_surface(std::string bytes, std::string_view name, const Surf
     DescribedMap read;
     if (sdf) {
         SdfSurface found = detail::SdfReader(bytes, record.name).read();
-        read = {std::move(found.map), found.record.sentences()};
+        const bool counted = found.record.binary && found.record.data_type != 3 && found.record.data_type != 7;
+        read = {.map = std::move(found.map),
+                .sentences = found.record.sentences(),
+                .resolution = counted ? found.record.z_scale : 0};
     } else {
-        read = options.x3p(bytes, name);
+        read = options.x3p(bytes, name, options);
     }
     record.details = std::move(read.sentences);
+    record.warnings = std::move(read.warnings);
+    record.resolution = read.resolution;
     surface.data = detail::as_surface(std::move(read.map), record.name);
     return surface;
 }

@@ -86,7 +86,12 @@ inline constexpr std::array units{
     Unit{Dimension::length, "inch", -4, 254, false},
     Unit{Dimension::length, "\xC3\x85", -10, 1, false},      // angstrom as a letter
     Unit{Dimension::length, "\xE2\x84\xAB", -10, 1, false},  // and as a sign
+    Unit{Dimension::length, "A\xCC\x8A", -10, 1, false},     // and as two characters
+    Unit{Dimension::length, "\xC5", -10, 1, false},          // and in CP1252
+    Unit{Dimension::length, "A", -10, 1, false},
     Unit{Dimension::length, "angstrom", -10, 1, false},
+    Unit{Dimension::length, "\xC3\xA5ngstr\xC3\xB6m", -10, 1, false},
+    Unit{Dimension::length, "\xC3\x85ngstr\xC3\xB6m", -10, 1, false},
     Unit{Dimension::length, "meter", 0, 1, false},
     Unit{Dimension::length, "metre", 0, 1, false},
     Unit{Dimension::length, "millimeter", -3, 1, false},

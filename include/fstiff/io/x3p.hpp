@@ -35,7 +35,12 @@ struct X3pRecord {
     std::size_t side_files{};
     std::size_t columns{}, rows{};
     std::size_t missing{};
-    bool mask{};  ///< there is a mask of valid points
+    bool mask{};           ///< there is a mask of valid points
+    double increment = 1;  ///< of the z axis, as the file states it
+    bool applied = true;   ///< the heights are times the increment
+
+    /// Heights of floating point with an increment that changes them: two readings are possible.
+    [[nodiscard]] bool doubtful() const { return (data_type == 'F' || data_type == 'D') && increment != 1; }
 
     /// The above as sentences for people, one a line, without a full stop.
     [[nodiscard]] std::vector<std::string> sentences() const;
@@ -47,14 +52,15 @@ struct X3pSurface {
 };
 
 /// \throws domain_error naming file, element, value and what is allowed.
-[[nodiscard]] inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits = {});
+[[nodiscard]] inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits = {},
+                                         X3pIncrement increment = X3pIncrement::apply);
 /// Reads all of \p input.
 [[nodiscard]] inline X3pSurface read_x3p(std::istream& input, std::string_view name, const X3pLimits& limits = {});
 /// Reads the file \p path. \throws file_error when it cannot be opened or read.
 [[nodiscard]] inline X3pSurface read_x3p(const std::filesystem::path& path, const X3pLimits& limits = {});
 
 /// The reader that SurfaceOptions::x3p takes.
-[[nodiscard]] inline std::function<DescribedMap(std::string_view, std::string_view)> x3p_reader(
+[[nodiscard]] inline std::function<DescribedMap(std::string_view, std::string_view, const SurfaceOptions&)> x3p_reader(
     const X3pLimits& limits = {});
 
 namespace detail {
@@ -71,8 +77,8 @@ inline pugi::xml_node local_child(const pugi::xml_node& parent, std::string_view
 
 class X3pReader {
 public:
-    X3pReader(std::string_view bytes, std::string name, const X3pLimits& limits)
-        : name_(std::move(name)), archive_(bytes, name_, limits) {}
+    X3pReader(std::string_view bytes, std::string name, const X3pLimits& limits, X3pIncrement increment)
+        : name_(std::move(name)), archive_(bytes, name_, limits), increment_(increment) {}
 
     X3pSurface read() {
         record_.name = name_;
@@ -121,9 +127,29 @@ private:
             least = depth;
             record_.main = entry;
         }
-        if (least == std::string::npos) refuse_file(name_, {"holds no main.xml; an X3P file must"});
+        if (least == std::string::npos) refuse_archive();
         if (twice) refuse_file(name_, {"holds more than one main.xml, none nearer to its root; must hold one"});
         folder_ = record_.main.substr(0, record_.main.size() - std::string_view("main.xml").size());
+    }
+
+    /// Says what an archive is that is no X3P file.
+    [[noreturn]] void refuse_archive() const {
+        const auto any = [&](const auto& is) {
+            return std::any_of(archive_.names().begin(), archive_.names().end(), is);
+        };
+        const char* what = "a zip archive";
+        const char* way = "; unpack it, and give one file";
+        if (any([](const std::string& entry) { return entry.starts_with("xl/"); })) {
+            what = "an Excel workbook (.xlsx)";
+            way = "; save the sheet as CSV";
+        } else if (any([](const std::string& entry) { return entry.find("LAYER_0") != std::string::npos; })) {
+            what = "a Sensofar file (.plux)";
+            way = "; export it from the program of the instrument";
+        } else if (any([](const std::string& entry) { return entry.ends_with(".npy"); })) {
+            what = "an archive of NumPy arrays (.npz)";
+            way = "; write its array as text";
+        }
+        refuse_file(name_, {"is ", what, " that holds no main.xml; an X3P file must", way});
     }
 
     std::string text_at(const pugi::xml_node& node) const { return std::string(trimmed(node.text().get())); }
@@ -166,6 +192,9 @@ private:
             require(dy_ >= 0, "CY/Increment", dy_, "at least 0");
             require_positive("CZ/Increment", z_increment_);
         });
+        record_.increment = z_increment_;
+        record_.applied = !record_.doubtful() || increment_ == X3pIncrement::apply;
+        if (!record_.applied) z_increment_ = 1;
     }
 
     std::size_t count_at(const pugi::xml_node& parent, const std::string& title) const {
@@ -301,6 +330,7 @@ private:
 
     std::string name_;
     ZipArchive archive_;
+    X3pIncrement increment_;
     std::string folder_;  // of main.xml, with its slash
     pugi::xml_document document_;
     pugi::xml_node root_;
@@ -318,7 +348,10 @@ inline std::vector<std::string> X3pRecord::sentences() const {
     all.push_back("form: X3P, heights of type " + std::string(1, data_type) + " from " +
                   detail::shown_cell(data.empty() ? main : data) +
                   (instrument.empty() ? "" : ", measured with " + instrument));
-    all.push_back("units: m");
+    const std::string increment_text = "the increment " + detail::number_text(increment) + " of CZ";
+    all.push_back(!doubtful() ? "units: m"
+                  : applied   ? "units: m, heights times " + increment_text
+                              : "units: m, heights as they are, without " + increment_text);
     all.push_back("spacing: from the increments of CX and CY");
     all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
                   std::to_string(missing) + " missing" + (mask ? ", from a mask" : ""));
@@ -326,14 +359,29 @@ inline std::vector<std::string> X3pRecord::sentences() const {
     return all;
 }
 
-inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits) {
-    return detail::X3pReader(bytes, std::string(name), limits).read();
+inline X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits,
+                           X3pIncrement increment) {
+    return detail::X3pReader(bytes, std::string(name), limits, increment).read();
 }
 
-inline std::function<DescribedMap(std::string_view, std::string_view)> x3p_reader(const X3pLimits& limits) {
-    return [limits](std::string_view bytes, std::string_view name) {
-        X3pSurface read = read_x3p(bytes, name, limits);
-        return DescribedMap{std::move(read.map), read.record.sentences()};
+inline std::function<DescribedMap(std::string_view, std::string_view, const SurfaceOptions&)> x3p_reader(
+    const X3pLimits& limits) {
+    return [limits](std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
+        X3pSurface read = read_x3p(bytes, name, limits, options.x3p_increment);
+        const X3pRecord& record = read.record;
+        const bool counted = record.data_type == 'I' || record.data_type == 'L';
+        DescribedMap described{
+            .map = std::move(read.map), .sentences = record.sentences(), .resolution = counted ? record.increment : 0};
+        if (record.doubtful())
+            described.warnings.push_back(
+                "the heights are numbers of floating point, and the file states an increment of " +
+                detail::number_text(record.increment) + " besides: " +
+                (record.applied
+                     ? "they were taken times the increment; where they are metres already, the other reading is "
+                     : "they were taken as metres, without the increment; the other reading is ") +
+                options.names.prefix + (options.names.prefix.empty() ? "x3p_increment" : "x3p-increment") +
+                options.names.equals + (record.applied ? "ignore" : "apply"));
+        return described;
     };
 }
 

@@ -10,6 +10,7 @@
 /// Valid       as detrend() and gaussian_roughness()
 /// Accuracy    that of detrend() and gaussian_roughness() (tests/profile/level_test.cpp)
 
+#include <fstiff/math/rounding.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 
@@ -28,11 +29,18 @@ struct LevelledProfile {
 };
 
 /// \p profile without the \p form and then, with a \p cutoff, without the waviness of the Gaussian filter.
-/// \throws domain_error as detrend() and gaussian_roughness().
+/// \p resolution [m] is the step in which the heights were printed or counted; 0 where it is not known.
+/// \throws domain_error as detrend() and gaussian_roughness(), and for a profile that is constant, but for its rounding,
+/// once its form is removed.
 template <Real T>
 [[nodiscard]] LevelledProfile<T> level(const Profile<T>& profile, Form form,
-                                       std::optional<std::type_identity_t<T>> cutoff = {}) {
+                                       std::optional<std::type_identity_t<T>> cutoff = {},
+                                       std::type_identity_t<T> resolution = 0) {
     LevelledProfile<T> flat{detrend(profile, form), form, cutoff};
+    if (form != Form::none && detail::is_rounding(profile.heights.data(), flat.profile.heights.data(), profile.size(),
+                                                  static_cast<T>(resolution)))
+        throw domain_error("profile of constant height once its form (" + std::string(name_of(form)) +
+                           ") is removed: what is left is the rounding of its heights; must be of varying height");
     if (cutoff) flat.profile = gaussian_roughness(flat.profile, *cutoff);
     return flat;
 }

@@ -16,12 +16,14 @@
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/math/rounding.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 namespace fstiff {
 
@@ -46,10 +48,17 @@ struct LevelledMap {
     MapForm removed = MapForm::none;
 };
 
-/// The same with the form that was removed. \throws domain_error as remove_form().
+/// The same with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted; 0
+/// where it is not known.
+/// \throws domain_error as remove_form(), and for a map that is constant, but for its rounding, once its form is removed.
 template <Real T>
-[[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form) {
-    return {remove_form(map, form), form};
+[[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
+    LevelledMap<T> flat{remove_form(map, form), form};
+    if (form != MapForm::none && detail::is_rounding(map.heights.data(), flat.map.heights.data(),
+                                                     static_cast<std::size_t>(map.size()), resolution))
+        throw domain_error("map of constant height once its form (" + std::string(name_of(form)) +
+                           ") is removed: what is left is the rounding of its heights; must be of varying height");
+    return flat;
 }
 
 namespace detail {

@@ -131,7 +131,7 @@ Strings warnings(const SurfaceInput& input, const ProfileResult& result) {
                           ? "D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
                                 ", is another one: over its wavelengths the profile follows another law"
                           : sentence(concern, result.fit));
-    for (std::string& line : missing_points_warning(input, "their pairs are left out")) all.push_back(std::move(line));
+    for (std::string& line : reading_warnings(input, "their pairs are left out")) all.push_back(std::move(line));
     return all;
 }
 
@@ -147,7 +147,7 @@ Strings warnings(const SurfaceInput& input, const MapResult& result) {
                       rounded(result.fit.dimension_difference_error, 2) + ", ln S along x less ln S along y " +
                       rounded(result.fit.log_level_difference, 3) + " +- " +
                       rounded(result.fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
-    for (std::string& line : missing_points_warning(input, "they enter no difference")) all.push_back(std::move(line));
+    for (std::string& line : reading_warnings(input, "they enter no difference")) all.push_back(std::move(line));
     return all;
 }
 

@@ -54,7 +54,7 @@ std::vector<std::string> warnings(const SurfaceInput& input, const Result& resul
     pair.set(Parameter::peak_radius, {r.radius, r.radius_error});
     pair.set(Parameter::peak_density, {r.density, r.density_error});
     std::vector<std::string> all = peak_warnings(concerns_of(r), r.islands, pair);
-    for (std::string& line : missing_points_warning(input, "they are part of no island and of no area"))
+    for (std::string& line : reading_warnings(input, "they are part of no island and of no area"))
         all.push_back(std::move(line));
     return all;
 }

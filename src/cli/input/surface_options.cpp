@@ -16,6 +16,13 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     arguments.option(
         "--units", options.units,
         "units of lengths and heights of a text, such as um,nm, or one for both; replace those of the file");
+    arguments.option("--missing", options.missing,
+                     "number or word that stands for missing points of a text, such as -9999; none: every number is a "
+                     "height");
+    arguments
+        .option("--x3p-increment", options.x3p_increment,
+                "of X3P with heights of floating point: apply the increment of z (default) or ignore it")
+        .one_of(choices<io::X3pIncrement>());
     std::vector<std::string_view> words;
     const auto allow = [&](std::span<const std::string_view> more) {
         for (const std::string_view word : more)
@@ -32,6 +39,8 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
             .option("--column", options.column,
                     "column of the heights of a profile, counted from 1; default the last of one or two")
             .between(1, 1000000);
+        arguments.flag("--resample", options.resample,
+                       "a profile of unequal steps is interpolated at as many equal ones");
         arguments.option("--cutoff", options.cutoff,
                          "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\"");
     }
@@ -57,10 +66,14 @@ Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
 }
 
 Json json_inputs(const SurfaceOptions& options, const std::string& form) {
-    return {{"input_format", options.format}, {"units", options.units},   {"spacing", options.spacing},
-            {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
-            {"width", options.width},         {"height", options.height}, {"detrend", form},
-            {"cutoff", options.cutoff}};
+    Json inputs = {{"input_format", options.format}, {"units", options.units},   {"spacing", options.spacing},
+                   {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
+                   {"width", options.width},         {"height", options.height}, {"detrend", form},
+                   {"cutoff", options.cutoff}};
+    if (!options.missing.empty()) inputs["missing"] = options.missing;
+    if (options.resample) inputs["resample"] = true;
+    if (!options.x3p_increment.empty()) inputs["x3p_increment"] = options.x3p_increment;
+    return inputs;
 }
 
 std::string source_lines(const SurfaceInput& input, std::string_view indent) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Whether what a form leaves of heights is their rounding and nothing more: a line of numbers minus its line is noise of
+/// the last digit, of which every statistic can be computed and none means anything.
+///
+///     rest <= 16 eps max |z|                      rounding of the scalar, and of the removal itself
+///     rest <= 0.6 q, rms of the rest <= 0.3 q     rounding to steps of q, whose rms is q / sqrt(12) = 0.29 q
+///
+/// q is what the heights were printed or counted in, where that is known, or the largest step of which all differences of
+/// neighbours are whole multiples.
+///
+/// Units       all arguments in one unit of length; the answer does not depend on it
+/// Valid       heights finite or NaN (missing), as many rests
+/// Accuracy    a surface rougher than 0.6 q, or than 1e-14 of its largest height, is never taken for rounding
+///             (tests/math/rounding_test.cpp)
+
+#include <fstiff/core/concepts.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace fstiff::detail {
+
+/// The largest step, not below \p least, of which all differences of neighbours are multiples to within \p tolerance; 0
+/// when there is none. Stops at the first difference that shows it.
+template <Real T>
+T common_step(const T* heights, std::size_t count, T least, T tolerance) {
+    T step = 0, before = std::numeric_limits<T>::quiet_NaN();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (std::isnan(heights[i])) continue;
+        T greater = std::abs(heights[i] - before);  // NaN at the first point
+        before = heights[i];
+        if (!(greater > tolerance)) continue;
+        if (step == T(0)) step = greater;
+        while (true) {  // Euclid's algorithm, on numbers that are rounded
+            const T over = std::abs(greater - step * std::round(greater / step));
+            if (over <= tolerance) break;
+            greater = step;
+            step = over;
+            if (step < least) return 0;
+        }
+    }
+    return step;
+}
+
+/// Whether \p rest, what a form left of \p heights, is no more than their rounding. \p resolution is the step in which
+/// the heights were printed or counted, 0 where it is not known.
+template <Real T>
+bool is_rounding(const T* heights, const T* rest, std::size_t count, T resolution = 0) {
+    T largest = 0, most = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (std::isnan(heights[i])) continue;
+        largest = std::max(largest, std::abs(heights[i]));
+        most = std::max(most, std::abs(rest[i]));
+    }
+    const T rounding = 16 * std::numeric_limits<T>::epsilon() * largest;
+    if (most <= rounding) return true;
+    T squares = 0;
+    std::size_t present = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!std::isnan(heights[i])) {
+            squares += (rest[i] / most) * (rest[i] / most);
+            ++present;
+        }
+    const T rms = most * std::sqrt(squares / static_cast<T>(present));
+    const T least = std::max(most / T(0.6), rms / T(0.3));
+    return resolution >= least || common_step(heights, count, least, std::max(rounding, T(0.01) * most)) >= least;
+}
+
+}  // namespace fstiff::detail

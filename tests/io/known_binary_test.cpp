@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Binary files are called by their names; endless ones are refused at their first block.
+#include <fstiff/io/surface_file.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+using namespace fstiff;
+using namespace std::string_literals;
+
+namespace {
+
+std::string refusal(const std::string& bytes) {
+    return test::refusal([&] { (void)io::read_surface(bytes, "file"); });
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("A binary file is called what its first bytes say, with the way out") {
+    const std::pair<std::string, const char*> files[] = {{"\x89PNG\r\n\x1A\n\0\0"s, "PNG"},
+                                                         {"\xFF\xD8\xFF\xE0"s, "JPEG"},
+                                                         {"II*\0"s, "TIFF"},
+                                                         {"MM\0*"s, "TIFF"},
+                                                         {"%PDF-1.7\n"s, "PDF"},
+                                                         {"\x89HDF\r\n\x1A\n"s, "HDF5"},
+                                                         {"CDF\x01\0"s, "NetCDF"},
+                                                         {"\x93NUMPY\x01"s, "NumPy"},
+                                                         {"GWYP\0"s, "Gwyddion"},
+                                                         {"Gwyddion Simple Field 1.0\n"s, ".gsf"},
+                                                         {"DIGITAL SURF\0"s, ".sur"},
+                                                         {"DSCOMPRESSED"s, ".sur"},
+                                                         {"\x01\0Directory"s, "Wyko"},
+                                                         {"\x88\x1B\x03\x6F"s, "Zygo"},
+                                                         {"\x1F\x8B\x08"s, "gzip"},
+                                                         {"\xD0\xCF\x11\xE0\xA1"s, ".xls"},
+                                                         {"\\*File list\0"s, "Nanoscope"}};
+    for (const auto& [bytes, name] : files) {
+        INFO(name);
+        CHECK(has(refusal(bytes), name));
+        CHECK(has(refusal(bytes), "is binary: "));
+        CHECK(
+            has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71) or X3P"));
+    }
+    CHECK(has(refusal("1 2\n\0"s), "holds NUL bytes"));
+}
+
+TEST_CASE("Endless input is refused at its first block") {
+    struct Endless : std::streambuf {
+        char block[65536]{};
+        int calls = 0;
+        int_type underflow() override {
+            if (++calls > 4) throw std::logic_error("read on");
+            setg(block, block, block + sizeof block);
+            return 0;
+        }
+    } buffer;
+    std::istream input(&buffer);
+    const std::string bytes = io::detail::read_bytes(input, "zero").bytes;
+    CHECK(bytes.size() <= 2 * sizeof buffer.block);
+    CHECK(has(refusal(bytes), "is binary"));
+    CHECK(buffer.calls <= 2);
+}
