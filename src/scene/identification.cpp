@@ -2,10 +2,13 @@
 #include "scene/identification.hpp"
 
 #include "scene/file.hpp"
+#include "scene/results.hpp"
+#include "scene/shown_unit.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace fstiff::scene {
@@ -54,7 +57,7 @@ ContactParameters<double> start_of(const Scene& scene, const PeakDistribution<do
     return start;
 }
 
-std::string sentence(const FitFinding<double>& finding) {
+std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
     const std::string names = names_of(finding.parameters);
     switch (finding.concern) {
         case FitConcern::singular:
@@ -71,6 +74,18 @@ std::string sentence(const FitFinding<double>& finding) {
         case FitConcern::misfit:
             return "chi^2/dof = " + rounded(finding.value, 3) +
                    ": the model does not describe the data within their errors, and the standard errors are too small";
+        case FitConcern::scattered:
+            return "the points scatter by " + std::to_string(std::lround(100 * finding.value)) +
+                   " % about the model: it does not describe them, or some of them are wrong";
+        case FitConcern::outlier:
+            return "the point at p = " +
+                   unit_of_pressure(fit.points[finding.point].pressure)(fit.points[finding.point].pressure) + " is " +
+                   rounded(finding.value, 2) +
+                   " times as far from the model as the median of the points: the fit is bent towards it";
+        case FitConcern::far_from_start:
+            return names + " came out as " + rounded(finding.value, 2) +
+                   " times its starting value: see that the units of the measured columns are right, and if so, start "
+                   "from there";
         case FitConcern::no_errors:
             return "no standard errors: as many parameters as points, and no column of errors";
         case FitConcern::at_bound:
@@ -162,11 +177,19 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
             return fit.law->fit({data, request.wanted, fit.start, options});
         });
     }
-    for (const Fit& fit : all.fits)
+    for (const Parameter unknown : unknown_parameters(scene))  // of the surface, and held at what nobody knows
+        if (std::count(request.wanted.begin(), request.wanted.end(), unknown) == 0) all.doubtful = true;
+    std::size_t sound = 0;
+    for (const Fit& fit : all.fits) {
+        bool doubted = false;
         for (const auto& finding : concerns_of(fit.found)) {
-            all.warnings.push_back(title(fit) + ": " + sentence(finding));
+            all.warnings.push_back(title(fit) + ": " + sentence(fit, finding));
             if (is_fatal(finding.concern)) all.doubtful = true;
+            doubted = doubted || is_doubtful(finding.concern);
         }
+        sound += !doubted;
+    }
+    if (sound == 0) all.doubtful = true;  // where one law describes the data, that another does not is an answer
     return all;
 }
 

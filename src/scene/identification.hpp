@@ -36,7 +36,7 @@ struct Fits {
     std::vector<Fit> fits;
     std::optional<Wave<double>> wave;   ///< of measured reflections
     std::vector<std::string> warnings;  ///< sentences on the scene and on every fit
-    bool doubtful = false;              ///< the data cannot tell the parameters apart, or a search did not converge
+    bool doubtful = false;  ///< a fit is no answer, all are doubtful, or a parameter that is held is not known
 };
 
 /// \throws option_error for a request that the curve has no use for, domain_error naming what the scene or the curve lacks.

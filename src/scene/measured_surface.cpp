@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/measured_surface.hpp"
 
+#include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
-#include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -23,14 +24,21 @@ FractalFitOptions<double> fit_options(const MeasureOptions& options) {
     return fit;
 }
 
-std::string um(double length) { return rounded(length * 1e6) + " µm"; }
+bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
+    return std::find(concerns.begin(), concerns.end(), one) != concerns.end();
+}
+
+Measurement<double> of(const UncertainSurface<double>& surface, Parameter which) {
+    return {surface.value[index_of(which)], surface.error[index_of(which)]};
+}
 
 /// What was decided beside the reading of the file.
 void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, const std::string& form, double before,
               double after, const MeasureOptions& options) {
     auto& said = surface.decisions;
     const bool profile = surface.kind == "profile";
-    said.push_back("rms height " + um(before) + " as read, " + um(after) + " without its form (" + form + ")");
+    said.push_back("rms height " + shown_length(before) + " as read, " + shown_length(after) + " without its form (" +
+                   form + ")");
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
@@ -39,11 +47,12 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
             "R and D_p from " + std::to_string(found.peaks_counted) +
             (options.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
     if (found.fractal_dimension)
-        said.push_back("D and G from lags of " + um(found.window.from) + " to " + um(found.window.to) +
-                       (options.window.empty() ? " (automatic)" : " (given)"));
-    said.push_back("errors by " + std::to_string(options.resamples) + " resamples of " +
-                   (profile ? "blocks of " + um(found.block_length) : std::to_string(found.blocks) + " tiles") +
-                   ", seed " + std::to_string(options.seed));
+        said.push_back("D and G from lags of " + shown_length(found.window.from) + " to " +
+                       shown_length(found.window.to) + (options.window.empty() ? " (automatic)" : " (given)"));
+    said.push_back(
+        "errors by " + std::to_string(options.resamples) + " resamples of " +
+        (profile ? "blocks of " + shown_length(found.block_length) : std::to_string(found.blocks) + " tiles") +
+        ", seed " + std::to_string(options.seed));
 
     auto& warned = surface.warnings;
     if (!found.why_no_dimension.empty())
@@ -51,26 +60,11 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     else if (found.curved)
         warned.push_back("the structure function is no single power law over the window: D is a mean over it");
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
-    const auto percent = [](const Measurement<double>& one) {
-        return std::to_string(std::lround(100 * one.error / one.value)) + " % only";
-    };
-    for (const MeasuredConcern concern : concerns_of(found)) switch (concern) {
-            case MeasuredConcern::anisotropic:
-                warned.push_back("the map differs along x and y; the models take it for isotropic");
-                break;
-            case MeasuredConcern::few_peaks:
-                warned.push_back("R and D_p come from " + std::to_string(found.peaks_counted) +
-                                 " peaks only; their errors are rough");
-                break;
-            case MeasuredConcern::radius_uncertain:
-                warned.push_back("R is known to " + percent(found.peak_radius));
-                break;
-            case MeasuredConcern::density_uncertain:
-                warned.push_back("D_p is known to " + percent(found.peak_density));
-                break;
-            default:  // said before
-                break;
-        }
+    surface.concerns = concerns_of(found);
+    if (has(surface.concerns, MeasuredConcern::anisotropic))
+        warned.push_back("the map differs along x and y; the models take it for isotropic");
+    for (std::string& line : peak_warnings(surface.concerns, found.peaks_counted, surface.parameters))
+        warned.push_back(std::move(line));
 }
 
 std::shared_ptr<const MapOfSurface> map_of_surface(const HeightMap<double>& map) {
@@ -80,6 +74,45 @@ std::shared_ptr<const MapOfSurface> map_of_surface(const HeightMap<double>& map)
 }
 
 }  // namespace
+
+std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
+                                       const UncertainSurface<double>& values) {
+    const auto percent = [&](Parameter which) {
+        const auto one = of(values, which);
+        return std::string(row_of(which).symbol) + " is known to " +
+               std::to_string(std::lround(100 * one.error / one.value)) + " % only";
+    };
+    std::vector<std::string> lines;
+    if (has(concerns, MeasuredConcern::few_peaks))
+        lines.push_back("R and D_p come from " + std::to_string(peaks) + " peaks only; their errors are rough");
+    if (has(concerns, MeasuredConcern::radius_uncertain)) lines.push_back(percent(Parameter::peak_radius));
+    if (has(concerns, MeasuredConcern::density_uncertain)) lines.push_back(percent(Parameter::peak_density));
+    if (has(concerns, MeasuredConcern::no_densest_level))
+        lines.push_back(
+            "the islands are densest at the highest or the lowest level: this is no maximum, and the pair R, D_p "
+            "represents nothing");
+    if (has(concerns, MeasuredConcern::parameter_unknown)) {
+        std::string names;
+        for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>())
+            if (values.known[index_of(row.parameter)] && !is_known(of(values, row.parameter)))
+                names += (names.empty() ? "" : ", ") + std::string(row.symbol);
+        lines.push_back(names + ": not known to a factor of two; a result that rests on it, and its band, is in doubt");
+    }
+    return lines;
+}
+
+std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const UncertainSurface<double>& used) {
+    const bool no_pair = has(surface.concerns, MeasuredConcern::no_densest_level);
+    std::vector<Parameter> all;
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+        const Parameter which = parameter_table[i].parameter;
+        const bool of_pair = which == Parameter::peak_radius || which == Parameter::peak_density;
+        if (used.known[i] &&
+            (!is_known(of(used, which)) || (no_pair && of_pair && used.value[i] == surface.parameters.value[i])))
+            all.push_back(which);
+    }
+    return all;
+}
 
 MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes, const ProgressHook& progress) {
     SurfaceParameterOptions<double> how;
@@ -104,11 +137,13 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
         surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));
         const PreparedProfile& levelled = *surface.profile;
         found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
+        surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     } else {
         surface.map = std::make_shared<PreparedMap>(level_map(options.input, input));
         const PreparedMap& levelled = *surface.map;
         found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
+        surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }
     if (profile) {
@@ -120,7 +155,6 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     surface.profile_fit = std::move(found.profile_fit);
     surface.map_fit = std::move(found.map_fit);
     if (found.islands) surface.islands = std::move(found.islands->curve);
-    surface.parameters = uncertain(found);
     surface.max_peak_height = found.max_peak_height;
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
     surface.fractal_refusal = found.why_no_dimension;
@@ -131,24 +165,28 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
 std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
     const bool profile = surface.kind == "profile";
     const auto& p = surface.parameters;
-    const auto of = [&](Parameter which) {
-        return Measurement<double>{p.value[index_of(which)], p.error[index_of(which)]};
+    const auto unknown = unknown_parameters(surface, p);
+    const auto line = [&](Parameter which, std::string unit, std::string how) {
+        return ParameterLine{std::string(row_of(which).key), std::move(unit), of(p, which), std::move(how),
+                             std::count(unknown.begin(), unknown.end(), which) == 0};
     };
     std::vector<ParameterLine> lines{
-        {"rms_height", "m", of(Parameter::rms_height), "root of the mean square about the mean"},
-        {"peak_radius", "m", of(Parameter::peak_radius),
-         profile ? "3 sqrt(pi)/(8 sigma_kappa), (4.10)" : "mean of the peaks"},
-        {"peak_density", "/m^2", of(Parameter::peak_density),
-         profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area"}};
+        line(Parameter::rms_height, "m", "root of the mean square about the mean"),
+        line(Parameter::peak_radius, "m", profile ? "3 sqrt(pi)/(8 sigma_kappa), (4.10)" : "mean of the peaks"),
+        line(Parameter::peak_density, "/m^2",
+             profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area")};
+    const auto add = [&](const char* name, const Measurement<double>& one, const char* how) {
+        lines.push_back({name, "m", one, how, is_known(one)});
+    };
     if (surface.max_peak_height.value > 0)
-        lines.push_back({"max_peak_height", "m", surface.max_peak_height, "highest point; the error is a lower bound"});
+        add("max_peak_height", surface.max_peak_height, "highest point; the error is a lower bound");
     if (p.known[index_of(Parameter::fractal_dimension)])
-        lines.push_back({"fractal_dimension", "", of(Parameter::fractal_dimension),
-                         profile ? "structure function, (2.5)" : "structure functions along x and y, (2.5)"});
-    if (surface.fractal_roughness) lines.push_back({"fractal_roughness", "m", *surface.fractal_roughness, "the same"});
+        lines.push_back(line(Parameter::fractal_dimension, "",
+                             profile ? "structure function, (2.5)" : "structure functions along x and y, (2.5)"));
+    if (surface.fractal_roughness) add("fractal_roughness", *surface.fractal_roughness, "the same");
     if (p.known[index_of(Parameter::r)]) {
-        lines.push_back({"r", "", of(Parameter::r), "triples of neighbours, (4.1)"});
-        lines.push_back({"theta", "", of(Parameter::theta), "triples of neighbours, (4.3) [rad]"});
+        lines.push_back(line(Parameter::r, "", "triples of neighbours, (4.1)"));
+        lines.push_back(line(Parameter::theta, "", "triples of neighbours, (4.3) [rad]"));
     }
     if (surface.heights) {
         const HeightStatistics<double>& heights = *surface.heights;

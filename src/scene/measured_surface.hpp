@@ -7,6 +7,7 @@
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/measured/height_statistics.hpp>
+#include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
@@ -32,6 +33,7 @@ struct MeasureOptions {
 struct MeasuredSurface {
     std::string file, sha256, kind;  ///< of the measured file; kind: profile or map
     std::vector<std::string> decisions, warnings;
+    std::vector<MeasuredConcern> concerns;  ///< behind the warnings
     UncertainSurface<double> parameters;
     Measurement<double> max_peak_height;  ///< [m]; 0: not known
     std::optional<Measurement<double>> fractal_roughness;
@@ -55,11 +57,22 @@ struct MeasuredSurface {
 /// \throws domain_error when \p bytes, which messages call \p name, are no such document.
 [[nodiscard]] MeasuredSurface read_measured_document(const std::string& bytes, const std::string& name);
 
+/// The sentences on \p concerns of few_peaks to parameter_unknown; \p peaks gave R and D_p, which are in \p values with
+/// their errors.
+[[nodiscard]] std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
+                                                     const UncertainSurface<double>& values);
+
+/// The parameters of \p used, those of \p surface or what replaced them, on which no result can rest: not known to a
+/// factor of two, or the R and D_p of islands that are densest at no level.
+[[nodiscard]] std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
+                                                        const UncertainSurface<double>& used);
+
 /// How one parameter of a scene's [surface] is called, its unit and how it was found.
 struct ParameterLine {
     std::string name, unit;  ///< unit in a scene; empty: a plain number
     Measurement<double> measured;
     std::string how;
+    bool known = true;  ///< to a factor of two; else two digits are enough
 };
 /// Those that are known, in the order of docs/scene.md.
 [[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface);

@@ -66,9 +66,12 @@ std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact
 /// Whether \p law has a curve for each joint distribution of peaks.
 bool is_joint(const Law& law, const Scene& scene) { return law.has_peaks && !(law.summits_of_map && scene.map); }
 
-/// The rms gradient of the surface for p*: known, or of the spectrum that \p law takes.
-std::optional<double> gradient_of(const Scene& scene, const Law& law) {
+/// The rms gradient of the surface for p*: known; of \p peaks; where these do not know it (r = 0, or none), of the surface's
+/// own r and theta, or of the spectrum that \p law takes.
+std::optional<double> gradient(const Scene& scene, const Law& law, const PeakDistribution<double>* peaks) {
     if (scene.rms_gradient) return scene.rms_gradient;
+    if (const auto of_peaks = peaks ? rms_gradient(scene.surface, *peaks) : std::nullopt) return of_peaks;
+    if (scene.r && scene.theta) return rms_gradient(scene.surface, PeakDistribution<double>(*scene.r, *scene.theta));
     if (law.needs_spectrum) return std::sqrt(2 * spectral_moments(scene).m2);
     return std::nullopt;
 }
@@ -96,7 +99,7 @@ void for_each_contact(const Scene& scene, double modulus, const ProgressHook& pr
         const Law& law = *chosen.law;
         inputs.options = chosen.options;
         if (!is_joint(law, scene)) {
-            visit(Curve{.law = &law, .rms_gradient = gradient_of(scene, law)}, *law.contact(inputs));
+            visit(Curve{.law = &law, .rms_gradient = gradient(scene, law, nullptr)}, *law.contact(inputs));
             continue;
         }
         for (const Peaks& of : scene.peaks) {
@@ -105,7 +108,7 @@ void for_each_contact(const Scene& scene, double modulus, const ProgressHook& pr
             visit(Curve{.law = &law,
                         .theta = peaks.theta(),
                         .r = peaks.r(),
-                        .rms_gradient = scene.rms_gradient ? scene.rms_gradient : rms_gradient(scene.surface, peaks)},
+                        .rms_gradient = gradient(scene, law, &peaks)},
                   *law.contact(inputs));
         }
     }
@@ -166,7 +169,7 @@ void add_warnings(const Scene& scene, Results& results) {
 
     const std::size_t before = results.warnings.size();
     for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
-    if (results.warnings.size() > before) results.doubtful = true;
+    if (results.warnings.size() > before || !unknown_parameters(scene).empty()) results.doubtful = true;
 }
 
 /// The scene with the surface \p drawn about its own. Of a map the tiles are drawn anew, with the random \p tiles.
@@ -306,6 +309,10 @@ std::string title(const Curve& curve) {
     std::string text(curve.law->name);
     if (curve.theta) text += ", theta = " + rounded(*curve.theta) + ", r = " + rounded(*curve.r);
     return text;
+}
+
+std::vector<Parameter> unknown_parameters(const Scene& scene) {
+    return scene.measured ? unknown_parameters(*scene.measured, scene.uncertain) : std::vector<Parameter>{};
 }
 
 Interaction<double> interaction(const Scene& scene) {

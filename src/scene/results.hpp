@@ -50,8 +50,12 @@ struct Results {
     std::vector<Curve> curves;
     std::vector<std::string> warnings;  ///< sentences on the checks that do not hold, and on the scene
     std::vector<std::string> verdict;   ///< which law to believe, and to about what; the most important sentence first
-    bool doubtful = false;              ///< a real area above the nominal one, or integrals that did not converge
+    /// A real area above the nominal one, integrals that did not converge, or a measured surface with unknown_parameters().
+    bool doubtful = false;
 };
+
+/// The measured parameters of \p scene on which no result can rest.
+[[nodiscard]] std::vector<Parameter> unknown_parameters(const Scene& scene);
 
 /// The interaction of the scene with its length [m].
 [[nodiscard]] Interaction<double> interaction(const Scene& scene);

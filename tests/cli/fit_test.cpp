@@ -20,6 +20,8 @@
 #include <charconv>
 #include <cmath>
 
+#include <sstream>
+
 namespace {
 
 /// A random walk, D = 1.5. A linear congruential generator is enough.
@@ -307,4 +309,19 @@ TEST_CASE("Tip, resolution, seed and filter do in the command what they do in th
     test::check_refused(read_metres + " --cutoff '1 um'", 2, {"--detrend gaussian"}, text);
     test::check_refused(read_metres + " --tip-radius '1 s'", 3, {"--tip-radius"}, text);
     test::check_refused(read_metres + " --resolution '5 mm'", 3, {"standard input"}, text);
+}
+
+TEST_CASE("Lengths of a fine profile are shown in nm, and a G that is not known to a factor of two with two digits") {
+    const auto made = test::fstiff("generate profile --points 200 --spacing '5 nm' --hurst 0.3 --rms '3 nm'");
+    REQUIRE(made.status == 0);
+    const auto outcome = test::fstiff("fit -", made.out);
+    INFO(outcome.out);
+    CHECK(test::contains(outcome.out, "spacing 5 nm, length 0.995 µm"));
+    const auto at = outcome.out.find("  G = ");
+    REQUIRE(at != std::string::npos);
+    std::istringstream line(outcome.out.substr(at + 6));
+    std::string value, unit, sign, error;
+    line >> value >> unit >> sign >> error;
+    REQUIRE(std::stod(error) > std::stod(value) / 2);
+    CHECK(value.substr(0, value.find('e')).size() <= 3);  // such as 2.5
 }

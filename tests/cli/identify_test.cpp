@@ -190,7 +190,7 @@ TEST_CASE("identify fits every law of the scene and says which describes the dat
     CHECK(document["fits"][0]["chi_squared"].get<double>() < document["fits"][1]["chi_squared"].get<double>());
     CHECK(test::contains(document["warnings"].dump(), "greenwood_williamson is not fitted"));
     CHECK(test::contains(document["warnings"].dump(), "does not describe the data"));
-    const auto one = identify(folder, both, data, "--fit sigma --law fractal");
+    const auto one = identify(folder, both, data, "--fit sigma --law fractal", 4);
     REQUIRE(one["fits"].size() == 1);
     CHECK(one["fits"][0]["law"] == "fractal");
     CHECK(one["fits"][0]["parameters"] == document["fits"][1]["parameters"]);
@@ -306,7 +306,8 @@ TEST_CASE("What run prints as CSV, identify takes") {
         test::shell("fstiff run '" + folder / "one.toml" +
                     "' --format csv | fstiff identify --measured - --law fractal --fit Dp --format json");
     INFO(other.err);
-    CHECK(other.status == 0);
+    CHECK(other.status == 4);  // which misses the points
+    CHECK(test::contains(other.err, "the points scatter by"));
 }
 
 TEST_CASE("Several computed curves of which none is of the scene are refused") {
@@ -315,4 +316,39 @@ TEST_CASE("Several computed curves of which none is of the scene are refused") {
     folder.write("run.csv", test::fstiff("run --format csv").out);
     test::check_refused("identify '" + folder / "scene.toml" + "' --measured '" + folder / "run.csv" + "' --fit sigma",
                         3, {"run.csv", "holds 5 computed curves", "must hold one curve"});
+}
+
+TEST_CASE("A fit that misses its points, is bent by one of them or lies far from its start ends with exit code 4") {
+    const test::Folder folder;
+    const auto concerns = [&](const std::string& data, const std::string& wanted, int status) {
+        return identify(folder, scene(), data, "--fit " + wanted, status)["fits"][0]["concerns"];
+    };
+    using Words = nlohmann::json;
+    const std::string good = measured("stiffness_Pa_per_m", 0.02, 0.5);
+    CHECK(concerns(good, "sigma", 0) == Words::array());
+    // four points, the third of them ten times too low
+    const std::string four = "p [MPa],K [GPa/um]\n1,0.0045\n3,0.0125\n10,0.0038\n30,0.1\n";
+    CHECK(concerns(four, "sigma", 4).dump().find("scattered") != std::string::npos);
+    CHECK(concerns(test::replaced(four, "30,0.1", "30,100"), "sigma", 4).dump().find("scattered") != std::string::npos);
+    // with errors: what does not lie within them
+    const std::string weighed =
+        "p [MPa],K [GPa/um],error [GPa/um]\n1,0.0045,0.0002\n3,0.0125,0.0005\n10,0.3,0.002\n30,0.1,0.005\n";
+    CHECK(concerns(weighed, "sigma", 4)[0] == "misfit");
+    // as many peaks per mm^2 as a wrong unit makes of them
+    const std::string wrong = measured("stiffness_Pa_per_m", 0.02, 0, scene("0.832 um", "500000 /mm^2"));
+    CHECK(concerns(wrong, "Dp", 4) == Words{"far_from_start"});
+    // K in a unit a thousand times too large: sigma is 0.85 nm or so then
+    const std::string large = "p [MPa],K [GPa/um]\n1,4.5\n3,12.5\n10,38\n30,100\n";
+    CHECK(concerns(large, "sigma", 4).dump().find("far_from_start") != std::string::npos);
+    // one of twelve points read off wrongly
+    std::string slipped = measured("stiffness_Pa_per_m", 0, 0);
+    const auto lines = test::lines(slipped);
+    const auto comma = lines[6].find(',');
+    slipped = test::replaced(
+        slipped, lines[6], lines[6].substr(0, comma + 1) + std::to_string(1.3 * std::stod(lines[6].substr(comma + 1))));
+    CHECK(concerns(slipped, "sigma", 4) == Words{"outlier"});
+    const auto table =
+        test::fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit sigma");
+    CHECK(table.status == 4);
+    CHECK(test::contains(table.out, "times as far from the model as the median of the points"));
 }

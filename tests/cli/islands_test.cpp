@@ -18,10 +18,10 @@ std::string map_text() {
     return made.out;
 }
 
-nlohmann::json json_of(const std::string& arguments, const std::string& input) {
+nlohmann::json json_of(const std::string& arguments, const std::string& input, int status = 4) {
     const auto outcome = test::fstiff("islands - --format json " + arguments, input);
     INFO(arguments << "\n" << outcome.err);
-    REQUIRE(outcome.status == 0);
+    REQUIRE(outcome.status == status);  // 4: R of ten islands is known to 58 %
     return nlohmann::json::parse(outcome.out);
 }
 
@@ -33,7 +33,7 @@ TEST_CASE("The command sweeps the islands as the library does, to the last digit
     const auto check = [&](const std::string& arguments, const fstiff::IslandOptions<double>& how,
                            fstiff::MapForm form) {
         const auto expected = fstiff::representative_islands(fstiff::remove_form(read.map(), form), how);
-        const auto document = json_of(arguments, text);
+        const auto document = json_of(arguments, text, expected.radius_error > expected.radius / 2 ? 4 : 0);
         const auto& pair = document["representative"];
         INFO(arguments);
         CHECK(pair["peak_density_per_m2"] == expected.density);
@@ -79,9 +79,9 @@ TEST_CASE("The unit of length does not matter to the islands") {
 
 TEST_CASE("The readable islands say what was decided, and warn of a pair that means little") {
     const auto outcome = test::fstiff("islands -", map_text());
-    REQUIRE(outcome.status == 0);
+    REQUIRE(outcome.status == 4);
     for (const std::string part : {"format: matrix", "96 x 96 points", "8 neighbours", "D_p = ", "R = ", "seed 2014",
-                                   "bearing area", "warning: there are "}) {
+                                   "bearing area", "peaks only; their errors are rough"}) {
         INFO(outcome.out << "\nexpected: " << part);
         CHECK(test::contains(outcome.out, part));
     }

@@ -10,7 +10,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <sstream>
 
 namespace {
 
@@ -321,4 +324,61 @@ TEST_CASE("A changed document of measure is refused where it was changed") {
     changed = document;
     changed["schema_version"] = 7;
     refused(changed, {"schema_version"});
+}
+
+// Two round hills: two islands from the highest level down to the saddle, and never more.
+TEST_CASE(
+    "That R and D_p of islands represent nothing is said by measure, run, identify and report, with exit code 4") {
+    const test::Folder folder;
+    std::string text;
+    for (int j = 0; j < 32; ++j)
+        for (int i = 0; i < 64; ++i)
+            text += std::to_string(1e3 * (1 - std::cos(4 * std::numbers::pi * (i + 0.5) / 64)) *
+                                       (1 - std::cos(2 * std::numbers::pi * (j + 0.5) / 32)) +
+                                   1e-3 * i * j) +
+                    (i == 63 ? "\n" : " ");
+    const std::string map = folder.write("hills.txt", text), file = folder / "hills.json";
+    const std::string options = " --units um,nm --dx '1 um' --dy '1 um'";
+    const auto measured = test::fstiff("measure '" + map + "'" + options + " -o '" + file + "'");
+    CHECK(measured.status == 4);
+    const auto document = nlohmann::json::parse(test::read(file));
+    const std::string said = "represents nothing";
+    CHECK(test::contains(document["concerns"].dump(), "\"no_densest_level\""));
+    CHECK(test::contains(document["warnings"].dump(), said));
+    // R and D_p with two digits, sigma with five
+    const auto shown = test::fstiff("measure '" + map + "'" + options + " --format table");
+    CHECK(shown.status == 4);
+    const auto digits = [&](const std::string& name) {
+        std::istringstream row(shown.out.substr(shown.out.find(name) + name.size()));
+        std::string value;
+        row >> value;
+        value = value.substr(0, value.find('e'));
+        return std::count_if(value.begin(), value.end(), [](char c) { return c >= '0' && c <= '9'; });
+    };
+    CHECK(digits("rms_height") >= 4);
+    CHECK(digits("peak_radius") <= 3);  // such as 0.12
+    const auto islands = test::fstiff("islands '" + map + "'" + options);
+    CHECK(islands.status == 4);
+    CHECK(test::contains(islands.out, said));
+
+    const auto repeats = [&](const std::string& call, int status) {
+        const auto outcome = test::fstiff(call);
+        INFO(call << "\n" << outcome.out << outcome.err);
+        CHECK(outcome.status == status);
+        CHECK(test::contains(outcome.out + outcome.err, said));
+    };
+    repeats("run --surface '" + file + "'", 4);
+    repeats("report --surface '" + file + "' -o '" + folder / "report'", 4);
+    const std::string scene =
+        folder.write("from.toml",
+                     "[surface]\nfrom = \"hills.json\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+                     "poisson_ratio = 0.3\n[contact]\npressures = [\"1 MPa\", \"3 MPa\", \"10 MPa\"]\n"
+                     "laws = [\"hertz\"]\n");
+    REQUIRE(test::fstiff("run '" + scene + "' --format csv -o '" + folder / "k.csv" + "'").status == 4);
+    repeats("identify '" + scene + "' --measured '" + folder / "k.csv" + "' --fit sigma", 4);
+    // both given by hand: the warning stays, but nothing rests on the islands
+    folder.write("from.toml",
+                 test::replaced(test::read(scene), "[material.upper]",
+                                "peak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n[material.upper]"));
+    repeats("run '" + scene + "'", 0);
 }

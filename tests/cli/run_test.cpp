@@ -6,9 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <regex>
+#include <sstream>
 
 namespace {
 
@@ -175,17 +177,100 @@ TEST_CASE("The length of the interaction may be named or given") {
                               {{"nominal_area", ""}, {"interaction", "interaction = { reading = \"as_printed\" }"}}));
 }
 
-TEST_CASE("The readable table has units, K in both units, the validity figures and the warnings below, once") {
-    const auto outcome = test::fstiff("run");
+TEST_CASE("The full table has units, K in both units, the validity figures and the warnings below, once") {
+    const auto outcome = test::fstiff("run --full");
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
     for (const char* part : {"sand blasted (fine)", "p [MPa]", "p*", "K/A0 [GPa/µm]", "K/A0 [Pa/m]", "separation [µm]",
-                             "mean pressure [GPa]", "contacts [1/mm²]", "plasticity index 14.5",
-                             "warning: plasticity index", "sigma R D_p = 0.0166"}) {
+                             "numerical error [Pa/m]", "mean pressure [GPa]", "contacts [1/mm²]",
+                             "plasticity index 14.5", "warning: plasticity index", "sigma R D_p = 0.0166"}) {
         INFO(part);
         CHECK(test::contains(outcome.out, part));
     }
     CHECK(test::contains(test::lines(outcome.out).back(), "warning: "));
+}
+
+namespace {
+
+/// Columns that people see, but for the warnings, which are sentences.
+std::size_t widest_line(const std::string& text) {
+    std::size_t most = 0;
+    for (const std::string& line : test::lines(text)) {
+        std::size_t width = 0;
+        for (const char c : line) width += (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
+        if (!line.starts_with("warning: ")) most = std::max(most, width);
+    }
+    return most;
+}
+
+/// The cells of the first line of \p text that begins with \p label, after it.
+std::vector<std::string> cells_of(const std::string& text, const std::string& label) {
+    for (const std::string& line : test::lines(text)) {
+        if (!line.starts_with("  " + label + " ")) continue;
+        std::istringstream row(line.substr(label.size() + 2));
+        std::vector<std::string> all;
+        for (std::string cell; row >> cell;) all.push_back(cell);
+        return all;
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("The summary shows every law at decades of the pressure, what it is, and K against boundary elements") {
+    const auto outcome = test::fstiff("run");
+    CHECK(outcome.status == 0);
+    CHECK(widest_line(outcome.out) <= 100);
+    CHECK(test::lines(outcome.out).size() < 30);
+    // the numbers are those of the CSV at 0.1, 1, 10 and 100 MPa
+    const test::Csv csv(test::fstiff("run --format csv").out);
+    const auto row = cells_of(outcome.out, "hertz, theta 1.047, r 0.8165");
+    REQUIRE(row.size() == 4);
+    for (std::size_t k = 0; k < 4; ++k)
+        CHECK(test::relative_error(std::stod(row[k]) * 1e15, csv.number(3 * 31 + 10 * k, "stiffness_Pa_per_m")) < 1e-4);
+    for (const char* part :
+         {"fractal is the print of the paper", "hertz is elastic", "docs/validation.md", "K has no band", "--full"}) {
+        INFO(part);
+        CHECK(test::contains(outcome.out, part));
+    }
+    CHECK_FALSE(test::contains(outcome.out, "error ["));
+    // p* = p/(E g), g^2 = 2 r sigma sigma_kappa, sigma_kappa = 3 sqrt(pi)/(8 R) by (4.10): 0.0059 at 100 MPa, between
+    // the rows 0.004 and 0.008 of docs/validation.md
+    const double curvature = 3 * std::sqrt(3.141592653589793) / (8 * 40e-6);
+    const double p = 100e6 / (112.637e9 * std::sqrt(2 * 0.816497 * 0.832e-6 * curvature));
+    const auto text = outcome.out.substr(outcome.out.find("p*, K over"));
+    const auto ratios = cells_of(text, "hertz, theta 1.047, r 0.8165");
+    REQUIRE(ratios.size() == 8);  // "p*:" and the range, four times
+    CHECK(std::abs(std::stod(ratios[6]) / p - 1) < 0.02);
+    CHECK(ratios[5] == "-");
+    CHECK(ratios[7] == "0.82–1.04");
+    CHECK(cells_of(text, "hertz, theta 0.7854, r 0").empty());
+    CHECK(test::contains(outcome.out, "r = 0 says nothing of the gradient"));
+}
+
+TEST_CASE("A measured surface gives p* to peaks with r = 0 and of one radius, a band, and units by size") {
+    const test::Folder folder;
+    // 40 nm rms, R 3 um, 1.3 /um^2: an AFM map
+    const std::string text =
+        "[surface]\nrms_height = \"40 nm\"\npeak_radius = \"3 um\"\npeak_density = \"1.3 /um^2\"\nr = 0.4\ntheta = "
+        "0.6\n"
+        "errors = { rms_height = \"4 nm\" }\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+        "[uncertainty]\nsamples = 40\n[contact]\npressures = { from = \"10 kPa\", to = \"1 GPa\", count = 6 }\n"
+        "laws = [\"hertz\", \"greenwood_williamson\"]\npeaks = [ { theta = \"pi/4\", r = 0 } ]\n";
+    const auto outcome = test::fstiff("run -", text);
+    INFO(outcome.out);
+    CHECK(widest_line(outcome.out) <= 100);
+    CHECK(test::contains(outcome.out, "sigma 40 nm, R 3 µm, D_p 1.3 /µm²"));
+    CHECK(test::contains(outcome.out, "5 % to 95 %"));
+    CHECK_FALSE(test::contains(outcome.out, "no band"));
+    const auto validity = outcome.out.substr(outcome.out.find("p*, K over"));
+    CHECK(cells_of(validity, "hertz, theta 0.7854, r 0").size() >= 4);
+    CHECK(cells_of(validity, "greenwood_williamson").size() >= 4);
+    CHECK_FALSE(test::contains(outcome.out, "says nothing of the gradient"));
+    const auto full = test::fstiff("run - --full", text);
+    CHECK(test::contains(full.out, "separation [nm]"));
+    CHECK(test::contains(full.out, "p*"));
+    CHECK(test::contains(full.out, "contacts [1/µm²]"));
 }
 
 TEST_CASE("In machine formats the warnings go to standard error and the document stays one document") {

@@ -68,6 +68,45 @@ TEST_CASE("Each concern of a fit is found by itself, with its parameters and its
     CHECK(words(fit) == Concerns{FitConcern::not_converged, FitConcern::no_errors});
 }
 
+TEST_CASE("Points far from the model, one far from the others and a value far from the start are found") {
+    auto fit = good();
+    fit.errors_known = false;
+    fit.scatter = 0.25;
+    CHECK(concerns_of(fit).empty());
+    fit.scatter = 0.2501;
+    REQUIRE(words(fit) == Concerns{FitConcern::scattered});
+    CHECK(concerns_of(fit)[0].value == 0.2501);
+
+    fit = good();
+    fit.residuals = {0.3, -0.4, 0.41, 4.09, -0.45};  // median 0.41
+    CHECK(concerns_of(fit).empty());
+    fit.residuals[3] = -4.11;
+    REQUIRE(words(fit) == Concerns{FitConcern::outlier});
+    CHECK(concerns_of(fit)[0].point == 3);
+    CHECK(test::relative_error(concerns_of(fit)[0].value, 4.11 / 0.41) < 1e-15);
+    fit.degrees_of_freedom = 2;
+    fit.chi_squared = 2;
+    CHECK(concerns_of(fit).empty());
+    fit = good();
+    fit.residuals = {0.1, -0.1, 0.1, 3.9, 0.1};  // within 4 errors
+    CHECK(concerns_of(fit).empty());
+    fit.errors_known = false;
+    fit.scatter = 0.05 / 3.91;
+    CHECK(concerns_of(fit).empty());
+    fit.scatter = 0.05 / 3.89;
+    CHECK(words(fit) == Concerns{FitConcern::outlier});
+
+    fit = good();
+    fit.start.rms_height = 29e-6;
+    CHECK(concerns_of(fit).empty());
+    for (const double start : {31e-6, 1e-6 / 31}) {
+        fit.start.rms_height = start;
+        REQUIRE(words(fit) == Concerns{FitConcern::far_from_start});
+        CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
+        CHECK(concerns_of(fit)[0].value == 1e-6 / start);
+    }
+}
+
 TEST_CASE("What the data do not see stands alone, and is fatal") {
     auto fit = good();
     fit.status = FitStatus::singular;
@@ -79,8 +118,10 @@ TEST_CASE("What the data do not see stands alone, and is fatal") {
     CHECK(is_fatal(FitConcern::singular));
     CHECK((is_fatal(FitConcern::not_converged) && is_fatal(FitConcern::at_bound)));
     for (const FitConcern concern :
-         {FitConcern::misfit, FitConcern::no_errors, FitConcern::unresolved, FitConcern::correlated})
-        CHECK(!is_fatal(concern));
+         {FitConcern::misfit, FitConcern::scattered, FitConcern::outlier, FitConcern::far_from_start})
+        CHECK((is_doubtful(concern) && !is_fatal(concern)));
+    for (const FitConcern concern : {FitConcern::no_errors, FitConcern::unresolved, FitConcern::correlated})
+        CHECK((!is_doubtful(concern) && !is_fatal(concern)));
     CHECK(name_of(FitConcern::correlated) == "correlated");
 }
 

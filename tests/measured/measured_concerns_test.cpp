@@ -82,6 +82,39 @@ TEST_CASE("A surface tells each concern beyond its limit") {
     CHECK(concerns_of(surface) == Concerns{curved, anisotropic, few_peaks, radius_uncertain, density_uncertain});
 }
 
+TEST_CASE(
+    "A parameter with an error above half its value is not known, and R and D_p of islands densest at an end are "
+    "nothing") {
+    SurfaceParameters<double> surface;
+    surface.peaks_counted = 30;
+    surface.rms_height = {1e-6, 0.5e-6};
+    surface.r = {0.4, 0.2};
+    CHECK(concerns_of(surface).empty());
+    surface.r->error = 0.2001;
+    CHECK(concerns_of(surface) == Concerns{parameter_unknown});
+    surface.r.reset();
+    surface.peak_radius = {1e-6, 0.501e-6};
+    CHECK(concerns_of(surface) == Concerns{radius_uncertain, parameter_unknown});
+
+    RepresentativeIslands<double> islands;
+    islands.islands = 30;
+    islands.radius = islands.density = 1;
+    islands.curve.level = {3, 2, 1};
+    islands.index = 1;
+    CHECK(concerns_of(islands).empty());
+    for (const std::size_t end : {0u, 2u}) {
+        islands.index = end;
+        CHECK(concerns_of(islands) == Concerns{no_densest_level});
+    }
+    surface.peak_radius = {};
+    surface.islands = islands;
+    CHECK(concerns_of(surface) == Concerns{no_densest_level});
+    islands.index = 1;
+    islands.density_error = 0.51;
+    CHECK(concerns_of(islands) == Concerns{density_uncertain, parameter_unknown});
+    CHECK((is_fatal(no_densest_level) && is_fatal(parameter_unknown) && !is_fatal(radius_uncertain)));
+}
+
 TEST_CASE("A map that is stretched is told to be anisotropic") {
     auto map = self_affine_map<double>({.hurst = 0.6, .rms = 1e-6, .seed = 3}, 256, 256, 1e-6, 1e-6);
     map.dx *= 4;

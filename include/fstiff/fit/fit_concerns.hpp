@@ -7,6 +7,10 @@
 ///     singular        a combination of the parameters leaves the model as it is: those with a share above 0.02 in it
 ///     not_converged   the search ended before the least sum of squares
 ///     misfit          chi^2 > n + 3 sqrt(2 n), n degrees of freedom: three standard deviations of chi^2 above its mean
+///     scattered       points without errors whose scatter about the model is above 0.25: of K relative, of |R| absolute
+///     outlier         a residual above 10 times the median residual, of at least 3 degrees of freedom, which is also above
+///                     4 errors, or 0.05 of K or |R| without errors
+///     far_from_start  a positive parameter that is 30 times its starting value, or a thirtieth: a wrong unit, as a rule
 ///     no_errors       as many parameters as points, and points without errors: no standard errors
 ///     at_bound        D, r or theta within 1e-6 of an end of its range: no value of it fits the data
 ///     unresolved      a positive parameter whose 95 % interval spans a factor of 100 or more
@@ -21,37 +25,92 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/fit/identify.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
 namespace fstiff {
 
-enum class FitConcern { singular, not_converged, misfit, no_errors, at_bound, unresolved, correlated };
+enum class FitConcern {
+    singular,
+    not_converged,
+    misfit,
+    scattered,
+    outlier,
+    far_from_start,
+    no_errors,
+    at_bound,
+    unresolved,
+    correlated
+};
 
 template <>
 inline constexpr auto names<FitConcern> = name_list<FitConcern>({
     {FitConcern::singular, "singular"},
     {FitConcern::not_converged, "not_converged"},
     {FitConcern::misfit, "misfit"},
+    {FitConcern::scattered, "scattered"},
+    {FitConcern::outlier, "outlier"},
+    {FitConcern::far_from_start, "far_from_start"},
     {FitConcern::no_errors, "no_errors"},
     {FitConcern::at_bound, "at_bound"},
     {FitConcern::unresolved, "unresolved"},
     {FitConcern::correlated, "correlated"},
 });
 
-/// Whether the values of the fit are no answer at all; else they stand, and the concern is about their errors.
+/// Whether the values of the fit are no answer at all; else they stand.
 [[nodiscard]] constexpr bool is_fatal(FitConcern concern) {
     return concern == FitConcern::singular || concern == FitConcern::not_converged || concern == FitConcern::at_bound;
+}
+
+/// Whether the model does not describe the data, or only some of them, or with values that nobody expected: the fit is
+/// not to be used before somebody has looked at it. What is neither this nor fatal is about the errors of the values.
+[[nodiscard]] constexpr bool is_doubtful(FitConcern concern) {
+    return concern == FitConcern::misfit || concern == FitConcern::scattered || concern == FitConcern::outlier ||
+           concern == FitConcern::far_from_start;
 }
 
 template <Real T = double>
 struct FitFinding {
     FitConcern concern{};
-    std::vector<Parameter> parameters{};  ///< in the order of the fit; none of not_converged, misfit, no_errors
-    T value{};  ///< of misfit chi^2 over the degrees of freedom, of unresolved high/low, of correlated the correlation
+    std::vector<Parameter> parameters{};  ///< in the order of the fit; none of not_converged to outlier, no_errors
+    /// Of misfit chi^2 over the degrees of freedom, of scattered the scatter, of outlier the residual over the median, of
+    /// far_from_start value/start, of unresolved high/low, of correlated the correlation.
+    T value{};
+    std::size_t point{};  ///< of outlier: the observation
 };
+
+namespace detail {
+
+/// The largest residual where it stands out from the others.
+template <Real T>
+void add_outlier(const Identification<T>& fit, std::vector<FitFinding<T>>& findings) {
+    if (fit.degrees_of_freedom < 3 || fit.residuals.empty()) return;
+    std::vector<T> sizes;
+    for (const T residual : fit.residuals) sizes.push_back(std::abs(residual));
+    const auto largest = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    const T size = sizes[largest];
+    std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
+    const T median = sizes[sizes.size() / 2];
+    const bool stands_out = fit.errors_known ? size > T(4) : size * fit.scatter > T(0.05);
+    if (stands_out && size > 10 * median)
+        findings.push_back({.concern = FitConcern::outlier, .value = size / median, .point = largest});
+}
+
+template <Real T>
+void add_far_from_start(const Identification<T>& fit, std::vector<FitFinding<T>>& findings) {
+    for (const auto& one : fit.parameters) {
+        const T start = fit.start[one.parameter];
+        if (row_of(one.parameter).variation == Variation::log && start > T(0) &&
+            !(one.value < 30 * start && start < 30 * one.value))
+            findings.push_back(
+                {.concern = FitConcern::far_from_start, .parameters = {one.parameter}, .value = one.value / start});
+    }
+}
+
+}  // namespace detail
 
 /// In the order of FitConcern, but at_bound and unresolved as the parameters come; singular stands alone.
 template <Real T>
@@ -67,13 +126,18 @@ template <Real T>
     const auto freedom = static_cast<T>(fit.degrees_of_freedom);
     if (fit.errors_known && freedom > 0 && fit.chi_squared > freedom + 3 * std::sqrt(2 * freedom))
         findings.push_back({.concern = FitConcern::misfit, .value = fit.chi_squared / freedom});
+    if (!fit.errors_known && fit.scatter > T(0.25))
+        findings.push_back({.concern = FitConcern::scattered, .value = fit.scatter});
+    detail::add_outlier(fit, findings);
+    detail::add_far_from_start(fit, findings);
     const bool has_errors = fit.covariance.size() > 0;
     if (!has_errors && fit.status != FitStatus::at_bound) findings.push_back({.concern = FitConcern::no_errors});
     for (const auto& one : fit.parameters) {
         if (one.at_bound)
-            findings.push_back({FitConcern::at_bound, {one.parameter}, T(0)});
+            findings.push_back({.concern = FitConcern::at_bound, .parameters = {one.parameter}});
         else if (row_of(one.parameter).variation == Variation::log && has_errors && !(one.high < 100 * one.low))
-            findings.push_back({FitConcern::unresolved, {one.parameter}, one.high / one.low});
+            findings.push_back(
+                {.concern = FitConcern::unresolved, .parameters = {one.parameter}, .value = one.high / one.low});
     }
     for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k)
@@ -81,7 +145,9 @@ template <Real T>
                 const auto which = [&](Eigen::Index index) {
                     return fit.parameters[static_cast<std::size_t>(index)].parameter;
                 };
-                findings.push_back({FitConcern::correlated, {which(k), which(i)}, fit.correlation(i, k)});
+                findings.push_back({.concern = FitConcern::correlated,
+                                    .parameters = {which(k), which(i)},
+                                    .value = fit.correlation(i, k)});
             }
     return findings;
 }

@@ -60,6 +60,7 @@ template <Real T = double>
 struct Identification {
     FitStatus status{};
     std::vector<IdentifiedParameter<T>> parameters;                ///< in the order asked for
+    ContactParameters<T> start{};                                  ///< where the search began
     ContactParameters<T> all{};                                    ///< fitted and fixed
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> covariance;   ///< of the values; empty when singular or at_bound
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation;  ///< empty when singular or at_bound
@@ -68,6 +69,7 @@ struct Identification {
     T chi_squared{};
     int degrees_of_freedom = 0;
     bool errors_known = false;  ///< else scaled so that chi^2 = degrees_of_freedom
+    T scatter{};  ///< of points without errors, rms over the degrees of freedom: of K relative, of |R| absolute
     int evaluations = 0;
 };
 
@@ -162,6 +164,7 @@ private:
         out_.chi_squared = fit_.sum_of_squares;
         if (out_.errors_known || out_.degrees_of_freedom <= 0) return;
         scale_ = std::sqrt(fit_.sum_of_squares / static_cast<T>(out_.degrees_of_freedom));
+        out_.scatter = scale_;
         if (scale_ > 0)
             for (T& residual : out_.residuals) residual /= scale_;
         out_.chi_squared = scale_ > 0 ? static_cast<T>(out_.degrees_of_freedom) : T(0);
@@ -249,6 +252,7 @@ template <Real T, class MakeLaw>
     Identification<T> out;
     out.errors_known = known;
     out.evaluations = fit.evaluations;
+    out.start = start;
     out.all = model.parameters_at(fit.parameters);
     typename detail::FitSummary<T>::Vector residuals(points);
     typename detail::FitSummary<T>::Matrix jacobian(points, static_cast<Eigen::Index>(wanted.size()));

@@ -13,6 +13,10 @@
 ///     anisotropic          a map differs along x and y: the models take it for isotropic
 ///     few_peaks            R and D_p come from fewer than 30 peaks: their errors are rough
 ///     radius_uncertain, density_uncertain     the error of R, of D_p is above 30 %
+///     no_densest_level     the islands of a map are densest at the lowest or the highest level: this is no maximum, and
+///                          the pair R, D_p represents nothing
+///     parameter_unknown    of sigma, R, D_p, D, r or theta the standard error is above half the value: not known to a
+///                          factor of two
 ///
 /// Reference   profile/fractal_fit.hpp, profile/power_spectrum.hpp, measured/surface_parameters.hpp; the limits are
 ///             this project's.
@@ -33,7 +37,9 @@ enum class MeasuredConcern {
     anisotropic,
     few_peaks,
     radius_uncertain,
-    density_uncertain
+    density_uncertain,
+    no_densest_level,
+    parameter_unknown
 };
 
 template <>
@@ -47,6 +53,8 @@ inline constexpr auto names<MeasuredConcern> = name_list<MeasuredConcern>({
     {MeasuredConcern::few_peaks, "few_peaks"},
     {MeasuredConcern::radius_uncertain, "radius_uncertain"},
     {MeasuredConcern::density_uncertain, "density_uncertain"},
+    {MeasuredConcern::no_densest_level, "no_densest_level"},
+    {MeasuredConcern::parameter_unknown, "parameter_unknown"},
 });
 
 /// Of curved, saturated and roughness_uncertain.
@@ -75,17 +83,60 @@ template <Real T>
     return found;
 }
 
-/// Of curved, anisotropic, few_peaks, radius_uncertain and density_uncertain.
+/// Whether \p one is known to a factor of two: its standard error is at most half its value.
+template <Real T>
+[[nodiscard]] constexpr bool is_known(const Measurement<T>& one) {
+    return one.error <= one.value / 2;
+}
+
+namespace detail {
+
+template <Real T>
+void add_peak_concerns(std::vector<MeasuredConcern>& found, std::size_t peaks, const Measurement<T>& radius,
+                       const Measurement<T>& density) {
+    const auto uncertain = [](const Measurement<T>& one) { return one.error > T(0.3) * one.value; };
+    if (peaks < 30) found.push_back(MeasuredConcern::few_peaks);
+    if (uncertain(radius)) found.push_back(MeasuredConcern::radius_uncertain);
+    if (uncertain(density)) found.push_back(MeasuredConcern::density_uncertain);
+}
+
+}  // namespace detail
+
+/// Whether the islands are densest at the first or the last level of the curve.
+template <Real T>
+[[nodiscard]] bool is_densest_at_end(const RepresentativeIslands<T>& islands) {
+    return islands.index == 0 || islands.index + 1 == islands.curve.size();
+}
+
+/// Of few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
+template <Real T>
+[[nodiscard]] std::vector<MeasuredConcern> concerns_of(const RepresentativeIslands<T>& islands) {
+    std::vector<MeasuredConcern> found;
+    const Measurement<T> radius{islands.radius, islands.radius_error}, density{islands.density, islands.density_error};
+    detail::add_peak_concerns(found, islands.islands, radius, density);
+    if (is_densest_at_end(islands)) found.push_back(MeasuredConcern::no_densest_level);
+    if (!is_known(radius) || !is_known(density)) found.push_back(MeasuredConcern::parameter_unknown);
+    return found;
+}
+
+/// Of curved, anisotropic, few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface) {
     std::vector<MeasuredConcern> found;
     if (surface.curved) found.push_back(MeasuredConcern::curved);
     if (surface.anisotropic) found.push_back(MeasuredConcern::anisotropic);
-    if (surface.peaks_counted < 30) found.push_back(MeasuredConcern::few_peaks);
-    const auto uncertain = [](const Measurement<T>& one) { return one.error > T(0.3) * one.value; };
-    if (uncertain(surface.peak_radius)) found.push_back(MeasuredConcern::radius_uncertain);
-    if (uncertain(surface.peak_density)) found.push_back(MeasuredConcern::density_uncertain);
+    detail::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);
+    if (surface.islands && is_densest_at_end(*surface.islands)) found.push_back(MeasuredConcern::no_densest_level);
+    const auto known = [](const std::optional<Measurement<T>>& one) { return !one || is_known(*one); };
+    if (!is_known(surface.rms_height) || !is_known(surface.peak_radius) || !is_known(surface.peak_density) ||
+        !known(surface.fractal_dimension) || !known(surface.r) || !known(surface.theta))
+        found.push_back(MeasuredConcern::parameter_unknown);
     return found;
+}
+
+/// Whether what is computed of the surface is in doubt: no_densest_level and parameter_unknown.
+[[nodiscard]] constexpr bool is_fatal(MeasuredConcern concern) {
+    return concern == MeasuredConcern::no_densest_level || concern == MeasuredConcern::parameter_unknown;
 }
 
 }  // namespace fstiff

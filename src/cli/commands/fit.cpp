@@ -4,6 +4,7 @@
 #include "document/document.hpp"
 #include "input/progress.hpp"
 #include "input/surface_options.hpp"
+#include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -109,8 +110,8 @@ std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit) {
                    rounded(fit.max_slope, 3) + " over the window: this is no single power law, and D is a mean over it";
         case MeasuredConcern::saturated:
             return "S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
-                   rounded(fit.flattest_lag * 1e6, 3) +
-                   " µm, shorter than the window: the roughness has saturated there, and D is that of the waviness; "
+                   shown_length(fit.flattest_lag, 3) +
+                   ", shorter than the window: the roughness has saturated there, and D is that of the waviness; "
                    "--window looks elsewhere";
         case MeasuredConcern::roughness_uncertain:
             return "G is known to no better than a factor of 10: D is close to 1, where G hardly matters";
@@ -296,15 +297,21 @@ Json json(const Options& options, const SurfaceInput& input, const MapResult& re
     return document;
 }
 
+/// G with its error; two digits where it is not known to a factor of two.
+std::string roughness_text(const FractalFit<double>& fit) {
+    const Measurement<double> g{fit.fractal.roughness, fit.roughness_error};
+    return "G = " + rounded(g.value, is_known(g) ? 5 : 2) + " m +- " + rounded(g.error, 2) + " m";
+}
+
 std::string window_line(const FractalFit<double>& fit) {
-    return rounded(fit.window.from * 1e6) + " to " + rounded(fit.window.to * 1e6) + " µm (" +
+    return shown_length(fit.window.from) + " to " + shown_length(fit.window.to) + " (" +
            (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) +
            " lags; local slope of S " + rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) + ")";
 }
 
 std::string window_reason(const FractalFit<double>& fit) {
     return "begins " + std::string(describe(fit.begins)) + ", ends " + std::string(describe(fit.ends)) +
-           (fit.reliable_from > 0 ? "; lags below " + rounded(fit.reliable_from * 1e6) + " µm are left out" : "");
+           (fit.reliable_from > 0 ? "; lags below " + shown_length(fit.reliable_from) + " are left out" : "");
 }
 
 std::string errors_line(const Options& options, const FractalFit<double>& fit) {
@@ -319,23 +326,22 @@ std::string table(const Options& options, const SurfaceInput& input, const Profi
     const FractalFit<double>& fit = result.fit;
     std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of " + display_name(options.surface.file) + "\n" +
                        source_lines(input, "  file     ");
-    text += "  profile  spacing " + rounded(result.levelled.profile.spacing * 1e6) + " µm, length " +
-            rounded(result.levelled.profile.length() * 1e6) + " µm\n";
-    text += "  Rq       " + rounded(result.levelled.rms_as_read * 1e6) + " µm as read, " +
-            rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form +
-            (result.levelled.cutoff ? ", cut-off " + rounded(*result.levelled.cutoff * 1e6) + " µm" : "") + ")\n";
+    text += "  profile  spacing " + shown_length(result.levelled.profile.spacing) + ", length " +
+            shown_length(result.levelled.profile.length()) + "\n";
+    text += "  Rq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
+            shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form +
+            (result.levelled.cutoff ? ", cut-off " + shown_length(*result.levelled.cutoff) : "") + ")\n";
     text += "  window   " + window_line(fit) + "\n           " + window_reason(fit) + "\n\n";
     text += "  D = " + rounded(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
             "   (regression alone, too small: " + rounded(fit.regression_dimension_error, 2) + ")\n";
-    text += "  G = " + rounded(fit.fractal.roughness) + " m +- " + rounded(fit.roughness_error, 2) +
-            " m   (convention " + std::string(name_of(options.convention)) + "; ln G +- " +
+    text += "  " + roughness_text(fit) + "   (convention " + std::string(name_of(options.convention)) + "; ln G +- " +
             rounded(fit.log_roughness_error, 2) + ")\n";
     text += "  " + errors_line(options, fit) + "\n";
     text +=
         "  D by ordinary least squares " + rounded(fit.line_dimension) + "; by the power spectrum " +
         (result.spectrum ? rounded(result.spectrum->dimension) + " +- " + rounded(result.spectrum->dimension_error, 2) +
-                               " (wavelengths " + rounded(result.spectrum->window.from * 1e6, 4) + " to " +
-                               rounded(result.spectrum->window.to * 1e6, 4) + " µm)"
+                               " (wavelengths " + shown_length(result.spectrum->window.from, 4) + " to " +
+                               shown_length(result.spectrum->window.to, 4) + ")"
                          : "none: " + result.no_spectrum) +
         "\n";
     if (const auto& m = result.moments)
@@ -365,9 +371,9 @@ std::string table(const Options& options, const SurfaceInput& input, const MapRe
     std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of the map " + display_name(options.surface.file) +
                        "\n" + source_lines(input, "  file     ");
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
-            rounded(map.dx * 1e6) + " µm, dy " + rounded(map.dy * 1e6) + " µm\n";
-    text += "  Sq       " + rounded(result.levelled.rms_as_read * 1e6) + " µm as read, " +
-            rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form + ")\n";
+            shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";
+    text += "  Sq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
+            shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form + ")\n";
     text += "  moments  m2 " + rounded(a.m2) + " (x " + rounded(a.m2_x) + ", y " + rounded(a.m2_y) + "), m4 " +
             rounded(a.m4 * 1e-12) + " /µm², Nayak's alpha " + rounded(a.nayak) + "\n";
     text += "  summits  " + std::to_string(a.summits) + ", density " + rounded(a.summit_density * 1e-6) +
@@ -377,9 +383,8 @@ std::string table(const Options& options, const SurfaceInput& input, const MapRe
         const std::string indent(11, ' ');
         return std::string("  along ") + name + "  D = " + rounded(fit->fractal.dimension) + " +- " +
                rounded(fit->dimension_error, 2) + " (ordinary least squares " + rounded(fit->line_dimension) + " +- " +
-               rounded(fit->regression_dimension_error, 2) + ", too small)\n" + indent +
-               "G = " + rounded(fit->fractal.roughness) + " m +- " + rounded(fit->roughness_error, 2) +
-               " m   (convention " + std::string(name_of(options.convention)) + ")\n" + indent + "window " +
+               rounded(fit->regression_dimension_error, 2) + ", too small)\n" + indent + roughness_text(*fit) +
+               "   (convention " + std::string(name_of(options.convention)) + ")\n" + indent + "window " +
                window_line(*fit) + "\n" + indent + window_reason(*fit) + "\n";
     };
     text += direction("x", result.fit.x) + direction("y", result.fit.y);

@@ -239,6 +239,8 @@ Json fit_json(const MeasuredCurve& curve, const Fit& fit) {
                {"degrees_of_freedom", found.degrees_of_freedom},
                {"errors_known", found.errors_known},
                {"evaluations", found.evaluations}};
+    Json& concerns = entry["concerns"] = Json::array();
+    for (const auto& finding : concerns_of(found)) concerns.push_back(name_of(finding.concern));
     Json& parameters = entry["parameters"] = Json::array();
     for (const auto& p : found.parameters) parameters.push_back(parameter_json(fit, p));
     if (found.covariance.size() > 0) {
@@ -419,7 +421,8 @@ Command add_identify(CLI::App& app) {
         "The measured file begins with its columns and their units: pressure [MPa], stiffness [GPa/um], "
         "stiffness_error [GPa/um].\n"
         "Every law and peak density of the scene is fitted by itself, but for greenwood_williamson. Exit code 4: the "
-        "data cannot\ntell the parameters apart, or no convergence.\n"
+        "data cannot\ntell the parameters apart, no convergence, no law that describes the points, an outlier, or a "
+        "parameter 30 times\nits starting value.\n"
         "Example:\n"
         "  printf 'pressure [MPa],stiffness [GPa/um],error [GPa/um]\\n1,0.0039,0.0002\\n3,0.0105,0.0005\\n"
         "10,0.029,0.0015\\n30,0.085,0.004\\n' |\n  fstiff identify --measured - --law hertz --fit sigma,Dp");

@@ -4,12 +4,14 @@
 #include "document/document.hpp"
 #include "input/progress.hpp"
 #include "input/surface_options.hpp"
+#include "scene/measured_surface.hpp"
+#include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/topography/island_spread.hpp>
 
-#include <cmath>
+#include <algorithm>
 #include <memory>
 
 namespace fstiff::cli {
@@ -47,19 +49,11 @@ Result sweep(const Options& options, const SurfaceInput& input) {
 }
 
 std::vector<std::string> warnings(const SurfaceInput& input, const Result& result) {
-    constexpr double large = 0.2;    // of R: the stiffness goes with a root of it, 10 %
-    constexpr std::size_t few = 30;  // islands, whose number scatters by a fifth
     const RepresentativeIslands<double>& r = result.islands;
-    std::vector<std::string> all;
-    if (r.index == 0 || r.index + 1 == r.curve.size())
-        all.push_back("the greatest density stands at the " + std::string(r.index == 0 ? "highest" : "lowest") +
-                      " level: it is no maximum, and the pair represents nothing");
-    if (r.radius_error > large * r.radius)
-        all.push_back("R is known to no better than " + std::to_string(std::lround(100 * r.radius_error / r.radius)) +
-                      " %: the map holds too few islands, or is not the same everywhere");
-    if (r.islands < few)
-        all.push_back("there are " + std::to_string(r.islands) +
-                      " islands at the greatest density; a larger map would know R and D_p better");
+    UncertainSurface<double> pair;
+    pair.set(Parameter::peak_radius, {r.radius, r.radius_error});
+    pair.set(Parameter::peak_density, {r.density, r.density_error});
+    std::vector<std::string> all = peak_warnings(concerns_of(r), r.islands, pair);
     for (std::string& line : reading_warnings(input, "they are part of no island and of no area"))
         all.push_back(std::move(line));
     return all;
@@ -129,18 +123,20 @@ std::string table(const Options& options, const SurfaceInput& input, const Resul
     std::string text = "fstiff " FSTIFF_VERSION ": islands of " + display_name(options.surface.file) + "\n" +
                        source_lines(input, "  file     ");
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
-            rounded(map.dx * 1e6) + " µm, dy " + rounded(map.dy * 1e6) + " µm\n";
-    text += "  Sq       " + rounded(result.levelled.rms_as_read * 1e6) + " µm as read, " +
-            rounded(result.levelled.rms * 1e6) + " µm after removal of the form (" + result.levelled.form + ")\n";
+            shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";
+    text += "  Sq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
+            shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form + ")\n";
     text += "  islands  of " + std::to_string(options.neighbours) + " neighbours, of " +
             std::to_string(options.min_points) + " points at least, at the border " +
             (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +
             std::string(name_of(options.height)) + "; " + std::to_string(r.curve.size()) + " levels\n\n";
-    const auto error = [&](double value, const std::string& unit) {
-        return r.tiles > 0 ? " +- " + rounded(value, 2) + unit : unit;
+    const auto with_error = [&](const ShownUnit& unit, double value, double error) {
+        const int digits = is_known<double>({value, error}) && !is_densest_at_end(r) ? 5 : 2;
+        return rounded(value * unit.factor, digits) + (r.tiles > 0 ? " +- " + rounded(error * unit.factor, 2) : "") +
+               " " + std::string(unit.name);
     };
-    text += "  D_p = " + rounded(r.density * 1e-6) + error(r.density_error * 1e-6, " /mm²") +
-            ", R = " + rounded(r.radius * 1e6) + error(r.radius_error * 1e6, " µm") +
+    text += "  D_p = " + with_error(unit_of_density(r.density), r.density, r.density_error) +
+            ", R = " + with_error(unit_of_length(r.radius), r.radius, r.radius_error) +
             " at the greatest density: bearing area " + rounded(r.bearing_area, 4) + ", " + std::to_string(r.islands) +
             " islands\n";
     text += r.tiles > 0 ? "  errors by " + std::to_string(options.spread.resamples) + " draws of " +
@@ -160,12 +156,16 @@ Report execute(const Options& options) {
     const SurfaceInput input = read_surface_input(options.surface);
     const Result result = sweep(options, input);
     const RepresentativeIslands<double>& r = result.islands;
+    const std::vector<MeasuredConcern> concerns = concerns_of(r);
+    const bool doubtful =
+        std::any_of(concerns.begin(), concerns.end(), [](MeasuredConcern one) { return is_fatal(one); });
     return report({.table = [&] { return table(options, input, result); },
                    .csv = [&] { return rows_of(result).csv(); },
                    .json = [&] { return json(options, input, result); },
                    .warnings = warnings(input, result),
                    .csv_notes = {"D_p = " + shortest(r.density) + " 1/m^2 +- " + rounded(r.density_error, 2) +
-                                 " 1/m^2, R = " + shortest(r.radius) + " m +- " + rounded(r.radius_error, 2) + " m"}},
+                                 " 1/m^2, R = " + shortest(r.radius) + " m +- " + rounded(r.radius_error, 2) + " m"},
+                   .status = doubtful ? doubtful_result : success},
                   options.output.format);
 }
 
@@ -200,7 +200,9 @@ Command add_islands(CLI::App& app) {
         "which\n"
         "islands are densest.\n"
         "Example:\n"
-        "  fstiff generate map --points 256 --spacing \"1 um\" --hurst 0.8 --rms \"1 um\" --shortest \"8 um\" |\n"
+        "  fstiff generate map --points 512 --spacing \"0.5 um\" --hurst 0.8 --rms \"1 um\" --shortest \"8 um\" "
+        "--longest "
+        "\"32 um\" |\n"
         "      fstiff islands -");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }

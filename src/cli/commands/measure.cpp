@@ -6,6 +6,7 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "scene/measured_surface.hpp"
+#include "scene/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 
@@ -20,20 +21,28 @@ struct Options {
 };
 
 Rows rows_of(const MeasuredSurface& surface) {
-    std::vector<std::string> names, units, ways;
+    std::vector<std::string> names, units, ways, shown, shown_errors, shown_units;
     std::vector<double> values, errors;
     for (const ParameterLine& line : parameter_lines(surface)) {
+        const auto [value, error] = line.measured;
+        const ShownUnit unit = shown_unit(value, line.unit);
         names.push_back(line.name);
-        values.push_back(line.measured.value);
-        errors.push_back(line.measured.error);
+        values.push_back(value);
+        errors.push_back(error);
         units.push_back(line.unit);
+        shown.push_back(rounded(value * unit.factor, line.known ? 5 : 2));
+        shown_errors.push_back(rounded(error * unit.factor, 2));
+        shown_units.emplace_back(unit.name);
         ways.push_back(line.how);
     }
     Rows rows;
     rows.add({"parameter", "parameter"}, names);
-    rows.add({"value", "value"}, values);
-    rows.add({"error", "+-", 1, 2}, errors);
-    rows.add({"unit", "unit"}, units);
+    rows.add({"value"}, values);
+    rows.add({"error"}, errors);
+    rows.add({"unit"}, units);
+    rows.add({"", "value"}, shown);
+    rows.add({"", "+-"}, shown_errors);
+    rows.add({"", "unit"}, shown_units);
     rows.add({"", "found by"}, ways);
     return rows;
 }
@@ -62,7 +71,8 @@ Report execute(const Options& options) {
     return report({.table = [&] { return table(surface); },
                    .csv = [&] { return rows_of(surface).csv(); },
                    .json = [&] { return json(options.measure, surface); },
-                   .warnings = surface.warnings},
+                   .warnings = surface.warnings,
+                   .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
                   options.output.format);
 }
 
@@ -92,7 +102,8 @@ Command add_measure(CLI::App& app) {
     command.option("--seed", measure.seed, "seed of the random numbers of the resamples; the default is 2014");
     add_output_options(command, options->output, Format::json);
     command.footer(
-        "The JSON is what run --surface and a scene's [surface] from = \"...\" read. The example makes a random walk.\n"
+        "The JSON is what run --surface and a scene's [surface] from = \"...\" read. Exit code 4: a parameter is not "
+        "known\nto a factor of two, or the islands of a map are densest at no level. The example makes a random walk.\n"
         "Example:\n"
         "  awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) print z += rand() - 0.5 }' |\n"
         "      fstiff measure - --spacing \"0.5 um\" --units um | fstiff run --surface -");

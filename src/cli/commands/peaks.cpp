@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "input/surface_options.hpp"
+#include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -141,8 +142,8 @@ std::string table(const Options& options, const Source& source, const std::vecto
     std::string text = "fstiff " FSTIFF_VERSION ": peak density (4.4) from " + source.from;
     if (source.input) {
         text += " " + display_name(options.surface.file) + "\n" + source_lines(*source.input, "  file              ");
-        text += "  form removed      " + source.levelled->form + "; Rq " + rounded(source.levelled->rms_as_read * 1e6) +
-                " µm before, " + rounded(source.levelled->rms * 1e6) + " µm after";
+        text += "  form removed      " + source.levelled->form + "; Rq " + shown_length(source.levelled->rms_as_read) +
+                " before, " + shown_length(source.levelled->rms) + " after";
     }
     text += "\n  r, theta          " + rounded(p.r(), 6) + ", " + rounded(p.theta(), 6) + " rad\n";
     text += "  peaks/ordinates   " + rounded(p.peak_ratio(), 6) + " (4.3)";
@@ -154,7 +155,7 @@ std::string table(const Options& options, const Source& source, const std::vecto
     for (int n = 1; n <= 4; ++n) text += (n > 1 ? ", " : "") + rounded(p.curvature_moment(n), 6);
     text += " (in rms curvatures)\n";
     if (const auto& s = source.statistics) {
-        text += "  ordinates         rms height " + rounded(s->rms_height * 1e6) + " µm, rms slope " +
+        text += "  ordinates         rms height " + shown_length(s->rms_height) + ", rms slope " +
                 rounded(s->rms_slope) + ", rms curvature " + rounded(s->rms_curvature * 1e-6) + " /µm, rho1 " +
                 rounded(s->rho1, 6) + ", rho2 " + rounded(s->rho2, 6) + "\n";
     }

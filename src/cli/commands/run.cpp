@@ -6,13 +6,16 @@
 #include "input/scene_options.hpp"
 #include "picture/panels.hpp"
 #include "scene/results.hpp"
+#include "scene/shown_unit.hpp"
+#include "scene/validated_ratio.hpp"
 
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace fstiff::cli {
@@ -25,30 +28,53 @@ struct Options {
     OutputOptions output;
     SceneOptions scene;
     std::string picture;  ///< file; empty: none
+    bool full = false;    ///< every point and quantity in the table
     bool example = false;
 };
 
-/// How people read the columns of a curve; a column that is not here stands in CSV and JSON alone.
-const std::vector<Heading> headings{{"pressure_Pa", "p [MPa]", 1e-6},
-                                    {"eta", "eta"},
-                                    {"separation_m", "separation [µm]", 1e6},
-                                    {"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15},
-                                    {"stiffness_error_Pa_per_m", "error [Pa/m]", 1, 2},
-                                    {"stiffness_p05_Pa_per_m", "5 % [GPa/µm]", 1e-15},
-                                    {"stiffness_p95_Pa_per_m", "95 % [GPa/µm]", 1e-15},
-                                    {"tangential_stiffness_Pa_per_m", "Kt/A0 [GPa/µm]", 1e-15},
-                                    {"reflection", "|R|"},
-                                    {"reflection_p05", "5 %"},
-                                    {"reflection_p95", "95 %"},
-                                    {"shear_reflection", "shear |R|"},
-                                    {"shear_reflection_p05", "5 %"},
-                                    {"shear_reflection_p95", "95 %"},
-                                    {"real_area_fraction", "real area"},
-                                    {"contacts_per_m2", "contacts [1/mm²]", 1e-6}};
+/// The units of the columns, by the sizes of the scene.
+struct Units {
+    ShownUnit pressure, height, density;
+};
 
-Heading heading_of(const std::string& key) {
-    const auto found = std::find_if(headings.begin(), headings.end(), [&](const auto& one) { return one.key == key; });
-    return found == headings.end() ? Heading{key} : *found;
+Units units_of(const Scene& scene, const Results& results) {
+    double least = 0, most = 0;
+    for (const Curve& curve : results.curves)
+        for (const auto& state : curve.states) {
+            const double p = state.pressure.value;
+            most = std::max(most, p);
+            if (p > 0) least = least > 0 ? std::min(least, p) : p;
+        }
+    return {unit_of_pressure(std::sqrt(least * most)), unit_of_length(scene.surface.rms_height),
+            unit_of_density(scene.surface.peak_density)};
+}
+
+/// How people read the column \p key of a curve; one that is not here stands in CSV and JSON alone.
+Heading heading_of(const std::string& key, const Units& units) {
+    const auto in = [&](const char* name, const ShownUnit& unit, int digits = 5) {
+        return Heading{key, name + (" [" + std::string(unit.name) + "]"), unit.factor, digits};
+    };
+    if (key == "pressure_Pa") return in("p", units.pressure);
+    if (key == "separation_m") return in("separation", units.height);
+    if (key == "stiffness_Pa_per_m") return in("K/A0", unit_of_stiffness);
+    if (key == "stiffness_error_Pa_per_m") return in("numerical error", {"Pa/m", 1}, 2);
+    if (key == "stiffness_p05_Pa_per_m") return in("5 %", unit_of_stiffness);
+    if (key == "stiffness_p95_Pa_per_m") return in("95 %", unit_of_stiffness);
+    if (key == "tangential_stiffness_Pa_per_m") return in("Kt/A0", unit_of_stiffness);
+    if (key == "contacts_per_m2") {
+        const ShownUnit& unit = units.density;
+        return {key, "contacts [1" + std::string(unit.name) + "]", unit.factor};
+    }
+    static const std::vector<Heading> plain{{"eta", "eta"},
+                                            {"reflection", "|R|"},
+                                            {"reflection_p05", "5 %"},
+                                            {"reflection_p95", "95 %"},
+                                            {"shear_reflection", "shear |R|"},
+                                            {"shear_reflection_p05", "5 %"},
+                                            {"shear_reflection_p95", "95 %"},
+                                            {"real_area_fraction", "real area"}};
+    const auto found = std::find_if(plain.begin(), plain.end(), [&](const auto& one) { return one.key == key; });
+    return found == plain.end() ? Heading{key} : *found;
 }
 
 /// p over the real area; absent without contact.
@@ -61,7 +87,7 @@ std::vector<Cell> mean_pressures(const Curve& curve) {
     return cells;
 }
 
-Rows rows_of(const Results& results, const Curve& curve) {
+Rows rows_of(const Results& results, const Curve& curve, const Units& units = {}) {
     Rows rows;
     const std::size_t size = curve.states.size();
     const auto put = [&](Heading heading, const std::vector<double>& values) {
@@ -74,7 +100,7 @@ Rows rows_of(const Results& results, const Curve& curve) {
     rows.repeat({"theta"}, curve.theta, size);
     rows.repeat({"r"}, curve.r, size);
     for (const scene::Column& column : curve.columns) {
-        put(heading_of(column.key), column.values);
+        put(heading_of(column.key, units), column.values);
         if (column.key == "pressure_Pa" && curve.rms_gradient) {
             std::vector<double> relative;
             for (const double p : column.values)
@@ -138,55 +164,91 @@ Json json(const Scene& scene, const Results& results) {
     return document;
 }
 
+constexpr std::size_t widest = 100;  ///< columns of the summary
+
+/// Parts with commas between them, in lines of at most \p widest that begin with \p first and go on below it.
+std::string in_lines(const std::string& first, const std::vector<std::string>& parts) {
+    std::string text = "  " + first + std::string(10 - first.size(), ' ');
+    std::size_t used = text.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t size = shown_width(parts[i]) + 2;
+        if (i > 0 && used + size > widest) {
+            text.back() = '\n';
+            text += std::string(12, ' ');
+            used = 12;
+        }
+        text += parts[i] + (i + 1 < parts.size() ? ", " : "\n");
+        used += size;
+    }
+    return text;
+}
+
 /// What was computed of what: the lines above the curves.
 std::string introduction(const Scene& scene, const Results& results) {
     const auto& s = scene.surface;
+    const std::vector<Parameter> unknown = unknown_parameters(scene);
+    const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
+    const auto pressure = [](double x) { return unit_of_pressure(x)(x); };
+    std::vector<std::string> parts{
+        "sigma " + shown_length(s.rms_height, digits(Parameter::rms_height)),
+        "R " + shown_length(s.peak_radius, digits(Parameter::peak_radius)),
+        "D_p " + unit_of_density(s.peak_density)(s.peak_density, digits(Parameter::peak_density))};
+    if (s.max_peak_height > 0) parts.push_back("R_p " + shown_length(s.max_peak_height));
+    if (scene.fractal_dimension)
+        parts.push_back("D " + rounded(*scene.fractal_dimension, digits(Parameter::fractal_dimension)));
+    if (scene.fractal_roughness) {
+        const auto& measured = scene.measured ? scene.measured->fractal_roughness : std::nullopt;
+        parts.push_back("G " + shown_length(*scene.fractal_roughness, measured && !is_known(*measured) ? 2 : 5));
+    }
+    if (scene.r) {
+        parts.push_back("r " + rounded(*scene.r, digits(Parameter::r)));
+        parts.push_back("theta " + rounded(*scene.theta, digits(Parameter::theta)));
+    }
     std::string text = "fstiff " FSTIFF_VERSION ": " + scene.name + " (" + scene.file + ")\n";
-    text += "  surface   sigma " + rounded(s.rms_height * 1e6) + " µm, R " + rounded(s.peak_radius * 1e6) +
-            " µm, D_p " + rounded(s.peak_density * 1e-6) + " /mm²";
-    if (s.max_peak_height > 0) text += ", R_p " + rounded(s.max_peak_height * 1e6) + " µm";
-    if (scene.fractal_dimension) text += ", D " + rounded(*scene.fractal_dimension);
-    if (scene.fractal_roughness) text += ", G " + rounded(*scene.fractal_roughness) + " m";
-    const auto material = [](const Material<double>& m) {
-        return rounded(m.youngs_modulus / 1e9) + " GPa, nu " + rounded(m.poisson_ratio);
-    };
-    if (scene.r) text += ", r " + rounded(*scene.r) + ", theta " + rounded(*scene.theta);
+    text += in_lines("surface", parts);
     if (scene.measured) {
-        text += "\n  measured  " + scene.measured->file + " (" + scene.measured->kind + "), errors of";
+        parts.clear();
         const auto& u = scene.uncertain;
         for (std::size_t i = 0; i < surface_parameter_count; ++i)
             if (u.known[i])
-                text += (i ? ", " : " ") + std::string(parameter_table[i].symbol) + " " +
-                        rounded(100 * u.error[i] / u.value[i], 2) + " %";
+                parts.push_back(std::string(parameter_table[i].symbol) + " " +
+                                rounded(100 * u.error[i] / u.value[i], 2) + " %");
+        parts.front() = scene.measured->file + " (" + scene.measured->kind + "), errors of " + parts.front();
+        text += in_lines("measured", parts);
     }
-    text += "\n  material  upper " + material(scene.upper) + "; lower " + material(scene.lower) +
-            "; effective modulus " + rounded(results.modulus / 1e9) + " GPa";
-    if (scene.yield_strength) text += "; yield strength " + rounded(*scene.yield_strength / 1e6) + " MPa";
-    text += "\n  contact   ";
-    if (scene.nominal_area) text += "nominal area " + rounded(*scene.nominal_area * 1e6) + " mm², ";
+    const auto material = [&](const Material<double>& m) {
+        return pressure(m.youngs_modulus) + ", nu " + rounded(m.poisson_ratio);
+    };
+    parts = {"upper " + material(scene.upper) + "; lower " + material(scene.lower),
+             "effective modulus " + pressure(results.modulus)};
+    if (scene.yield_strength) parts.push_back("yield strength " + pressure(*scene.yield_strength));
+    text += in_lines("material", parts);
+    parts.clear();
+    if (scene.nominal_area) parts.push_back("nominal area " + rounded(*scene.nominal_area * 1e6) + " mm²");
     const auto how = interaction(scene);
-    text += how.reading == InteractionReading::none
-                ? "no interaction"
-                : std::string("interaction ") +
-                      (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
-                      " over " + rounded(how.length * 1e3) + " mm";
-    if (results.plasticity_index) text += ", plasticity index " + rounded(*results.plasticity_index, 3);
+    parts.push_back(
+        how.reading == InteractionReading::none
+            ? "no interaction"
+            : std::string("interaction ") +
+                  (how.reading == InteractionReading::as_printed ? "as printed" : "by effective separation") +
+                  " over " + shown_length(how.length));
+    if (results.plasticity_index) parts.push_back("plasticity index " + rounded(*results.plasticity_index, 3));
+    text += in_lines("contact", parts);
     if (scene.ultrasound) {
         const Waves& waves = *scene.ultrasound;
         const auto pair = [](const Impedances<double>& z) {
             return rounded(z.incident / 1e6) + " and " + rounded(z.beyond / 1e6) + " MRayl";
         };
-        text += "\n  ultrasound  " + rounded(waves.frequency / 1e6) + " MHz, impedances " + pair(waves.longitudinal);
-        if (waves.shear) text += ", of shear waves " + pair(*waves.shear);
+        parts = {rounded(waves.frequency / 1e6) + " MHz", "impedances " + pair(waves.longitudinal)};
+        if (waves.shear) parts.push_back("of shear waves " + pair(*waves.shear));
+        text += in_lines("waves", parts);
     }
-    text += "\n";
     return text;
 }
 
-std::string table(const Scene& scene, const Results& results) {
-    std::string text = introduction(scene, results);
-    for (const Curve& curve : results.curves) text += "\n" + title(curve) + "\n" + rows_of(results, curve).text();
-    if (scene.needs_stiffness() || scene.real_area) text += "\n";
+/// What the symbols of the tables mean, and where a band comes from.
+std::string explanations(const Scene& scene, const Results& results) {
+    std::string text;
     if (scene.stiffness) text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
     if (scene.tangential_stiffness || scene.shear_reflection)
         text +=
@@ -196,8 +258,166 @@ std::string table(const Scene& scene, const Results& results) {
     if (!results.curves.front().band.empty())
         text += "5 % and 95 %: of " + std::to_string(scene.samples) +
                 " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) + "\n";
-    if (scene.real_area) text += "mean pressure is that on the real area\n";
+    else if (scene.needs_stiffness())
+        text += scene.has_errors() ? "K has no band: the scene asks for no samples\n"
+                                   : "K has no band: no error of a parameter of the surface is known\n";
     return text;
+}
+
+std::string full_table(const Scene& scene, const Results& results) {
+    const Units units = units_of(scene, results);
+    std::string text = introduction(scene, results);
+    for (const Curve& curve : results.curves)
+        text += "\n" + title(curve) + "\n" + rows_of(results, curve, units).text();
+    const std::string notes =
+        explanations(scene, results) + (scene.real_area ? "mean pressure is that on the real area\n" : "");
+    return notes.empty() ? text : text + "\n" + notes;
+}
+
+/// At most \p count points that stand for all: decades of the pressure where they are among them, else even steps.
+std::vector<std::size_t> few_points(const Scene& scene, std::size_t count) {
+    std::vector<std::size_t> all, chosen;
+    for (std::size_t i = 0; i < scene.points.size(); ++i) {
+        const double decade = scene.points[i] > 0 ? std::log10(scene.points[i]) : 0.5;
+        if (!scene.at_separations && std::abs(decade - std::round(decade)) < 1e-6) all.push_back(i);
+    }
+    if (all.size() < 3) {
+        all.resize(scene.points.size());
+        std::iota(all.begin(), all.end(), std::size_t(0));
+    }
+    if (all.size() <= count) return all;
+    if (count == 1) return {all.back()};
+    for (std::size_t k = 0; k < count; ++k)
+        chosen.push_back(all[(k * (all.size() - 1) + (count - 1) / 2) / (count - 1)]);
+    return chosen;
+}
+
+std::string label_of(const Curve& curve) {
+    return std::string(curve.law->name) +
+           (curve.theta ? ", theta " + rounded(*curve.theta, 4) + ", r " + rounded(*curve.r, 4) : "");
+}
+
+/// A header or a row of the summary, whose first cells are as wide as those of all blocks.
+class Summary {
+public:
+    Summary(const Scene& scene, const Results& results, std::size_t columns)
+        : scene_(scene), results_(results), points_(few_points(scene, columns)) {
+        for (const Curve& curve : results.curves) first_ = std::max(first_, label_of(curve).size());
+    }
+
+    /// The column \p key of every curve, with its band.
+    [[nodiscard]] std::string block(const std::string& key, const Heading& heading) const {
+        const bool band = !results_.curves.front().band.empty() && key.ends_with("_Pa_per_m");
+        const std::string stem = key.substr(0, key.find("_Pa_per_m"));
+        TextTable table = headed(heading.shown + (band ? ", 5 % to 95 %" : ""));
+        for (const Curve& curve : results_.curves) {
+            const auto value = [&](const std::string& of, std::size_t i) -> std::optional<double> {
+                for (const scene::Column& column : curve.columns)
+                    if (column.key == of && !column.values.empty()) return column.values[i] * heading.factor;
+                return std::nullopt;
+            };
+            std::vector<std::string> row{padded(label_of(curve))};
+            for (const std::size_t i : points_) {
+                const auto middle = value(key, i);
+                const auto low = value(stem + "_p05_Pa_per_m", i), high = value(stem + "_p95_Pa_per_m", i);
+                if (!middle) {
+                    row.emplace_back("-");
+                } else if (band && low && high) {
+                    const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // as many as tell the ends apart
+                    row.push_back(rounded(*middle, 3) + " (" + rounded(*low, digits) + "–" + rounded(*high, digits) +
+                                  ")");
+                } else {
+                    row.push_back(rounded(*middle));
+                }
+            }
+            table.add(std::move(row));
+        }
+        return table.str();
+    }
+
+    /// p* of the points, and K of every curve over that of boundary elements there.
+    [[nodiscard]] std::string validity() const {
+        TextTable table = headed("p*, K over boundary elements");
+        std::vector<const Curve*> curves;
+        for (const Curve& curve : results_.curves)
+            if (curve.rms_gradient) curves.push_back(&curve);
+        if (curves.empty())
+            return "  p* is not known, since no gradient of the surface is: docs/validation.md cannot be asked\n";
+        for (const Curve* curve : curves) {
+            std::vector<std::string> row{padded(label_of(*curve))};
+            for (const std::size_t i : points_) {
+                const double p =
+                    dimensionless_pressure(curve->states[i].pressure.value, results_.modulus, *curve->rms_gradient);
+                const auto ratio = validated_ratio(curve->law->name, p);
+                row.push_back(rounded(p, 2) + ": " +
+                              (ratio ? rounded(ratio->low, 3) + "–" + rounded(ratio->high, 3) : "-"));
+            }
+            table.add(std::move(row));
+        }
+        std::string text = table.str() + "  by docs/validation.md: p* of " + rounded(min_validated_pressure) + " to " +
+                           rounded(max_validated_pressure) + " on Gaussian surfaces without plastic flow\n";
+        if (curves.size() < results_.curves.size())
+            text += "  p* of the other curves is not known: r = 0 says nothing of the gradient\n";
+        return text;
+    }
+
+private:
+    [[nodiscard]] std::string padded(std::string label) const {
+        label.resize(std::max(label.size(), first_), ' ');
+        return label;
+    }
+    [[nodiscard]] TextTable headed(const std::string& what) const {
+        std::vector<std::string> header{what +
+                                        std::string(first_ > shown_width(what) ? first_ - shown_width(what) : 0, ' ')};
+        for (const std::size_t i : points_) {
+            const double x = scene_.points[i];
+            header.push_back((scene_.at_separations ? unit_of_length(x) : unit_of_pressure(x))(x, 3));
+        }
+        return TextTable(std::move(header));
+    }
+
+    const Scene& scene_;
+    const Results& results_;
+    std::vector<std::size_t> points_;
+    std::size_t first_ = 28;  ///< width of the first column; that of the longest heading, or more
+};
+
+/// The tables of the summary with at most \p columns points.
+std::string blocks(const Scene& scene, const Results& results, std::size_t columns) {
+    const Summary summary(scene, results, columns);
+    const Units units = units_of(scene, results);
+    const auto& all = results.curves.front().columns;
+    std::vector<std::string_view> keys{"stiffness_Pa_per_m", "tangential_stiffness_Pa_per_m", "reflection",
+                                       "shear_reflection"};
+    if (!scene.needs_stiffness()) keys = {"separation_m", "real_area_fraction", "contacts_per_m2"};
+    std::string text;
+    for (const std::string_view key : keys)
+        if (std::any_of(all.begin(), all.end(), [&](const scene::Column& one) { return one.key == key; }))
+            text += "\n" + summary.block(std::string(key), heading_of(std::string(key), units));
+    return text + (scene.needs_stiffness() ? "\n" + summary.validity() : "");
+}
+
+std::size_t width_of(const std::string& text) {
+    std::size_t most = 0;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        most = std::max(most, shown_width(std::string_view(text).substr(start, end - start)));
+        start = end + 1;
+    }
+    return most;
+}
+
+/// Each law at a few points, what it is and how far it may be believed.
+std::string table(const Scene& scene, const Results& results) {
+    std::size_t columns = 4;
+    std::string tables = blocks(scene, results, columns);
+    while (width_of(tables) > widest && columns > 1) tables = blocks(scene, results, --columns);
+    std::string text = introduction(scene, results) + tables + "\n";
+    for (const ChosenLaw& chosen : scene.laws)
+        if (const std::string_view nature = nature_of(chosen.law->name); !nature.empty())
+            text += "  " + std::string(chosen.law->name) + " is " + std::string(nature) + "\n";
+    return text + "\n" + explanations(scene, results) +
+           "every point and quantity: --full, --format csv, --format json\n";
 }
 
 Report execute(const Options& options) {
@@ -211,7 +431,7 @@ Report execute(const Options& options) {
     const Results results = compute(scene, progress_bar());
     std::vector<std::string> files;
     if (!options.picture.empty()) files = write_figure(results_figure(scene, results), options.picture);
-    Report made = report({.table = [&] { return table(scene, results); },
+    Report made = report({.table = [&] { return options.full ? full_table(scene, results) : table(scene, results); },
                           .csv = [&] { return csv(results); },
                           .json = [&] { return json(scene, results); },
                           .warnings = results.warnings,
@@ -231,11 +451,12 @@ Command add_run(CLI::App& app) {
                       "profile, map, or JSON of fstiff measure, in place of the scene's [surface] and contact.peaks; "
                       "- is standard input");
     add_output_options(command, options->output);
+    command.flag("--full", options->full, "the table has every point and quantity, not a summary");
     add_picture_option(command, options->picture, "draw K(p)");
     command.flag("--example", options->example, "print a scene with comments, to begin one of your own");
     command.footer(
         "A scene says what is in contact; run --example > my.toml is one to change. Exit code 4: a real area above the "
-        "nominal one, or no convergence.\n"
+        "nominal one,\nno convergence, or a measured parameter that is not known to a factor of two.\n"
         "Example:\n  fstiff run --format csv");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }

@@ -22,12 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Number of characters of UTF-8 text: all bytes but the continuation bytes.
-std::size_t width(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
-}
-
 [[noreturn]] void cannot_write(const std::string& file, int reason) {
     const char* wanted = reason == ENOENT || reason == ENOTDIR ? "; the folder must exist"
                          : reason == EACCES || reason == EROFS ? "; the file and its folder must be writable"
@@ -104,6 +98,11 @@ std::vector<std::string> missing_folders(const fs::path& folder) {
 
 }  // namespace
 
+std::size_t shown_width(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+}
+
 void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
     options.format = initial;
     arguments.option("--format", options.format, "table, csv or json; default " + std::string(name_of(initial)))
@@ -124,12 +123,12 @@ void say_written(Report& report, const std::vector<std::string>& files) {
 std::string TextTable::str(std::string_view indent) const {
     std::vector<std::size_t> widths(rows_.front().size());
     for (const auto& row : rows_)
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], shown_width(row[i]));
     std::string text;
     for (const auto& row : rows_) {
         text += indent;
         for (std::size_t i = 0; i < row.size(); ++i)
-            text += std::string((i ? 2 : 0) + widths[i] - width(row[i]), ' ') + row[i];
+            text += std::string((i ? 2 : 0) + widths[i] - shown_width(row[i]), ' ') + row[i];
         text += '\n';
     }
     return text;

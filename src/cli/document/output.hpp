@@ -67,6 +67,9 @@ struct Command {
     std::function<Report()> execute;
 };
 
+/// Number of characters of UTF-8 text: all bytes but the continuation bytes.
+[[nodiscard]] std::size_t shown_width(std::string_view text);
+
 /// Columns of text for people, right-aligned under one header line.
 class TextTable {
 public:

@@ -59,6 +59,8 @@ Json measured_document(const MeasuredSurface& surface) {
         rows.push_back(std::move(row));
     }
     document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};
+    Json& concerns = document["concerns"] = Json::array();
+    for (const MeasuredConcern concern : surface.concerns) concerns.push_back(name_of(concern));
     document["warnings"] = surface.warnings;
     return document;
 }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The unit in which people read a value: by its size, the same in every table.
+
+#include <string>
+#include <string_view>
+
+namespace fstiff::scene {
+
+struct ShownUnit {
+    std::string_view name;
+    double factor = 1;  ///< from SI to this unit
+
+    /// \p value [SI] with its unit.
+    [[nodiscard]] std::string operator()(double value, int digits = 5) const;
+};
+
+/// nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm; m for what is smaller or above 1 m.
+[[nodiscard]] ShownUnit unit_of_length(double metres);
+/// \p metres in that unit.
+[[nodiscard]] std::string shown_length(double metres, int digits = 5);
+/// Of a number per area [1/m^2]: /mm², and /µm² from 0.1 /µm².
+[[nodiscard]] ShownUnit unit_of_density(double per_area);
+/// Pa, kPa from 100 Pa, MPa from 0.1 MPa, GPa from 1 GPa.
+[[nodiscard]] ShownUnit unit_of_pressure(double pressure);
+/// Of K per area: GPa/µm, which is 1e15 Pa/m.
+inline constexpr ShownUnit unit_of_stiffness{"GPa/µm", 1e-15};
+
+/// \p value in the unit that its SI unit \p si ("m", "/m^2") has for people; a plain number or any other unit stays.
+[[nodiscard]] ShownUnit shown_unit(double value, std::string_view si);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a law is, and what docs/validation.md found of it: K of the law over K of boundary elements, by p*.
+
+#include <optional>
+#include <string_view>
+
+namespace fstiff::scene {
+
+/// One clause on what the law called \p law computes; empty for one that has none.
+[[nodiscard]] std::string_view nature_of(std::string_view law);
+
+/// Least and largest over the families of surfaces of docs/validation.md.
+struct ValidatedRatio {
+    double low, high;
+};
+/// At \p dimensionless_pressure, of the two nearest rows of the table there; none for a law or a p* (with a tolerance of
+/// one percent) that is not in it.
+[[nodiscard]] std::optional<ValidatedRatio> validated_ratio(std::string_view law, double dimensionless_pressure);
+
+/// The range of p* in the table.
+inline constexpr double min_validated_pressure = 0.002, max_validated_pressure = 0.25;
+
+}  // namespace fstiff::scene

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The units that people read, at both sides of every limit; and that measure and run show the same.
+#include "scene/shown_unit.hpp"
+
+#include "cli/command.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace scene = fstiff::scene;
+
+namespace {
+
+std::string length(double x) { return scene::unit_of_length(x)(x); }
+std::string density(double x) { return scene::unit_of_density(x)(x); }
+std::string pressure(double x) { return scene::unit_of_pressure(x)(x); }
+
+}  // namespace
+
+TEST_CASE("A value is shown in the unit of its size") {
+    CHECK(length(0) == "0 µm");
+    CHECK(length(1.2e-14) == "1.2e-14 m");
+    CHECK(length(1.1e-11) == "0.011 nm");
+    CHECK(length(-0.99e-7) == "-99 nm");
+    CHECK(length(1.01e-7) == "0.101 µm");
+    CHECK(length(0.999e-3) == "999 µm");
+    CHECK(length(1.001e-3) == "1.001 mm");
+    CHECK(length(1.5) == "1.5 m");
+    CHECK(density(500e6) == "500 /mm²");
+    CHECK(density(0.99e11) == "99000 /mm²");
+    CHECK(density(1.34e12) == "1.34 /µm²");
+    CHECK(pressure(99) == "99 Pa");
+    CHECK(pressure(101) == "0.101 kPa");
+    CHECK(pressure(0.99e5) == "99 kPa");
+    CHECK(pressure(1e5) == "0.1 MPa");
+    CHECK(pressure(0.99e9) == "990 MPa");
+    CHECK(pressure(205e9) == "205 GPa");
+    CHECK(scene::unit_of_stiffness(2.5e15) == "2.5 GPa/µm");
+    CHECK(scene::shown_unit(3e-8, "m").name == "nm");
+    CHECK(scene::shown_unit(3e12, "/m^2").name == "/µm²");
+    CHECK(scene::shown_unit(0.5, "")(0.5) == "0.5");
+}
+
+TEST_CASE("measure and run show a fine map in the same units") {
+    const test::Folder folder;
+    const std::string map = folder.write(
+        "fine.txt",
+        test::fstiff("generate map --points 256 --spacing '5 nm' --hurst 0.8 --rms '3 nm' --shortest '40 nm' "
+                     "--longest '160 nm' --seed 4")
+            .out);
+    const auto measured = test::fstiff("measure '" + map + "' -o '" + folder / "fine.json" + "'");
+    const auto table = test::fstiff("measure '" + map + "' --format table");
+    const auto run = test::fstiff("run --surface '" + folder / "fine.json" + "'");
+    const auto parameters = nlohmann::json::parse(test::read(folder / "fine.json"))["surface"];
+    const double sigma = parameters["rms_height"]["value"], density = parameters["peak_density"]["value"];
+    CHECK(scene::unit_of_length(sigma).name == "nm");
+    CHECK(test::contains(run.out, "sigma " + length(sigma) + ", "));
+    CHECK(test::contains(table.out, scene::unit_of_length(sigma)(sigma).substr(0, 6)));
+    CHECK(test::contains(table.out, " nm "));
+    CHECK(test::contains(run.out, "D_p " + scene::unit_of_density(density)(density).substr(0, 2)));
+    CHECK(test::contains(table.out, std::string(scene::unit_of_density(density).name)));
+    CHECK(measured.status == run.status);
+}
