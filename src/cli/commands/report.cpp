@@ -407,6 +407,7 @@ void answer_section(Page& page, const Scene& scene, const Results& results) {
     page.paragraph(count == 0         ? "Verdict: no check of validity speaks against these results."
                    : results.doubtful ? "Verdict: doubtful. Read the warnings before any of these numbers is used."
                                       : "Verdict: computed, but not all assumptions of the model hold.");
+    page.list(results.verdict);
     page.list(
         {results.warnings.begin(), results.warnings.begin() + static_cast<std::ptrdiff_t>(std::min(count, sentences))});
     if (count > sentences) page.paragraph(std::to_string(count - sentences) + " more under Validity.");
@@ -520,6 +521,11 @@ Report execute(const Options& options) {
     require_own(file);
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
+    // of a map a report shows the truth beside the laws
+    if (scene.map && scene.map->map->present() == scene.map->map->size() && !scene.at_separations &&
+        std::none_of(scene.laws.begin(), scene.laws.end(),
+                     [](const ChosenLaw& one) { return one.law->name == "boundary_elements"; }))
+        scene.laws.push_back({scene::find_law("boundary_elements"), {}});
     // a report shows everything, whatever output.quantities asks of run
     scene.stiffness = scene.separation = scene.real_area = scene.contacts = true;
     if (scene.ultrasound) {

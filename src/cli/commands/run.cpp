@@ -60,6 +60,7 @@ Heading heading_of(const std::string& key, const Units& units) {
     if (key == "stiffness_error_Pa_per_m") return in("numerical error", {"Pa/m", 1}, 2);
     if (key == "stiffness_p05_Pa_per_m") return in("5 %", unit_of_stiffness);
     if (key == "stiffness_p95_Pa_per_m") return in("95 %", unit_of_stiffness);
+    if (key == "loading_stiffness_Pa_per_m") return in("-dp/dd", unit_of_stiffness);
     if (key == "tangential_stiffness_Pa_per_m") return in("Kt/A0", unit_of_stiffness);
     if (key == "contacts_per_m2") {
         const ShownUnit& unit = units.density;
@@ -140,6 +141,7 @@ Json json(const Scene& scene, const Results& results) {
         if (input.value) entry["value"] = *input.value;
         if (!input.unit.empty()) entry["unit"] = input.unit;
     }
+    document["verdict"] = results.verdict;
     document["effective_modulus_Pa"] = results.modulus;
     if (results.plasticity_index) document["plasticity_index"] = *results.plasticity_index;
     if (scene.tangential_stiffness || scene.shear_reflection) document["tangential_ratio"] = results.tangential_ratio;
@@ -183,6 +185,25 @@ std::string in_lines(const std::string& first, const std::vector<std::string>& p
     return text;
 }
 
+/// Which law to believe, in lines of at most \p widest: what stands first after the name of the scene.
+std::string believed(const Results& results) {
+    std::string text;
+    for (const std::string& sentence : results.verdict) {
+        std::string line = text.empty() ? "  believe " : "          ";
+        for (std::size_t from = 0; from < sentence.size();) {
+            const std::size_t to = std::min(sentence.find(' ', from), sentence.size());
+            if (shown_width(line) + 1 + shown_width(std::string_view(sentence).substr(from, to - from)) > widest) {
+                text += line + "\n";
+                line = "          ";
+            }
+            line += " " + sentence.substr(from, to - from);
+            from = to + 1;
+        }
+        text += line + "\n";
+    }
+    return text;
+}
+
 /// What was computed of what: the lines above the curves.
 std::string introduction(const Scene& scene, const Results& results) {
     const auto& s = scene.surface;
@@ -205,7 +226,7 @@ std::string introduction(const Scene& scene, const Results& results) {
         parts.push_back("theta " + rounded(*scene.theta, digits(Parameter::theta)));
     }
     std::string text = "fstiff " FSTIFF_VERSION ": " + scene.name + " (" + scene.file + ")\n";
-    text += in_lines("surface", parts);
+    text += believed(results) + in_lines("surface", parts);
     if (scene.measured) {
         parts.clear();
         const auto& u = scene.uncertain;
