@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws the pictures of the documents with the command itself.
 
-    tools/make_pictures.py build/release/bin/fstiff            writes docs/stiffness.svg
+    tools/make_pictures.py build/release/bin/fstiff            writes docs/stiffness.svg, and
+                                                              docs/afm_map.svg where the map is there
     tools/make_pictures.py --check build/release/bin/fstiff    exit code 1 when the command draws it otherwise
 
 Numbers may differ by 0.02 points, the last digit, where another compiler rounds otherwise; everything else must be equal.
@@ -16,6 +17,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = {"stiffness": ["run", "docs/stiffness.toml"]}  # name in docs/: arguments of fstiff
+if (ROOT / "../shared/surfaces/matrix-3.txt").exists():
+    PICTURES["afm_map"] = ["run", "docs/afm_map.toml"]
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 TOLERANCE = 0.021
 

@@ -87,7 +87,7 @@ std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
 }
 
 std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
-    if (inputs.map)
+    if (inputs.map && inputs.spectrum_of_map)
         return held(
             HybridContact(SummitContact<double>(inputs.map->summits, inputs.effective_modulus), crowded(inputs)));
     return held(HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),

@@ -64,7 +64,9 @@ std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact
 }
 
 /// Whether \p law has a curve for each joint distribution of peaks.
-bool is_joint(const Law& law, const Scene& scene) { return law.has_peaks && !(law.summits_of_map && scene.map); }
+bool is_joint(const Law& law, const Scene& scene) { 
+    return law.has_peaks && !(law.summits_of_map && scene.map && scene.spectrum_of_map);
+}
 
 /// The rms gradient of the surface for p*: known; of \p peaks; where these do not know it (r = 0, or none), of the surface's
 /// own r and theta, or of the spectrum that \p law takes.
@@ -315,6 +317,11 @@ std::vector<Parameter> unknown_parameters(const Scene& scene) {
     return scene.measured ? unknown_parameters(*scene.measured, scene.uncertain) : std::vector<Parameter>{};
 }
 
+bool has_band(const Results& results) {
+    return std::any_of(results.curves.begin(), results.curves.end(),
+                       [](const Curve& curve) { return !curve.band.empty(); });
+}
+
 Interaction<double> interaction(const Scene& scene) {
     Interaction<double> result;
     result.reading = scene.reading;
@@ -362,8 +369,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         results.curves.push_back(std::move(curve));
     });
     if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);
-    const bool bands = std::any_of(results.curves.begin(), results.curves.end(),
-                                   [](const Curve& curve) { return !curve.band.empty(); });
+    const bool bands = has_band(results);
     for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio, bands);
     add_warnings(scene, results);
     results.verdict = verdict(scene, results);

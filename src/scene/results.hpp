@@ -57,6 +57,9 @@ struct Results {
 /// The measured parameters of \p scene on which no result can rest.
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const Scene& scene);
 
+/// Whether any curve has a band.
+[[nodiscard]] bool has_band(const Results& results);
+
 /// The interaction of the scene with its length [m].
 [[nodiscard]] Interaction<double> interaction(const Scene& scene);
 

@@ -95,6 +95,7 @@ std::string written(const toml::node& node) {
 struct Source {
     std::string file;
     std::vector<Input> inputs;
+    bool builtin = false;  ///< the scene is the built-in one, whose laws nobody chose
 
     std::string at(const toml::node& node) const {
         const auto line = node.source().begin.line;
@@ -475,6 +476,8 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
         take_measured(source, scene);
     }
     read_spectrum(source, surface, scene);
+    for (const std::string_view key : {"rms_height", "peak_radius", "peak_density", "rms_gradient", "alpha", "hurst"})
+        if (scene.map && surface.find(key)) scene.spectrum_of_map = false;  // numbers written by hand replace the map's
     UncertainSurface<double>& uncertain = scene.uncertain;
     for (const ParameterRow& row : all) {
         const std::size_t i = index_of(row.parameter);
@@ -689,7 +692,7 @@ void read_laws(Source& source, const Section& contact, Scene& scene, bool replac
                                                                    : "hertz, greenwood_williamson (default)");
     }
     const auto lacks = [&](const Law* law) { return law->needs_dimension && !scene.fractal_dimension; };
-    if (scene.measured && (replaced || !contact.find("laws")) &&
+    if (scene.measured && (source.builtin || !contact.find("laws")) &&
         !std::count(chosen.begin(), chosen.end(), find_law("hybrid"))) {
         if (const std::string why = no_spectrum(scene); why.empty())
             chosen.insert(chosen.begin(), find_law("hybrid"));
@@ -942,7 +945,7 @@ std::string no_spectrum(const Scene& scene) {
 
 Scene read_scene(const std::string& text, const SceneSource& from) {
     const std::string &file = from.name, &surface = from.surface;
-    Source source{file, {}};
+    Source source{file, {}, text == builtin_scene};
     const toml::table root = parse_toml(text, file);
     Scene scene;
     scene.file = file;

@@ -92,7 +92,9 @@ std::string about_flow(const Scene& scene, const Results& results) {
 
 std::vector<std::string> verdict(const Scene& scene, const Results& results) {
     std::vector<std::string> sentences;
-    for (std::string sentence : {about_heights(scene), about_flow(scene, results), about_pressures(scene, results),
+    const std::string heights = about_heights(scene);
+    const bool far = heights.starts_with("the heights are far");  // then no pressure is right for hybrid
+    for (std::string sentence : {heights, about_flow(scene, results), far ? "" : about_pressures(scene, results),
                                  about_contacts(scene, results)})
         if (!sentence.empty()) sentences.push_back(std::move(sentence));
     return sentences;

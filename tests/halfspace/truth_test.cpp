@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the same surfaces on a grid twice as fine.
 #include <fstiff/halfspace/truth.hpp>
-#include <fstiff/surface/self_affine.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/catch.hpp"
 
@@ -20,7 +20,7 @@ TEST_CASE("the change from one grid to the next covers the change to the one aft
         of.seed = seed;
         HeightMap<double> map;
         map.dx = map.dy = 1.0 / 512;
-        map.heights = self_affine_map(of, 512, 512, map.dx, map.dy);
+        map = self_affine_map(of, 512, 512, map.dx, map.dy);
         const std::vector<double> pressures{1e-5, 3e-5, 1e-4, 3e-4, 1e-3};
         const auto coarse = truth(map, 1.0, pressures, {.points = 128, .edges = Edges::periodic});
         const auto fine = truth(map, 1.0, pressures, {.points = 512, .edges = Edges::periodic, .grid_error = false});

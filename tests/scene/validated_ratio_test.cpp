@@ -54,7 +54,7 @@ TEST_CASE("The ratios of each law are those of docs/validation.md, which has no 
             ++compared;
         }
     }
-    CHECK(compared == 4 * 8);
+    CHECK(compared == 6 * 8);
     CHECK(least == scene::min_validated_pressure);
     CHECK(most == scene::max_validated_pressure);
 }

@@ -396,7 +396,7 @@ void answer_section(Page& page, const Scene& scene, const Results& results) {
     const std::size_t curves = rows.size() - 1;
     if (curves > most) rows.resize(most + 1);
     page.table(rows);
-    std::string about = results.curves.front().band.empty()
+    std::string about = !has_band(results)
                             ? "Without errors of the surface's parameters K has no band."
                             : "In brackets the band that holds 5 to 95 % of " + std::to_string(scene.samples) +
                                   " surfaces drawn about this one by its errors.";
@@ -495,7 +495,7 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
     if (scene.ultrasound)
         rest += " Reflection by (5.1); shear waves see the tangential stiffness, " + rounded(results.tangential_ratio) +
                 " K by Mindlin.";
-    if (!results.curves.front().band.empty()) rest += " The band is of seed " + std::to_string(scene.seed) + ".";
+    if (has_band(results)) rest += " The band is of seed " + std::to_string(scene.seed) + ".";
     page.paragraph(rest);
     page.paragraph(
         "The numbers of the equations are those of R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness "

@@ -132,7 +132,7 @@ Json json(const Scene& scene, const Results& results) {
         Json measured = measured_document(*scene.measured);
         document["surface"] = {{"source", measured["source"]}, {"measured", measured["surface"]}};
     }
-    if (!results.curves.front().band.empty())
+    if (has_band(results))
         document["uncertainty"] = {
             {"samples", scene.samples}, {"seed", scene.seed}, {"quantiles", {0.05, 0.95}}, {"of", "stiffness"}};
     Json& inputs = document["inputs"] = Json::object();
@@ -276,7 +276,7 @@ std::string explanations(const Scene& scene, const Results& results) {
             "Kt/A0 is the tangential stiffness, " + rounded(results.tangential_ratio) + " K/A0 by Mindlin's ratio\n";
     if (scene.reflection || scene.shear_reflection)
         text += "|R| is the reflection of the interface as a spring, eq. (5.1); shear waves see Kt/A0\n";
-    if (!results.curves.front().band.empty())
+    if (has_band(results))
         text += "5 % and 95 %: of " + std::to_string(scene.samples) +
                 " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) + "\n";
     else if (scene.needs_stiffness())
@@ -328,13 +328,13 @@ public:
 
     /// The column \p key of every curve, with its band.
     [[nodiscard]] std::string block(const std::string& key, const Heading& heading) const {
-        const bool band = !results_.curves.front().band.empty() && key.ends_with("_Pa_per_m");
+        const bool band = has_band(results_) && key.ends_with("_Pa_per_m");
         const std::string stem = key.substr(0, key.find("_Pa_per_m"));
         TextTable table = headed(heading.shown + (band ? ", 5 % to 95 %" : ""));
         for (const Curve& curve : results_.curves) {
             const auto value = [&](const std::string& of, std::size_t i) -> std::optional<double> {
                 for (const scene::Column& column : curve.columns)
-                    if (column.key == of && !column.values.empty()) return column.values[i] * heading.factor;
+                    if (column.key == of && i < column.values.size()) return column.values[i] * heading.factor;
                 return std::nullopt;
             };
             std::vector<std::string> row{padded(label_of(curve))};
@@ -367,6 +367,10 @@ public:
         for (const Curve* curve : curves) {
             std::vector<std::string> row{padded(label_of(*curve))};
             for (const std::size_t i : points_) {
+                if (i >= curve->states.size()) {  // the law ends before
+                    row.emplace_back("-");
+                    continue;
+                }
                 const double p =
                     dimensionless_pressure(curve->states[i].pressure.value, results_.modulus, *curve->rms_gradient);
                 const auto ratio = validated_ratio(curve->law->name, p);
