@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem.csv.
+#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
@@ -96,4 +97,23 @@ TEST_CASE("the hybrid law of three moments against boundary elements") {
     CHECK(ten >= 90);
     CHECK(fifteen >= 102);
     CHECK(worst < 0.234);
+}
+
+TEST_CASE("Persson's and the hybrid contact are tabulated like any other") {
+    const test::Table table("hybrid.csv");
+    const Hybrid hybrid = hybrid_at(table, 0);
+    const auto check = [](const auto& contact, double low, double high) {
+        const auto law = ContactLaw<double>::tabulate(contact, {.min_pressure = low, .max_pressure = high});
+        for (const double share : {0.01, 0.3, 0.5, 0.77, 0.99}) {
+            const double p = low * std::pow(high / low, share);
+            const auto truth = contact.at_pressure(p);
+            CAPTURE(p, law.relative_error());
+            // the stated error of the table, and that of the separation, which is an integral of 1/K
+            CHECK(test::relative_error(law.stiffness(p), truth.stiffness.value) < law.relative_error() + 1e-9);
+            CHECK(std::abs(law.separation(p) - truth.separation.value) < 1e-9 * contact.rms_height());
+        }
+        CHECK(law.relative_error() < 1e-7);
+    };
+    check(hybrid.crowded(), 1e-5, 0.02);
+    check(hybrid, 1e-5, 0.02);
 }

@@ -110,7 +110,9 @@ private:
     /// log p, over the middle of its range to keep its digits, against the effective eta; from the separation of the
     /// highest pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach.
     void interpolate_pressure() {
-        const auto end = [this](T pressure) { return contact_.at_pressure(pressure, Quantity::pressure).eta; };
+        const auto end = [this](T pressure) {
+            return contact_.at_pressure(pressure, Quantity::pressure | Quantity::separation).eta;
+        };
         closest_ = end(law_.max_pressure);
         furthest_ = end(law_.min_pressure);
         // log p is concave in eta: 10 % more than the slope says is enough; never so short that the slope would be all
