@@ -68,9 +68,10 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
 }
 
 std::shared_ptr<const MapOfSurface> map_of_surface(const HeightMap<double>& map) {
-    return std::make_shared<const MapOfSurface>(
-        MapOfSurface{std::make_shared<const HeightMap<double>>(map), summits_of(map),
-                     map.present() == map.size() ? map_spectrum(map) : SpectrumShells<double>{}});
+    const bool whole = map.present() == map.size() && map.rows() >= 4 && map.columns() >= 4;
+    return std::make_shared<const MapOfSurface>(MapOfSurface{std::make_shared<const HeightMap<double>>(map),
+                                                             summits_of(map),
+                                                             whole ? map_spectrum(map) : SpectrumShells<double>{}});
 }
 
 }  // namespace
@@ -146,12 +147,11 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
         surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }
-    if (profile) {
-        surface.heights = height_statistics(surface.profile->profile);
-    } else {
-        surface.heights = height_statistics(surface.map->map);
-        surface.of_map = map_of_surface(surface.map->map);
+    try {
+        surface.heights = profile ? height_statistics(surface.profile->profile) : height_statistics(surface.map->map);
+    } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
     }
+    if (!profile) surface.of_map = map_of_surface(surface.map->map);
     surface.profile_fit = std::move(found.profile_fit);
     surface.map_fit = std::move(found.map_fit);
     if (found.islands) surface.islands = std::move(found.islands->curve);

@@ -669,6 +669,8 @@ std::string refusal_of(const Law& law, const Scene& scene) {
         return "needs a map: surface.from, or --surface, must name the file of one (the JSON of fstiff measure holds "
                "its "
                "numbers alone)";
+    if (law.name == "summits" && scene.map->summits.summits.empty())
+        return "needs summits: no point of the map stands above its eight neighbours";
     if (law.needs_map && scene.map->map->present() != scene.map->map->size() && law.name == "boundary_elements")
         return "needs a map without missing points; " +
                std::to_string(scene.map->map->size() - scene.map->map->present()) + " are missing";
@@ -936,7 +938,9 @@ double hurst_exponent(const Scene& scene) {
 
 std::string no_spectrum(const Scene& scene) {
     if (scene.map && scene.spectrum_of_map)
-        return scene.map->spectrum.shells.empty() ? "points of the map are missing" : "";
+        return scene.map->spectrum.shells.empty()   ? "points of the map are missing, or it has fewer than 4 a side"
+               : scene.map->summits.summits.empty() ? "no point of the map stands above its eight neighbours"
+                                                    : "";
     const double alpha = spectral_moments(scene).bandwidth();
     if (alpha > 1.5) return "";
     return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(alpha, 3) +
