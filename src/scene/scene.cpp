@@ -671,6 +671,8 @@ std::string refusal_of(const Law& law, const Scene& scene) {
                "numbers alone)";
     if (law.name == "summits" && scene.map->summits.summits.empty())
         return "needs summits: no point of the map stands above its eight neighbours";
+    if (law.name == "boundary_elements" && std::min(scene.map->map->rows(), scene.map->map->columns()) < 16)
+        return "needs a map of at least 16 points a side";
     if (law.needs_map && scene.map->map->present() != scene.map->map->size() && law.name == "boundary_elements")
         return "needs a map without missing points; " +
                std::to_string(scene.map->map->size() - scene.map->map->present()) + " are missing";

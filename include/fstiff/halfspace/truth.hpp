@@ -16,6 +16,7 @@
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/topography/coarsen.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -47,6 +48,8 @@ template <Real T, class Pressures>
     require(options.points >= 16, "points", options.points, "at least 16 along the longer side");
     const BoundaryElementOptions<T> how{.edges = options.edges, .hardness = options.hardness};
     const HeightMap<T> fine = coarsened(map, options.points);
+    const Eigen::Index shorter = std::min(fine.rows(), fine.columns());
+    require(shorter >= 16, "points along the shorter side", shorter, "at least 16, for boundary elements on two grids");
     BoundaryElements<T> solver(fine, effective_modulus, how);
     const Eigen::Index half = std::max(fine.columns(), fine.rows()) / 2;
     BoundaryElements<T> coarse(coarsened(fine, half), effective_modulus, how);

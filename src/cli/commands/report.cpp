@@ -522,7 +522,8 @@ Report execute(const Options& options) {
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
     // of a map a report shows the truth beside the laws
-    if (scene.map && scene.map->map->present() == scene.map->map->size() && !scene.at_separations &&
+    if (scene.map && scene.map->map->present() == scene.map->map->size() &&
+        std::min(scene.map->map->rows(), scene.map->map->columns()) >= 16 && !scene.at_separations &&
         std::none_of(scene.laws.begin(), scene.laws.end(),
                      [](const ChosenLaw& one) { return one.law->name == "boundary_elements"; }))
         scene.laws.push_back({scene::find_law("boundary_elements"), {}});
