@@ -79,6 +79,7 @@
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/gradient_spectrum.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/interaction.hpp>
@@ -89,6 +90,7 @@
 #include <fstiff/contact/law_tabulator.hpp>
 #include <fstiff/contact/law_text.hpp>
 #include <fstiff/contact/linear_law.hpp>
+#include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/peak_nodes.hpp>

@@ -7,6 +7,7 @@
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -20,7 +21,7 @@ namespace fstiff::scene {
 namespace {
 
 template <class Contact>
-class Holder final : public AnyContact {
+class Holder : public AnyContact {
 public:
     explicit Holder(Contact contact) : contact_(std::move(contact)) {}
     std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity wanted) const override {
@@ -31,8 +32,24 @@ public:
         return curve_at_separations(contact_, separations, wanted);
     }
 
-private:
+protected:
     Contact contact_;
+};
+
+/// A contact of plastic peaks, which begin to flow at omega_c = critical_over_radius R.
+template <class Contact>
+class PlasticHolder final : public Holder<Contact> {
+public:
+    PlasticHolder(Contact contact, double critical_over_radius)
+        : Holder<Contact>(std::move(contact)), critical_over_radius_(critical_over_radius) {}
+    std::vector<LoadMeans<double>> means_at(std::span<const double> etas) const override {
+        std::vector<LoadMeans<double>> means;
+        for (const double eta : etas) means.push_back(load_means(this->contact_, eta, critical_over_radius_));
+        return means;
+    }
+
+private:
+    double critical_over_radius_;
 };
 
 template <class Contact>
@@ -95,9 +112,16 @@ std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
 }
 
 std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
-    return held(RoughContact(inputs.surface, *inputs.peaks,
-                             PlasticLaw<double>(inputs.material.hardness_or_default(), inputs.effective_modulus),
-                             inputs.effective_modulus, options_of(inputs)));
+    const double hardness = inputs.material.hardness_or_default();
+    PlasticMaterial<double> material = inputs.material;  // omega_c of Kogut and Etsion, which follows from H alone
+    material.effective_modulus = inputs.effective_modulus;
+    material.hardness = hardness;
+    if (!(material.yield_strength > 0)) material.yield_strength = hardness / 2.8;
+    const double critical_over_radius = KogutEtsionLaw<double>(material).critical(1.0);
+    return std::make_unique<PlasticHolder<RoughContact<double, PlasticLaw<double>>>>(
+        RoughContact(inputs.surface, *inputs.peaks, PlasticLaw<double>(hardness, inputs.effective_modulus),
+                     inputs.effective_modulus, options_of(inputs)),
+        critical_over_radius);
 }
 
 /// A law of peaks that begin to flow. Its integrals have two dimensions, and the law itself is known to some percent.
@@ -107,7 +131,9 @@ std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
     options.integrals.relative_tolerance = 1e-9;
     PlasticMaterial<double> material = inputs.material;
     material.effective_modulus = inputs.effective_modulus;
-    return held(RoughContact(inputs.surface, *inputs.peaks, OfMaterial(material), inputs.effective_modulus, options));
+    const OfMaterial law(material);
+    return std::make_unique<PlasticHolder<RoughContact<double, OfMaterial>>>(
+        RoughContact(inputs.surface, *inputs.peaks, law, inputs.effective_modulus, options), law.critical(1.0));
 }
 
 /// Boundary elements of the map itself.
@@ -204,19 +230,22 @@ const std::array<Law, 11> table{{
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
      .contact = plastic,
-     .needs_hardness = true},
+     .needs_hardness = true,
+     .range = {.least_interference = 110, .most_radius_ratio = 0.4}},
     {.name = "jackson_green",
      .load = "Jackson, Green (2005)",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
      .contact = elastic_plastic<JacksonGreenLaw<double>>,
-     .needs_yield = true},
+     .needs_yield = true,
+     .range = {.most_radius_ratio = 0.41}},
     {.name = "kogut_etsion",
      .load = "Kogut, Etsion (2002)",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
      .contact = elastic_plastic<KogutEtsionLaw<double>>,
-     .needs_yield = true},
+     .needs_yield = true,
+     .range = {.most_interference = 110, .most_radius_ratio = 0.41}},
     {.name = "boundary_elements",
      .has_peaks = false,
      .load = "elastic half space",

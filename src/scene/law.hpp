@@ -5,6 +5,7 @@
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/fit/identify.hpp>
@@ -15,6 +16,7 @@
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +35,15 @@ public:
                                                                          Quantity wanted) const = 0;
     [[nodiscard]] virtual std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                                            Quantity wanted) const = 0;
+    /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range hangs on it.
+    [[nodiscard]] virtual std::vector<LoadMeans<double>> means_at(std::span<const double> /*etas*/) const { return {}; }
+};
+
+/// Within which load means a law of plastic peaks holds.
+struct PlasticRange {
+    double least_interference = 0;  ///< of omega/omega_c
+    double most_interference = std::numeric_limits<double>::infinity();
+    double most_radius_ratio = std::numeric_limits<double>::infinity();  ///< of a/R
 };
 
 /// What the section contact.<law> of a scene may hold for one law, such as the hardness of a plastic one.
@@ -99,8 +110,9 @@ struct Law {
     bool holds_when_crowded = false;  ///< peaks that push each other down are in it
     bool ends = false;                ///< has no state above some pressure: the curve ends there, with a warning
     std::span<const double>
-        quick_options{};  ///< in place of `options` where a law is computed 400 times, for the shape of a band
-    bool varies = true;   ///< can be computed of surfaces drawn about the measured one, for a band
+        quick_options{};   ///< in place of `options` where a law is computed 400 times, for the shape of a band
+    bool varies = true;    ///< can be computed of surfaces drawn about the measured one, for a band
+    PlasticRange range{};  ///< of a law whose contact has means_at
 };
 
 /// All laws, in the order in which choices are listed.

@@ -151,6 +151,42 @@ void warn_if_any(Results& results, Concern concern) {
                                    std::to_string(results.curves.size()) + " curves, the first " + where + ")");
 }
 
+/// What of \p means is outside of the range of \p law; empty where nothing is.
+std::string outside_range(const Law& law, const LoadMeans<double>& means) {
+    const double s = means.interference.value, ratio = means.radius_ratio.value;
+    std::string text;
+    const auto say = [&](const char* name, double value, const char* side, double limit) {
+        text += (text.empty() ? "" : " and ") + std::string(name) + " = " + rounded(value, 4) + ", " + side + " " +
+                rounded(limit, 3);
+    };
+    if (s < law.range.least_interference) say("omega/omega_c", s, "below", law.range.least_interference);
+    if (s > law.range.most_interference) say("omega/omega_c", s, "above", law.range.most_interference);
+    if (ratio > law.range.most_radius_ratio) say("a/R", ratio, "above", law.range.most_radius_ratio);
+    return text;
+}
+
+/// A warning for each plastic law with a point where its peaks, each weighted by its load, are outside of its range.
+void warn_of_plastic_ranges(const Scene& scene, Results& results) {
+    for (const ChosenLaw& chosen : scene.laws) {
+        std::size_t count = 0, points = 0;
+        std::string first;
+        for (const Curve& curve : results.curves) {
+            if (curve.law != chosen.law) continue;
+            points += curve.means.size();
+            for (std::size_t i = 0; i < curve.means.size(); ++i) {
+                const std::string outside = outside_range(*curve.law, curve.means[i]);
+                if (!outside.empty() && count++ == 0)
+                    first = "at p = " + rounded(curve.states[i].pressure.value / 1e6) + " MPa (" + title(curve) +
+                            ") the mean over the load is " + outside;
+            }
+        }
+        if (count > 0)
+            results.warnings.push_back("law " + std::string(chosen.law->name) + " is outside of its range at " +
+                                       std::to_string(count) + " of " + std::to_string(points) +
+                                       " points, and may be far off there: first " + first);
+    }
+}
+
 void add_warnings(const Scene& scene, Results& results) {
     for (const Check<double>& check : results.surface_checks) {
         if (check.holds()) continue;
@@ -165,6 +201,7 @@ void add_warnings(const Scene& scene, Results& results) {
     for (const Concern concern : {Concern::interacting_asperities, Concern::mean_planes_crossed,
                                   Concern::above_highest_peak, Concern::few_contacts})
         warn_if_any(results, concern);
+    warn_of_plastic_ranges(scene, results);
     if ((scene.reflection || scene.shear_reflection) && scene.reading != InteractionReading::none)
         results.warnings.push_back(
             "K with interaction holds the elasticity of the bulk over the interaction length: its reflection is not "
@@ -359,7 +396,8 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         };
     for_each_contact(scene, results.modulus, progress, [&](Curve curve, const auto& contact) {
         const Quantity quantities = wanted(scene, *curve.law);
-        curve.states = accepted(scene, *curve.law, points_of(scene, *contact(), quantities, of_all));
+        const auto made = contact();
+        curve.states = accepted(scene, *curve.law, points_of(scene, *made, quantities, of_all));
         if (curve.states.size() < scene.points.size())
             results.warnings.push_back(
                 "law " + std::string(curve.law->name) + " ends before " + shortest(scene.points[curve.states.size()]) +
@@ -375,6 +413,9 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
             return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
                    (check.concern == Concern::not_converged && !curve.law->varies);  // the error is that of the grid
         });
+        std::vector<double> etas;
+        for (const auto& state : curve.states) etas.push_back(state.eta);
+        curve.means = made->means_at(etas);
         results.curves.push_back(std::move(curve));
     });
     if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);

@@ -10,6 +10,7 @@
 #include "scene/scene.hpp"
 
 #include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/measured/sampled_band.hpp>
@@ -35,6 +36,7 @@ struct Curve {
     std::optional<double> rms_gradient{};  ///< of the surface, for p*
     std::vector<ContactState<double>> states{};
     std::vector<Check<double>> checks{};
+    std::vector<LoadMeans<double>> means{};   ///< of a plastic law, one a state
     std::vector<SampledBand<double>> band{};  ///< of the stiffness, one a state; empty: the surface has no errors
     std::vector<Column> columns{};            ///< what Scene asks for; the same keys in every curve
 };

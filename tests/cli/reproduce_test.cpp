@@ -131,6 +131,22 @@ TEST_CASE("The curves of Figs. 7, 8 and 9 are those of the table of arbitrary pr
             if (quarter) check("statistical elastic, θ = π/4", "stiffness_hertz_Pa_per_m");
         }
         CHECK(compared == 12);
+        const Csv flowing(read(FSTIFF_TEST_DATA "/plastic_curves.csv"));
+        compared = 0;
+        for (std::size_t i = 0; i < flowing.size(); ++i) {
+            const std::string law = flowing.text(i, "law"), surface = flowing.text(i, "surface");
+            const double p = flowing.number(i, "pressure_Pa") / 1e6;
+            const bool drawn_point = std::abs(std::log10(p) - std::round(std::log10(p))) < 1e-9;
+            if (!surface.starts_with(s.key) || flowing.number(i, "r") != 0 || !drawn_point ||
+                (law != "plastic" && law != "jackson_green"))
+                continue;
+            INFO(surface << ", " << law << " at " << p << " MPa");
+            const double expected = flowing.number(i, "unloading_stiffness_Pa_per_m") / 1e15;
+            const double found = at(drawn.at({1, "plastic peaks (not in the paper): " + law}), p);
+            CHECK(std::abs(found / expected - 1) < 1e-8);  // the table has 9 digits
+            ++compared;
+        }
+        CHECK(compared == 8);
         for (const double p : {0.1, 1.0, 100.0}) {
             INFO(s.name << ", Greenwood-Williamson at " << p << " MPa");
             CHECK(std::abs(at(drawn.at({1, "Greenwood-Williamson"}), p) * 1e15 / classic(s, p * 1e6) - 1) < 1e-8);

@@ -93,6 +93,39 @@ TEST_CASE("plastic laws take the hardness of the softer body, and print loading 
     CHECK(test::relative_error(area, 1.0 / 9) < 1e-12);
 }
 
+TEST_CASE("plastic laws warn where the mean over the load leaves their range") {
+    const auto warnings_of = [](const std::string& surface, const std::string& law) {
+        const auto results =
+            computed("[surface]\n" + surface +
+                     "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+                     "yield_strength = \"400 MPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\n"
+                     "poisson_ratio = 0.3\n[contact]\npressures = [\"0.1 MPa\", \"10 MPa\", \"100 MPa\"]\n"
+                     "peaks = [{ theta = 0.7853981633974483, r = 0 }]\nlaws = [\"" +
+                     law + "\"]\n");
+        std::vector<std::string> found;
+        for (const std::string& warning : results.warnings)
+            if (warning.starts_with("law " + law)) found.push_back(warning);
+        return found;
+    };
+    const std::string fine = "rms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"";
+    const std::string edm = "rms_height = \"8.94 um\"\npeak_radius = \"19 um\"\npeak_density = \"160 /mm^2\"";
+    // tests/data/plastic_curves.csv, fine: plastic 64.7 and 98.4 at 0.1 and 10 MPa; kogut_etsion 83.5 and 122.5
+    const auto plastic = warnings_of(fine, "plastic"), kogut_etsion = warnings_of(fine, "kogut_etsion");
+    REQUIRE(plastic.size() == 1);
+    CHECK(plastic[0].find("at p = 0.1 MPa") != std::string::npos);
+    CHECK(plastic[0].find("omega/omega_c = 64.65, below 110") != std::string::npos);
+    REQUIRE(kogut_etsion.size() == 1);
+    CHECK(kogut_etsion[0].find("2 of 3 points") != std::string::npos);
+    CHECK(kogut_etsion[0].find("at p = 10 MPa") != std::string::npos);
+    CHECK(kogut_etsion[0].find("above 110") != std::string::npos);
+    CHECK(warnings_of(fine, "jackson_green").empty());
+    CHECK(warnings_of(fine, "hertz").empty());
+    const auto rough = warnings_of(edm, "jackson_green");
+    REQUIRE(rough.size() == 1);
+    CHECK(rough[0].find("above 0.41") != std::string::npos);
+    CHECK(rough[0].find("omega/omega_c") == std::string::npos);  // its range is of a/R alone
+}
+
 TEST_CASE("laws of a map: its summits and boundary elements") {
     const MapFile file;
     const auto results = computed(scene_of(file.surface(), "\"summits\", \"hybrid\", \"boundary_elements\"",

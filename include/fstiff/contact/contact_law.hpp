@@ -35,21 +35,18 @@
 ///                  are 0, K is not the tangent, and Newton's method stalls
 ///     exact        evaluates the model, in microseconds; it takes p > 0
 ///
-/// A NaN is refused under each of them. separation(p) of a pressure in the range is always a separation that
-/// at_separation takes.
+/// A NaN is refused under each of them. at_separation takes the separation(p) of every pressure in the range.
 ///
 /// Units       SI: Pa, m, Pa/m; dK/dp in 1/m
 /// Valid       float and double; 0 < min_pressure < max_pressure within the reach of the model; no interaction or
 ///             effective_separation. A default-constructed law is empty and refuses every evaluation
 /// Accuracy    measured when it is tabulated, at the ends of every piece and between the nodes, and carried:
 ///             relative_error(). It covers -dp/dd too where K has a table of its own, and cannot be less than the
-///             errors of the integrals: of a law without powers 1e-9 or so.
-///             Of 400 laws of random surfaces none is further from the model than it says. One in two says less than
-///             4e-12 and is right to 1e-12, nine in ten say less than 3e-10 and are right to 5e-11, all say less than
-///             1e-7 and are right to 1e-8: interaction, pressures that press the planes through one another and ranges
-///             of a few percent take more.
-///             A batch differs from the scalar calls by rounding: 200 epsilon at most
-///             (tests/contact/contact_law_test.cpp)
+///             errors of the integrals: of a law without powers 1e-9 or so. Of 400 laws of random surfaces none is
+///             further from the model than it says. One in two says less than 4e-12 and is right to 1e-12, nine in ten
+///             say less than 3e-10 and are right to 5e-11, all say less than 1e-7 and are right to 1e-8: interaction,
+///             pressures that press the planes through one another and ranges of a few percent take more. A batch
+///             differs from the scalar calls by rounding: 200 epsilon at most (tests/contact/contact_law_test.cpp)
 /// Threads     evaluation is const and does not allocate: any number of threads may share a law
 
 #include <fstiff/contact/contact_concept.hpp>
@@ -149,8 +146,7 @@ public:
     [[nodiscard]] T slope_at_separation(T separation) const { return tangent_at_separation(separation).slope; }
 
     /// stiffness() of a whole array of pressures, equal to it within rounding and relative_error(); \p out has the size
-    /// of
-    /// \p pressures and may be the same array. \throws as stiffness, at the first element that is to be refused.
+    /// of \p pressures and may be the same array. \throws as stiffness, at the first element that is to be refused.
     void stiffness(const Eigen::Ref<const Eigen::ArrayX<T>>& pressures, Eigen::Ref<Eigen::ArrayX<T>> out) const {
         detail::require_same_size(pressures.size(), out.size());
         batch(
@@ -160,8 +156,7 @@ public:
     }
 
     /// at_separation() of a whole array of separations, equal to it within rounding and relative_error(); the results
-    /// have the size of
-    /// \p separations. \throws as at_separation, at the first element that is to be refused.
+    /// have the size of \p separations. \throws as at_separation, at the first element that is to be refused.
     void at_separation(const Eigen::Ref<const Eigen::ArrayX<T>>& separations, Eigen::Ref<Eigen::ArrayX<T>> pressures,
                        Eigen::Ref<Eigen::ArrayX<T>> stiffnesses) const {
         if (!tables_.has_own_stiffness())

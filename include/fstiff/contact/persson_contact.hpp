@@ -25,6 +25,7 @@
 /// Accuracy    K to 1e-13, separation to 1e-13 of the rms height, both in double (tests/contact/persson_contact_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/gradient_spectrum.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/math/error_function.hpp>
@@ -42,54 +43,6 @@
 namespace fstiff {
 
 namespace detail {
-
-/// The measure dG/q of a spectrum in pieces: q(G) = (low + rate (G^2 - from^2))^power, smooth within each piece.
-template <class S>
-struct GradientPiece {
-    S from, to;  ///< G
-    S low, rate, power;
-    /// 1/q at G.
-    S inverse_q(S G) const {
-        return power == 0 ? std::exp(-low - rate * (G - from) * (G + from))  // H = 1: q = exp(low + rate (...))
-                          : std::pow(low + rate * (G - from) * (G + from), -power);
-    }
-};
-
-template <class S, Real T>
-std::vector<GradientPiece<S>> gradient_pieces(const BandSpectrum<T>& band) {
-    band.validate();
-    const S C0 = band.C0, H = band.hurst, q1 = band.q1, qr = band.q_rolloff, q2 = band.q2, pi = numbers::pi_v<S>;
-    std::vector<GradientPiece<S>> pieces;
-    S from = 0;
-    if (qr > q1) {  // G^2 = (pi/2) C (q^4 - q1^4)
-        const S C = C0 * std::pow(qr, -2 - 2 * H), unit = pi / 2 * C;
-        const S to = std::sqrt(unit) * qr * qr * std::sqrt(-std::expm1(4 * std::log(q1 / qr)));
-        pieces.push_back({S(0), to, q1 * q1 * q1 * q1, 1 / unit, S(0.25)});
-        from = to;
-    }
-    // G^2 = from^2 + 2 pi C0 (q^a - qr^a)/a with a = 2 - 2H; ln(q/qr) for a = 0
-    const S a = 2 - 2 * H, ratio = std::log(q2 / qr);
-    const S rise = 2 * pi * C0 * std::pow(qr, a) * power_integral(a, ratio);
-    const S to = std::sqrt(from * from + rise);
-    if (a * ratio < S(1e-8))  // the power is 1/a: as if a = 0, to 1e-8 a ratio
-        pieces.push_back({from, to, std::log(qr), ratio / rise, S(0)});
-    else
-        pieces.push_back({from, to, std::pow(qr, a), a / (2 * pi * C0), 1 / a});
-    return pieces;
-}
-
-template <class S, Real T>
-std::vector<GradientPiece<S>> gradient_pieces(const SpectrumShells<T>& spectrum) {
-    spectrum.validate();
-    std::vector<GradientPiece<S>> pieces;
-    S square = 0;
-    for (const auto& shell : spectrum.shells) {
-        const S from = std::sqrt(square);
-        square += static_cast<S>(shell.q2_h2);
-        pieces.push_back({from, std::sqrt(square), static_cast<S>(shell.q2_h2 / shell.q_h2), S(0), S(1)});
-    }
-    return pieces;
-}
 
 /// [gamma + 3 (1-gamma) erf(s)^2] exp(-s^2)
 template <class S>

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// How far the peaks of a contact are pressed in, as a mean in which each peak counts by the load it carries: what tells
+/// whether a law of plastic peaks is within the range of its finite elements.
+///
+///     <s>   = sum load omega/omega_c / sum load          omega_c = (its strain)^2 R, where a peak begins to flow
+///     <a/R> = sum load a/R / sum load                    a = sqrt(area/pi)
+///
+/// The sums run over the peaks above the separation, as the sums for p and K do (contact/rough_contact.hpp): the same law
+/// with load times s in place of its stiffness, load times a/R in place of its area, and its own kinks.
+///
+/// Reference   this project
+/// Units       eta is the separation over the rms height; the means have no unit
+/// Valid       as RoughContact
+/// Accuracy    the tolerance that is asked for, 1e-4 by default; each mean carries its bound. With a tolerance of 1e-9
+///             the nine digits of tests/data/plastic_curves.csv (tests/contact/load_means_test.cpp)
+
+#include <fstiff/asperity/plastic_laws.hpp>
+#include <fstiff/contact/quantity.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/core/estimate.hpp>
+#include <fstiff/core/numbers.hpp>
+
+#include <cmath>
+
+namespace fstiff {
+
+template <Real T = double>
+struct LoadMeans {
+    Estimate<T> interference;  ///< of omega/omega_c
+    Estimate<T> radius_ratio;  ///< of a/R
+};
+
+namespace detail {
+
+/// \p Law with its load times omega/omega_c as stiffness and its load times a/R as area.
+template <Real T, class Law>
+class LoadWeighted {
+public:
+    LoadWeighted(const Law& law, T critical_over_radius) : law_(law), critical_over_radius_(critical_over_radius) {}
+
+    template <class Omega>
+    [[nodiscard]] auto load(const Omega& omega, T radius) const {
+        return each(omega, [&](T w) { return static_cast<T>(law_.load(w, radius)); });
+    }
+    template <class Omega>
+    [[nodiscard]] auto stiffness(const Omega& omega, T radius) const {
+        return each(omega, [&](T w) { return law_.load(w, radius) * (w / (critical_over_radius_ * radius)); });
+    }
+    template <class Omega>
+    [[nodiscard]] auto area(const Omega& omega, T radius) const {
+        return each(omega, [&](T w) {
+            return law_.load(w, radius) * (std::sqrt(law_.area(w, radius) / numbers::pi_v<T>) / radius);
+        });
+    }
+    [[nodiscard]] T critical(T radius) const requires requires(const Law& law) { law.critical(radius); }
+    { return law_.critical(radius); }
+    [[nodiscard]] auto kinks() const requires requires(const Law& law) { law.kinks(); }
+    { return law_.kinks(); }
+
+private:
+    Law law_;
+    T critical_over_radius_;
+};
+
+}  // namespace detail
+
+/// The means over the peaks of \p contact at \p eta, with omega_c = \p critical_over_radius times R. Of a contact with
+/// interaction eta is that of its states.
+/// \throws domain_error for an eta outside the range of RoughContact, a tolerance outside that of the integrals, and
+/// unless critical_over_radius is finite and positive.
+template <Real T, class Law, class Peaks>
+[[nodiscard]] LoadMeans<T> load_means(const RoughContact<T, Law, Peaks>& contact, T eta, T critical_over_radius,
+                                      T relative_tolerance = T(1e-4)) {
+    require_positive("critical_over_radius", critical_over_radius);
+    RoughContactOptions<T> options = contact.options();
+    options.interaction = {};
+    options.integrals.relative_tolerance = relative_tolerance;
+    const T E = contact.effective_modulus(), sigma = contact.rms_height();
+    const RoughContact weighted(contact.surface(), contact.peaks(),
+                                detail::LoadWeighted<T, Law>(contact.law(), critical_over_radius), E, options);
+    const auto sums =
+        weighted.at_separation(eta * sigma, Quantity::pressure | Quantity::stiffness | Quantity::real_area);
+    const auto over_load = [&](const Estimate<T>& sum, T modulus) {
+        const T mean = sum.value * modulus / sums.pressure.value;
+        return Estimate<T>{mean, mean * (sum.error / sum.value + sums.pressure.error / sums.pressure.value),
+                           sum.evaluations + sums.pressure.evaluations};
+    };
+    return {over_load(sums.stiffness, T(1)), over_load(sums.real_area_fraction, E)};
+}
+
+/// The same of a law that knows where its peaks begin to flow.
+template <Real T, class Law, class Peaks>
+requires requires(const Law& law) { law.critical(T(1)); }
+[[nodiscard]] LoadMeans<T> load_means(const RoughContact<T, Law, Peaks>& contact, T eta) {
+    return load_means(contact, eta, static_cast<T>(contact.law().critical(T(1))));
+}
+
+}  // namespace fstiff
