@@ -23,6 +23,7 @@
 #include <fstiff/math/gaussian_moment.hpp>
 #include <fstiff/math/gaussian_moment_table.hpp>
 #include <fstiff/math/gaussian_moment_table_extended.hpp>
+#include <fstiff/math/gaussian_smoother.hpp>
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/math/least_squares.hpp>
 #include <fstiff/math/piecewise.hpp>
@@ -56,6 +57,7 @@
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/coarsen.hpp>
 #include <fstiff/topography/form.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/island_forest.hpp>
 #include <fstiff/topography/island_spread.hpp>

@@ -39,6 +39,7 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     const bool profile = surface.kind == "profile";
     said.push_back("rms height " + shown_length(before) + " as read, " + shown_length(after) + " without its form (" +
                    form + ")");
+    said.push_back(surface.cut_offs.sentence());
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
@@ -137,12 +138,16 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     if (profile) {
         surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));
         const PreparedProfile& levelled = *surface.profile;
+        surface.cut_offs = levelled.cut_offs;
+        how.fit.resolution = surface.cut_offs.shortest_lag(how.fit.resolution);
         found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
         surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     } else {
         surface.map = std::make_shared<PreparedMap>(level_map(options.input, input));
         const PreparedMap& levelled = *surface.map;
+        surface.cut_offs = levelled.cut_offs;
+        how.fit.resolution = surface.cut_offs.shortest_lag(how.fit.resolution);
         found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
         surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);

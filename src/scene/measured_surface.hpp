@@ -33,13 +33,14 @@ struct MeasureOptions {
 struct MeasuredSurface {
     std::string file, sha256, kind;  ///< of the measured file; kind: profile or map
     std::vector<std::string> decisions, warnings;
+    CutOffs cut_offs;                       ///< of what was measured
     std::vector<MeasuredConcern> concerns;  ///< behind the warnings
     UncertainSurface<double> parameters;
     Measurement<double> max_peak_height;  ///< [m]; 0: not known
     std::optional<Measurement<double>> fractal_roughness;
-    std::optional<HeightStatistics<double>> heights;        ///< none: the JSON is of an older fstiff
-    std::shared_ptr<const MapOfSurface> of_map;     ///< for laws of the map itself
-    std::string fractal_refusal, peaks_refusal;  ///< why there is no D, no r and theta
+    std::optional<HeightStatistics<double>> heights;  ///< none: the JSON is of an older fstiff
+    std::shared_ptr<const MapOfSurface> of_map;       ///< for laws of the map itself
+    std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
     std::shared_ptr<const PreparedProfile> profile;
     std::shared_ptr<const PreparedMap> map;

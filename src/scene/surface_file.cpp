@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/surface_file.hpp"
 
+#include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 #ifdef FSTIFF_HAS_X3P
 #include <fstiff/io/x3p.hpp>
 #endif
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fstiff::scene {
@@ -32,6 +35,34 @@ void refuse_cutoff(const SurfaceOptions& options) {
                            "detrend gaussian, of a profile; must not be given without it");
 }
 
+/// The cut-off of \p text for a surface of \p step and of \p length, which messages call \p name.
+std::optional<double> cut_off(const std::string& text, const std::string& name, int least, double step, double length) {
+    if (text.empty() || text == "none") return {};
+    const double value = parse_length(text, name);
+    if (value < least * step * (1 - 4 * std::numeric_limits<double>::epsilon()))
+        throw domain_error(name + " = " + shown_length(value) + " cannot be held by this file, whose points are " +
+                           shown_length(step) + " apart: must be at least " + std::to_string(least) + " steps, " +
+                           shown_length(least * step));
+    if (value > length)
+        throw domain_error(name + " = " + shown_length(value) + ": must be at most the length of the surface, " +
+                           shown_length(length));
+    return value;
+}
+
+/// \throws domain_error for cut-offs that a surface of \p step (the coarser one) and \p length (the shorter) cannot hold.
+CutOffs cut_offs_of(const SurfaceOptions& options, double step, double length) {
+    const std::string prefix(options.prefix), dash = prefix.empty() ? "_" : "-";
+    const std::string short_name = prefix + "lambda" + dash + "s", long_name = prefix + "lambda" + dash + "c";
+    return about_file(options.file, [&] {
+        const CutOffs found{cut_off(options.lambda_s, short_name, 2, step, length),
+                            cut_off(options.lambda_c, long_name, 5, step, length)};
+        if (found.lambda_s && found.lambda_c && *found.lambda_s >= *found.lambda_c)
+            throw domain_error(short_name + " = " + shown_length(*found.lambda_s) + ": must be less than " + long_name +
+                               ", " + shown_length(*found.lambda_c));
+        return found;
+    });
+}
+
 }  // namespace
 
 double parse_length(const std::string& text, std::string_view name) {
@@ -45,6 +76,15 @@ LagWindow<double> parse_window(const std::string& text, std::string_view name) {
     if (comma == std::string::npos)
         throw option_error(std::string(name) + " = \"" + text + "\": must be two lengths, such as \"1 um,100 um\"");
     return {parse_length(text.substr(0, comma), name), parse_length(text.substr(comma + 1), name)};
+}
+
+std::string CutOffs::sentence() const {
+    return (lambda_s ? "lambda_s " + shown_length(*lambda_s) + " (Gaussian, after the form was removed)"
+                     : std::string("lambda_s none (as measured)")) +
+           ", " +
+           (lambda_c ? "lambda_c " + shown_length(*lambda_c) + " (Gaussian, after " +
+                           (lambda_s ? "lambda_s)" : "the form was removed)")
+                     : std::string("lambda_c none"));
 }
 
 std::size_t SurfaceInput::points() const {
@@ -103,12 +143,16 @@ PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
     if (!filter) refuse_cutoff(options);
     if (filter && options.cutoff.empty())
         throw option_error(std::string(options.prefix) + "detrend gaussian needs " + name + ", such as \"0.8 mm\"");
-    if (filter) result.cutoff = parse_length(options.cutoff, name);
+    const Profile<double>& read = input.surface.profile();
+    if (filter && !options.lambda_c.empty() && options.lambda_c != "none")
+        throw option_error(std::string(options.prefix) + "detrend gaussian has the cut-off " + name +
+                           " already; must not stand beside another cut-off of long waves");
+    result.cut_offs = cut_offs_of(options, read.spacing, read.length());
+    if (filter) result.cut_offs.lambda_c = parse_length(options.cutoff, name);
     about_file(options.file, [&] {
-        const Profile<double>& read = input.surface.profile();
         result.rms_as_read = rms_height(read);
         static_cast<LevelledProfile<double>&>(result) =
-            level(read, form, result.cutoff, input.surface.record.resolution);
+            level(read, form, result.cut_offs.lambda_c, input.surface.record.resolution, result.cut_offs.lambda_s);
         result.rms = rms_height(result.profile);
     });
     return result;
@@ -122,9 +166,14 @@ PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
     result.form = options.detrend.empty() ? "plane" : options.detrend;
     const MapForm form = form_of<MapForm>(options, result.form, "map");
     refuse_cutoff(options);
+    const HeightMap<double>& read = input.surface.map();
+    result.cut_offs = cut_offs_of(
+        options, std::max(read.dx, read.dy),
+        std::min(static_cast<double>(read.columns()) * read.dx, static_cast<double>(read.rows()) * read.dy));
     about_file(options.file, [&] {
-        const HeightMap<double>& read = input.surface.map();
         result.map = level(read, form, input.surface.record.resolution).map;
+        if (const auto shortest = result.cut_offs.lambda_s) result.map = gaussian_low_pass(result.map, *shortest);
+        if (const auto longest = result.cut_offs.lambda_c) result.map = gaussian_high_pass(result.map, *longest);
         result.rms_as_read = rms_height(read);
         result.areal = areal_statistics(result.map);
         result.rms = result.areal.rms_height;

@@ -11,6 +11,7 @@
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ struct SurfaceOptions {
     std::string x3p_increment;          ///< apply (or empty) or ignore
     std::string detrend;                ///< see remove_form(); empty: "line" of a profile, "plane" of a map
     std::string cutoff;                 ///< of detrend = "gaussian"
+    std::string lambda_s, lambda_c;     ///< cut-offs of short and of long waves: a length, or "none" (or empty)
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
     std::string_view prefix = "";
     std::string_view format_name = "format";
@@ -52,24 +54,38 @@ struct SurfaceInput {
 /// The same from bytes that were read already.
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
 
-/// A profile without its form.
+/// The cut-offs of the Gaussian filters (ISO 16610-21 of profiles, -61 of maps) that act once the form is removed.
+struct CutOffs {
+    std::optional<double> lambda_s, lambda_c;  ///< of the short waves, and then of the long ones [m]
+
+    [[nodiscard]] bool any() const { return lambda_s || lambda_c; }
+    [[nodiscard]] std::string sentence() const;
+    /// The shortest lag at which a surface still shows itself: \p resolution, or lambda_s where that is longer [m].
+    [[nodiscard]] double shortest_lag(double resolution) const { return std::max(resolution, lambda_s.value_or(0)); }
+};
+
+/// A profile without its form and, with cut-offs, without its short and its long waves.
 struct PreparedProfile : LevelledProfile<double> {
     double rms_as_read{}, rms{};  ///< Rq before and after [m]
     std::string form;             ///< that was removed, by name
+    CutOffs cut_offs;             ///< lambda_c is the cut-off of detrend = "gaussian" too
 };
 
-/// A map without its form.
+/// A map without its form and, with cut-offs, without its short and its long waves.
 struct PreparedMap {
     HeightMap<double> map;
     double rms_as_read{}, rms{};  ///< Sq before and after [m]
     ArealStatistics<double> areal;
     std::string form;
+    CutOffs cut_offs;
 };
 
-/// Removes none, mean, line, parabola or gaussian (line, then the filter of ISO 16610-21 with the cut-off).
-/// \throws option_error for the form of a map or a cut-off without its filter, domain_error when the surface is a map.
+/// Removes none, mean, line, parabola or gaussian (line, then the filter of ISO 16610-21 with the cut-off), then the waves
+/// below lambda_s, then those above lambda_c.
+/// \throws option_error for the form of a map or a cut-off without its filter, domain_error when the surface is a map, and
+/// for cut-offs that the file cannot hold.
 [[nodiscard]] PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input);
-/// Removes none, mean, plane, quadratic or cubic. \throws as above.
+/// Removes none, mean, plane, quadratic or cubic, then the waves beyond the cut-offs. \throws as above.
 [[nodiscard]] PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input);
 
 /// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the reader.

@@ -16,6 +16,7 @@
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
@@ -35,7 +36,10 @@ FSTIFF_SCENE_INSTANCE StructureFunction<double> structure_function_at_all_lags(c
                                                                                Divisor);
 FSTIFF_SCENE_INSTANCE PowerSpectrum<double> power_spectrum(const Profile<double>&);
 FSTIFF_SCENE_INSTANCE PeakStatistics<double> peak_statistics(const Profile<double>&);
+FSTIFF_SCENE_INSTANCE Profile<double> gaussian_low_pass(const Profile<double>&, double);
 FSTIFF_SCENE_INSTANCE Profile<double> gaussian_roughness(const Profile<double>&, double);
+FSTIFF_SCENE_INSTANCE HeightMap<double> gaussian_low_pass(const HeightMap<double>&, double);
+FSTIFF_SCENE_INSTANCE HeightMap<double> gaussian_high_pass(const HeightMap<double>&, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> remove_form(const HeightMap<double>&, MapForm);
 FSTIFF_SCENE_INSTANCE ArealStatistics<double> areal_statistics(const HeightMap<double>&);
 FSTIFF_SCENE_INSTANCE IslandCurve<double> island_curve(const HeightMap<double>&, const IslandOptions<double>&);

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 using namespace fstiff;
@@ -70,6 +71,25 @@ TEST_CASE("Every point, the ends and the rims of gaps among them, is the weighte
             REQUIRE(roughness.heights[i] == profile.heights[i] - waviness.heights[i]);
         }
     }
+}
+
+TEST_CASE("The low pass is the waviness, and holds cut-offs down to two spacings") {
+    Profile<double> profile{test::fractional_brownian(256, 0.5, 3), 1e-6};
+    for (std::size_t i = 0; i < 256; ++i)
+        if (i % 11 == 3 || (i > 60 && i < 90)) profile.heights[i] = missing;
+    CHECK(std::ranges::equal(gaussian_low_pass(profile, 20e-6).heights, gaussian_waviness(profile, 20e-6).heights,
+                             [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }));
+    for (const double cutoff : {2e-6, 3.7e-6}) {
+        const auto low = gaussian_low_pass(profile, cutoff);
+        for (std::size_t i = 0; i < 256; ++i) {
+            CAPTURE(cutoff, i);
+            REQUIRE(std::isnan(low.heights[i]) == std::isnan(profile.heights[i]));
+            if (!std::isnan(profile.heights[i]))
+                REQUIRE(std::abs(low.heights[i] - slow(profile, cutoff, i)) < 1e-12);  // of heights up to 30
+        }
+    }
+    CHECK(test::refusal([&] { (void)gaussian_low_pass(profile, 1.9e-6); }).find("cut-off") == 0);
+    CHECK(test::refusal([&] { (void)gaussian_low_pass(profile, 256e-6); }).find("cut-off") == 0);
 }
 
 TEST_CASE("A constant is all waviness, ends included, whatever its height") {

@@ -29,6 +29,19 @@ TEST_CASE("A levelled profile is the detrended one, and knows the form") {
     }
 }
 
+TEST_CASE("The short waves go after the form, the long ones after them") {
+    const auto profile = rough();
+    const auto line = detrend(profile, Form::line);
+    const auto low = level(profile, Form::line, {}, 0, 20e-6);
+    CHECK(low.profile.heights == gaussian_low_pass(line, 20e-6).heights);
+    CHECK(low.lambda_s == 20e-6);
+    CHECK_FALSE(low.cutoff);
+    CHECK(low.mark() == Form::line);  // the long waves are there as the line left them
+    const auto band = level(profile, Form::line, 200e-6, 0, 20e-6);
+    CHECK(band.profile.heights == gaussian_roughness(gaussian_low_pass(line, 20e-6), 200e-6).heights);
+    CHECK(band.mark() == Form::none);
+}
+
 TEST_CASE("Behind a Gaussian filter the form has left no mark") {
     const auto profile = rough();
     const auto flat = level(profile, Form::line, 200e-6);

@@ -78,8 +78,15 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     ProfileResult result;
     result.levelled = level_profile(options.surface, input);
     const Profile<double>& profile = result.levelled.profile;
+    how.resolution = result.levelled.cut_offs.shortest_lag(how.resolution);
     result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
-    attempt(result.spectrum, result.no_spectrum, [&] { return fit_spectrum(power_spectrum(profile)); });
+    attempt(result.spectrum, result.no_spectrum, [&] {
+        const PowerSpectrum<double> spectrum = power_spectrum(profile);
+        std::optional<WavelengthWindow<double>> window;  // without the waves that the filter took a part of
+        if (const auto shortest = result.levelled.cut_offs.lambda_s)
+            window = {std::max(16 * profile.spacing, 5 * *shortest), 2 * numbers::pi_v<double> / spectrum.step / 8};
+        return fit_spectrum(spectrum, window);
+    });
     attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
     attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });
     result.structure = options.all_lags ? structure_function_at_all_lags(profile) : result.fit.structure_function;
@@ -92,6 +99,7 @@ MapResult fit_map(const Options& options, const SurfaceInput& input) {
     how.progress = progress_bar();
     MapResult result;
     result.levelled = level_map(options.surface, input);
+    how.resolution = result.levelled.cut_offs.shortest_lag(how.resolution);
     about_file(options.surface.file, [&] {
         result.fit = fit_directions(result.levelled.map, how);
         if (!result.fit.x && !result.fit.y)
@@ -226,6 +234,7 @@ Json json_start(const Options& options, const SurfaceInput& input, const std::st
 Json json(const Options& options, const SurfaceInput& input, const ProfileResult& result) {
     Json document = json_start(options, input, result.levelled.form);
     put_fit(document, result.fit);
+    put_cut_offs(document, result.levelled.cut_offs);
     document["rms_height_m"] = result.levelled.rms;
     document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
     document["points"] = input.points();
@@ -264,6 +273,7 @@ Json json(const Options& options, const SurfaceInput& input, const MapResult& re
     document["dx_m"] = map.dx;
     document["dy_m"] = map.dy;
     document["missing_points"] = input.missing();
+    put_cut_offs(document, result.levelled.cut_offs);
     document["rms_height_m"] = result.levelled.rms;
     document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
     const ArealStatistics<double>& a = result.levelled.areal;
@@ -330,7 +340,8 @@ std::string table(const Options& options, const SurfaceInput& input, const Profi
             shown_length(result.levelled.profile.length()) + "\n";
     text += "  Rq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
             shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form +
-            (result.levelled.cutoff ? ", cut-off " + shown_length(*result.levelled.cutoff) : "") + ")\n";
+            (result.levelled.form == gaussian_form ? ", cut-off " + shown_length(*result.levelled.cutoff) : "") + ")\n";
+    text += "  cut-offs " + result.levelled.cut_offs.sentence() + "\n";
     text += "  window   " + window_line(fit) + "\n           " + window_reason(fit) + "\n\n";
     text += "  D = " + rounded(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
             "   (regression alone, too small: " + rounded(fit.regression_dimension_error, 2) + ")\n";
@@ -374,6 +385,7 @@ std::string table(const Options& options, const SurfaceInput& input, const MapRe
             shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";
     text += "  Sq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
             shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form + ")\n";
+    text += "  cut-offs " + result.levelled.cut_offs.sentence() + "\n";
     text += "  moments  m2 " + rounded(a.m2) + " (x " + rounded(a.m2_x) + ", y " + rounded(a.m2_y) + "), m4 " +
             rounded(a.m4 * 1e-12) + " /µm², Nayak's alpha " + rounded(a.nayak) + "\n";
     text += "  summits  " + std::to_string(a.summits) + ", density " + rounded(a.summit_density * 1e-6) +

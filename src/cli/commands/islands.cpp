@@ -99,6 +99,7 @@ Json json(const Options& options, const SurfaceInput& input, const Result& resul
     document["dx_m"] = map.dx;
     document["dy_m"] = map.dy;
     document["missing_points"] = input.missing();
+    put_cut_offs(document, result.levelled.cut_offs);
     document["nominal_area_m2"] = r.curve.nominal_area;
     document["rms_height_m"] = result.levelled.rms;
     document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
@@ -126,6 +127,7 @@ std::string table(const Options& options, const SurfaceInput& input, const Resul
             shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";
     text += "  Sq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
             shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form + ")\n";
+    text += "  cut-offs " + result.levelled.cut_offs.sentence() + "\n";
     text += "  islands  of " + std::to_string(options.neighbours) + " neighbours, of " +
             std::to_string(options.min_points) + " points at least, at the border " +
             (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +

@@ -144,6 +144,7 @@ std::string table(const Options& options, const Source& source, const std::vecto
         text += " " + display_name(options.surface.file) + "\n" + source_lines(*source.input, "  file              ");
         text += "  form removed      " + source.levelled->form + "; Rq " + shown_length(source.levelled->rms_as_read) +
                 " before, " + shown_length(source.levelled->rms) + " after";
+        if (source.levelled->cut_offs.any()) text += "; " + source.levelled->cut_offs.sentence();
     }
     text += "\n  r, theta          " + rounded(p.r(), 6) + ", " + rounded(p.theta(), 6) + " rad\n";
     text += "  peaks/ordinates   " + rounded(p.peak_ratio(), 6) + " (4.3)";

@@ -235,6 +235,7 @@ std::string introduction(const Scene& scene, const Results& results) {
                 parts.push_back(std::string(parameter_table[i].symbol) + " " +
                                 rounded(100 * u.error[i] / u.value[i], 2) + " %");
         parts.front() = scene.measured->file + " (" + scene.measured->kind + "), errors of " + parts.front();
+        if (scene.measured->cut_offs.any()) parts.push_back(scene.measured->cut_offs.sentence());
         text += in_lines("measured", parts);
     }
     const auto material = [&](const Material<double>& m) {

@@ -56,7 +56,7 @@ Solved solve(const Options& options) {
     const PreparedMap map = scene::level_map(options.input, input);
     Solved solved;
     solved.file = display_name(options.input.file);
-    solved.form = map.form;
+    solved.form = map.form + (map.cut_offs.any() ? ", " + map.cut_offs.sentence() : "");
     solved.modulus = options.modulus.empty()
                          ? effective_modulus(scene.upper, scene.lower)
                          : io::parse_quantity(options.modulus, io::Dimension::pressure, "--modulus");

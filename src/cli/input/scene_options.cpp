@@ -2,6 +2,7 @@
 #include "input/scene_options.hpp"
 
 #include "input/progress.hpp"
+#include "input/surface_options.hpp"
 
 namespace fstiff::cli {
 
@@ -35,6 +36,7 @@ Json measured_document(const MeasuredSurface& surface) {
     Json document = json_document("measure");
     document["source"] = {
         {"file", surface.file}, {"sha256", surface.sha256}, {"kind", surface.kind}, {"decisions", surface.decisions}};
+    put_cut_offs(document, surface.cut_offs);
     Json& values = document["surface"] = Json::object();
     for (const ParameterLine& line : parameter_lines(surface)) {
         Json& entry = values[line.name] = Json::object();

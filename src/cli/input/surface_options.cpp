@@ -55,6 +55,17 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     }
     arguments.option("--detrend", options.detrend, "form that is removed before anything is computed" + forms)
         .one_of(words);
+    arguments.option(
+        "--lambda-s", options.lambda_s,
+        "shortest waves that are kept, such as \"1 um\": the Gaussian filter (ISO 16610-21 and -61) halves "
+        "them once the form is removed; default none");
+    arguments.option("--lambda-c", options.lambda_c,
+                     "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; default none");
+}
+
+void put_cut_offs(Json& document, const CutOffs& cut_offs) {
+    document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
+    document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
 }
 
 Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
@@ -70,6 +81,8 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
                    {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
                    {"width", options.width},         {"height", options.height}, {"detrend", form},
                    {"cutoff", options.cutoff}};
+    if (!options.lambda_s.empty()) inputs["lambda_s"] = options.lambda_s;
+    if (!options.lambda_c.empty()) inputs["lambda_c"] = options.lambda_c;
     if (!options.missing.empty()) inputs["missing"] = options.missing;
     if (options.resample) inputs["resample"] = true;
     if (!options.x3p_increment.empty()) inputs["x3p_increment"] = options.x3p_increment;

@@ -14,7 +14,7 @@ namespace fstiff::cli {
 /// What a subcommand reads.
 enum class SurfaceKind { profile, map, any };
 
-/// Adds --input-format, --units, --missing, --x3p-increment, --detrend, --spacing, --column, --resample and --cutoff of profiles, --dx, --dy, --width and --height
+/// Adds --input-format, --units, --missing, --x3p-increment, --detrend, --spacing, --column, --resample and --cutoff of profiles, --lambda-s and --lambda-c, --dx, --dy, --width and --height
 /// of maps. Not the file itself.
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
 
@@ -22,6 +22,8 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
 [[nodiscard]] Json json_source(const SurfaceOptions& options, const SurfaceInput& input);
 /// The options as they were given, for a JSON document; \p form is the one that was removed.
 [[nodiscard]] Json json_inputs(const SurfaceOptions& options, const std::string& form);
+/// lambda_s_m and lambda_c_m of a JSON document: null where there is none.
+void put_cut_offs(Json& document, const CutOffs& cut_offs);
 /// The same decisions as lines of a table, each behind \p indent.
 [[nodiscard]] std::string source_lines(const SurfaceInput& input, std::string_view indent);
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Weighted sums of equally spaced numbers with the weights of the Gaussian filter, not normalised.
+///
+///     y_i = sum_k s(i-k) z_k,   s(n) = exp(-pi (n/(a w))^2),  a = sqrt(ln 2/pi) = 0.4697         w: cut-off in samples
+///
+/// The profile filter divides them by the same sums of ones, the map filter applies them along rows and columns.
+///
+/// Reference   ISO 16610-21:2011, 4.2 (weights)
+/// Units       the numbers': any; w in samples
+/// Valid       w > 0, as many numbers as were announced
+/// Accuracy    that of the transform: 1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights
+///             below 1e-17 of the middle one are left out
+
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/math/fft.hpp>
+
+#include <cmath>
+
+namespace fstiff {
+
+/// The sums above for data of one size; keeps the transform of the weights from call to call.
+template <Real T = double>
+class GaussianSmoother {
+public:
+    /// \throws domain_error unless there are numbers and the \p width, in samples, is positive.
+    GaussianSmoother(std::size_t size, T width);
+
+    /// Replaces the numbers by their sums. \throws domain_error unless there are as many as were announced.
+    void operator()(std::vector<T>& data);
+
+private:
+    static std::size_t reach(std::size_t size, T width);  ///< of the weights, to 1e-17
+
+    std::size_t size_;
+    RealFft<T> fft_;
+    std::vector<std::complex<T>> shape_, spectrum_;
+};
+
+template <Real T>
+std::size_t GaussianSmoother<T>::reach(std::size_t size, T width) {
+    require_positive("numbers to smooth", static_cast<T>(size));
+    require_positive("width", width);
+    // before the conversion to a whole number, which a huge width would leave the range of
+    return T(1.66) * width >= static_cast<T>(size - 1)
+               ? size - 1
+               : std::min(size - 1, static_cast<std::size_t>(T(1.66) * width) + 1);
+}
+
+template <Real T>
+GaussianSmoother<T>::GaussianSmoother(std::size_t size, T width)
+    : size_(size), fft_(fast_fft_size(size + reach(size, width))) {
+    const auto weight = [&](std::size_t k) {
+        const T x = static_cast<T>(k) / width;
+        return std::exp(-numbers::pi_v<T> * numbers::pi_v<T> / numbers::ln2_v<T> * x * x);
+    };
+    std::vector<T> kernel(fft_.size());
+    kernel[0] = weight(0);
+    for (std::size_t k = 1; k <= reach(size, width); ++k) kernel[k] = kernel[fft_.size() - k] = weight(k);
+    fft_.forward(kernel, shape_);
+}
+
+template <Real T>
+void GaussianSmoother<T>::operator()(std::vector<T>& data) {
+    require(data.size() == size_, "numbers to smooth", static_cast<T>(data.size()), "as many as were announced");
+    fft_.forward(data, spectrum_);
+    for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= shape_[k].real();  // the kernel is even
+    fft_.inverse(spectrum_, data);
+    data.resize(size_);
+}
+
+}  // namespace fstiff

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --lambda-s and --lambda-c of the commands that measure, and the same keys of a scene.
+#include "command.hpp"
+
+#include "support/skip.hpp"
+
+#include <fstiff/io/surface_file.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/topography/form.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace {
+
+std::string map_text() {
+    return test::fstiff(
+               "generate map --points 96 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '4 um' --longest '48 um'")
+        .out;
+}
+
+nlohmann::json json_of(const std::string& arguments, const std::string& input) {
+    const auto outcome = test::fstiff(arguments, input);
+    INFO("fstiff " << arguments << "\n" << outcome.err);
+    REQUIRE(outcome.status % 4 == 0);  // a doubtful parameter is no matter here
+    return nlohmann::json::parse(outcome.out);
+}
+
+bool decided(const nlohmann::json& document, const std::string& words) {
+    for (const std::string line : document["source"]["decisions"])
+        if (test::contains(line, words)) return true;
+    return false;
+}
+
+/// Every \p step th line.
+std::string decimated(const std::string& text, std::size_t step) {
+    std::string result;
+    const auto all = test::lines(text);
+    for (std::size_t i = 0; i < all.size(); i += step) result += all[i] + "\n";
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("A trace at every 1st to 16th point has one R, D_p and gradient behind one lambda_s, within their errors") {
+    const std::string file = std::string(FSTIFF_SURFACES) + "/opdx-3.txt";
+    if (!std::filesystem::exists(file)) SKIP_CASE("there is no measured surface " + file);
+    const std::string text = test::read(file);
+    std::vector<nlohmann::json> found, as_measured;
+    for (const std::size_t step : {1, 2, 4, 8, 16}) {
+        const std::string part = decimated(text, step);
+        found.push_back(json_of("measure - --units m,m --lambda-s '1 um'", part)["surface"]);
+        as_measured.push_back(json_of("measure - --units m,m", part)["surface"]);
+    }
+    const auto apart = [](const nlohmann::json& a, const nlohmann::json& b) {  // in errors of their difference
+        return std::abs(a["value"].get<double>() - b["value"].get<double>()) /
+               std::hypot(a["error"].get<double>(), b["error"].get<double>());
+    };
+    for (const char* name : {"rms_height", "peak_radius", "peak_density", "rms_gradient"})
+        for (std::size_t i = 0; i < found.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                CAPTURE(name, i, j);
+                CHECK(apart(found[i][name], found[j][name]) < 1.5);
+            }
+    for (const auto& one : found) {  // computed beforehand by other code, with another treatment of the ends
+        CHECK(std::abs(one["peak_radius"]["value"].get<double>() - 150e-6) < 8e-6);
+        CHECK(std::abs(one["peak_density"]["value"].get<double>() - 0.7e12) < 0.15e12);
+    }
+    // without the filter they are apart, which is why it is there
+    CHECK(apart(as_measured[0]["peak_radius"], as_measured[4]["peak_radius"]) > 10);
+    CHECK(apart(as_measured[0]["rms_gradient"], as_measured[4]["rms_gradient"]) > 10);
+}
+
+TEST_CASE("The map that is measured is the one that the library filters, first lambda_s, then lambda_c") {
+    const std::string text = map_text();
+    const auto map = fstiff::io::read_surface(text, "map").map();
+    const auto low = fstiff::gaussian_low_pass(fstiff::remove_form(map, fstiff::MapForm::plane), 8e-6);
+    const auto both = fstiff::gaussian_high_pass(low, 40e-6);
+    const auto one = json_of("measure - --lambda-s '8 um'", text);
+    CHECK(one["surface"]["rms_height"]["value"].get<double>() == fstiff::rms_height(low));
+    CHECK(one["lambda_s_m"] == 8e-6);
+    CHECK(one["lambda_c_m"].is_null());
+    CHECK(decided(one, "lambda_s 8 µm (Gaussian, after the form was removed), lambda_c none"));
+    CHECK(decided(one, "lags of 8"));  // no shorter lag gives D
+    const auto two = json_of("measure - --lambda-s '8 um' --lambda-c '40 um'", text);
+    CHECK(two["surface"]["rms_height"]["value"].get<double>() == fstiff::rms_height(both));
+    CHECK(two["lambda_c_m"] == 40e-6);
+    CHECK(decided(two, "lambda_c 40 µm (Gaussian, after lambda_s)"));
+    for (const char* command : {"fit", "islands"}) {
+        CAPTURE(command);
+        const std::string how = std::string(command) + " - --format json --lambda-s '8 um'";
+        const auto document = json_of(how + " --lambda-c '40 um'", text);
+        CHECK(document["rms_height_m"].get<double>() == fstiff::rms_height(both));
+        CHECK(document["lambda_s_m"] == 8e-6);
+        CHECK(document["lambda_c_m"] == 40e-6);
+    }
+    CHECK(json_of("fit - --format json --lambda-s '8 um'", text)["x"]["window_m"][0].get<double>() >= 8e-6);
+}
+
+TEST_CASE("Without the options, and with none, nothing is filtered, and the output says so") {
+    const std::string text = map_text();
+    const auto plain = json_of("measure -", text), none = json_of("measure - --lambda-s none --lambda-c none", text);
+    CHECK(plain["surface"] == none["surface"]);
+    for (const auto& document : {plain, none}) {
+        CHECK(document["lambda_s_m"].is_null());
+        CHECK(document["lambda_c_m"].is_null());
+        CHECK(decided(document, "lambda_s none (as measured), lambda_c none"));
+    }
+    CHECK(test::contains(test::fstiff("fit -", text).out, "lambda_s none (as measured)"));
+    CHECK(test::contains(test::fstiff("islands -", text).out, "lambda_s none (as measured)"));
+}
+
+TEST_CASE("A scene takes lambda_s and lambda_c beside from, and measures as the command does") {
+    const test::Folder folder;
+    const std::string text = map_text();
+    folder.write("map.txt", text);
+    const auto scene = [&](const std::string& keys) {
+        return folder.write("scene.toml", "[surface]\nfrom = \"map.txt\"\n" + keys +
+                                              "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = "
+                                              "0.3\n[contact]\npressures = [\"10 MPa\"]\n");
+    };
+    const auto ran = json_of("run '" + scene("lambda_s = \"8 um\"\nlambda_c = \"40 um\"") + "' --format json", "");
+    const auto measured = json_of("measure - --lambda-s '8 um' --lambda-c '40 um'", text);
+    CHECK(test::contains(ran.dump(), measured["surface"]["peak_radius"]["quantity"].get<std::string>().substr(0, 8)));
+    CHECK(test::contains(ran.dump(), "\"lambda_s_m\":8e-06"));
+    CHECK(test::contains(test::fstiff("run --surface -", measured.dump()).out, "lambda_s 8 µm"));
+    const std::string read_back = test::fstiff("run --surface - --format json", measured.dump()).out;
+    CHECK(test::contains(nlohmann::json::parse(read_back).dump(), "\"lambda_s_m\":8e-06"));
+    test::check_refused("run '" + scene("lambda_s = \"1 um\"") + "'", 3, {"lambda_s = 1 µm", "at least 2 steps"});
+    test::check_refused("run '" + scene("lambda_s = 1.0") + "'", 3, {"lambda_s"});
+}
+
+TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
+    const std::string text = map_text();  // 96 um x 96 um, steps of 1 um
+    const auto check = [&](const std::string& how, int status, const std::vector<std::string>& parts) {
+        for (const char* command : {"measure - ", "fit - ", "islands - "})
+            test::check_refused(command + how, status, parts, text);
+    };
+    check("--lambda-s '1.9 um'", 3, {"--lambda-s = 1.9 µm cannot be held by this file", "at least 2 steps, 2 µm"});
+    check("--lambda-c '4 um'", 3, {"--lambda-c = 4 µm cannot be held by this file", "at least 5 steps, 5 µm"});
+    check("--lambda-c '97 um'", 3, {"--lambda-c = 97 µm", "at most the length of the surface, 96 µm"});
+    check("--lambda-s '10 um' --lambda-c '10 um'", 3, {"--lambda-s = 10 µm", "less than --lambda-c"});
+    check("--lambda-s 8", 3, {"--lambda-s", "without a unit"});
+    check("--lambda-c '8 Pa'", 3, {"--lambda-c"});
+    check("--lambda-s '0 um'", 3, {"--lambda-s"});
+    std::string profile;
+    for (int i = 0; i < 400; ++i) profile += std::to_string(std::sin(i * i * 0.1)) + "\n";
+    test::check_refused("fit - --units um --spacing '1 um' --detrend gaussian --cutoff '80 um' --lambda-c '40 um'", 2,
+                        {"--cutoff", "another cut-off"}, profile);
+    const auto document = json_of("measure - --units um --spacing '1 um' --detrend gaussian --cutoff '80 um'", profile);
+    CHECK(document["lambda_c_m"] == 80e-6);
+}
