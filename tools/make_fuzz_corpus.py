@@ -37,6 +37,7 @@ put("profile_text", "binary.txt", b"0 1\n\0\xff\n")
 put("profile_text", "hole.txt", "x [um],z [um]\n" + "".join(f"{i + (i > 9)},{z}\n" for i, z in enumerate(heights)))
 put("profile_text", "missing-words.txt", "#;x [\u00b5m];z [A]\n" + rows(";").replace("0.4\n", "NA\n").replace("0.1\n", "***\n"))
 put("profile_text", "missing-number.txt", "x [um] z [um]\n" + rows(" ").replace("0.4\n", "-9999\n"))
+put("profile_text", "utf-16.txt", ("x [\u00b5m]\tz [nm]\n" + rows("\t")).encode("utf-16"))
 put("profile_text", "uneven.txt", "x [um],z [um]\n" + "".join(f"{i + i % 3 / 4},{z}.5D-01\n" for i, z in enumerate(heights)))
 
 # --- maps as text ---
@@ -100,6 +101,59 @@ put("sdf", "binary-nan-scale.sdf", sdf_binary(x=math.nan))
 put("sdf", "binary-overflow.sdf", sdf_binary(z=1e308))
 put("sdf", "binary-missing.sdf", sdf_binary(
     data=struct.pack("<20d", math.nan, -1.7976931348623157e308, *range(18))))
+
+
+# --- arrays of NumPy, simple fields of Gwyddion, files of Digital Surf ---
+def npy(kind="<f8", shape="(4, 5)", order="False", data=None, version=1):
+    text = f"{{'descr': '{kind}', 'fortran_order': {order}, 'shape': {shape}, }}\n".encode()
+    code = kind[0].replace("|", "<") + "20" + {"f4": "f", "f8": "d", "i1": "b", "i2": "h", "i4": "i", "i8": "q"}[kind[1:]]
+    return (b"\x93NUMPY" + bytes([version, 0]) + struct.pack("<H" if version == 1 else "<I", len(text)) + text +
+            (struct.pack(code, *heights) if data is None else data))
+
+
+for kind in ("<f4", ">f4", "<f8", ">f8", "|i1", "<i2", ">i4", "<i8"):
+    put("npy", f"map-{kind[1:]}-{'big' if kind[0] == '>' else 'little'}.npy", npy(kind))
+put("npy", "fortran.npy", npy(order="True"))
+put("npy", "profile.npy", npy(shape="(20,)"))
+put("npy", "column-2.npy", npy("<i2", "(20, 1)", version=2))
+put("npy", "huge-shape.npy", npy(shape="(4294967295, 4294967295)"))
+put("npy", "three.npy", npy(shape="(2, 2, 5)"))
+put("npy", "missing.npy", npy(data=struct.pack("<20d", math.nan, -9999, -9999, *range(17))))
+put("npy", "infinite.npy", npy(data=struct.pack("<20d", math.inf, *range(19))))
+
+
+def gsf(x="5", y="4", width="1e-5", unit="m", data=None):
+    text = (f"Gwyddion Simple Field 1.0\nXRes = {x}\nYRes = {y}\nXReal = {width}\nYReal = 4e-6\nXYUnits = m\n"
+            f"ZUnits = {unit}\nTitle = z\n").encode()
+    return text + bytes(4 - len(text) % 4) + (struct.pack("<20f", *heights) if data is None else data)
+
+
+put("gsf", "map.gsf", gsf())
+put("gsf", "profile.gsf", gsf("20", "1", unit="nm"))
+put("gsf", "huge-count.gsf", gsf("4294967295", "4294967295"))
+put("gsf", "volt.gsf", gsf(unit="V"))
+put("gsf", "no-width.gsf", gsf(width="nan"))
+put("gsf", "missing.gsf", gsf(data=struct.pack("<20f", math.nan, *range(19))))
+
+
+def sur(order="<", bits=16, x=5, y=4, comment=b"", marked=1, z=1e-3, units=(b"mm", b"\xb5m")):
+    text = lambda word: word.ljust(16)
+    header = struct.pack(
+        order + "12s4h30s30s5h8sh5i3f48s16s16s16s48s3f3h12s7hf10s2h128s3f34s", b"DIGITAL SURF", 257 if order == ">" else 0,
+        1, 1, 2, b"name", b"operator", 0, 0, 0, marked, 0, b"", bits, -1, 6, x, y, 20, 0.5, 0.5, z, b"", text(units[0]),
+        text(units[0]), text(units[1]), b"", 1, 1, 1, 0, 0, 0, b"", *[0] * 7, 0, b"", len(comment), 0, b"", 0, 0, 0, b"")
+    assert len(header) == 512
+    return header + comment + struct.pack(f"{order}20{'h' if bits == 16 else 'i'}", *heights)
+
+
+for bits in (16, 32):
+    put("sur", f"little-{bits}.sur", sur(bits=bits))
+    put("sur", f"big-{bits}.sur", sur(">", bits, marked=0))
+put("sur", "comment.sur", sur(comment=b"comment"))
+put("sur", "profile.pro", sur(x=20, y=1))
+put("sur", "huge-count.sur", sur(x=2147483647, y=2147483647))
+put("sur", "nan-step.sur", sur(z=math.nan))
+put("sur", "volt.sur", sur(units=(b"mm", b"V")))
 
 
 # --- X3P ---

@@ -22,7 +22,7 @@ namespace fstiff::scene {
 /// How a file is read; a file name alone will do. What is left empty is taken from the file, or by default.
 struct SurfaceOptions {
     std::string file;                   ///< "-" is standard input
-    std::string format = "auto";        ///< auto, profile, triples, matrix, sdf or x3p
+    std::string format = "auto";        ///< auto, profile, triples, matrix, sdf, x3p, npy, gsf or sur
     std::string units;                  ///< "um,nm" (lengths, heights) or "um" (both)
     std::string spacing;                ///< of a profile
     std::string dx, dy, width, height;  ///< of a matrix

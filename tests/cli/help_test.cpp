@@ -98,7 +98,7 @@ TEST_CASE("run --example prints a scene that runs, also with all that is comment
 TEST_CASE("formats tells of every form that --input-format takes") {
     const auto list = test::fstiff("formats --format csv");
     CHECK(list.status == 0);
-    for (const char* name : {"profile", "triples", "matrix", "sdf", "x3p", "scene"}) {
+    for (const char* name : {"profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur", "scene"}) {
         INFO(name);
         CHECK(test::contains(list.out, "\n\"" + std::string(name) + "\","));
         CHECK(test::contains(test::fstiff("formats").out, "\n" + std::string(name) + "  ("));

@@ -25,10 +25,7 @@ TEST_CASE("A binary file is called what its first bytes say, with the way out") 
                                                          {"%PDF-1.7\n"s, "PDF"},
                                                          {"\x89HDF\r\n\x1A\n"s, "HDF5"},
                                                          {"CDF\x01\0"s, "NetCDF"},
-                                                         {"\x93NUMPY\x01"s, "NumPy"},
                                                          {"GWYP\0"s, "Gwyddion"},
-                                                         {"Gwyddion Simple Field 1.0\n"s, ".gsf"},
-                                                         {"DIGITAL SURF\0"s, ".sur"},
                                                          {"DSCOMPRESSED"s, ".sur"},
                                                          {"\x01\0Directory"s, "Wyko"},
                                                          {"\x88\x1B\x03\x6F"s, "Zygo"},
@@ -40,7 +37,7 @@ TEST_CASE("A binary file is called what its first bytes say, with the way out") 
         CHECK(has(refusal(bytes), name));
         CHECK(has(refusal(bytes), "is binary: "));
         CHECK(
-            has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71) or X3P"));
+            has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, "));
     }
     CHECK(has(refusal("1 2\n\0"s), "holds NUL bytes"));
 }

@@ -195,7 +195,8 @@ TEST_CASE("Binary files are known by their first bytes") {
 }
 
 TEST_CASE("Formats have names") {
-    for (const char* name : {"auto", "profile", "triples", "matrix", "sdf", "x3p"})
+    for (const char* name : {"auto", "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur"})
         CHECK(io::surface_format_name(io::surface_format(name)) == name);
-    CHECK(has(test::refusal([] { (void)io::surface_format("bmp"); }), "auto, profile, triples, matrix, sdf, x3p"));
+    CHECK(has(test::refusal([] { (void)io::surface_format("bmp"); }),
+              "auto, profile, triples, matrix, sdf, x3p, npy, gsf, sur"));
 }

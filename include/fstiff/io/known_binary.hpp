@@ -37,12 +37,9 @@ inline constexpr std::array known_binaries{
     KnownBinary{"CDF\x01", "a NetCDF file", from_python},
     KnownBinary{"CDF\x02", "a NetCDF file", from_python},
     KnownBinary{"CDF\x05", "a NetCDF file", from_python},
-    KnownBinary{"\x93NUMPY", "a NumPy array (.npy)", from_python},
     KnownBinary{"MATLAB 5.0", "a MATLAB file", "write its matrix as text"},
     KnownBinary{"GWYP", "a Gwyddion file (.gwy)", from_gwyddion},
     KnownBinary{"GWYO", "a Gwyddion file (.gwy)", from_gwyddion},
-    KnownBinary{"Gwyddion Simple Field", "a Gwyddion simple field (.gsf)", from_gwyddion},
-    KnownBinary{"DIGITAL SURF", "a Digital Surf file (.sur, .pro)", "export it from MountainsMap or Gwyddion"},
     KnownBinary{"DSCOMPRESSED", "a compressed Digital Surf file (.sur, .pro)",
                 "export it from MountainsMap or Gwyddion"},
     KnownBinary{std::string_view("\x01\0Directory", 11), "a Wyko file (.opd)", from_the_instrument},
@@ -68,7 +65,8 @@ inline constexpr std::array known_binaries{
 };
 
 /// What fstiff reads, for messages.
-inline constexpr std::string_view readable_forms = "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71) or X3P";
+inline constexpr std::string_view readable_forms =
+    "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, .npy, .gsf or .sur";
 
 /// "is binary: a PNG picture, which is not read; must be ..."; empty when the first bytes are of no format that is known here.
 inline std::string known_binary_refusal(std::string_view bytes) {
@@ -90,10 +88,12 @@ inline std::string known_binary_refusal(std::string_view bytes) {
            std::string(way);
 }
 
-/// Whether the readers of SDF and X3P may want bytes that begin so, NUL bytes and all.
-inline bool may_be_binary_surface(std::string_view bytes) {
-    return bytes.starts_with("PK") ||
-           (bytes.size() > 4 && (bytes.substr(1, 3) == "ISO" || bytes.substr(1, 3) == "BCR"));
+/// Whether a reader may want bytes that begin so, NUL bytes and all: of a binary form, or of text in UTF-16.
+inline bool may_hold_nul_bytes(std::string_view bytes) {
+    for (const std::string_view first :
+         {"PK", "\x93NUMPY", "Gwyddion Simple Field", "DIGITAL SURF", "\xFF\xFE", "\xFE\xFF"})
+        if (bytes.starts_with(first)) return true;
+    return bytes.size() > 4 && (bytes.substr(1, 3) == "ISO" || bytes.substr(1, 3) == "BCR");
 }
 
 }  // namespace fstiff::io::detail

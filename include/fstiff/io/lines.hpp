@@ -8,6 +8,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/known_binary.hpp>
 #include <fstiff/io/number.hpp>
+#include <fstiff/io/utf16.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -57,8 +58,8 @@ struct NamedBytes {
 [[noreturn, gnu::cold]] inline void refuse_binary(const std::string& name, std::string_view bytes) {
     const std::string known = known_binary_refusal(bytes);
     if (!known.empty()) refuse_file(name, {known});
-    refuse_file(name, {"is binary, or UTF-16 (it holds NUL bytes); must be ", readable_forms,
-                       "; text in UTF-8 or an 8-bit code page"});
+    refuse_file(name, {"is binary, or UTF-16 without its byte order mark (it holds NUL bytes); must be ",
+                       readable_forms, "; text in UTF-8, UTF-16 with a byte order mark, or an 8-bit code page"});
 }
 
 /// What no file may exceed: a map of 8000 x 8000 points with 17 digits each has 1.5e9 bytes.
@@ -71,7 +72,7 @@ inline void append_bytes(std::istream& input, const std::string& name, std::stri
     while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), input.gcount() > 0) {
         const std::string_view block(chunk.data(), static_cast<std::size_t>(input.gcount()));
         bytes += block;
-        if (block.find('\0') != std::string_view::npos && !may_be_binary_surface(bytes)) return;
+        if (block.find('\0') != std::string_view::npos && !may_hold_nul_bytes(bytes)) return;
         if (bytes.size() > most_bytes) refuse_file(name, {"is longer than 2^31 bytes (2 GiB); must be shorter"});
     }
     if (input.bad()) throw file_error(name, "cannot be read to its end; must be a readable file");
@@ -94,8 +95,17 @@ inline NamedBytes read_bytes(const std::filesystem::path& path, std::string_view
     return read_bytes(input, name);
 }
 
-/// \p bytes without a byte order mark, when they may be text; \p what names the text that must be there.
+/// \p bytes without a byte order mark, in UTF-8 where they are UTF-16, when they may be text; \p what names the text that
+/// must be there.
 inline std::string text_of(std::string bytes, const std::string& name, std::string_view what) {
+    if (is_utf16(bytes)) {
+        std::size_t wrong = 0;
+        auto text = utf8_of_utf16(bytes, wrong);
+        if (!text)
+            refuse_file(name, {"begins as UTF-16, but byte ", wrong + 1,
+                               " begins no whole character of it; must be UTF-16 throughout, or UTF-8"});
+        bytes = std::move(*text);
+    }
     if (bytes.find('\0') != std::string::npos || !known_binary_refusal(bytes).empty()) refuse_binary(name, bytes);
     if (bytes.empty()) refuse_file(name, {"is empty; must be delimited text with " + std::string(what)});
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);

@@ -22,12 +22,10 @@
 ///             compression; files up to 2^30 bytes; the check sum is not verified
 /// Accuracy    the product with Zscale is rounded once (tests/io/sdf_test.cpp)
 
+#include <fstiff/io/binary_numbers.hpp>
 #include <fstiff/io/number_table.hpp>
 #include <fstiff/io/profile_or_map.hpp>
 #include <fstiff/io/quantity.hpp>
-
-#include <bit>
-#include <cstdint>
 
 namespace fstiff::io {
 
@@ -62,17 +60,6 @@ struct SdfSurface {
 [[nodiscard]] inline SdfSurface read_sdf(const std::filesystem::path& path);
 
 namespace detail {
-
-/// The unsigned integer in the first sizeof(T) bytes, the least significant first.
-template <class T>
-T little_endian(std::string_view bytes) {
-    T value = 0;
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-        value = static_cast<T>(value | static_cast<T>(static_cast<T>(static_cast<unsigned char>(bytes[i])) << (8 * i)));
-    return value;
-}
-inline double double_at(std::string_view bytes) { return std::bit_cast<double>(little_endian<std::uint64_t>(bytes)); }
-inline float float_at(std::string_view bytes) { return std::bit_cast<float>(little_endian<std::uint32_t>(bytes)); }
 
 class SdfReader {
 public:

@@ -3,27 +3,32 @@
 /// \file
 /// A measured file of any known form: a profile or a map, with the form that was recognised and every decision.
 ///
-/// Surface data files and X3P are known by their first bytes. Text is known by the columns of its first row: one or two
+/// Surface data files, X3P, arrays of NumPy, simple fields of Gwyddion and files of Digital Surf are known by their first
+/// bytes. Text is known by the columns of its first row: one or two
 /// make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four and
 /// more are a matrix, unless titles with units stand above them or SurfaceOptions::column says that they are columns of
 /// a profile. What could be two things is refused, naming the option `format` that decides.
-/// SDF and X3P of one row are profiles.
+/// Binary files of one row are profiles; an array of NumPy takes units and steps from the options.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are the file's
-/// Valid       as <fstiff/io/profile_text.hpp>, <fstiff/io/map_text.hpp>, <fstiff/io/sdf.hpp> and <fstiff/io/x3p.hpp>
+/// Valid       as <fstiff/io/profile_text.hpp>, <fstiff/io/map_text.hpp>, <fstiff/io/sdf.hpp>, <fstiff/io/npy.hpp>,
+///             <fstiff/io/gsf.hpp>, <fstiff/io/sur.hpp> and <fstiff/io/x3p.hpp>
 /// Accuracy    as there (tests/io/surface_file_test.cpp)
 
 #include <fstiff/core/names.hpp>
+#include <fstiff/io/gsf.hpp>
 #include <fstiff/io/map_text.hpp>
+#include <fstiff/io/npy.hpp>
 #include <fstiff/io/profile_text.hpp>
 #include <fstiff/io/sdf.hpp>
+#include <fstiff/io/sur.hpp>
 
 #include <functional>
 #include <tuple>
 
 namespace fstiff::io {
 
-enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p };
+enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p, npy, gsf, sur };
 
 /// Heights of X3P that are numbers of floating point are times the increment of the z axis, as ISO 25178-72 says; some
 /// programs write an increment that is not to be applied to them.
@@ -41,6 +46,9 @@ inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
     {io::SurfaceFormat::matrix, "matrix"},
     {io::SurfaceFormat::sdf, "sdf"},
     {io::SurfaceFormat::x3p, "x3p"},
+    {io::SurfaceFormat::npy, "npy"},
+    {io::SurfaceFormat::gsf, "gsf"},
+    {io::SurfaceFormat::sur, "sur"},
 });
 template <>
 inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io::X3pIncrement::apply, "apply"},
@@ -50,7 +58,7 @@ inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io
 
 namespace fstiff::io {
 
-/// "profile", "triples", "matrix", "sdf", "x3p" or "auto". \throws domain_error listing them.
+/// "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur" or "auto". \throws domain_error listing them.
 [[nodiscard]] inline SurfaceFormat surface_format(std::string_view name);
 [[nodiscard]] inline std::string_view surface_format_name(SurfaceFormat format);
 
@@ -65,13 +73,14 @@ struct DescribedMap {
 /// Only what the form has use for may be given.
 struct SurfaceOptions {
     SurfaceFormat format = SurfaceFormat::automatic;
-    std::string units{};               ///< of text: "um,nm" (lengths, heights), "um" (both); replaces the header's
-    std::optional<double> spacing{};   ///< of a profile [m]; replaces the positions of the file
+    std::string units{};  ///< of text and npy: "um,nm" (lengths, heights), "um" (both); replaces the header's
+    std::optional<double> spacing{};   ///< of a profile and npy [m]; replaces the positions of the file
     std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
-    std::optional<double> dx{}, dy{};  ///< of a matrix, between points [m]
-    std::optional<double> width{}, height{};  ///< of a matrix, columns dx and rows dy [m]
-    std::string missing{};  ///< of text, stands for missing points: "-9999", "void", both with a comma, or "none"
-    bool resample = false;  ///< of a profile: unequally spaced positions are interpolated
+    std::optional<double> dx{}, dy{};  ///< of a matrix and npy, between points [m]
+    std::optional<double> width{}, height{};  ///< of a matrix and npy, columns dx and rows dy [m]
+    std::string
+        missing{};  ///< of text and npy, stands for missing points: "-9999", "void", both with a comma, or "none"
+    bool resample = false;                             ///< of a profile: unequally spaced positions are interpolated
     X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with heights of floating point
     OptionNames names{};                               ///< for messages
     /// Reads the bytes of an X3P file: x3p_reader() of <fstiff/io/x3p.hpp>, or nothing where X3P is not there.
@@ -112,15 +121,16 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
     const bool profile = format == SurfaceFormat::profile;
     const bool matrix = format == SurfaceFormat::matrix;
     const bool text = profile || matrix || format == SurfaceFormat::triples;
+    const bool bare = format == SurfaceFormat::npy;  // states neither units nor steps
     const std::pair<const char*, bool> useless[] = {
-        {"units", !options.units.empty() && !text},
-        {"spacing", options.spacing && !profile},
+        {"units", !options.units.empty() && !text && !bare},
+        {"spacing", options.spacing && !profile && !bare},
         {"column", options.column != 0 && !profile},
-        {"dx", options.dx && !matrix},
-        {"dy", options.dy && !matrix},
-        {"width", options.width && !matrix},
-        {"height", options.height && !matrix},
-        {"missing", !options.missing.empty() && !text},
+        {"dx", options.dx && !matrix && !bare},
+        {"dy", options.dy && !matrix && !bare},
+        {"width", options.width && !matrix && !bare},
+        {"height", options.height && !matrix && !bare},
+        {"missing", !options.missing.empty() && !text && !bare},
         {"resample", options.resample && !profile},
         {"x3p-increment", options.x3p_increment != X3pIncrement::apply && format != SurfaceFormat::x3p}};
     for (const auto& [option, refused] : useless)
@@ -224,6 +234,57 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
     }
 }
 
+/// The binary form that begins as \p bytes do; automatic where none does.
+inline SurfaceFormat binary_form(std::string_view bytes) {
+    if (is_sdf(bytes)) return SurfaceFormat::sdf;
+    if (bytes.starts_with("PK\3\4")) return SurfaceFormat::x3p;
+    if (is_npy(bytes)) return SurfaceFormat::npy;
+    if (is_gsf(bytes)) return SurfaceFormat::gsf;
+    return is_sur(bytes) ? SurfaceFormat::sur : SurfaceFormat::automatic;
+}
+
+/// Reads bytes of the binary form \p format.
+inline DescribedMap read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
+                                const SurfaceOptions& options) {
+    switch (format) {
+        case SurfaceFormat::sdf: {
+            SdfSurface found = SdfReader(bytes, name).read();
+            const bool counted = found.record.binary && found.record.data_type != 3 && found.record.data_type != 7;
+            return {.map = std::move(found.map),
+                    .sentences = found.record.sentences(),
+                    .resolution = counted ? found.record.z_scale : 0};
+        }
+        case SurfaceFormat::npy: {
+            NpySurface found = read_npy(bytes, name,
+                                        {.spacing = options.spacing,
+                                         .dx = options.dx,
+                                         .dy = options.dy,
+                                         .width = options.width,
+                                         .height = options.height,
+                                         .units = options.units,
+                                         .missing = options.missing,
+                                         .names = options.names});
+            return {.map = std::move(found.map),
+                    .sentences = found.record.sentences(),
+                    .resolution = found.record.resolution};
+        }
+        case SurfaceFormat::gsf: {
+            GsfSurface found = read_gsf(bytes, name);
+            return {.map = std::move(found.map), .sentences = found.record.sentences()};
+        }
+        case SurfaceFormat::sur: {
+            SurSurface found = read_sur(bytes, name);
+            return {.map = std::move(found.map),
+                    .sentences = found.record.sentences(),
+                    .warnings = found.record.warnings(),
+                    .resolution = std::abs(found.record.step)};
+        }
+        default:
+            if (!options.x3p) refuse_file(name, {"is X3P, which this program was built without; must be another form"});
+            return options.x3p(bytes, name, options);
+    }
+}
+
 }  // namespace detail
 
 inline Surface read_surface(std::string bytes, std::string_view name, const SurfaceOptions& options) {
@@ -232,29 +293,27 @@ inline Surface read_surface(std::string bytes, std::string_view name, const Surf
     record.name = std::string(name);
     record.format = options.format;
     record.format_from = "options";
-    if (record.format == SurfaceFormat::automatic && (is_sdf(bytes) || bytes.starts_with("PK\3\4"))) {
-        record.format = is_sdf(bytes) ? SurfaceFormat::sdf : SurfaceFormat::x3p;
-        record.format_from = "the first bytes";
+    if (record.format == SurfaceFormat::automatic) {
+        record.format = detail::binary_form(bytes);
+        if (record.format != SurfaceFormat::automatic) record.format_from = "the first bytes";
     }
-    const bool sdf = record.format == SurfaceFormat::sdf;
-    if (!sdf && record.format != SurfaceFormat::x3p) {
-        const std::string text = detail::text_of(std::move(bytes), record.name, "numbers, or SDF, or X3P");
-        detail::read_text(surface, text, options);
-        return surface;
+    switch (record.format) {
+        case SurfaceFormat::automatic:
+        case SurfaceFormat::profile:
+        case SurfaceFormat::triples:
+        case SurfaceFormat::matrix: {
+            const bool utf16 = detail::is_utf16(bytes);
+            const std::string text =
+                detail::text_of(std::move(bytes), record.name, "numbers, or SDF, X3P, .npy, .gsf or .sur");
+            detail::read_text(surface, text, options);
+            if (utf16) record.details.push_back("encoding: UTF-16, from its byte order mark");
+            return surface;
+        }
+        default:
+            break;
     }
     detail::check_options(record.format, options, record.name);
-    if (!sdf && !options.x3p)
-        detail::refuse_file(record.name, {"is X3P, which this program was built without; must be another form"});
-    DescribedMap read;
-    if (sdf) {
-        SdfSurface found = detail::SdfReader(bytes, record.name).read();
-        const bool counted = found.record.binary && found.record.data_type != 3 && found.record.data_type != 7;
-        read = {.map = std::move(found.map),
-                .sentences = found.record.sentences(),
-                .resolution = counted ? found.record.z_scale : 0};
-    } else {
-        read = options.x3p(bytes, name, options);
-    }
+    DescribedMap read = detail::read_binary(record.format, bytes, record.name, options);
     record.details = std::move(read.sentences);
     record.warnings = std::move(read.warnings);
     record.resolution = read.resolution;

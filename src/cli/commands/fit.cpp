@@ -437,7 +437,8 @@ Report execute(const Options& options) {
 Command add_fit(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Arguments command(app, "fit", "Fractal dimension D and roughness G of a measured profile or map, with errors");
-    command.option("profile", options->surface.file, "profile or map: delimited text, SDF or X3P; - is standard input")
+    command
+        .option("profile", options->surface.file, "profile or map, as fstiff formats lists them; - is standard input")
         .required();
     add_surface_options(command, options->surface);
     command.option("--window", options->window,

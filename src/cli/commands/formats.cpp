@@ -19,7 +19,7 @@ struct Row {
 };
 
 /// The ending of a surface's file decides nothing: its first bytes and lines do.
-constexpr std::array<Row, 8> rows{{
+constexpr std::array<Row, 11> rows{{
     {"profile", ".csv .txt .dat .asc ...", "text: heights, or position and height in a line",
      "one or two columns, or --spacing or --column", "--units without a header that has them; --spacing of heights"},
     {"triples", ".xyz .csv .txt ...", "text: x, y, z in a line", "three columns that fill a rectangular grid",
@@ -30,6 +30,11 @@ constexpr std::array<Row, 8> rows{{
     {"sdf", ".sdf", "ISO 25178-71, text or binary", "its first bytes, such as aISO-1.0 or bISO-1.0", "nothing"},
     {"x3p", ".x3p", "ISO 25178-72, where fstiff was built with libzip and pugixml",
      "its first bytes, those of a ZIP archive", "nothing"},
+    {"npy", ".npy", "NumPy array of integers or floating point: one dimension is a profile, two are a map",
+     "its first bytes, \\x93NUMPY", "--units, and --spacing of a profile, --dx or --width of a map"},
+    {"gsf", ".gsf", "Gwyddion simple field, with XReal, YReal and units of length", "its first bytes", "nothing"},
+    {"sur", ".sur .pro", "Digital Surf, not compressed, of 16 or 32 bits, one object", "its first bytes, DIGITAL SURF",
+     "nothing"},
     {"scene", ".toml", "TOML, as run --example prints it", "an argument of run, identify and report", "nothing"},
     {"surface", ".json", "the JSON of measure", "an argument of --surface, or surface.from in a scene", "nothing"},
     {"curve", ".csv", "text: pressure, and stiffness or reflection, with their errors if they are known",
@@ -69,9 +74,12 @@ std::string text() {
                std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  asks for       " +
                std::string(row.asked) + "\n";
     return all +
-           "\nThe first five are profiles and maps, for fit, measure, islands, peaks and run --surface. The ending of\n"
-           "a file decides nothing; --input-format overrides what was recognised. Any other instrument's file is\n"
-           "to be exported from its own program as text or X3P.\n";
+           "\nThe first eight are profiles and maps, for fit, measure, islands, peaks and run --surface. The ending "
+           "of\n"
+           "a file decides nothing; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
+           "byte\n"
+           "order mark, or of an 8-bit code page. Any other instrument's file is to be exported from its own "
+           "program.\n";
 }
 
 Json json() {

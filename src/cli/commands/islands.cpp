@@ -176,7 +176,7 @@ Report execute(const Options& options) {
 Command add_islands(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Arguments command(app, "islands", "Islands of a map at every cutting level, and peak radius R and density D_p");
-    command.option("map", options->surface.file, "delimited text, SDF or X3P; - is standard input").required();
+    command.option("map", options->surface.file, "map, as fstiff formats lists them; - is standard input").required();
     add_surface_options(command, options->surface, SurfaceKind::map);
     command
         .option("--neighbours", options->neighbours,

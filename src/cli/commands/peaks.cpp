@@ -188,7 +188,7 @@ Command add_peaks(CLI::App& app) {
     command.option("--rho1", options->rho1, "autocorrelation at one sampling step, with --rho2");
     command.option("--rho2", options->rho2, "autocorrelation at two sampling steps");
     command.option("--profile", options->surface.file,
-                   "measured profile, delimited text, SDF or X3P; - is standard input");
+                   "measured profile, as fstiff formats lists them; - is standard input");
     add_surface_options(command, options->surface, SurfaceKind::profile);
     command.option("--heights", options->heights,
                    "FROM,TO,COUNT: print a table of the probability density of the height alone (Fig. 2)");

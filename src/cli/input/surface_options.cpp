@@ -11,14 +11,15 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     const bool profiles = kind != SurfaceKind::map, maps = kind != SurfaceKind::profile;
     arguments
         .option("--input-format", options.format,
-                "form of the file: auto (default), profile, triples, matrix, sdf or x3p")
+                "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf or sur")
         .one_of(choices<io::SurfaceFormat>());
     arguments.option(
         "--units", options.units,
-        "units of lengths and heights of a text, such as um,nm, or one for both; replace those of the file");
-    arguments.option("--missing", options.missing,
-                     "number or word that stands for missing points of a text, such as -9999; none: every number is a "
-                     "height");
+        "units of lengths and heights of a text or .npy, such as um,nm, or one for both; replace those of the file");
+    arguments.option(
+        "--missing", options.missing,
+        "number or word that stands for missing points of a text or .npy, such as -9999; none: every number is a "
+        "height");
     arguments
         .option("--x3p-increment", options.x3p_increment,
                 "of X3P with heights of floating point: apply the increment of z (default) or ignore it")
@@ -48,10 +49,12 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
         allow(choices<MapForm>());
         forms += "; of a map none, mean, plane (default), quadratic or cubic";
         arguments.option("--dx", options.dx,
-                         "distance of neighbouring columns of a matrix; replaces the one in the file");
-        arguments.option("--dy", options.dy, "distance of neighbouring rows of a matrix");
-        arguments.option("--width", options.width, "width of a matrix (number of columns times dx), instead of --dx");
-        arguments.option("--height", options.height, "height of a matrix (number of rows times dy), instead of --dy");
+                         "distance of neighbouring columns of a matrix or .npy; replaces the one in the file");
+        arguments.option("--dy", options.dy, "distance of neighbouring rows of a matrix or .npy");
+        arguments.option("--width", options.width,
+                         "width of a matrix or .npy (number of columns times dx), instead of --dx");
+        arguments.option("--height", options.height,
+                         "height of a matrix or .npy (number of rows times dy), instead of --dy");
     }
     arguments.option("--detrend", options.detrend, "form that is removed before anything is computed" + forms)
         .one_of(words);

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Reads surfaces and profiles of Digital Surf (.sur, .pro) that are not compressed.
+///
+/// A header of 512 bytes, a comment, a private zone, and the heights row after row as integers of 16 or 32 bits. Of the
+/// header are used, by the byte at which they stand:
+///
+///     0   "DIGITAL SURF"           86  non-measured points are marked     120  steps of x, y, z (float32)
+///     12  0: least significant     98  bits of a height                   180  their units (3 x 16 characters)
+///         byte first, 257: last    100 lowest number                      290  1, 2, 3: inverted
+///     14  objects in the file      108 points of a row                    334  bytes of the comment
+///     18  1 profile, 2 surface     112 rows                               336  bytes of the private zone
+///
+/// Heights are number times step of z; the offset of the axis, a constant, is not added. Where missing points are marked,
+/// the lowest number less 2 stands for them. A file that states an inversion is read as its numbers stand, with a warning.
+///
+/// Reference   Digital Surf, description of the formats SUR and PRO (MountainsMap reference manual, file formats)
+/// Units       map in m
+/// Valid       one object; 2 points a side at least, or one row; heights that vary; files up to 2^31 bytes
+/// Accuracy    number times step times unit: two roundings (tests/io/sur_test.cpp)
+
+#include <fstiff/io/binary_numbers.hpp>
+#include <fstiff/io/lines.hpp>
+#include <fstiff/io/profile_or_map.hpp>
+#include <fstiff/io/quantity.hpp>
+
+namespace fstiff::io {
+
+/// What was found in a file.
+struct SurRecord {
+    std::string name;
+    bool profile{};
+    bool big_endian{};
+    int bits{};          ///< of a height: 16 or 32
+    std::string object;  ///< its name, printable characters only
+    std::string x_unit, z_unit;
+    double step{};          ///< of the heights [m]
+    bool marked{};          ///< missing points are marked
+    int inversion{};        ///< 0: none
+    std::size_t skipped{};  ///< bytes of the comment and the private zone
+    std::size_t columns{}, rows{};
+    std::size_t missing{};
+    std::size_t trailer{};  ///< bytes after the heights
+
+    /// The above as sentences for people, one a line, without a full stop.
+    [[nodiscard]] std::vector<std::string> sentences() const;
+    /// What may be wrong about the reading.
+    [[nodiscard]] std::vector<std::string> warnings() const;
+};
+
+struct SurSurface {
+    HeightMap<double> map;  ///< of one row when the file holds a profile
+    SurRecord record;
+};
+
+/// Whether \p bytes begin as an uncompressed file of Digital Surf does.
+[[nodiscard]] inline bool is_sur(std::string_view bytes) { return bytes.starts_with("DIGITAL SURF"); }
+
+/// \throws domain_error naming file, field, value and what is allowed.
+[[nodiscard]] inline SurSurface read_sur(std::string_view bytes, std::string_view name);
+
+namespace detail {
+
+class SurReader {
+public:
+    SurReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
+
+    SurSurface read() {
+        if (!is_sur(bytes_)) refuse_file(name_, {"does not begin as a file of Digital Surf; must with DIGITAL SURF"});
+        if (bytes_.size() < header_bytes)
+            refuse_file(name_, {"ends after ", bytes_.size(), " bytes; its header must have ", header_bytes});
+        record_.name = name_;
+        read_header();
+        SurSurface result;
+        const double dx = step("step of x", 120, 180, false, record_.x_unit);
+        std::string y_unit;
+        const double dy = record_.rows == 1 ? dx : step("step of y", 124, 196, false, y_unit);
+        record_.step = step("step of z", 128, 212, true, record_.z_unit);
+        read_heights(result.map);
+        set_spacings(result.map, dx, dy, name_);
+        record_.missing = static_cast<std::size_t>(result.map.size() - result.map.present());
+        result.record = record_;
+        return result;
+    }
+
+private:
+    static constexpr std::size_t header_bytes = 512;
+
+    std::int64_t integer(std::size_t at, std::size_t size) const { return signed_at(bytes_.substr(at, size), big_); }
+    std::string words(std::size_t at, std::size_t size) const {
+        const std::string_view field = bytes_.substr(at, size);
+        return std::string(trimmed(field.substr(0, field.find('\0'))));
+    }
+    void require_one_of(const std::string& field, std::int64_t value, std::initializer_list<std::int64_t> allowed,
+                        std::string_view text) const {
+        for (const std::int64_t one : allowed)
+            if (value == one) return;
+        refuse_field(name_, field, std::to_string(value), text);
+    }
+
+    void read_header() {
+        const auto order = unsigned_at(bytes_.substr(12, 2), false);  // 0 and 257 are the same in both orders
+        require_one_of("byte order", static_cast<std::int64_t>(order), {0, 257}, "0 or 257");
+        record_.big_endian = big_ = order == 257;
+        require_one_of("number of objects", integer(14, 2), {0, 1}, "1: save each object as a file of its own");
+        require_one_of("type of object", integer(18, 2), {1, 2}, "1 (a profile) or 2 (a surface)");
+        record_.profile = integer(18, 2) == 1;
+        require_one_of("bits of a height", integer(98, 2), {16, 32}, "16 or 32");
+        record_.bits = static_cast<int>(integer(98, 2));
+        record_.object = printable(words(20, 30), 30);
+        record_.marked = integer(86, 2) != 0;
+        record_.inversion = static_cast<int>(integer(290, 2));
+        const std::int64_t columns = integer(108, 4), rows = integer(112, 4);
+        if (columns < 2 || rows < 1)
+            refuse_field(name_, "points of a row x rows", std::to_string(columns) + " x " + std::to_string(rows),
+                         "at least 2 x 1");
+        record_.columns = static_cast<std::size_t>(columns);
+        record_.rows = static_cast<std::size_t>(rows);
+        record_.skipped = static_cast<std::size_t>(unsigned_at(bytes_.substr(334, 2), big_)) +
+                          static_cast<std::size_t>(unsigned_at(bytes_.substr(336, 2), big_));
+    }
+
+    /// The step at byte \p at in the unit at byte \p unit_at [m]; a step of z may be negative.
+    double step(const std::string& field, std::size_t at, std::size_t unit_at, bool negative, std::string& unit) const {
+        const double value = real_at(bytes_.substr(at, 4), big_);
+        if (!std::isfinite(value) || value == 0 || (value < 0 && !negative))
+            refuse_field(name_, field, number_text(value), negative ? "finite and not 0" : "finite and greater than 0");
+        unit = words(unit_at, 16);
+        if (!is_unit(unit, Dimension::length))
+            refuse_field(name_, "unit of the " + field, shown_cell(unit),
+                         "a unit of length: " + accepted_units(Dimension::length));
+        const double factor = unit_factor(unit, Dimension::length);
+        unit = printable(unit, 16);
+        return value * factor;
+    }
+
+    void read_heights(HeightMap<double>& map) {
+        const std::size_t size = static_cast<std::size_t>(record_.bits) / 8;
+        std::string_view rest = bytes_.substr(header_bytes);
+        rest.remove_prefix(std::min(record_.skipped, rest.size()));
+        // both below 2^31: the product fits into 64 bits
+        const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
+        if (points > rest.size() / size)
+            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of ", size,
+                                " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
+        record_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
+        const std::int64_t reserved = integer(100, 4) - 2;
+        map.heights.resize(static_cast<Eigen::Index>(record_.rows), static_cast<Eigen::Index>(record_.columns));
+        for (std::size_t i = 0; i < points; ++i) {
+            const std::int64_t number = signed_at(rest.substr(i * size, size), big_);
+            map.heights.data()[i] = record_.marked && number == reserved ? std::numeric_limits<double>::quiet_NaN()
+                                                                         : static_cast<double>(number) * record_.step;
+        }
+    }
+
+    std::string_view bytes_;
+    std::string name_;
+    bool big_ = false;
+    SurRecord record_;
+};
+
+}  // namespace detail
+
+inline std::vector<std::string> SurRecord::sentences() const {
+    std::vector<std::string> all;
+    all.push_back("form: Digital Surf " + std::string(profile ? "profile" : "surface") + " of " + std::to_string(bits) +
+                  " bits, " + (big_endian ? "most" : "least") + " significant byte first" +
+                  (object.empty() ? "" : ", \"" + object + "\""));
+    all.push_back("units: x in " + x_unit + ", heights in " + z_unit + ", in steps of " + detail::number_text(step) +
+                  " m, from the header; the offset of z is not added");
+    all.push_back("spacing: from the steps of x and y in the header");
+    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
+                  std::to_string(missing) + " missing" + (marked ? "" : " (the header says that none are marked)"));
+    if (skipped != 0) all.push_back("comment and private zone: " + std::to_string(skipped) + " bytes, not read");
+    if (trailer != 0) all.push_back("trailer: " + std::to_string(trailer) + " bytes, not read");
+    return all;
+}
+
+inline std::vector<std::string> SurRecord::warnings() const {
+    if (inversion == 0) return {};
+    return {"the file states that its heights are inverted (code " + std::to_string(inversion) +
+            "); they were read as the numbers stand, so that hills may be valleys"};
+}
+
+inline SurSurface read_sur(std::string_view bytes, std::string_view name) {
+    return detail::SurReader(bytes, name).read();
+}
+
+}  // namespace fstiff::io

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Arrays of NumPy, with units and steps given for a map and for a profile.
+#include <fstiff/io/npy.hpp>
+
+#include "fuzz.hpp"
+
+using namespace fstiff;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string bytes = fuzz::bytes(data, size);
+    const io::NpyOptions ways[] = {{.dx = 1e-6, .dy = 2e-6, .units = "nm"},
+                                   {.spacing = 1e-6, .units = "nm", .missing = "-9999"}};
+    for (const io::NpyOptions& options : ways) {
+        io::NpySurface read;
+        if (!fuzz::returns([&] { read = io::read_npy(bytes, "file", options); })) continue;
+        fuzz::check(read.map);
+        fuzz::require(read.record.sentences().size() >= 4, "four sentences at least");
+    }
+    return 0;
+}

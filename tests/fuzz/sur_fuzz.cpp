@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files of Digital Surf.
+#include <fstiff/io/sur.hpp>
+
+#include "fuzz.hpp"
+
+using namespace fstiff;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string bytes = fuzz::bytes(data, size);
+    io::SurSurface read;
+    if (!fuzz::returns([&] { read = io::read_sur(bytes, "file"); })) return 0;
+    fuzz::check(read.map);
+    fuzz::require(read.record.sentences().size() >= 4, "four sentences at least");
+    return 0;
+}

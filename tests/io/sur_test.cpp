@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/sur.hpp>
+#include <fstiff/io/surface_file.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace fstiff;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+io::SurSurface read(const std::string& bytes) { return io::read_sur(bytes, "file.sur"); }
+std::string refusal(const std::string& bytes) {
+    return test::refusal([&] { (void)read(bytes); });
+}
+
+/// A file, field by field at the byte that the description names.
+struct File {
+    int order = 0, objects = 1, type = 2, marked = 0, bits = 16, lowest = 0, columns = 3, rows = 2, inversion = 0;
+    float x = 0.5F, y = 0.25F, z = 2;
+    std::string x_unit = "\xB5m", z_unit = "nm", comment{}, secret{};
+    std::vector<int> numbers{-5, 2, 3, 4, 1000, 6};
+
+    std::string number(std::int64_t value, std::size_t size) const {
+        std::string bytes;
+        auto rest = static_cast<std::uint64_t>(value);
+        for (std::size_t i = 0; i < size; ++i, rest /= 256) bytes += static_cast<char>(rest % 256);
+        if (order != 0) std::reverse(bytes.begin(), bytes.end());
+        return bytes;
+    }
+    std::string bytes() const {
+        std::string all(512, ' ');
+        const auto put = [&](std::size_t at, const std::string& field) { all.replace(at, field.size(), field); };
+        const auto real = [&](std::size_t at, float value) {
+            std::uint32_t image = 0;
+            std::memcpy(&image, &value, 4);
+            put(at, number(image, 4));
+        };
+        put(0, "DIGITAL SURF");
+        put(12, number(order, 2));
+        put(14, number(objects, 2));
+        put(16, number(1, 2));
+        put(18, number(type, 2));
+        put(20, "a surface");
+        put(86, number(marked, 2));
+        put(98, number(bits, 2));
+        put(100, number(lowest, 4));
+        put(108, number(columns, 4));
+        put(112, number(rows, 4));
+        real(120, x);
+        real(124, y);
+        real(128, z);
+        put(180, x_unit);
+        put(196, "mm");
+        put(212, z_unit + std::string(1, '\0') + "junk");
+        put(290, number(inversion, 2));
+        put(334, number(static_cast<int>(comment.size()), 2));
+        put(336, number(static_cast<int>(secret.size()), 2));
+        all += comment + secret;
+        for (const int value : numbers) all += number(value, bits == 32 ? 4 : 2);
+        return all;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Surfaces of 16 and 32 bits and both byte orders are read, behind a comment and a private zone") {
+    const int bits = GENERATE(16, 32), order = GENERATE(0, 257);
+    const std::string comment = GENERATE("", "a comment");
+    CAPTURE(bits, order, comment);
+    const io::SurSurface found =
+        read(File{.order = order, .bits = bits, .comment = comment, .secret = comment}.bytes());
+    REQUIRE(found.map.rows() == 2);
+    REQUIRE(found.map.columns() == 3);
+    CHECK(found.map.dx == 0.5 * 1e-6);
+    CHECK(found.map.dy == 0.25 * 1e-3);
+    const double expected[2][3] = {{-5, 2, 3}, {4, 1000, 6}};
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 3; ++column)
+            CHECK(found.map.heights(row, column) == expected[row][column] * (2 * 1e-9));
+    CHECK(found.record.skipped == 2 * comment.size());
+    CHECK(found.record.trailer == 0);
+    CHECK(found.record.object == "a surface");
+    CHECK(found.record.warnings().empty());
+}
+
+TEST_CASE("The lowest number less 2 is missing where the header says that missing points are marked") {
+    const File marked{.marked = 1, .lowest = 2, .numbers = {0, 2, 3, 0, 5, 6}};
+    CHECK(read(marked.bytes()).record.missing == 2);
+    CHECK(std::isnan(read(marked.bytes()).map.heights(1, 0)));
+    File plain = marked;
+    plain.marked = 0;
+    CHECK(read(plain.bytes()).record.missing == 0);
+    CHECK(has(read(plain.bytes()).record.sentences()[3], "none are marked"));
+}
+
+TEST_CASE("An inversion warns, a negative step of z turns the heights, and what follows them is a trailer") {
+    const io::SurSurface found = read(File{.inversion = 1, .z = -2}.bytes() + "more");
+    CHECK(found.map.heights(0, 0) == 5 * (2 * 1e-9));
+    CHECK(found.record.trailer == 4);
+    REQUIRE(found.record.warnings().size() == 1);
+    CHECK(has(found.record.warnings()[0], "inverted (code 1)"));
+    CHECK(io::read_surface(File{.inversion = 1}.bytes(), "file").record.warnings.size() == 1);
+}
+
+TEST_CASE("Headers of Digital Surf that cannot be meant are refused with field, value and range") {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    CHECK(has(refusal(File{.order = 1}.bytes()), "byte order = 256"));
+    CHECK(has(refusal(File{.objects = 2}.bytes()), "number of objects = 2"));
+    CHECK(has(refusal(File{.type = 3}.bytes()), "type of object = 3"));
+    CHECK(has(refusal(File{.bits = 8}.bytes()), "bits of a height = 8: must be 16 or 32"));
+    CHECK(has(refusal(File{.columns = -1}.bytes()), "points of a row x rows = -1 x 2"));
+    CHECK(has(refusal(File{.rows = 0}.bytes()), "3 x 0"));
+    CHECK(has(refusal(File{.x = 0}.bytes()), "step of x = 0"));
+    CHECK(has(refusal(File{.y = -1}.bytes()), "step of y = -1"));
+    CHECK(has(refusal(File{.z = nan}.bytes()), "step of z = nan"));
+    CHECK(has(refusal(File{.x_unit = "s "}.bytes()), "unit of the step of x = \"s\": must be a unit of length"));
+    CHECK(has(refusal(File{.z_unit = "V"}.bytes()), "unit of the step of z"));
+    CHECK(has(refusal(File{.columns = 2147483647, .rows = 2147483647}.bytes()),
+              "declares 2147483647 x 2147483647 heights of 2 bytes, but holds 12"));
+    CHECK(has(refusal(File{.numbers = {1, 1, 1, 1, 1, 1}}.bytes()), "constant height"));
+    CHECK(has(refusal("nothing"), "does not begin as a file of Digital Surf"));
+}
+
+TEST_CASE("A file of Digital Surf is known by its first bytes, one row is a profile, and options are of no use") {
+    const io::Surface map = io::read_surface(File{}.bytes(), "file");
+    CHECK(map.record.format == io::SurfaceFormat::sur);
+    CHECK(map.record.resolution == 2 * 1e-9);
+    File row{.type = 1, .columns = 20, .rows = 1, .y = 0, .numbers = {}};
+    for (int i = 0; i < 20; ++i) row.numbers.push_back(i * i % 7);
+    const io::Surface profile = io::read_surface(row.bytes(), "file");
+    REQUIRE(profile.is_profile());
+    CHECK(profile.profile().spacing == 0.5 * 1e-6);
+    CHECK(has(test::refusal([] { (void)io::read_surface(File{}.bytes(), "file", {.spacing = 1.0}); }),
+              "no use for spacing"));
+}
+
+TEST_CASE("Every file of Digital Surf cut short is refused with a sentence") {
+    const std::string whole = File{.bits = 32, .comment = "a comment"}.bytes();
+    REQUIRE(refusal(whole).empty());
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        CAPTURE(size);
+        REQUIRE(!refusal(whole.substr(0, size)).empty());
+    }
+}
