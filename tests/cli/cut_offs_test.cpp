@@ -17,7 +17,8 @@ namespace {
 
 std::string map_text() {
     return test::fstiff(
-               "generate map --points 96 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '4 um' --longest '48 um'")
+               "generate map --points 160 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '4 um' --longest '48 "
+               "um'")
         .out;
 }
 
@@ -33,6 +34,9 @@ bool decided(const nlohmann::json& document, const std::string& words) {
         if (test::contains(line, words)) return true;
     return false;
 }
+
+/// But for the order of sums, which the compiler chooses.
+bool same(double a, double b) { return std::abs(a - b) < 1e-12 * std::abs(b); }
 
 /// Every \p step th line.
 std::string decimated(const std::string& text, std::size_t step) {
@@ -79,24 +83,22 @@ TEST_CASE("The map that is measured is the one that the library filters, first l
     const auto low = fstiff::gaussian_low_pass(fstiff::remove_form(map, fstiff::MapForm::plane), 8e-6);
     const auto both = fstiff::gaussian_high_pass(low, 40e-6);
     const auto one = json_of("measure - --lambda-s '8 um'", text);
-    CHECK(one["surface"]["rms_height"]["value"].get<double>() == fstiff::rms_height(low));
+    CHECK(same(one["surface"]["rms_height"]["value"], fstiff::rms_height(low)));
     CHECK(one["lambda_s_m"] == 8e-6);
     CHECK(one["lambda_c_m"].is_null());
     CHECK(decided(one, "lambda_s 8 µm (Gaussian, after the form was removed), lambda_c none"));
-    CHECK(decided(one, "lags of 8"));  // no shorter lag gives D
     const auto two = json_of("measure - --lambda-s '8 um' --lambda-c '40 um'", text);
-    CHECK(two["surface"]["rms_height"]["value"].get<double>() == fstiff::rms_height(both));
+    CHECK(same(two["surface"]["rms_height"]["value"], fstiff::rms_height(both)));
     CHECK(two["lambda_c_m"] == 40e-6);
     CHECK(decided(two, "lambda_c 40 µm (Gaussian, after lambda_s)"));
-    for (const char* command : {"fit", "islands"}) {
-        CAPTURE(command);
-        const std::string how = std::string(command) + " - --format json --lambda-s '8 um'";
-        const auto document = json_of(how + " --lambda-c '40 um'", text);
-        CHECK(document["rms_height_m"].get<double>() == fstiff::rms_height(both));
-        CHECK(document["lambda_s_m"] == 8e-6);
-        CHECK(document["lambda_c_m"] == 40e-6);
-    }
-    CHECK(json_of("fit - --format json --lambda-s '8 um'", text)["x"]["window_m"][0].get<double>() >= 8e-6);
+    const auto islands = json_of("islands - --format json --lambda-s '8 um' --lambda-c '40 um'", text);
+    CHECK(same(islands["rms_height_m"], fstiff::rms_height(both)));
+    CHECK(islands["lambda_c_m"] == 40e-6);
+    const auto fit = json_of("fit - --format json --lambda-s '8 um'", text);
+    CHECK(same(fit["rms_height_m"], fstiff::rms_height(low)));
+    CHECK(fit["lambda_s_m"] == 8e-6);
+    CHECK(fit["lambda_c_m"].is_null());
+    CHECK(fit["x"]["window_m"][0].get<double>() >= 8e-6);
 }
 
 TEST_CASE("Without the options, and with none, nothing is filtered, and the output says so") {
@@ -133,14 +135,14 @@ TEST_CASE("A scene takes lambda_s and lambda_c beside from, and measures as the 
 }
 
 TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
-    const std::string text = map_text();  // 96 um x 96 um, steps of 1 um
+    const std::string text = map_text();  // 160 um x 160 um, steps of 1 um
     const auto check = [&](const std::string& how, int status, const std::vector<std::string>& parts) {
         for (const char* command : {"measure - ", "fit - ", "islands - "})
             test::check_refused(command + how, status, parts, text);
     };
     check("--lambda-s '1.9 um'", 3, {"--lambda-s = 1.9 µm cannot be held by this file", "at least 2 steps, 2 µm"});
     check("--lambda-c '4 um'", 3, {"--lambda-c = 4 µm cannot be held by this file", "at least 5 steps, 5 µm"});
-    check("--lambda-c '97 um'", 3, {"--lambda-c = 97 µm", "at most the length of the surface, 96 µm"});
+    check("--lambda-c '161 um'", 3, {"--lambda-c = 161 µm", "at most the length of the surface, 160 µm"});
     check("--lambda-s '10 um' --lambda-c '10 um'", 3, {"--lambda-s = 10 µm", "less than --lambda-c"});
     check("--lambda-s 8", 3, {"--lambda-s", "without a unit"});
     check("--lambda-c '8 Pa'", 3, {"--lambda-c"});

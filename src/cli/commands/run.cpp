@@ -4,6 +4,7 @@
 #include "document/document.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
+#include "input/surface_options.hpp"
 #include "picture/panels.hpp"
 #include "scene/results.hpp"
 #include "scene/shown_unit.hpp"
@@ -131,6 +132,7 @@ Json json(const Scene& scene, const Results& results) {
     if (scene.measured) {
         Json measured = measured_document(*scene.measured);
         document["surface"] = {{"source", measured["source"]}, {"measured", measured["surface"]}};
+        put_cut_offs(document["surface"], scene.measured->cut_offs);
     }
     if (has_band(results))
         document["uncertainty"] = {
