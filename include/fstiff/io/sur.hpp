@@ -15,7 +15,8 @@
 /// Heights are number times step of z; the offset of the axis, a constant, is not added. Where missing points are marked,
 /// the lowest number less 2 stands for them. A file that states an inversion is read as its numbers stand, with a warning.
 ///
-/// Reference   Digital Surf, description of the formats SUR and PRO (MountainsMap reference manual, file formats)
+/// Reference   the header of the formats SUR and PRO of Digital Surf, as open programs that read it (Gwyddion, surfalize)
+///             lay it out; not compared with a file that MountainsMap wrote
 /// Units       map in m
 /// Valid       one object; 2 points a side at least, or one row; heights that vary; files up to 2^31 bytes
 /// Accuracy    number times step times unit: two roundings (tests/io/sur_test.cpp)
