@@ -75,7 +75,7 @@ struct ContactInputs {
     double fractal_dimension = 0;                     ///< of a law that needs it
     Interaction<double> interaction{};
     std::vector<double> options{};     ///< [SI], in the order of Law::options
-    SurfaceMoments<double> moments{};  ///< of the surface, where the spectrum is a band
+    SpectralMoments<double> moments{};  ///< of the surface, where the spectrum is a band
     double hurst = 0.8, gamma = 0.45;
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;

@@ -90,10 +90,9 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
         surface.heights = HeightStatistics<double>{.skewness = read("skewness").value_or(Measurement<double>{}),
                                                    .kurtosis = read("kurtosis").value_or(Measurement<double>{0, 0}),
                                                    .rms_gradient = read("rms_gradient").value_or(Measurement<double>{}),
-                                                   .m0 = moment("m0_m2"),
-                                                   .m2 = moment("m2"),
-                                                   .m4 = moment("m4_per_m2")};
-        if (!(surface.heights->m2 > 0 && surface.heights->bandwidth() > 0 && surface.heights->rms_gradient.value > 0))
+                                                   .moments = {moment("m0_m2"), moment("m2"), moment("m4_per_m2")}};
+        if (!(surface.heights->moments.m2 > 0 && surface.heights->moments.bandwidth() > 0 &&
+              surface.heights->rms_gradient.value > 0))
             throw domain_error(name + ": moments: must be greater than 0, and stand beside surface.rms_gradient");
     }
     if (const auto correlation = document.find("correlation_of_errors");

@@ -403,7 +403,7 @@ void take_measured(Source& source, Scene& scene) {
     if (measured.fractal_roughness) scene.fractal_roughness = measured.fractal_roughness->value;
     if (measured.heights) {
         scene.rms_gradient = measured.heights->rms_gradient.value;
-        scene.alpha = measured.heights->bandwidth();
+        scene.alpha = measured.heights->moments.bandwidth();
     }
     scene.map = measured.of_map;
     if (known(Parameter::r) && known(Parameter::theta)) {
@@ -928,9 +928,9 @@ PeakDistribution<double> peak_density(const Peaks& peaks) {
     }
 }
 
-SurfaceMoments<double> spectral_moments(const Scene& scene) {
+SpectralMoments<double> spectral_moments(const Scene& scene) {
     const Roughness<double>& of = scene.surface;
-    SurfaceMoments<double> moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
+    SpectralMoments<double> moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
     if (scene.rms_gradient && scene.alpha) return moments_of_gradient(of.rms_height, *scene.rms_gradient, *scene.alpha);
     if (scene.rms_gradient) moments.m2 = *scene.rms_gradient * *scene.rms_gradient / 2;
     if (scene.alpha) moments.m2 = of.rms_height * std::sqrt(moments.m4 / *scene.alpha);

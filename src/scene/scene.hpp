@@ -130,7 +130,7 @@ struct Scene {
 
 /// Moments of the spectrum of the surface of \p scene, and its Hurst exponent (2 - D, or 0.8 where neither is known): from rms
 /// gradient and alpha where they are known, else from R and D_p with eq. (4.10) and Nayak.
-[[nodiscard]] SurfaceMoments<double> spectral_moments(const Scene& scene);
+[[nodiscard]] SpectralMoments<double> spectral_moments(const Scene& scene);
 [[nodiscard]] double hurst_exponent(const Scene& scene);
 /// Why \p scene has no spectrum for Persson's theory; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Scene& scene);

@@ -19,7 +19,7 @@ using Hybrid = HybridContact<double, RoughContact<double, HertzLaw<double>>>;
 Hybrid hybrid_at(const test::Table& table, std::size_t row) {
     const auto at = [&](const char* column) { return table.input(row, column); };
     const Roughness<double> surface{at("rms_height"), at("peak_radius"), at("peak_density")};
-    const SurfaceMoments<double> moments{at("m0"), at("m2"), at("m4")};
+    const SpectralMoments<double> moments{at("m0"), at("m2"), at("m4")};
     const double E = at("effective_modulus");
     return {RoughContact(surface, PeakDistribution<double>(at("r"), at("theta")), HertzLaw<double>{}, E),
             PerssonContact<double>(band_of_moments(moments, at("hurst")), E)};
@@ -79,7 +79,7 @@ TEST_CASE("the hybrid law of three moments against boundary elements") {
         if (bem.input(row, "p_star") < 0.003) continue;
         const std::size_t family = at.at(bem.text(row, "family"));
         const auto of = [&](const char* column) { return surfaces.input(family, column); };
-        const SurfaceMoments<double> moments{bem.input(row, "m0"), bem.input(row, "m2"), bem.input(row, "m4")};
+        const SpectralMoments<double> moments{bem.input(row, "m0"), bem.input(row, "m2"), bem.input(row, "m4")};
         const Roughness<double> surface{std::sqrt(moments.m0), 1 / of("mean_summit_curvature_times_L"),
                                         of("summit_density_8_times_L2")};
         const Hybrid contact(

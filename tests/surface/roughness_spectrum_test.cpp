@@ -25,7 +25,7 @@ TEST_CASE("a band has the moments that it was made of") {
     const test::Table table("hybrid.csv");
     for (std::size_t row = 0; row < table.size(); ++row) {
         const auto at = [&](const char* column) { return table.input(row, column); };
-        const SurfaceMoments<double> moments{at("m0"), at("m2"), at("m4")};
+        const SpectralMoments<double> moments{at("m0"), at("m2"), at("m4")};
         const auto band = band_of_moments(moments, at("hurst"));
         CAPTURE(row);
         CHECK(test::relative_error(band.C0, at("C0")) < 1e-13);
@@ -37,7 +37,7 @@ TEST_CASE("a band has the moments that it was made of") {
     }
     for (const double hurst : {0.1, 0.5, 0.999999, 1.0})
         for (const double alpha : {1.5001, 2.0, 10.0, 1e4}) {
-            const SurfaceMoments<double> moments = moments_of_gradient(2e-6, 0.3, alpha);
+            const SpectralMoments<double> moments = moments_of_gradient(2e-6, 0.3, alpha);
             const auto band = band_of_moments(moments, hurst);
             CAPTURE(hurst, alpha);
             // next to 1.5 the band is narrow, and its width loses the digits of alpha - 1.5
@@ -46,19 +46,6 @@ TEST_CASE("a band has the moments that it was made of") {
             CHECK(test::relative_error(band.m2(), moments.m2) < bound);
             CHECK(test::relative_error(band.m4(), moments.m4) < bound);
         }
-}
-
-TEST_CASE("moments of peaks, peaks of moments") {
-    const auto moments = moments_of_peaks(5.13e-6, 3e-5, 2.3e8);
-    // m4 of eq. (4.10), m2 of Nayak: tests/data/hybrid.csv
-    CHECK(test::relative_error(moments.m2, 0.065370275044115236) < 1e-14);
-    CHECK(test::relative_error(moments.m4, 490473852.12340519) > 1e-4);
-    CHECK(test::relative_error(moments.m4, 490873852.12340519) < 1e-14);
-    CHECK(test::relative_error(peak_radius_of(moments), 3e-5) < 1e-14);
-    CHECK(test::relative_error(peak_density_of(moments), 2.3e8) < 1e-14);
-    const auto stated = moments_of_gradient(1e-6, 0.1, 8.24);
-    CHECK(test::relative_error(stated.bandwidth(), 8.24) < 1e-14);
-    CHECK(test::relative_error(stated.m2, 0.005) < 1e-15);
 }
 
 TEST_CASE("what no isotropic surface has is refused") {

@@ -75,16 +75,7 @@ public:
     /// The contact at the separation \p separation [m] of the mean planes.
     /// \throws domain_error unless it is positive and its pressure within reach.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        const LogSlope<T> p = log_pressure(separation / rms_height());
-        const T pressure = std::exp(p.log);
-        ContactState<T> state = at_pressure(pressure, wanted);
-        for (Estimate<T>* e :
-             {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction, &state.contact_density})
-            e->error += 2 * p.error * e->value;
-        state.pressure = has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
-        state.separation = {separation, 0, 0};
-        state.eta = separation / rms_height();
-        return state;
+        return this->state_at_separation(separation, wanted);
     }
 
     /// Separation [m] of the mean planes under \p pressure [Pa]; 0 from 2 E g on. \throws domain_error as at_pressure.
@@ -104,19 +95,10 @@ public:
     /// \throws domain_error unless 0 < eta and its pressure is within reach.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
-        const T d = eta * rms_height();
         const std::vector<T>& at = knots();
-        const auto beyond = std::upper_bound(at.begin(), at.end(), d) - at.begin();
+        const auto beyond = std::upper_bound(at.begin(), at.end(), eta * rms_height()) - at.begin();
         const T high = log_end() - T(beyond - 1), low = high - (beyond < std::ssize(at) ? T(1) : T(500));
-        const auto residual = [&](T log_p) {
-            const T p = std::exp(log_p);
-            return std::pair(separation(p).value - d, -p / stiffness(p));
-        };
-        const auto found = newton_bracketed(residual, low, high, high - T(0.5),
-                                            16 * std::numeric_limits<T>::epsilon() * (1 + std::abs(high)));
-        require(found.converged(), "eta", eta, "within the reach of the laws");
-        const T p = std::exp(found.root), per_height = stiffness(p) / p;
-        return {found.root, -per_height * rms_height(), found.error + separation(p).error * per_height};
+        return this->searched_log_pressure(eta, low, high, high - T(0.5), "within the reach of the laws");
     }
 
     [[nodiscard]] T rms_height() const { return crowded_.rms_height(); }

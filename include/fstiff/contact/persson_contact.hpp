@@ -119,16 +119,7 @@ public:
     /// The contact at the separation \p separation [m] of the mean planes.
     /// \throws domain_error unless it is positive and its pressure is within reach.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
-        const auto p = log_pressure(separation / rms_height_);
-        const T pressure = std::exp(p.log);
-        ContactState<T> state = at_pressure(pressure, wanted);
-        const auto widen = [&](Estimate<T>& e) { e.error += 2 * p.error * e.value; };
-        widen(state.stiffness), widen(state.loading_stiffness), widen(state.real_area_fraction);
-        state.pressure =
-            has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, nodes()} : Estimate<T>{};
-        state.separation = {separation, 0, 0};
-        state.eta = separation / rms_height_;
-        return state;
+        return this->state_at_separation(separation, wanted);
     }
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
@@ -171,21 +162,13 @@ public:
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
     /// \throws domain_error unless the pressure of \p eta is within reach.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
-        const T d = eta * rms_height_, full = largest_pressure();
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
-        const T low = std::log(full * std::numeric_limits<T>::epsilon()) - 60, high = std::log(full);
+        const T full = largest_pressure();
         // d = u0 ln(p0/p) for light loads, from the pressure E g
-        const T at_one = std::log(modulus_ * rms_gradient());
-        const auto residual = [&](T log_p) {
-            const T p = std::exp(log_p);
-            return std::pair(separation(p).value - d, -p / stiffness(p));
-        };
-        const auto found = newton_bracketed(residual, low, high, at_one - d / light_load_length() - T(0.5),
-                                            8 * std::numeric_limits<T>::epsilon() * (1 + std::abs(at_one)));
-        require(found.converged(), "eta", eta,
-                "within the reach of the model: pressures up to 18 E g, and not 1e-42 of that");
-        const T p = std::exp(found.root), slope = -stiffness(p) / p * rms_height_;
-        return {found.root, slope, found.error + separation(p).error * stiffness(p) / p};
+        const T guess = std::log(modulus_ * rms_gradient()) - eta * rms_height_ / light_load_length() - T(0.5);
+        return this->searched_log_pressure(
+            eta, std::log(full * std::numeric_limits<T>::epsilon()) - 60, std::log(full), guess,
+            "within the reach of the model: pressures up to 18 E g, and not 1e-42 of that");
     }
 
     [[nodiscard]] T rms_height() const { return rms_height_; }

@@ -34,6 +34,7 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/single_radius.hpp>
+#include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness.hpp>
 
 #include <cmath>
@@ -63,7 +64,7 @@ template <Real T>
 [[nodiscard]] T rms_curvature(const Roughness<T>& surface, const PeakDistribution<T>& peaks,
                               CurvatureScale scale = {}) {
     const T times_radius =
-        scale == CurvatureScale::consistent ? 1 / peaks.mean_curvature() : 3 * std::sqrt(numbers::pi_v<T>) / 8;
+        scale == CurvatureScale::consistent ? 1 / peaks.mean_curvature() : radius_times_rms_curvature<T>();
     return times_radius / surface.peak_radius;
 }
 

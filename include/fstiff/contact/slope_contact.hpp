@@ -8,8 +8,11 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/error.hpp>
+#include <fstiff/math/root.hpp>
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace fstiff {
 
@@ -36,6 +39,37 @@ public:
     [[nodiscard]] T bulk_compliance() const { return T(0); }
     /// K is -dp/dd.
     [[nodiscard]] T stiffness_over_slope() const { return T(1); }
+
+protected:
+    // For a contact that knows K(p) and, as an integral of it, the separation d(p): stiffness(p) and separation(p).
+
+    /// log p where d(p) = eta rms_height, between \p low and \p high. \throws domain_error naming eta, and \p reach.
+    [[nodiscard]] LogSlope<T> searched_log_pressure(T eta, T low, T high, T guess, const char* reach) const {
+        const T rms = self().rms_height(), tolerance = 16 * std::numeric_limits<T>::epsilon() * (1 + std::abs(high));
+        const auto residual = [&](T log_p) {
+            const T p = std::exp(log_p);
+            return std::pair(self().separation(p).value - eta * rms, -p / self().stiffness(p));
+        };
+        const auto found = newton_bracketed(residual, low, high, guess, tolerance);
+        require(found.converged(), "eta", eta, reach);
+        const T p = std::exp(found.root), per_height = self().stiffness(p) / p;
+        return {found.root, -per_height * rms, found.error + self().separation(p).error * per_height};
+    }
+
+    /// The state at the pressure that \p separation has; the error of the pressure enters every value.
+    [[nodiscard]] ContactState<T> state_at_separation(T separation, Quantity wanted) const {
+        const T eta = separation / self().rms_height();
+        const LogSlope<T> p = self().log_pressure(eta);
+        const T pressure = std::exp(p.log);
+        ContactState<T> state = self().at_pressure(pressure, wanted);
+        for (Estimate<T>* e :
+             {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction, &state.contact_density})
+            e->error += 2 * p.error * e->value;
+        state.pressure = has(wanted, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
+        state.separation = {separation, 0, 0};
+        state.eta = eta;
+        return state;
+    }
 
 private:
     const Derived& self() const { return static_cast<const Derived&>(*this); }

@@ -124,9 +124,7 @@ BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, T effective_modul
     map.validate();
     require_positive("effective_modulus", effective_modulus);
     if (options.hardness != T(0)) require_positive("hardness", options.hardness);
-    if (map.present() != map.size())
-        throw domain_error("map with " + std::to_string(map.size() - map.present()) +
-                           " missing points: must be filled before boundary elements");
+    map.require_whole("before boundary elements");
     height_ -= height_.mean();
 }
 

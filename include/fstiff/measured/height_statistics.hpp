@@ -18,6 +18,7 @@
 
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/surface/moments.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <array>
@@ -29,10 +30,7 @@ namespace fstiff {
 template <Real T = double>
 struct HeightStatistics {
     Measurement<T> skewness, kurtosis, rms_gradient;
-    T m0{}, m2{}, m4{};  ///< [m^2, 1, 1/m^2]
-
-    /// Nayak's alpha.
-    [[nodiscard]] T bandwidth() const { return (m0 / m2) * (m4 / m2); }
+    SpectralMoments<T> moments{};
 };
 
 namespace detail {
@@ -100,9 +98,8 @@ template <Real T, std::size_t blocks>
     out.skewness = measured(&HeightPowers<T>::skewness, T(1));
     out.kurtosis = measured(&HeightPowers<T>::kurtosis, T(1));
     out.rms_gradient = measured(&HeightPowers<T>::gradient, rms);
-    out.m0 = whole.variance() * rms * rms;
-    out.m2 = whole.slopes / whole.pairs * rms * rms;
-    out.m4 = whole.bends / whole.triples * rms * rms;
+    out.moments = {whole.variance() * rms * rms, whole.slopes / whole.pairs * rms * rms,
+                   whole.bends / whole.triples * rms * rms};
     return out;
 }
 

@@ -16,6 +16,7 @@
 #include <fstiff/core/progress.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/triples.hpp>
+#include <fstiff/surface/moments.hpp>
 
 #include <Eigen/Core>
 
@@ -68,7 +69,7 @@ Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
         std::asin(std::min(S(1), curvature / slope / 2));  // curvature = 2 slope is a zigzag, but for rounding
     if (count == PeakCount::profile) {
         const S share = static_cast<S>(sums.triples.peaks) / static_cast<S>(sums.triples.triples);
-        e[1] = 3 * std::sqrt(numbers::pi_v<S>) / 8 / curvature;
+        e[1] = radius_times_rms_curvature<S>() / curvature;
         e[2] = 2 * numbers::pi_v<S> / (3 * std::sqrt(S(3))) * share * share;
     } else if (count == PeakCount::summits) {
         e[1] = sums.summits / sums.summit_curvature;

@@ -19,20 +19,11 @@
 
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/triples.hpp>
+#include <fstiff/surface/moments.hpp>
 
 #include <utility>
 
 namespace fstiff {
-
-template <Real T = double>
-struct SpectralMoments {
-    T m0{};  ///< [m^2]
-    T m2{};  ///< of neighbours
-    T m4{};  ///< of triples [1/m^2]
-
-    /// Nayak's alpha.
-    [[nodiscard]] T bandwidth() const { return (m0 / m2) * (m4 / m2); }
-};
 
 /// Moments of \p profile about its mean: remove its form first, with detrend().
 /// \throws domain_error for a profile out of range, without a triple of neighbours, or whose moments leave the range of

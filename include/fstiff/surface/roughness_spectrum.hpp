@@ -20,6 +20,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
+#include <fstiff/surface/moments.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -103,55 +104,10 @@ struct SpectrumShells {
     }
 };
 
-/// Moments of a profile of an isotropic surface.
-template <Real T = double>
-struct SurfaceMoments {
-    T m0{};  ///< sigma^2 [m^2]
-    T m2{};  ///< half the square of the surface's rms gradient
-    T m4{};  ///< [1/m^2]
-
-    /// Nayak's alpha = m0 m4/m2^2.
-    [[nodiscard]] T bandwidth() const { return (m0 / m2) * (m4 / m2); }
-};
-
-/// Of the mean peak radius R [m] and the density of peaks D_p [1/m^2] of a surface of the rms height \p rms_height [m]:
-/// m4 = sigma_kappa^2 with eq. (4.10) of the reference paper, m2 = m4/(6 pi sqrt(3) D_p), as Nayak (1971) has both.
-/// \throws domain_error unless all are finite and positive.
-template <Real T>
-[[nodiscard]] SurfaceMoments<T> moments_of_peaks(T rms_height, T peak_radius, T peak_density) {
-    require_positive("rms_height", rms_height);
-    require_positive("peak_radius", peak_radius);
-    require_positive("peak_density", peak_density);
-    const T curvature = 3 * std::sqrt(numbers::pi_v<T>) / (8 * peak_radius);
-    const T m4 = curvature * curvature;
-    return {rms_height * rms_height, m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * peak_density), m4};
-}
-
-/// Of the rms gradient g of the surface and Nayak's alpha: m2 = g^2/2, m4 = alpha m2^2/m0.
-/// \throws domain_error unless all are finite and positive.
-template <Real T>
-[[nodiscard]] SurfaceMoments<T> moments_of_gradient(T rms_height, T rms_gradient, T alpha) {
-    require_positive("rms_height", rms_height);
-    require_positive("rms_gradient", rms_gradient);
-    require_positive("alpha", alpha);
-    const T m0 = rms_height * rms_height, m2 = rms_gradient * rms_gradient / 2;
-    return {m0, m2, alpha * (m2 / m0) * m2};
-}
-
-/// R [m] of (4.10) and D_p [1/m^2] of Nayak's peaks: the inverse of moments_of_peaks.
-template <Real T>
-[[nodiscard]] T peak_radius_of(const SurfaceMoments<T>& moments) {
-    return 3 * std::sqrt(numbers::pi_v<T>) / (8 * std::sqrt(moments.m4));
-}
-template <Real T>
-[[nodiscard]] T peak_density_of(const SurfaceMoments<T>& moments) {
-    return moments.m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * moments.m2);
-}
-
 /// The band without a flat part that has the moments \p moments and the Hurst exponent \p hurst.
 /// \throws domain_error unless 0 < H <= 1 and alpha > 3/2, with ln(q2/q1) between 0.001 and 60.
 template <Real T>
-[[nodiscard]] BandSpectrum<T> band_of_moments(const SurfaceMoments<T>& moments, std::type_identity_t<T> hurst) {
+[[nodiscard]] BandSpectrum<T> band_of_moments(const SpectralMoments<T>& moments, std::type_identity_t<T> hurst) {
     require(hurst > 0 && hurst <= 1, "hurst", hurst, "greater than 0 and at most 1");
     require_positive("m0", moments.m0);
     require_positive("m2", moments.m2);

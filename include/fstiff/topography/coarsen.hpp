@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace fstiff {
 
@@ -39,9 +38,7 @@ template <Real T>
 [[nodiscard]] HeightMap<T> coarsened(const HeightMap<T>& map, Eigen::Index columns, Eigen::Index rows) {
     require(columns >= 1 && columns <= map.columns(), "columns", columns, "from 1 to those of the map");
     require(rows >= 1 && rows <= map.rows(), "rows", rows, "from 1 to those of the map");
-    if (map.present() != map.size())
-        throw domain_error("map with " + std::to_string(map.size() - map.present()) +
-                           " missing points: must be filled before it is made coarser");
+    map.require_whole("before it is made coarser");
     HeightMap<T> coarse;
     coarse.dx = map.dx * T(map.columns()) / T(columns);
     coarse.dy = map.dy * T(map.rows()) / T(rows);

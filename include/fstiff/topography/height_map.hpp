@@ -38,6 +38,8 @@ struct HeightMap {
     /// \throws domain_error unless both spacings are positive, no height is infinite, the map has \p least points a
     /// side, as many exist, and they are not all of one height.
     void validate(Eigen::Index least = 3) const;
+    /// \throws domain_error "map with N missing points: must be filled \p before".
+    void require_whole(const char* before) const;
 };
 
 /// Mean of the heights that exist [m]. \throws domain_error when there is none.
@@ -104,6 +106,12 @@ T rms_height(const HeightMap<T>& map) {
     map.validate();
     const detail::MapHeights<T> heights(map);
     return static_cast<T>(std::sqrt(heights.variance) * heights.unit);
+}
+
+template <Real T>
+void HeightMap<T>::require_whole(const char* before) const {
+    if (const Eigen::Index missing = size() - present(); missing > 0)
+        throw domain_error("map with " + std::to_string(missing) + " missing points: must be filled " + before);
 }
 
 template <Real T>

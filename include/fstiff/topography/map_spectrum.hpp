@@ -23,7 +23,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace fstiff {
@@ -42,9 +41,7 @@ inline constexpr auto names<SpectrumWindow> = name_list<SpectrumWindow>({{Spectr
 template <Real T>
 [[nodiscard]] SpectrumShells<T> map_spectrum(const HeightMap<T>& map, SpectrumWindow window = SpectrumWindow::hann) {
     map.validate(4);
-    if (map.present() != map.size())
-        throw domain_error("map with " + std::to_string(map.size() - map.present()) +
-                           " missing points: must be filled before its spectrum is taken");
+    map.require_whole("before its spectrum is taken");
     using Complex = std::complex<T>;
     using Index = Eigen::Index;
     const Index rows = map.rows(), columns = map.columns(), half = columns / 2;

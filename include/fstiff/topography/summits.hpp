@@ -14,6 +14,7 @@
 /// Accuracy    rounding; what three points lose of a curvature is (pi/samples of its wave)^2/3 (tests/topography/summits_test.cpp)
 
 #include <fstiff/math/random.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
@@ -46,33 +47,22 @@ struct Summits {
 template <Real T>
 [[nodiscard]] Summits<T> summits_of(const HeightMap<T>& map) {
     map.validate();
-    using Index = Eigen::Index;
     const auto& z = map.heights;
-    T sum = 0, squares = 0, datum = 0;
-    for (Index k = 0; k < z.size(); ++k)
-        if (!std::isnan(z.data()[k])) datum = z.data()[k];
-    const auto present = static_cast<T>(map.present());
-    for (Index k = 0; k < z.size(); ++k)
-        if (!std::isnan(z.data()[k])) sum += z.data()[k] - datum;
-    const T mean = datum + sum / present;
-    for (Index k = 0; k < z.size(); ++k)
-        if (!std::isnan(z.data()[k])) squares += (z.data()[k] - mean) * (z.data()[k] - mean);
+    const detail::MapHeights<T> heights(map);
     Summits<T> found;
     found.width = static_cast<T>(z.cols()) * map.dx;
     found.height = static_cast<T>(z.rows()) * map.dy;
-    found.rms_height = std::sqrt(squares / present);
+    found.rms_height = static_cast<T>(std::sqrt(heights.variance) * heights.unit);
     std::size_t inner = 0;
-    for (Index j = 1; j + 1 < z.rows(); ++j)
-        for (Index i = 1; i + 1 < z.cols(); ++i) {
-            const auto patch = z.template block<3, 3>(j - 1, i - 1);
-            if (patch.isNaN().any()) continue;
-            ++inner;
-            const T here = z(j, i);
-            if ((patch >= here).count() != 1) continue;  // itself
-            found.summits.push_back({here - mean, ((here - z(j, i - 1)) + (here - z(j, i + 1))) / map.dx / map.dx,
-                                     ((here - z(j - 1, i)) + (here - z(j + 1, i))) / map.dy / map.dy, T(i) * map.dx,
-                                     T(j) * map.dy});
-        }
+    detail::visit_inner_points(map, {0, z.rows(), 0, z.cols()}, [&](Eigen::Index j, Eigen::Index i, bool summit) {
+        ++inner;
+        if (!summit) return;
+        const T here = z(j, i);
+        found.summits.push_back({static_cast<T>((heights.of(here) - heights.mean) * heights.unit),
+                                 ((here - z(j, i - 1)) + (here - z(j, i + 1))) / map.dx / map.dx,
+                                 ((here - z(j - 1, i)) + (here - z(j + 1, i))) / map.dy / map.dy, T(i) * map.dx,
+                                 T(j) * map.dy});
+    });
     found.area = static_cast<T>(inner) * map.dx * map.dy;
     std::sort(found.summits.begin(), found.summits.end(),
               [](const Summit<T>& a, const Summit<T>& b) { return a.height > b.height; });

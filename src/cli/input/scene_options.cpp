@@ -47,10 +47,10 @@ Json measured_document(const MeasuredSurface& surface) {
         entry["how"] = line.how;
     }
     if (surface.heights)
-        document["moments"] = {{"m0_m2", surface.heights->m0},
-                               {"m2", surface.heights->m2},
-                               {"m4_per_m2", surface.heights->m4},
-                               {"alpha", surface.heights->bandwidth()}};
+        document["moments"] = {{"m0_m2", surface.heights->moments.m0},
+                               {"m2", surface.heights->moments.m2},
+                               {"m4_per_m2", surface.heights->moments.m4},
+                               {"alpha", surface.heights->moments.bandwidth()}};
     if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;
     if (!surface.peaks_refusal.empty()) document["no_r_and_theta"] = surface.peaks_refusal;
     Json names = Json::array(), rows = Json::array();

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The spectral moments of a profile of an isotropic surface, and what they make of its peaks.
+///
+///     m0 = sigma^2      m2 = g^2/2      m4 = sigma_kappa^2      alpha = m0 m4/m2^2
+///     R sigma_kappa = 3 sqrt(pi)/8                               eq. (4.10) of the reference paper
+///     D_p = m4/(6 pi sqrt(3) m2)                                 Nayak (1971)
+///
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Bush, Gibson, Thomas, Wear 35 (1975) 87; Buczkowski, Kleiber,
+///             Starzynski, Arch. Mech. 66 (2014), eq. (4.10).
+/// Units       m0 [m^2], m2 dimensionless, m4 [1/m^2]
+/// Valid       all finite and greater than 0
+/// Accuracy    4 ulp (tests/surface/moments_test.cpp)
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/numbers.hpp>
+
+#include <cmath>
+
+namespace fstiff {
+
+template <Real T = double>
+struct SpectralMoments {
+    T m0{};  ///< mean square height [m^2]
+    T m2{};  ///< mean square slope of a profile: half the square of the surface's rms gradient
+    T m4{};  ///< mean square curvature of a profile [1/m^2]
+
+    /// Nayak's alpha.
+    [[nodiscard]] T bandwidth() const { return (m0 / m2) * (m4 / m2); }
+};
+
+/// R sigma_kappa = 3 sqrt(pi)/8, eq. (4.10).
+template <Real T>
+[[nodiscard]] T radius_times_rms_curvature() {
+    return 3 * std::sqrt(numbers::pi_v<T>) / 8;
+}
+
+/// Of the mean peak radius R [m] and the density of peaks D_p [1/m^2] of a surface of the rms height \p rms_height [m].
+/// \throws domain_error unless all are finite and positive.
+template <Real T>
+[[nodiscard]] SpectralMoments<T> moments_of_peaks(T rms_height, T peak_radius, T peak_density) {
+    require_positive("rms_height", rms_height);
+    require_positive("peak_radius", peak_radius);
+    require_positive("peak_density", peak_density);
+    const T curvature = radius_times_rms_curvature<T>() / peak_radius, m4 = curvature * curvature;
+    return {rms_height * rms_height, m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * peak_density), m4};
+}
+
+/// Of the rms gradient g of the surface and Nayak's alpha: m2 = g^2/2, m4 = alpha m2^2/m0.
+/// \throws domain_error unless all are finite and positive.
+template <Real T>
+[[nodiscard]] SpectralMoments<T> moments_of_gradient(T rms_height, T rms_gradient, T alpha) {
+    require_positive("rms_height", rms_height);
+    require_positive("rms_gradient", rms_gradient);
+    require_positive("alpha", alpha);
+    const T m0 = rms_height * rms_height, m2 = rms_gradient * rms_gradient / 2;
+    return {m0, m2, alpha * (m2 / m0) * m2};
+}
+
+/// R [m] and D_p [1/m^2] of the peaks: the inverse of moments_of_peaks.
+template <Real T>
+[[nodiscard]] T peak_radius_of(const SpectralMoments<T>& moments) {
+    return radius_times_rms_curvature<T>() / std::sqrt(moments.m4);
+}
+template <Real T>
+[[nodiscard]] T peak_density_of(const SpectralMoments<T>& moments) {
+    return moments.m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * moments.m2);
+}
+
+}  // namespace fstiff
