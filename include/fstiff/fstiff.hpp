@@ -39,6 +39,7 @@
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/surface/structure_constant.hpp>
+#include <fstiff/surface/two_faces.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/form_loss.hpp>
@@ -64,6 +65,7 @@
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
@@ -119,6 +121,7 @@
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/stiffness_band.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>
