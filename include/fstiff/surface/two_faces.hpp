@@ -40,6 +40,19 @@ struct RoughFace {
     std::optional<T> r{}, theta{};                              ///< both or none [1, rad]
 };
 
+/// \p face with its heights multiplied by \p factor > 0: R/factor, and G such that S grows by factor^2.
+template <Real T>
+[[nodiscard]] RoughFace<T> scaled(RoughFace<T> face, T factor) {
+    const T square = factor * factor;
+    face.roughness.rms_height *= factor;
+    face.roughness.max_peak_height *= factor;
+    face.roughness.peak_radius /= factor;
+    face.moments = {face.moments.m0 * square, face.moments.m2 * square, face.moments.m4 * square};
+    if (face.fractal_dimension && face.fractal_roughness)
+        *face.fractal_roughness *= std::pow(factor, 1 / (*face.fractal_dimension - 1));
+    return face;
+}
+
 namespace detail {
 
 /// Mean square slope of neighbours, r sigma sigma_kappa.
