@@ -53,18 +53,33 @@ std::string no_spectrum(const Face& face) {
            ", and every isotropic surface has more than 1.5; must be told surface.rms_gradient";
 }
 
-std::shared_ptr<const MapOfSurface> map_of_surface(std::shared_ptr<const HeightMap<double>> map) {
-    const bool whole = map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
+std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
     MapOfSurface of;
-    of.summits = {summits_of(*map)};
-    if (whole) of.spectrum = map_spectrum(*map);
-    of.maps = {std::move(map)};
+    of.maps = std::move(maps);
+    double area = 0;
+    bool whole = true;
+    for (const auto& map : of.maps) {
+        of.summits.push_back(summits_of(*map));
+        area += map->area();
+        whole = whole && map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
+    }
+    if (whole)
+        for (const auto& map : of.maps) {
+            SpectrumShells<double> spectrum = map_spectrum(*map);
+            const double share = map->area() / area;
+            for (auto& shell : spectrum.shells) shell.q2_h2 *= share, shell.q_h2 *= share;
+            spectrum.rms_height *= std::sqrt(share);
+            of.spectrum = of.spectrum.shells.empty() ? spectrum : sum_of_spectra(of.spectrum, spectrum);
+        }
     return std::make_shared<const MapOfSurface>(std::move(of));
 }
 
 std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     if (!upper.map || !lower.map) return "not both faces are maps";
-    return no_sum_of(*upper.map->maps.front(), *lower.map->maps.front());
+    for (const auto& one : upper.map->maps)
+        for (const auto& other : lower.map->maps)
+            if (const std::string why = no_sum_of(*one, *other); !why.empty()) return why;
+    return "";
 }
 
 Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
@@ -84,8 +99,9 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
     if (!no_sum_of_maps(upper, lower).empty()) return face;
     MapOfSurface of;
-    for (HeightMap<double>& map :
-         shifted_sums(*upper.map->maps.front(), *lower.map->maps.front(), static_cast<std::size_t>(shifts), seed)) {
+    const auto &above = upper.map->maps, &below = lower.map->maps;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(shifts); ++k) {  // of several maps each in turn
+        HeightMap<double> map = random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
         of.summits.push_back(summits_of(map));
         of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }

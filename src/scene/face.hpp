@@ -45,8 +45,9 @@ struct Face {
 /// Why \p face has no spectrum for Persson's theory; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Face& face);
 
-/// What laws take of \p map.
-[[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(std::shared_ptr<const HeightMap<double>> map);
+/// What laws take of \p maps, one at least, of one surface.
+[[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps);
 
 /// Why two faces have no sum of heights; empty where both are maps of one grid.
 [[nodiscard]] std::string no_sum_of_maps(const Face& upper, const Face& lower);

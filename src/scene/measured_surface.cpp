@@ -59,6 +59,7 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     else if (found.curved)
         warned.push_back("the structure function is no single power law over the window: D is a mean over it");
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
+    surface.peaks = found.peaks_counted;
     surface.concerns = concerns_of(found);
     if (has(surface.concerns, MeasuredConcern::anisotropic))
         warned.push_back("the map differs along x and y; the models take it for isotropic");
@@ -155,6 +156,14 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     surface.fractal_refusal = found.why_no_dimension;
     surface.peaks_refusal = found.why_no_peaks;
     return surface;
+}
+
+double MeasuredSurface::size() const {
+    double size = 0;
+    for (const MeasuredSurface& part : parts) size += part.size();
+    if (profile) size = static_cast<double>(profile->profile.present()) * profile->profile.spacing;
+    if (map) size = static_cast<double>(map->map.present()) * map->map.dx * map->map.dy;
+    return size;
 }
 
 std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {

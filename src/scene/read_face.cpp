@@ -10,17 +10,43 @@
 namespace fstiff::scene {
 namespace {
 
-/// Measures or reads the file that surface.from or --surface names; messages begin with \p place.
-MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, const Place& place,
-                              const ProgressHook& progress) {
+/// Measures or reads the files that surface.from or --surface names; messages begin with \p place.
+MeasuredSurface measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
+                              const Place& place, const ProgressHook& progress) {
     return located(place, [&] {
-        const std::string bytes = read_all(options.input.file);
-        if (!is_measured_document(bytes)) return measure_surface(options, bytes, progress);
+        std::error_code none;
+        if (files.size() > 1 || std::filesystem::is_directory(files.front(), none))
+            return measure_files(options, files, progress);
+        const std::string& file = files.front();
+        const std::string bytes = read_all(file);
+        if (!is_measured_document(bytes)) {
+            MeasureOptions of_file = options;
+            of_file.input.file = file;
+            return measure_surface(of_file, bytes, progress);
+        }
         if (!defaults)
-            throw domain_error(display_name(options.input.file) +
+            throw domain_error(display_name(file) +
                                ": is the JSON of fstiff measure, measured already; must stand without keys of reading");
-        return read_measured_document(bytes, display_name(options.input.file));
+        return read_measured_document(bytes, display_name(file));
     });
+}
+
+/// The files that \p from names, relative to the scene.
+std::vector<std::string> files_of(Source& source, const toml::node& from, const std::string& key) {
+    const auto one = [&](const toml::node& node, const std::string& name) {
+        std::filesystem::path path = source.text(node, name);
+        if (path.empty()) source.refuse(node, name, "must name a file");
+        const std::filesystem::path scene(source.file);
+        if (path != "-" && path.is_relative() && scene.has_parent_path()) path = scene.parent_path() / path;
+        return path.string();
+    };
+    const auto* list = from.as_array();
+    if (!list) return {one(from, key)};
+    if (list->empty()) source.refuse(from, key, "is an empty list; at least one file is needed");
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < list->size(); ++i)
+        files.push_back(one((*list)[i], key + "[" + std::to_string(i) + "]"));
+    return files;
 }
 
 /// The keys beside surface.from that say how the file is read.
@@ -32,11 +58,7 @@ constexpr std::array<std::string_view, 19> reading_keys{"format",   "units",    
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
     MeasureOptions options;
-    std::filesystem::path path = source.text(from, surface.key("from"));
-    if (path.empty()) source.refuse(from, surface.key("from"), "must name a file");
-    const std::filesystem::path scene(source.file);
-    if (path != "-" && path.is_relative() && scene.has_parent_path()) path = scene.parent_path() / path;
-    options.input.file = path.string();
+    const std::vector<std::string> files = files_of(source, from, surface.key("from"));
     const std::array<std::string*, reading_keys.size()> into{&options.input.format,
                                                              &options.input.units,
                                                              &options.input.spacing,
@@ -82,7 +104,7 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
             source.record(key, written(*node), static_cast<double>(column->get()));
         }
     }
-    return measured_from(options, defaults, source.place(from, surface.key("from")), progress);
+    return measured_from(options, files, defaults, source.place(from, surface.key("from")), progress);
 }
 
 /// Fills the face, which the scene calls \p place, with what was measured.
@@ -101,8 +123,11 @@ void take_measured(Source& source, Face& face, const std::string& place) {
         face.rms_gradient = measured.heights->rms_gradient.value;
         face.alpha = measured.heights->moments.bandwidth();
     }
-    if (measured.map)  // the map lives as long as what was measured
-        face.map = map_of_surface(std::shared_ptr<const HeightMap<double>>(measured.map, &measured.map->map));
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
+    if (measured.map) maps.emplace_back(measured.map, &measured.map->map);
+    for (const MeasuredSurface& part : measured.parts)
+        if (part.map) maps.emplace_back(part.map, &part.map->map);
+    if (!maps.empty()) face.map = map_of_surface(std::move(maps));
     if (known(Parameter::r) && known(Parameter::theta)) {
         face.r = value(Parameter::r);
         face.theta = value(Parameter::theta);
@@ -246,11 +271,10 @@ double read_angle(Source& source, const toml::node& node, const std::string& key
 
 Face face_of_file(Source& source, const std::string& file, const ProgressHook& progress) {
     MeasureOptions options;
-    options.input.file = file;
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
     Face face;
-    face.measured = measured_from(options, true, {.key = "--surface"}, progress);
+    face.measured = measured_from(options, {file}, true, {.key = "--surface"}, progress);
     source.record("surface.from", display_name(file) + " (--surface)");
     take_measured(source, face, "surface");
     return face;

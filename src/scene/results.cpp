@@ -428,8 +428,9 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
                                            quantities);
         std::erase_if(curve.checks, [&](const Check<double>& check) {
             return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
-                   (check.concern == Concern::not_converged &&  // the error is that of the grid, or of the shifts
-                    (!curve.law->varies || (scene.map && scene.shifts > 1)));
+                   (check.concern ==
+                        Concern::not_converged &&  // the error is that of the grid, or of the shifts or files
+                    (!curve.law->varies || (scene.map && scene.map->maps.size() > 1)));
         });
         std::vector<double> etas;
         for (const auto& state : curve.states) etas.push_back(state.eta);
