@@ -82,6 +82,35 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     return "";
 }
 
+Face face_of(const MeasuredSurface& measured) {
+    Face face;
+    face.measured = measured;
+    const auto& p = measured.parameters;
+    const auto value = [&](Parameter which) { return p.value[index_of(which)]; };
+    const auto known = [&](Parameter which) { return p.known[index_of(which)]; };
+    face.uncertain = p;
+    face.surface = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
+                    measured.max_peak_height.value};
+    if (known(Parameter::fractal_dimension)) face.fractal_dimension = value(Parameter::fractal_dimension);
+    if (measured.fractal_roughness) face.fractal_roughness = measured.fractal_roughness->value;
+    face.heights = measured.heights;
+    if (measured.heights) {
+        face.rms_gradient = measured.heights->rms_gradient.value;
+        face.alpha = measured.heights->moments.bandwidth();
+    }
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
+    if (measured.map) maps.emplace_back(measured.map, &measured.map->map);
+    for (const MeasuredSurface& part : measured.parts)
+        if (part.map) maps.emplace_back(part.map, &part.map->map);
+    if (!maps.empty()) face.map = map_of_surface(std::move(maps));
+    if (known(Parameter::r) && known(Parameter::theta)) {
+        face.r = value(Parameter::r);
+        face.theta = value(Parameter::theta);
+    }
+    for (const MeasuredSurface& neighbour : measured.neighbours) face.neighbours.push_back(face_of(neighbour));
+    return face;
+}
+
 Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
     const RoughFace<double> a = rough_face(upper), b = rough_face(lower), sum = sum_of_faces(a, b);
     Face face;
@@ -97,6 +126,12 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     face.uncertain = uncertain_sum(a, upper.uncertain, b, lower.uncertain);
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
+    for (std::size_t k = 0; k < std::max(upper.neighbours.size(), lower.neighbours.size()); ++k) {
+        const auto neighbour = [k](const Face& one) -> const Face& {
+            return one.neighbours.empty() ? one : one.neighbours[std::min(k, one.neighbours.size() - 1)];
+        };
+        face.neighbours.push_back(sum_of_faces(neighbour(upper), neighbour(lower), shifts, seed));
+    }
     if (!no_sum_of_maps(upper, lower).empty()) return face;
     MapOfSurface of;
     const auto &above = upper.map->maps, &below = lower.map->maps;

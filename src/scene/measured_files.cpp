@@ -171,6 +171,12 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
         whole.fractal_refusal = first.fractal_refusal;
     if (!mean.face.r) whole.peaks_refusal = first.peaks_refusal;
     if (heights.size() == sizes.size()) whole.heights = fstiff::pooled(heights, sizes);
+    for (std::size_t k = 0; k < first.neighbours.size(); ++k) {
+        std::vector<MeasuredSurface> neighbours;
+        for (const MeasuredSurface& part : whole.parts)
+            if (k < part.neighbours.size()) neighbours.push_back(part.neighbours[k]);
+        if (neighbours.size() == whole.parts.size()) whole.neighbours.push_back(pooled(std::move(neighbours)));
+    }
     whole.concerns = concerns_of(whole);
     whole.decisions = {std::to_string(whole.parts.size()) + " files pooled, each by its " +
                            (whole.kind == "profile" ? "length" : "area") + ": " + names_of(whole.parts),

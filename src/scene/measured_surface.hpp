@@ -27,6 +27,7 @@ struct MeasureOptions {
     std::string tip_radius, resolution, window;
     int resamples = 400;
     std::uint64_t seed = 2014;
+    bool neighbours = true;  ///< measures behind a smaller and a greater lambda_s too
 };
 
 struct MeasuredSurface {
@@ -48,12 +49,19 @@ struct MeasuredSurface {
     std::optional<IslandCurve<double>> islands;  ///< that gave R and D_p of a map
     std::vector<MeasuredSurface> parts;          ///< of a surface measured from several files: each of them
 
+    /// The same behind lambda_s/sqrt(2) and sqrt(2) lambda_s, without errors; behind twice it alone where the file holds no smaller
+    /// one. Without lambda_s: behind four steps, which is twice the shortest wave of the file.
+    std::vector<MeasuredSurface> neighbours;
+
     /// Length of the profile [m], or area of the map [m^2]; 0 where neither is there.
     [[nodiscard]] double size() const;
 };
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
 [[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes,
+                                              const ProgressHook& progress = {});
+/// The same of what was read already.
+[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
                                               const ProgressHook& progress = {});
 
 /// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder stands for its files in the order of

@@ -107,31 +107,8 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
     return measured_from(options, files, defaults, source.place(from, surface.key("from")), progress);
 }
 
-/// Fills the face, which the scene calls \p place, with what was measured.
-void take_measured(Source& source, Face& face, const std::string& place) {
-    const MeasuredSurface& measured = *face.measured;
-    const auto& p = measured.parameters;
-    const auto value = [&](Parameter which) { return p.value[index_of(which)]; };
-    const auto known = [&](Parameter which) { return p.known[index_of(which)]; };
-    face.uncertain = p;
-    face.surface = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
-                    measured.max_peak_height.value};
-    if (known(Parameter::fractal_dimension)) face.fractal_dimension = value(Parameter::fractal_dimension);
-    if (measured.fractal_roughness) face.fractal_roughness = measured.fractal_roughness->value;
-    face.heights = measured.heights;
-    if (measured.heights) {
-        face.rms_gradient = measured.heights->rms_gradient.value;
-        face.alpha = measured.heights->moments.bandwidth();
-    }
-    std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
-    if (measured.map) maps.emplace_back(measured.map, &measured.map->map);
-    for (const MeasuredSurface& part : measured.parts)
-        if (part.map) maps.emplace_back(part.map, &part.map->map);
-    if (!maps.empty()) face.map = map_of_surface(std::move(maps));
-    if (known(Parameter::r) && known(Parameter::theta)) {
-        face.r = value(Parameter::r);
-        face.theta = value(Parameter::theta);
-    }
+/// Puts on record what was measured of the face that the scene calls \p place.
+void record_measured(Source& source, const MeasuredSurface& measured, const std::string& place) {
     for (const ParameterLine& line : parameter_lines(measured))
         source.record(place + "." + line.name + " (measured)", shortest(line.measured.value), line.measured.value,
                       line.unit == "/m^2"    ? "1/m^2"
@@ -186,8 +163,8 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     if (table.contains("from")) valid.insert(valid.end(), reading_keys.begin(), reading_keys.end());
     const Section surface(source, table, path, valid);
     if (surface.find("from")) {
-        face.measured = read_from(source, surface, progress);
-        take_measured(source, face, path);
+        face = face_of(read_from(source, surface, progress));
+        record_measured(source, *face.measured, path);
     }
     read_spectrum(source, surface, face);
     for (const std::string_view key : {"rms_height", "peak_radius", "peak_density", "rms_gradient", "alpha", "hurst"})
@@ -251,6 +228,19 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     if (face.r.has_value() != face.theta.has_value())
         throw domain_error(source.at(table) + ": " + surface.key(face.r ? "theta" : "r") + ": is missing; " +
                            surface.key("r") + " and " + surface.key("theta") + " stand side by side");
+    for (Face& neighbour : face.neighbours) {  // what is written in place of what was measured holds for them too
+        for (const ParameterRow& row : all)
+            if (surface.find(row.key)) neighbour.uncertain.set(row.parameter, {*value(row.parameter), 0});
+        if (surface.find("rms_height")) neighbour.surface.rms_height = face.surface.rms_height;
+        if (surface.find("peak_radius")) neighbour.surface.peak_radius = face.surface.peak_radius;
+        if (surface.find("peak_density")) neighbour.surface.peak_density = face.surface.peak_density;
+        if (surface.find("fractal_dimension")) neighbour.fractal_dimension = face.fractal_dimension;
+        if (surface.find("r")) neighbour.r = face.r, neighbour.theta = face.theta;
+        if (surface.find("rms_gradient")) neighbour.rms_gradient = face.rms_gradient;
+        if (surface.find("alpha")) neighbour.alpha = face.alpha;
+        neighbour.hurst = face.hurst;
+        neighbour.spectrum_of_map = face.spectrum_of_map;
+    }
     return face;
 }
 
@@ -273,10 +263,9 @@ Face face_of_file(Source& source, const std::string& file, const ProgressHook& p
     MeasureOptions options;
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
-    Face face;
-    face.measured = measured_from(options, {file}, true, {.key = "--surface"}, progress);
+    Face face = face_of(measured_from(options, {file}, true, {.key = "--surface"}, progress));
     source.record("surface.from", display_name(file) + " (--surface)");
-    take_measured(source, face, "surface");
+    record_measured(source, *face.measured, "surface");
     return face;
 }
 
