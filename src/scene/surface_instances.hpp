@@ -34,7 +34,7 @@ FSTIFF_SCENE_INSTANCE FractalFit<double> detail::fit_profile(const Profile<doubl
 FSTIFF_SCENE_INSTANCE DirectionalFit<double> fit_directions(const HeightMap<double>&, const FractalFitOptions<double>&);
 FSTIFF_SCENE_INSTANCE StructureFunction<double> structure_function_at_all_lags(const Profile<double>&, std::size_t,
                                                                                Divisor);
-FSTIFF_SCENE_INSTANCE PowerSpectrum<double> power_spectrum(const Profile<double>&);
+FSTIFF_SCENE_INSTANCE PowerSpectrum<double> power_spectrum(const Profile<double>&, SpectrumWindow);
 FSTIFF_SCENE_INSTANCE PeakStatistics<double> peak_statistics(const Profile<double>&);
 FSTIFF_SCENE_INSTANCE Profile<double> gaussian_low_pass(const Profile<double>&, double);
 FSTIFF_SCENE_INSTANCE Profile<double> gaussian_roughness(const Profile<double>&, double);
