@@ -59,6 +59,14 @@ struct TextureParameters {
     T longest_direction{};          ///< [rad]
 };
 
+/// The mean over all directions.
+template <Real T = double>
+struct RadialAutocorrelation {
+    std::vector<T> lag;             ///< mean length of the lags of a shell [m]; 0 first
+    std::vector<T> value;           ///< mean of A over them
+    std::vector<std::size_t> lags;  ///< with a pair, in the shell
+};
+
 /// Of \p map. \throws domain_error for a map out of range, and for a periodic one with missing points.
 template <Real T>
 [[nodiscard]] ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map,
@@ -68,6 +76,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] TextureParameters<T> texture_parameters(const ArealAutocorrelation<T>& correlation,
                                                       std::type_identity_t<T> threshold = T(0.2));
+
+/// Means over shells as wide as the shorter step, about whole multiples of it, to the shorter reach.
+template <Real T>
+[[nodiscard]] RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation);
 
 namespace detail {
 
@@ -201,6 +213,36 @@ ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map, LagPairs 
             T& value = result.value(j, i);
             value = count > 0 ? value / count / variance : std::numeric_limits<T>::quiet_NaN();
         }
+    return result;
+}
+
+template <Real T>
+RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation) {
+    using Index = Eigen::Index;
+    const T width = std::min(correlation.dx, correlation.dy);
+    const T end = std::min(static_cast<T>(correlation.reach_x) * correlation.dx,
+                           static_cast<T>(correlation.reach_y) * correlation.dy);
+    const auto shells = static_cast<std::size_t>(std::lround(end / width)) + 1;
+    std::vector<T> lengths(shells), sums(shells);
+    std::vector<std::size_t> counts(shells);
+    for (Index j = 0; j <= correlation.reach_y; ++j)
+        for (Index i = -correlation.reach_x; i <= correlation.reach_x; ++i) {
+            const T length = std::hypot(static_cast<T>(i) * correlation.dx, static_cast<T>(j) * correlation.dy);
+            const T value = correlation.at(i, j);
+            if ((j == 0 && i < 0) || std::isnan(value) || length > end * (1 + 4 * std::numeric_limits<T>::epsilon()))
+                continue;  // the lag of i < 0 along x is that of -i
+            const auto shell = static_cast<std::size_t>(std::lround(length / width));
+            lengths[shell] += length;
+            sums[shell] += value;
+            ++counts[shell];
+        }
+    RadialAutocorrelation<T> result;
+    for (std::size_t k = 0; k < shells; ++k) {
+        if (counts[k] == 0) continue;
+        result.lag.push_back(lengths[k] / static_cast<T>(counts[k]));
+        result.value.push_back(sums[k] / static_cast<T>(counts[k]));
+        result.lags.push_back(counts[k]);
+    }
     return result;
 }
 

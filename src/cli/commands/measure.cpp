@@ -6,6 +6,7 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "scene/measured_surface.hpp"
+#include "scene/roughness.hpp"
 #include "scene/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -47,10 +48,53 @@ Rows rows_of(const MeasuredSurface& surface) {
     return rows;
 }
 
+RoughnessTable roughness_of(const MeasuredSurface& surface) {
+    return about_file(surface.file, [&] {
+        return surface.profile ? roughness_table(*surface.profile) : roughness_table(*surface.map);
+    });
+}
+
+std::string text_of(const RoughnessTable& table) {
+    std::vector<std::string> symbols, values, units, meanings;
+    for (const RoughnessLine& line : table.lines) {
+        const ShownUnit unit = shown_unit(line.value.value_or(0), line.unit);
+        symbols.push_back(line.symbol);
+        values.push_back(line.value ? rounded(*line.value * unit.factor) : "-");
+        units.emplace_back(line.value ? unit.name : "");
+        meanings.push_back(line.meaning);
+    }
+    Rows rows;
+    rows.add({"", "parameter"}, symbols);
+    rows.add({"", "value"}, values);
+    rows.add({"", "unit"}, units);
+    rows.add({"", "meaning"}, meanings);
+    return "\n  by " + table.standard + ", of the same heights, about their mean, with the cut-offs above\n" +
+           (table.sections.empty()
+                ? ""
+                : "  sections: " + table.sections + ", " + shown_length(table.section_length) + "\n") +
+           "\n" + rows.text();
+}
+
+Json json_of(const RoughnessTable& table) {
+    Json object = {{"standard", table.standard}};
+    Json reasons = Json::object();
+    for (const RoughnessLine& line : table.lines) {
+        const std::string key = line.symbol + (line.unit.empty() ? "" : "_" + line.unit);
+        object[key] = line.value ? Json(*line.value) : Json();
+        if (!line.value) reasons[key] = line.meaning;
+    }
+    if (!table.sections.empty()) {
+        object["section_length_m"] = table.section_length;
+        object["sections"] = table.sections;
+    }
+    object["reasons"] = std::move(reasons);
+    return object;
+}
+
 std::string table(const MeasuredSurface& surface) {
     std::string text = "fstiff " FSTIFF_VERSION ": surface of " + surface.file + "\n";
     for (const std::string& decision : surface.decisions) text += "  " + decision + "\n";
-    return text + "\n" + rows_of(surface).text();
+    return text + "\n" + rows_of(surface).text() + text_of(roughness_of(surface));
 }
 
 Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
@@ -62,6 +106,7 @@ Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
                                {"window", options.window},
                                {"resamples", options.resamples},
                                {"seed", options.seed}});
+    document["roughness"] = json_of(roughness_of(surface));
     return document;
 }
 
@@ -102,6 +147,9 @@ Command add_measure(CLI::App& app) {
     command.option("--seed", measure.seed, "seed of the random numbers of the resamples; the default is 2014");
     add_output_options(command, options->output, Format::json);
     command.footer(
+        "Beside them stand the roughness parameters of ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, "
+        "Sq,\n"
+        "Sk ... of a map); the CSV leaves them out.\n"
         "The JSON is what run --surface and a scene's [surface] from = \"...\" read. Exit code 4: a parameter is not "
         "known\nto a factor of two, or the islands of a map are densest at no level. The example makes a random walk.\n"
         "Example:\n"
