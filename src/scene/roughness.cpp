@@ -93,4 +93,24 @@ RoughnessTable roughness_table(const PreparedMap& levelled) {
     return table;
 }
 
+RoughnessTable mean_of(const std::vector<RoughnessTable>& tables) {
+    RoughnessTable mean = tables.front();
+    mean.files = tables.size();
+    for (const RoughnessTable& table : tables)  // to a fifth of the profile: unlike where the lengths are
+        if (table.sections != mean.sections || table.section_length != mean.section_length)
+            mean.sections = "of each file by itself", mean.section_length = 0;
+    for (std::size_t i = 0; i < mean.lines.size(); ++i) {
+        double sum = 0;
+        for (const RoughnessTable& table : tables) {
+            const RoughnessLine& line = table.lines[i];
+            if (line.value)
+                sum += *line.value;
+            else if (mean.lines[i].value)
+                mean.lines[i] = {line.symbol, line.unit, std::nullopt, "not of every file: " + line.meaning};
+        }
+        if (mean.lines[i].value) mean.lines[i].value = sum / static_cast<double>(tables.size());
+    }
+    return mean;
+}
+
 }  // namespace fstiff::scene

@@ -22,10 +22,14 @@ struct RoughnessTable {
     std::vector<RoughnessLine> lines;
     std::string sections;     ///< how the sections of a profile were chosen; empty of a map
     double section_length{};  ///< [m]; 0 of a map
+    std::size_t files = 1;    ///< whose means these are
 };
 
 /// Of the heights that are there, about their mean. \throws domain_error for a surface out of range.
 [[nodiscard]] RoughnessTable roughness_table(const PreparedProfile& profile);
 [[nodiscard]] RoughnessTable roughness_table(const PreparedMap& map);
+
+/// The means of \p tables, of one kind of surface; none where one of them has none.
+[[nodiscard]] RoughnessTable mean_of(const std::vector<RoughnessTable>& tables);
 
 }  // namespace fstiff::scene

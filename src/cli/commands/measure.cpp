@@ -19,9 +19,11 @@ namespace {
 struct Options {
     OutputOptions output;
     MeasureOptions measure;
+    std::vector<std::string> files;
 };
 
-Rows rows_of(const MeasuredSurface& surface) {
+/// \p file stands in a first column; empty: in none.
+Rows rows_of(const MeasuredSurface& surface, const std::string& file = "") {
     std::vector<std::string> names, units, ways, shown, shown_errors, shown_units;
     std::vector<double> values, errors;
     for (const ParameterLine& line : parameter_lines(surface)) {
@@ -37,6 +39,7 @@ Rows rows_of(const MeasuredSurface& surface) {
         ways.push_back(line.how);
     }
     Rows rows;
+    if (!file.empty()) rows.repeat({.key = "file"}, file, names.size());
     rows.add({"parameter", "parameter"}, names);
     rows.add({"value"}, values);
     rows.add({"error"}, errors);
@@ -48,10 +51,15 @@ Rows rows_of(const MeasuredSurface& surface) {
     return rows;
 }
 
+/// Of several files the means of theirs.
 RoughnessTable roughness_of(const MeasuredSurface& surface) {
-    return about_file(surface.file, [&] {
-        return surface.profile ? roughness_table(*surface.profile) : roughness_table(*surface.map);
-    });
+    if (surface.parts.empty())
+        return about_file(surface.file, [&] {
+            return surface.profile ? roughness_table(*surface.profile) : roughness_table(*surface.map);
+        });
+    std::vector<RoughnessTable> tables;
+    for (const MeasuredSurface& part : surface.parts) tables.push_back(roughness_of(part));
+    return mean_of(tables);
 }
 
 std::string text_of(const RoughnessTable& table) {
@@ -68,10 +76,12 @@ std::string text_of(const RoughnessTable& table) {
     rows.add({"", "value"}, values);
     rows.add({"", "unit"}, units);
     rows.add({"", "meaning"}, meanings);
-    return "\n  by " + table.standard + ", of the same heights, about their mean, with the cut-offs above\n" +
+    return "\n  by " + table.standard + ", of the same heights, about their mean, with the cut-offs above" +
+           (table.files > 1 ? ": means of " + std::to_string(table.files) + " files" : "") + "\n" +
            (table.sections.empty()
                 ? ""
-                : "  sections: " + table.sections + ", " + shown_length(table.section_length) + "\n") +
+                : "  sections: " + table.sections +
+                      (table.section_length > 0 ? ", " + shown_length(table.section_length) : "") + "\n") +
            "\n" + rows.text();
 }
 
@@ -84,9 +94,10 @@ Json json_of(const RoughnessTable& table) {
         if (!line.value) reasons[key] = line.meaning;
     }
     if (!table.sections.empty()) {
-        object["section_length_m"] = table.section_length;
+        object["section_length_m"] = table.section_length > 0 ? Json(table.section_length) : Json();
         object["sections"] = table.sections;
     }
+    if (table.files > 1) object["mean_of_files"] = table.files;
     object["reasons"] = std::move(reasons);
     return object;
 }
@@ -94,11 +105,34 @@ Json json_of(const RoughnessTable& table) {
 std::string table(const MeasuredSurface& surface) {
     std::string text = "fstiff " FSTIFF_VERSION ": surface of " + surface.file + "\n";
     for (const std::string& decision : surface.decisions) text += "  " + decision + "\n";
-    return text + "\n" + rows_of(surface).text() + text_of(roughness_of(surface));
+    text += "\n" + rows_of(surface).text() + text_of(roughness_of(surface));
+    for (const MeasuredSurface& part : surface.parts) {
+        text += "\n" + part.file + "\n";
+        for (const std::string& decision : part.decisions) text += "  " + decision + "\n";
+        text += rows_of(part).text() + text_of(roughness_of(part));
+    }
+    return text;
+}
+
+/// Of several files all of them first, in rows of the file "pooled".
+std::string csv(const MeasuredSurface& surface) {
+    if (surface.parts.empty()) return rows_of(surface).csv();
+    std::string text = rows_of(surface, "pooled").csv();
+    for (const MeasuredSurface& part : surface.parts) text += rows_of(part, part.file).csv(false);
+    return text;
 }
 
 Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
     Json document = measured_document(surface);
+    for (const MeasuredSurface& part : surface.parts) {
+        Json one = measured_document(part);
+        document["files"].push_back({{"source", one["source"]},
+                                     {"surface", one["surface"]},
+                                     {"moments", one["moments"]},
+                                     {"roughness", json_of(roughness_of(part))},
+                                     {"concerns", one["concerns"]},
+                                     {"warnings", one["warnings"]}});
+    }
     document["inputs"] = json_inputs(options.input, options.input.detrend);
     document["inputs"].update({{"peaks", name_of(options.peaks)},
                                {"tip_radius", options.tip_radius},
@@ -111,10 +145,9 @@ Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
 }
 
 Report execute(const Options& options) {
-    const MeasuredSurface surface =
-        measure_surface(options.measure, read_all(options.measure.input.file), progress_bar());
+    const MeasuredSurface surface = measure_files(options.measure, options.files, progress_bar());
     return report({.table = [&] { return table(surface); },
-                   .csv = [&] { return rows_of(surface).csv(); },
+                   .csv = [&] { return csv(surface); },
                    .json = [&] { return json(options.measure, surface); },
                    .warnings = surface.warnings,
                    .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
@@ -128,7 +161,11 @@ Command add_measure(CLI::App& app) {
     MeasureOptions& measure = options->measure;
     Arguments command(app, "measure",
                       "Every parameter of a scene's surface from a measured profile or map, with errors");
-    command.option("file", measure.input.file, "profile or map of any form; - is standard input").required();
+    command
+        .option("files", options->files,
+                "profile or map of any form; - is standard input. Several files of one surface, or a folder of them, "
+                "are pooled")
+        .required();
     add_surface_options(command, measure.input);
     command.option("--peaks", measure.peaks,
                    "what counts as a peak of a map, for R and D_p: its islands (default) or its summits");
