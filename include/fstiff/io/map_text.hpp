@@ -8,6 +8,8 @@
 /// "pixel size" and the like; "h=305 w=75" is compared with what is there; heights in another unit (rad) need a
 /// "height conversion factor (-> m)". *Triples* have x, y and z a line, in any order of the points; the grid is
 /// recovered from the coordinates, x and y rise in the map, and points that are not there are missing.
+/// Exports of Keyence ("XY Calibration","277.8","nm"), of SPIP ("# x-length = 2000", in nm, "# Bit2nm = 0.5") and of
+/// Gwyddion in other languages are matrices too (<fstiff/io/header_words.hpp>).
 /// Three columns are triples where x and y form a grid, a matrix where the header states a size; otherwise the form
 /// must be given. Missing points are empty cells,
 /// "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header ("NODATA_value -9999") or the options name. Rows of a matrix keep the order of the file.
@@ -259,7 +261,7 @@ private:
             return stated_step->value;
         }
         if (stated_whole) {
-            note(whole + " of line " + std::to_string(stated_whole->line));
+            note(whole + " of line " + std::to_string(stated_whole->line) + stated_whole->unit_from);
             return stated_whole->value / points;
         }
         if (!stated_.without_unit.empty())
@@ -280,6 +282,7 @@ private:
         }
         const auto [unit, factor] = stated_height_unit(entries_, name_);
         if (factor) return conversion_factor(*factor, unit);
+        if (const HeaderEntry* const count = find_entry(entries_, "bit2nm")) return nanometres_of_count(*count, unit);
         if (!unit)
             refuse_file(name_,
                         {"states no unit of the heights and none is given; must be ",
@@ -295,10 +298,26 @@ private:
         return unit_factor(unit->value, Dimension::length);
     }
 
+    /// "Bit2nm = 0.5" of SPIP: nanometres of a count, where no unit is stated.
+    double nanometres_of_count(const HeaderEntry& entry, const HeaderEntry* unit) {
+        const auto number = number_in(entry.value, false);
+        if (!number || !(*number > 0) || !std::isfinite(*number))
+            refuse_line(name_, entry.line, {"Bit2nm ", shown_cell(entry.value), "; must be a number greater than 0"});
+        const bool stated = unit && is_unit(unit->value, Dimension::length);
+        if (stated && *number != 1)
+            refuse_line(name_, entry.line,
+                        {"states Bit2nm ", *number, ", line ", unit->line, " the unit ", shown_cell(unit->value),
+                         ": heights may be in either; must be ", options_.names.given_as("units", "\"nm\"")});
+        height_unit_ = stated ? unit->value : "counts";
+        record_.units = stated ? "heights in " + height_unit_ : "heights in counts of " + number_text(*number) + " nm";
+        record_.units_from = "line " + std::to_string(stated ? unit->line : entry.line);
+        return stated ? unit_factor(unit->value, Dimension::length) : *number * 1e-9;
+    }
+
     /// "height conversion factor (-> m)=2.9e-8", or "... = 29 nm".
     double conversion_factor(const HeaderEntry& entry, const HeaderEntry* unit) {
         const LeadingNumber number = leading_number(entry.value);
-        std::string_view to = trimmed(entry.value.substr(number.length));
+        std::string_view to = trimmed(std::string_view(entry.value).substr(number.length));
         const std::size_t arrow = entry.key.find("->");
         if (to.empty() && arrow != std::string::npos) {
             to = std::string_view(entry.key).substr(arrow + 2);
