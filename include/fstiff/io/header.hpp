@@ -141,6 +141,13 @@ struct HeaderEntry {
 };
 
 inline std::string header_key(std::string_view text) {
+    // French sets a blank that does not break before the colon; alone, its second byte is a letter's too
+    text = trimmed(text);
+    const auto last = text.size();
+    if (text.ends_with("\xC2\xA0"))
+        text.remove_suffix(2);
+    else if (last > 1 && text.back() == '\xA0' && static_cast<unsigned char>(text[last - 2]) < 0x80)
+        text.remove_suffix(1);
     std::string key = lower_case(trimmed(text));
     std::replace(key.begin(), key.end(), '_', ' ');
     return key;

@@ -165,7 +165,7 @@ private:
         HeightMap<double> map;
         std::vector<double> z(table_.rows());
         for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
-        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, axes[2],
+        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, printable(axes[2], 16),
                      [&](std::size_t r) { return table_.row_lines[r]; });
         for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
         record_.resolution = table_.printed[2].resolution() * z_unit;
@@ -205,7 +205,8 @@ private:
             refuse_file(name_,
                         {"states no units and none are given; must be ", options_.names.given_as("units", "\"um,nm\""),
                          " (x and y, heights), each one of ", accepted_units(Dimension::length)});
-        record_.units = "x in " + axes[0] + ", y in " + axes[1] + ", heights in " + axes[2];
+        record_.units = "x in " + printable(axes[0], 16) + ", y in " + printable(axes[1], 16) + ", heights in " +
+                        printable(axes[2], 16);
         return axes;
     }
 
@@ -292,7 +293,7 @@ private:
                         {shown_cell(unit->value),
                          " is no unit of length, and no height conversion factor is stated; must be one of ",
                          accepted_units(Dimension::length)});
-        height_unit_ = unit->value;
+        height_unit_ = printable(unit->value, 16);
         record_.units = "heights in " + height_unit_;
         record_.units_from = "line " + std::to_string(unit->line);
         return unit_factor(unit->value, Dimension::length);
@@ -308,7 +309,7 @@ private:
             refuse_line(name_, entry.line,
                         {"states Bit2nm ", *number, ", line ", unit->line, " the unit ", shown_cell(unit->value),
                          ": heights may be in either; must be ", options_.names.given_as("units", "\"nm\"")});
-        height_unit_ = stated ? unit->value : "counts";
+        height_unit_ = stated ? printable(unit->value, 16) : "counts";
         record_.units = stated ? "heights in " + height_unit_ : "heights in counts of " + number_text(*number) + " nm";
         record_.units_from = "line " + std::to_string(stated ? unit->line : entry.line);
         return stated ? unit_factor(unit->value, Dimension::length) : *number * 1e-9;
@@ -334,9 +335,8 @@ private:
             refuse_line(name_, entry.line,
                         {"states a height conversion factor, line ", unit->line,
                          " a unit of length that disagrees; must agree, or units be given"});
-        height_unit_ = unit ? std::string(unit->value) : "units";
-        record_.units =
-            "heights in " + (unit ? std::string(unit->value) : "units") + " of " + number_text(factor) + " m";
+        height_unit_ = unit ? printable(unit->value, 16) : "units";
+        record_.units = "heights in " + height_unit_ + " of " + number_text(factor) + " m";
         record_.units_from = "line " + std::to_string(entry.line);
         return factor;
     }
