@@ -39,6 +39,7 @@
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/surface/structure_constant.hpp>
+#include <fstiff/surface/two_faces.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/form_loss.hpp>
@@ -64,6 +65,7 @@
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
@@ -115,10 +117,12 @@
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
+#include <fstiff/measured/pooled_surface.hpp>
 #include <fstiff/measured/sampled_band.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/stiffness_band.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>

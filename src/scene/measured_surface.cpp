@@ -4,8 +4,6 @@
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
-#include <fstiff/topography/map_spectrum.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -66,13 +64,6 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
         warned.push_back("the map differs along x and y; the models take it for isotropic");
     for (std::string& line : peak_warnings(surface.concerns, found.peaks_counted, surface.parameters))
         warned.push_back(std::move(line));
-}
-
-std::shared_ptr<const MapOfSurface> map_of_surface(const HeightMap<double>& map) {
-    const bool whole = map.present() == map.size() && map.rows() >= 4 && map.columns() >= 4;
-    return std::make_shared<const MapOfSurface>(MapOfSurface{std::make_shared<const HeightMap<double>>(map),
-                                                             summits_of(map),
-                                                             whole ? map_spectrum(map) : SpectrumShells<double>{}});
 }
 
 }  // namespace
@@ -156,7 +147,6 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
         surface.heights = profile ? height_statistics(surface.profile->profile) : height_statistics(surface.map->map);
     } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
     }
-    if (!profile) surface.of_map = map_of_surface(surface.map->map);
     surface.profile_fit = std::move(found.profile_fit);
     surface.map_fit = std::move(found.map_fit);
     if (found.islands) surface.islands = std::move(found.islands->curve);

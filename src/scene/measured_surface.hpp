@@ -2,7 +2,6 @@
 #pragma once
 // The parameters of a scene's [surface], from a measured file or from what `fstiff measure` wrote of one.
 
-#include "scene/law.hpp"
 #include "scene/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
@@ -39,7 +38,6 @@ struct MeasuredSurface {
     Measurement<double> max_peak_height;  ///< [m]; 0: not known
     std::optional<Measurement<double>> fractal_roughness;
     std::optional<HeightStatistics<double>> heights;  ///< none: the JSON is of an older fstiff
-    std::shared_ptr<const MapOfSurface> of_map;       ///< for laws of the map itself
     std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
     std::shared_ptr<const PreparedProfile> profile;

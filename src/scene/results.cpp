@@ -223,7 +223,10 @@ Scene with_surface(Scene scene, const std::array<double, surface_parameter_count
     const double taller = scene.surface.rms_height / rms_height;
     if (scene.rms_gradient) *scene.rms_gradient *= taller;
     if (scene.map) {
-        MapOfSurface map{nullptr, resampled(scene.map->summits, 4, tiles), scene.map->spectrum};
+        const auto& of_shifts = scene.map->summits;
+        const Summits<double>& one =
+            of_shifts.size() == 1 ? of_shifts.front() : of_shifts[splitmix64(tiles) % of_shifts.size()];
+        MapOfSurface map{{}, {resampled(one, 4, tiles)}, scene.map->spectrum};
         map.spectrum.rms_height *= taller;
         for (auto& shell : map.spectrum.shells) shell.q2_h2 *= taller * taller, shell.q_h2 *= taller * taller;
         scene.map = std::make_shared<const MapOfSurface>(std::move(map));
@@ -238,7 +241,12 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
     Scene lean = scene;  // is copied with every surface
     lean.inputs.clear();
     lean.measured.reset();
+    lean.heights.reset();
+    lean.faces.clear();
     std::erase_if(lean.laws, [](const ChosenLaw& chosen) { return !chosen.law->varies; });
+    if (std::none_of(lean.laws.begin(), lean.laws.end(),
+                     [](const ChosenLaw& chosen) { return chosen.law->needs_map || chosen.law->needs_spectrum; }))
+        lean.map.reset();  // nothing takes its tiles
     std::uint64_t tiles = scene.seed;
     for (ChosenLaw& chosen : lean.laws)
         if (!chosen.law->quick_options.empty())
@@ -360,7 +368,16 @@ std::string title(const Curve& curve) {
 }
 
 std::vector<Parameter> unknown_parameters(const Scene& scene) {
-    return scene.measured ? unknown_parameters(*scene.measured, scene.uncertain) : std::vector<Parameter>{};
+    if (scene.measured) return unknown_parameters(*scene.measured, scene.uncertain);
+    std::vector<Parameter> all;  // of a sum: what is unknown of one face may not matter beside the other
+    if (measured_faces(scene).empty()) return all;
+    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) {
+        const std::size_t i = index_of(row.parameter);
+        if (scene.uncertain.known[i] &&
+            !is_known(Measurement<double>{scene.uncertain.value[i], scene.uncertain.error[i]}))
+            all.push_back(row.parameter);
+    }
+    return all;
 }
 
 bool has_band(const Results& results) {
@@ -411,7 +428,8 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
                                            quantities);
         std::erase_if(curve.checks, [&](const Check<double>& check) {
             return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
-                   (check.concern == Concern::not_converged && !curve.law->varies);  // the error is that of the grid
+                   (check.concern == Concern::not_converged &&  // the error is that of the grid, or of the shifts
+                    (!curve.law->varies || (scene.map && scene.shifts > 1)));
         });
         std::vector<double> etas;
         for (const auto& state : curve.states) etas.push_back(state.eta);
