@@ -83,8 +83,9 @@ std::string text() {
            "of\n"
            "a file decides nothing; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
            "byte\n"
-           "order mark, or of an 8-bit code page. Any other instrument's file is to be exported from its own "
-           "program.\n";
+           "order mark, or of an 8-bit code page. Any other instrument's file is to be exported from its own program, "
+           "or turned\n"
+           "into X3P by a line of Python, which docs/formats.md has.\n";
 }
 
 Json json() {
