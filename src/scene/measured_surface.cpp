@@ -107,14 +107,14 @@ std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const 
     return all;
 }
 
-MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes, const ProgressHook& progress) {
+MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes, const ProgressHook& progress) {
     SurfaceParameterOptions<double> how;
     how.fit = fit_options(options);
     how.fit.seed = how.seed = options.seed;
     how.resamples = static_cast<std::size_t>(options.resamples);
     how.progress = how.fit.progress = how.islands.progress = progress;
     how.peaks = options.peaks;
-    const SurfaceInput input = read_surface_input(options.input, bytes);
+    const SurfaceInput input = read_surface_input(options.input, std::move(bytes));
     const bool profile = input.surface.is_profile();
     MeasuredSurface surface;
     surface.file = display_name(options.input.file);

@@ -48,7 +48,7 @@ struct MeasuredSurface {
 };
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
-[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes,
+[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes,
                                               const ProgressHook& progress = {});
 
 /// Whether \p bytes look like the document of `fstiff measure`, not like a surface.

@@ -14,8 +14,8 @@ namespace {
 MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, const Place& place,
                               const ProgressHook& progress) {
     return located(place, [&] {
-        const std::string bytes = read_all(options.input.file);
-        if (!is_measured_document(bytes)) return measure_surface(options, bytes, progress);
+        std::string bytes = read_all(options.input.file);
+        if (!is_measured_document(bytes)) return measure_surface(options, std::move(bytes), progress);
         if (!defaults)
             throw domain_error(display_name(options.input.file) +
                                ": is the JSON of fstiff measure, measured already; must stand without keys of reading");

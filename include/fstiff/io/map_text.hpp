@@ -224,9 +224,8 @@ private:
                      [&](std::size_t i) { return table_.row_lines[i / columns]; });
         for (const PrintedDigits& printed : table_.printed)
             record_.resolution = std::max(record_.resolution, printed.resolution() * unit);
-        map.heights = Eigen::Map<const HeightMap<double>::Array>(table_.values.data(), static_cast<Eigen::Index>(rows),
-                                                                 static_cast<Eigen::Index>(columns)) *
-                      unit;
+        map.heights = table_.values.take(rows, columns);
+        map.heights *= unit;
         return map;
     }
 
