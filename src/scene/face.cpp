@@ -53,18 +53,62 @@ std::string no_spectrum(const Face& face) {
            ", and every isotropic surface has more than 1.5; must be told surface.rms_gradient";
 }
 
-std::shared_ptr<const MapOfSurface> map_of_surface(std::shared_ptr<const HeightMap<double>> map) {
-    const bool whole = map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
+std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
     MapOfSurface of;
-    of.summits = {summits_of(*map)};
-    if (whole) of.spectrum = map_spectrum(*map);
-    of.maps = {std::move(map)};
+    of.maps = std::move(maps);
+    double area = 0;
+    bool whole = true;
+    for (const auto& map : of.maps) {
+        of.summits.push_back(summits_of(*map));
+        area += map->area();
+        whole = whole && map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
+    }
+    if (whole)
+        for (const auto& map : of.maps) {
+            SpectrumShells<double> spectrum = map_spectrum(*map);
+            const double share = map->area() / area;
+            for (auto& shell : spectrum.shells) shell.q2_h2 *= share, shell.q_h2 *= share;
+            spectrum.rms_height *= std::sqrt(share);
+            of.spectrum = of.spectrum.shells.empty() ? spectrum : sum_of_spectra(of.spectrum, spectrum);
+        }
     return std::make_shared<const MapOfSurface>(std::move(of));
 }
 
 std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     if (!upper.map || !lower.map) return "not both faces are maps";
-    return no_sum_of(*upper.map->maps.front(), *lower.map->maps.front());
+    for (const auto& one : upper.map->maps)
+        for (const auto& other : lower.map->maps)
+            if (const std::string why = no_sum_of(*one, *other); !why.empty()) return why;
+    return "";
+}
+
+Face face_of(const MeasuredSurface& measured) {
+    Face face;
+    face.measured = measured;
+    const auto& p = measured.parameters;
+    const auto value = [&](Parameter which) { return p.value[index_of(which)]; };
+    const auto known = [&](Parameter which) { return p.known[index_of(which)]; };
+    face.uncertain = p;
+    face.surface = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
+                    measured.max_peak_height.value};
+    if (known(Parameter::fractal_dimension)) face.fractal_dimension = value(Parameter::fractal_dimension);
+    if (measured.fractal_roughness) face.fractal_roughness = measured.fractal_roughness->value;
+    face.heights = measured.heights;
+    if (measured.heights) {
+        face.rms_gradient = measured.heights->rms_gradient.value;
+        face.alpha = measured.heights->moments.bandwidth();
+    }
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
+    if (measured.map) maps.emplace_back(measured.map, &measured.map->map);
+    for (const MeasuredSurface& part : measured.parts)
+        if (part.map) maps.emplace_back(part.map, &part.map->map);
+    if (!maps.empty()) face.map = map_of_surface(std::move(maps));
+    if (known(Parameter::r) && known(Parameter::theta)) {
+        face.r = value(Parameter::r);
+        face.theta = value(Parameter::theta);
+    }
+    for (const MeasuredSurface& neighbour : measured.neighbours) face.neighbours.push_back(face_of(neighbour));
+    return face;
 }
 
 Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
@@ -82,10 +126,17 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     face.uncertain = uncertain_sum(a, upper.uncertain, b, lower.uncertain);
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
+    for (std::size_t k = 0; k < std::max(upper.neighbours.size(), lower.neighbours.size()); ++k) {
+        const auto neighbour = [k](const Face& one) -> const Face& {
+            return one.neighbours.empty() ? one : one.neighbours[std::min(k, one.neighbours.size() - 1)];
+        };
+        face.neighbours.push_back(sum_of_faces(neighbour(upper), neighbour(lower), shifts, seed));
+    }
     if (!no_sum_of_maps(upper, lower).empty()) return face;
     MapOfSurface of;
-    for (HeightMap<double>& map :
-         shifted_sums(*upper.map->maps.front(), *lower.map->maps.front(), static_cast<std::size_t>(shifts), seed)) {
+    const auto &above = upper.map->maps, &below = lower.map->maps;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(shifts); ++k) {  // of several maps each in turn
+        HeightMap<double> map = random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
         of.summits.push_back(summits_of(map));
         of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }

@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fstiff::scene {
 
@@ -32,6 +33,8 @@ struct Face {
     std::optional<HeightStatistics<double>> heights;   ///< where the surface was measured
     std::optional<MeasuredSurface> measured;           ///< where surface.from says, or --surface; none of a sum
 
+    std::vector<Face> neighbours;  ///< behind a smaller and a greater lambda_s, where they were measured
+
     /// Whether a band can be given: some parameter that enters has an error.
     [[nodiscard]] bool has_errors() const {
         return std::any_of(uncertain.error.begin(), uncertain.error.end(), [](double error) { return error > 0; });
@@ -45,8 +48,11 @@ struct Face {
 /// Why \p face has no spectrum for Persson's theory; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Face& face);
 
-/// What laws take of \p map.
-[[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(std::shared_ptr<const HeightMap<double>> map);
+/// What was measured, as the contact sees it.
+[[nodiscard]] Face face_of(const MeasuredSurface& measured);
+/// What laws take of \p maps, one at least, of one surface.
+[[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps);
 
 /// Why two faces have no sum of heights; empty where both are maps of one grid.
 [[nodiscard]] std::string no_sum_of_maps(const Face& upper, const Face& lower);

@@ -10,17 +10,43 @@
 namespace fstiff::scene {
 namespace {
 
-/// Measures or reads the file that surface.from or --surface names; messages begin with \p place.
-MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, const Place& place,
-                              const ProgressHook& progress) {
+/// Measures or reads the files that surface.from or --surface names; messages begin with \p place.
+MeasuredSurface measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
+                              const Place& place, const ProgressHook& progress) {
     return located(place, [&] {
-        std::string bytes = read_all(options.input.file);
-        if (!is_measured_document(bytes)) return measure_surface(options, std::move(bytes), progress);
+        std::error_code none;
+        if (files.size() > 1 || std::filesystem::is_directory(files.front(), none))
+            return measure_files(options, files, progress);
+        const std::string& file = files.front();
+        std::string bytes = read_all(file);
+        if (!is_measured_document(bytes)) {
+            MeasureOptions of_file = options;
+            of_file.input.file = file;
+            return measure_surface(of_file, std::move(bytes), progress);
+        }
         if (!defaults)
-            throw domain_error(display_name(options.input.file) +
+            throw domain_error(display_name(file) +
                                ": is the JSON of fstiff measure, measured already; must stand without keys of reading");
-        return read_measured_document(bytes, display_name(options.input.file));
+        return read_measured_document(bytes, display_name(file));
     });
+}
+
+/// The files that \p from names, relative to the scene.
+std::vector<std::string> files_of(Source& source, const toml::node& from, const std::string& key) {
+    const auto one = [&](const toml::node& node, const std::string& name) {
+        std::filesystem::path path = source.text(node, name);
+        if (path.empty()) source.refuse(node, name, "must name a file");
+        const std::filesystem::path scene(source.file);
+        if (path != "-" && path.is_relative() && scene.has_parent_path()) path = scene.parent_path() / path;
+        return path.string();
+    };
+    const auto* list = from.as_array();
+    if (!list) return {one(from, key)};
+    if (list->empty()) source.refuse(from, key, "is an empty list; at least one file is needed");
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < list->size(); ++i)
+        files.push_back(one((*list)[i], key + "[" + std::to_string(i) + "]"));
+    return files;
 }
 
 /// The keys beside surface.from that say how the file is read.
@@ -32,11 +58,7 @@ constexpr std::array<std::string_view, 20> reading_keys{
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
     MeasureOptions options;
-    std::filesystem::path path = source.text(from, surface.key("from"));
-    if (path.empty()) source.refuse(from, surface.key("from"), "must name a file");
-    const std::filesystem::path scene(source.file);
-    if (path != "-" && path.is_relative() && scene.has_parent_path()) path = scene.parent_path() / path;
-    options.input.file = path.string();
+    const std::vector<std::string> files = files_of(source, from, surface.key("from"));
     const std::array<std::string*, reading_keys.size()> into{&options.input.format,
                                                              &options.input.units,
                                                              &options.input.spacing,
@@ -83,31 +105,11 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
             source.record(key, written(*node), static_cast<double>(column->get()));
         }
     }
-    return measured_from(options, defaults, source.place(from, surface.key("from")), progress);
+    return measured_from(options, files, defaults, source.place(from, surface.key("from")), progress);
 }
 
-/// Fills the face, which the scene calls \p place, with what was measured.
-void take_measured(Source& source, Face& face, const std::string& place) {
-    const MeasuredSurface& measured = *face.measured;
-    const auto& p = measured.parameters;
-    const auto value = [&](Parameter which) { return p.value[index_of(which)]; };
-    const auto known = [&](Parameter which) { return p.known[index_of(which)]; };
-    face.uncertain = p;
-    face.surface = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
-                    measured.max_peak_height.value};
-    if (known(Parameter::fractal_dimension)) face.fractal_dimension = value(Parameter::fractal_dimension);
-    if (measured.fractal_roughness) face.fractal_roughness = measured.fractal_roughness->value;
-    face.heights = measured.heights;
-    if (measured.heights) {
-        face.rms_gradient = measured.heights->rms_gradient.value;
-        face.alpha = measured.heights->moments.bandwidth();
-    }
-    if (measured.map)  // the map lives as long as what was measured
-        face.map = map_of_surface(std::shared_ptr<const HeightMap<double>>(measured.map, &measured.map->map));
-    if (known(Parameter::r) && known(Parameter::theta)) {
-        face.r = value(Parameter::r);
-        face.theta = value(Parameter::theta);
-    }
+/// Puts on record what was measured of the face that the scene calls \p place.
+void record_measured(Source& source, const MeasuredSurface& measured, const std::string& place) {
     for (const ParameterLine& line : parameter_lines(measured))
         source.record(place + "." + line.name + " (measured)", shortest(line.measured.value), line.measured.value,
                       line.unit == "/m^2"    ? "1/m^2"
@@ -162,8 +164,8 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     if (table.contains("from")) valid.insert(valid.end(), reading_keys.begin(), reading_keys.end());
     const Section surface(source, table, path, valid);
     if (surface.find("from")) {
-        face.measured = read_from(source, surface, progress);
-        take_measured(source, face, path);
+        face = face_of(read_from(source, surface, progress));
+        record_measured(source, *face.measured, path);
     }
     read_spectrum(source, surface, face);
     for (const std::string_view key : {"rms_height", "peak_radius", "peak_density", "rms_gradient", "alpha", "hurst"})
@@ -227,6 +229,19 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     if (face.r.has_value() != face.theta.has_value())
         throw domain_error(source.at(table) + ": " + surface.key(face.r ? "theta" : "r") + ": is missing; " +
                            surface.key("r") + " and " + surface.key("theta") + " stand side by side");
+    for (Face& neighbour : face.neighbours) {  // what is written in place of what was measured holds for them too
+        for (const ParameterRow& row : all)
+            if (surface.find(row.key)) neighbour.uncertain.set(row.parameter, {*value(row.parameter), 0});
+        if (surface.find("rms_height")) neighbour.surface.rms_height = face.surface.rms_height;
+        if (surface.find("peak_radius")) neighbour.surface.peak_radius = face.surface.peak_radius;
+        if (surface.find("peak_density")) neighbour.surface.peak_density = face.surface.peak_density;
+        if (surface.find("fractal_dimension")) neighbour.fractal_dimension = face.fractal_dimension;
+        if (surface.find("r")) neighbour.r = face.r, neighbour.theta = face.theta;
+        if (surface.find("rms_gradient")) neighbour.rms_gradient = face.rms_gradient;
+        if (surface.find("alpha")) neighbour.alpha = face.alpha;
+        neighbour.hurst = face.hurst;
+        neighbour.spectrum_of_map = face.spectrum_of_map;
+    }
     return face;
 }
 
@@ -247,13 +262,11 @@ double read_angle(Source& source, const toml::node& node, const std::string& key
 
 Face face_of_file(Source& source, const std::string& file, const ProgressHook& progress) {
     MeasureOptions options;
-    options.input.file = file;
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
-    Face face;
-    face.measured = measured_from(options, true, {.key = "--surface"}, progress);
+    Face face = face_of(measured_from(options, {file}, true, {.key = "--surface"}, progress));
     source.record("surface.from", display_name(file) + " (--surface)");
-    take_measured(source, face, "surface");
+    record_measured(source, *face.measured, "surface");
     return face;
 }
 

@@ -432,12 +432,13 @@ std::string refusal_of(const Law& law, const Scene& scene) {
                                          no_sum_of_maps(scene.faces.front(), scene.faces.back());
     if (law.needs_summits && scene.map->summits.front().summits.empty())
         return "needs summits: no point of the map stands above its eight neighbours";
-    if (law.needs_whole_map) {
-        const HeightMap<double>& map = *scene.map->maps.front();
-        if (std::min(map.rows(), map.columns()) < 16) return "needs a map of at least 16 points a side";
-        if (map.present() != map.size())
-            return "needs a map without missing points; " + std::to_string(map.size() - map.present()) + " are missing";
-    }
+    if (law.needs_whole_map)
+        for (const auto& map : scene.map->maps) {
+            if (std::min(map->rows(), map->columns()) < 16) return "needs a map of at least 16 points a side";
+            if (map->present() != map->size())
+                return "needs a map without missing points; " + std::to_string(map->size() - map->present()) +
+                       " are missing";
+        }
     if (law.needs_spectrum)
         if (const std::string why = no_spectrum(scene); !why.empty()) return "needs a spectrum: " + why;
     if (law.needs_hardness && !scene.hardness && !scene.yield_strength)
@@ -474,8 +475,10 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
         read_surface(source, top.subtable("surface"), scene, from.progress);
     } else {
         static_cast<Face&>(scene) = face_of_file(source, surface, from.progress);
+        // no longer what the scene was named for
+        const std::string& measured = scene.measured->file;
         scene.name =
-            std::filesystem::path(scene.measured->file).filename().string();  // no longer what the scene was named for
+            measured.find(',') == std::string::npos ? std::filesystem::path(measured).filename().string() : measured;
     }
     for (const auto& [name, face] : measured_faces(scene))
         for (const std::string& warning : face->measured->warnings)

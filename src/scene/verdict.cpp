@@ -101,7 +101,7 @@ std::vector<std::string> verdict(const Scene& scene, const Results& results) {
     const auto [heights, far_from_gaussian] = about_heights(scene);
     for (std::string sentence :
          {heights, about_flow(scene, results), far_from_gaussian ? "" : about_pressures(scene, results),
-          about_contacts(scene, results)})
+          about_contacts(scene, results), results.about_band})
         if (!sentence.empty()) sentences.push_back(std::move(sentence));
     return sentences;
 }

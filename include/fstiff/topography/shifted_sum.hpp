@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace fstiff {
 
@@ -56,19 +55,14 @@ template <Real T>
     return sum;
 }
 
-/// \p count of them at random shifts, the same of the same \p seed on every platform.
+/// At a random shift. \p state is that of splitmix64, and goes on: the same shifts of the same state on every platform.
 template <Real T>
-[[nodiscard]] std::vector<HeightMap<T>> shifted_sums(const HeightMap<T>& upper, const HeightMap<T>& lower,
-                                                     std::size_t count, std::uint64_t seed) {
-    std::vector<HeightMap<T>> sums;
+[[nodiscard]] HeightMap<T> random_sum(const HeightMap<T>& upper, const HeightMap<T>& lower, std::uint64_t& state) {
     const auto below = [&](Eigen::Index size) {
-        return static_cast<Eigen::Index>(splitmix64(seed) % static_cast<std::uint64_t>(2 * size));
+        return static_cast<Eigen::Index>(splitmix64(state) % static_cast<std::uint64_t>(2 * size));
     };
-    for (std::size_t k = 0; k < count; ++k) {
-        const Eigen::Index rows = below(upper.rows()), columns = below(upper.columns());
-        sums.push_back(shifted_sum(upper, lower, rows, columns));
-    }
-    return sums;
+    const Eigen::Index rows = below(upper.rows()), columns = below(upper.columns());
+    return shifted_sum(upper, lower, rows, columns);
 }
 
 }  // namespace fstiff

@@ -18,9 +18,11 @@ namespace {
 struct Options {
     OutputOptions output;
     MeasureOptions measure;
+    std::vector<std::string> files;
 };
 
-Rows rows_of(const MeasuredSurface& surface) {
+/// \p file stands in a first column; empty: in none.
+Rows rows_of(const MeasuredSurface& surface, const std::string& file = "") {
     std::vector<std::string> names, units, ways, shown, shown_errors, shown_units;
     std::vector<double> values, errors;
     for (const ParameterLine& line : parameter_lines(surface)) {
@@ -36,6 +38,7 @@ Rows rows_of(const MeasuredSurface& surface) {
         ways.push_back(line.how);
     }
     Rows rows;
+    if (!file.empty()) rows.repeat({.key = "file"}, file, names.size());
     rows.add({"parameter", "parameter"}, names);
     rows.add({"value"}, values);
     rows.add({"error"}, errors);
@@ -50,11 +53,33 @@ Rows rows_of(const MeasuredSurface& surface) {
 std::string table(const MeasuredSurface& surface) {
     std::string text = "fstiff " FSTIFF_VERSION ": surface of " + surface.file + "\n";
     for (const std::string& decision : surface.decisions) text += "  " + decision + "\n";
-    return text + "\n" + rows_of(surface).text();
+    text += "\n" + rows_of(surface).text();
+    for (const MeasuredSurface& part : surface.parts) {
+        text += "\n" + part.file + "\n";
+        for (const std::string& decision : part.decisions) text += "  " + decision + "\n";
+        text += rows_of(part).text();
+    }
+    return text;
+}
+
+/// Of several files all of them first, in rows of the file "pooled".
+std::string csv(const MeasuredSurface& surface) {
+    if (surface.parts.empty()) return rows_of(surface).csv();
+    std::string text = rows_of(surface, "pooled").csv();
+    for (const MeasuredSurface& part : surface.parts) text += rows_of(part, part.file).csv(false);
+    return text;
 }
 
 Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
     Json document = measured_document(surface);
+    for (const MeasuredSurface& part : surface.parts) {
+        Json one = measured_document(part);
+        document["files"].push_back({{"source", one["source"]},
+                                     {"surface", one["surface"]},
+                                     {"moments", one["moments"]},
+                                     {"concerns", one["concerns"]},
+                                     {"warnings", one["warnings"]}});
+    }
     document["inputs"] = json_inputs(options.input, options.input.detrend);
     document["inputs"].update({{"peaks", name_of(options.peaks)},
                                {"tip_radius", options.tip_radius},
@@ -66,10 +91,9 @@ Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
 }
 
 Report execute(const Options& options) {
-    const MeasuredSurface surface =
-        measure_surface(options.measure, read_all(options.measure.input.file), progress_bar());
+    const MeasuredSurface surface = measure_files(options.measure, options.files, progress_bar());
     return report({.table = [&] { return table(surface); },
-                   .csv = [&] { return rows_of(surface).csv(); },
+                   .csv = [&] { return csv(surface); },
                    .json = [&] { return json(options.measure, surface); },
                    .warnings = surface.warnings,
                    .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
@@ -83,7 +107,11 @@ Command add_measure(CLI::App& app) {
     MeasureOptions& measure = options->measure;
     Arguments command(app, "measure",
                       "Every parameter of a scene's surface from a measured profile or map, with errors");
-    command.option("file", measure.input.file, "profile or map of any form; - is standard input").required();
+    command
+        .option("files", options->files,
+                "profile or map of any form; - is standard input. Several files of one surface, or a folder of them, "
+                "are pooled")
+        .required();
     add_surface_options(command, measure.input);
     command.option("--peaks", measure.peaks,
                    "what counts as a peak of a map, for R and D_p: its islands (default) or its summits");

@@ -268,6 +268,7 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
     if (!surface.fractal_refusal.empty()) page.paragraph("No D and G: " + surface.fractal_refusal);
     if (!surface.peaks_refusal.empty()) page.paragraph("No r and θ: " + surface.peaks_refusal);
 
+    if (!surface.parts.empty()) return;  // which follow, each by itself
     if (!surface.profile && !surface.map) {
         page.paragraph("The numbers come from the JSON of fstiff measure, which holds no heights: none are drawn.");
         return;
@@ -509,7 +510,10 @@ std::string page_of(const Scene& scene, const Results& results) {
     answer_section(page, scene, results);
     other_figures(page, scene, results);
     inputs_section(page, scene);
-    for (const auto& [name, face] : measured_faces(scene)) measured_section(page, *face->measured);
+    for (const auto& [name, face] : measured_faces(scene)) {
+        measured_section(page, *face->measured);
+        for (const MeasuredSurface& part : face->measured->parts) measured_section(page, part);
+    }
     validity_section(page, scene, results);
     numbers_section(page, scene, results);
     equations_section(page, scene, results);

@@ -290,7 +290,8 @@ std::string explanations(const Scene& scene, const Results& results) {
         text += "|R| is the reflection of the interface as a spring, eq. (5.1); shear waves see Kt/A0\n";
     if (has_band(results))
         text += "5 % and 95 %: of " + std::to_string(scene.samples) +
-                " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) + "\n";
+                " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) +
+                (results.about_band.empty() ? "\n" : ", widened by the spread over lambda_s\n");
     else if (scene.needs_stiffness())
         text += scene.has_errors() ? "K has no band: the scene asks for no samples\n"
                                    : "K has no band: no error of a parameter of the surface is known\n";
