@@ -134,8 +134,8 @@ void add_neighbours(MeasuredSurface& surface, MeasureOptions options, const Surf
 
 }  // namespace
 
-MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes, const ProgressHook& progress) {
-    return measure_surface(options, read_surface_input(options.input, bytes), progress);
+MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes, const ProgressHook& progress) {
+    return measure_surface(options, read_surface_input(options.input, std::move(bytes)), progress);
 }
 
 MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,

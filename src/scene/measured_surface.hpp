@@ -59,7 +59,7 @@ struct MeasuredSurface {
 };
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
-[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes,
+[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes,
                                               const ProgressHook& progress = {});
 /// The same of what was read already.
 [[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,

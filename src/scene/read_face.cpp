@@ -18,11 +18,11 @@ MeasuredSurface measured_from(const MeasureOptions& options, const std::vector<s
         if (files.size() > 1 || std::filesystem::is_directory(files.front(), none))
             return measure_files(options, files, progress);
         const std::string& file = files.front();
-        const std::string bytes = read_all(file);
+        std::string bytes = read_all(file);
         if (!is_measured_document(bytes)) {
             MeasureOptions of_file = options;
             of_file.input.file = file;
-            return measure_surface(of_file, bytes, progress);
+            return measure_surface(of_file, std::move(bytes), progress);
         }
         if (!defaults)
             throw domain_error(display_name(file) +
@@ -50,10 +50,10 @@ std::vector<std::string> files_of(Source& source, const toml::node& from, const 
 }
 
 /// The keys beside surface.from that say how the file is read.
-constexpr std::array<std::string_view, 19> reading_keys{"format",   "units",         "spacing",    "column",  "dx",
-                                                        "dy",       "width",         "height",     "detrend", "cutoff",
-                                                        "peaks",    "tip_radius",    "resolution", "window",  "missing",
-                                                        "resample", "x3p_increment", "lambda_s",   "lambda_c"};
+constexpr std::array<std::string_view, 20> reading_keys{
+    "format",  "units",    "spacing",       "column",   "dx",         "dy",         "width",
+    "height",  "detrend",  "cutoff",        "peaks",    "tip_radius", "resolution", "window",
+    "missing", "resample", "x3p_increment", "lambda_s", "lambda_c",   "channel"};
 
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
@@ -77,7 +77,8 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
                                                              nullptr,
                                                              &options.input.x3p_increment,
                                                              &options.input.lambda_s,
-                                                             &options.input.lambda_c};
+                                                             &options.input.lambda_c,
+                                                             &options.input.channel};
     bool defaults = true;
     for (std::size_t i = 0; i < reading_keys.size(); ++i) {
         const toml::node* node = surface.find(reading_keys[i]);

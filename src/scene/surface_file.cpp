@@ -10,6 +10,9 @@
 #ifdef FSTIFF_HAS_X3P
 #include <fstiff/io/x3p.hpp>
 #endif
+#ifdef FSTIFF_HAS_ZLIB
+#include <fstiff/io/inflate.hpp>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -120,6 +123,10 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
         how.x3p_increment = parse<io::X3pIncrement>(
             options.x3p_increment,
             std::string(options.prefix) + (options.prefix.empty() ? "x3p_increment" : "x3p-increment"));
+    how.channel = options.channel;
+#ifdef FSTIFF_HAS_ZLIB
+    how.inflate = io::inflate_zlib;
+#endif
 #ifdef FSTIFF_HAS_X3P
     how.x3p = io::x3p_reader();
 #endif

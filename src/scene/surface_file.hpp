@@ -22,7 +22,7 @@ namespace fstiff::scene {
 /// How a file is read; a file name alone will do. What is left empty is taken from the file, or by default.
 struct SurfaceOptions {
     std::string file;                   ///< "-" is standard input
-    std::string format = "auto";        ///< auto, profile, triples, matrix, sdf, x3p, npy, gsf or sur
+    std::string format = "auto";        ///< auto, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd
     std::string units;                  ///< "um,nm" (lengths, heights) or "um" (both)
     std::string spacing;                ///< of a profile
     std::string dx, dy, width, height;  ///< of a matrix
@@ -30,6 +30,7 @@ struct SurfaceOptions {
     std::string missing;                ///< stands for missing points of a text: "-9999", or "none"
     bool resample = false;              ///< unequally spaced positions of a profile are interpolated
     std::string x3p_increment;          ///< apply (or empty) or ignore
+    std::string channel;                ///< of gwy: its number or its title
     std::string detrend;                ///< see remove_form(); empty: "line" of a profile, "plane" of a map
     std::string cutoff;                 ///< of detrend = "gaussian"
     std::string lambda_s, lambda_c;     ///< cut-offs of short and of long waves: a length, or "none" (or empty)

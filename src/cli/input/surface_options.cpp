@@ -11,7 +11,7 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     const bool profiles = kind != SurfaceKind::map, maps = kind != SurfaceKind::profile;
     arguments
         .option("--input-format", options.format,
-                "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf or sur")
+                "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd")
         .one_of(choices<io::SurfaceFormat>());
     arguments.option(
         "--units", options.units,
@@ -24,6 +24,8 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
         .option("--x3p-increment", options.x3p_increment,
                 "of X3P with heights of floating point: apply the increment of z (default) or ignore it")
         .one_of(choices<io::X3pIncrement>());
+    arguments.option("--channel", options.channel,
+                     "of a Gwyddion file (.gwy): number or title of the channel; default the lowest in lengths");
     std::vector<std::string_view> words;
     const auto allow = [&](std::span<const std::string_view> more) {
         for (const std::string_view word : more)
@@ -89,6 +91,7 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
     if (!options.missing.empty()) inputs["missing"] = options.missing;
     if (options.resample) inputs["resample"] = true;
     if (!options.x3p_increment.empty()) inputs["x3p_increment"] = options.x3p_increment;
+    if (!options.channel.empty()) inputs["channel"] = options.channel;
     return inputs;
 }
 
