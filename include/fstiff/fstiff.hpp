@@ -36,6 +36,7 @@
 #include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/moments.hpp>
+#include <fstiff/surface/nesting_indices.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/surface/structure_constant.hpp>
@@ -49,6 +50,7 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/roughness_cut_off.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>

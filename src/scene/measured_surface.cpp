@@ -17,9 +17,11 @@ namespace {
 FractalFitOptions<double> fit_options(const MeasureOptions& options) {
     const std::string prefix(options.input.prefix);
     FractalFitOptions<double> fit;
-    if (!options.tip_radius.empty())
-        fit.tip_radius = parse_length(options.tip_radius, prefix + (prefix.empty() ? "tip_radius" : "tip-radius"));
-    if (!options.resolution.empty()) fit.resolution = parse_length(options.resolution, prefix + "resolution");
+    if (!options.input.tip_radius.empty())
+        fit.tip_radius =
+            parse_length(options.input.tip_radius, prefix + (prefix.empty() ? "tip_radius" : "tip-radius"));
+    if (!options.input.resolution.empty())
+        fit.resolution = parse_length(options.input.resolution, prefix + "resolution");
     if (!options.window.empty()) fit.window = parse_window(options.window, prefix + "window");
     return fit;
 }
@@ -148,7 +150,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
         const PreparedMap& levelled = *surface.map;
         surface.cut_offs = levelled.cut_offs;
         how.fit.resolution = surface.cut_offs.shortest_lag(how.fit.resolution);
-        found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
+        found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
         surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }

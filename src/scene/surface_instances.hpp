@@ -48,7 +48,7 @@ FSTIFF_SCENE_INSTANCE RepresentativeIslands<double> representative_islands(const
                                                                            const IslandSpread&);
 FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const LevelledProfile<double>&,
                                                                    const SurfaceParameterOptions<double>&);
-FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const HeightMap<double>&,
+FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const LevelledMap<double>&,
                                                                    const SurfaceParameterOptions<double>&);
 
 FSTIFF_SCENE_INSTANCE SpectrumShells<double> map_spectrum(const HeightMap<double>&, SpectrumWindow);

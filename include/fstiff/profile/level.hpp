@@ -15,6 +15,7 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 
 #include <optional>
+#include <utility>
 
 namespace fstiff {
 
@@ -22,11 +23,16 @@ template <Real T = double>
 struct LevelledProfile {
     Profile<T> profile;
     Form removed = Form::none;
-    std::optional<T> cutoff{};    ///< lambda_c of the Gaussian filter that took the long waves [m]
-    std::optional<T> lambda_s{};  ///< of the one that took the short waves before it [m]
+    std::optional<T> cutoff{};                  ///< lambda_c of the Gaussian filter that took the long waves [m]
+    std::optional<T> lambda_s{};                ///< of the one that took the short waves before it [m]
+    std::optional<Profile<T>> with_waviness{};  ///< the profile before lambda_c, of without_waviness()
 
+    /// What the structure function is taken of: lambda_c bends it and adds nothing, so the profile before it.
+    [[nodiscard]] const Profile<T>& of_structure() const { return with_waviness ? *with_waviness : profile; }
+    /// Whether the structure function has lost long waves to a filter.
+    [[nodiscard]] bool bent() const { return cutoff && !with_waviness; }
     /// The form whose mark the long lags of the structure function bear: none behind a filter, which took them itself.
-    [[nodiscard]] Form mark() const { return cutoff ? Form::none : removed; }
+    [[nodiscard]] Form mark() const { return bent() ? Form::none : removed; }
 };
 
 /// \p profile without the \p form, then, with \p lambda_s, without its short waves, and then, with a \p cutoff, without
@@ -47,6 +53,16 @@ template <Real T>
     if (lambda_s) flat.profile = gaussian_low_pass(flat.profile, *lambda_s);
     if (cutoff) flat.profile = gaussian_roughness(flat.profile, *cutoff);
     return flat;
+}
+
+/// \p levelled without its waves above \p lambda_c, which keeps the profile as it was for the structure function.
+/// \throws domain_error as gaussian_roughness().
+template <Real T>
+[[nodiscard]] LevelledProfile<T> without_waviness(LevelledProfile<T> levelled, std::type_identity_t<T> lambda_c) {
+    Profile<T> roughness = gaussian_roughness(levelled.profile, lambda_c);
+    levelled.with_waviness = std::exchange(levelled.profile, std::move(roughness));
+    levelled.cutoff = lambda_c;
+    return levelled;
 }
 
 }  // namespace fstiff

@@ -61,9 +61,11 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     arguments.option(
         "--lambda-s", options.lambda_s,
         "shortest waves that are kept, such as \"1 um\": the Gaussian filter (ISO 16610-21 and -61) halves "
-        "them once the form is removed; default none");
-    arguments.option("--lambda-c", options.lambda_c,
-                     "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; default none");
+        "them once the form is removed; auto (default) takes the standards' index of five steps; none keeps all");
+    arguments.option(
+        "--lambda-c", options.lambda_c,
+        "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) takes that of the "
+        "standards' table for a profile of five of them, and none for a map; none keeps all");
 }
 
 void put_cut_offs(Json& document, const CutOffs& cut_offs) {
