@@ -140,10 +140,10 @@ PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
     about_file(options.file, [&] {
         auto& levelled = static_cast<LevelledMap<double>&>(result);
         levelled = level(read, form, input.surface.record.resolution);
+        if (result.cut_offs.any()) levelled.unfiltered = levelled.map;
         if (const auto shortest = result.cut_offs.lambda_s) levelled.map = gaussian_low_pass(levelled.map, *shortest);
         if (const auto longest = result.cut_offs.lambda_c) {
-            HeightMap<double> roughness = gaussian_high_pass(levelled.map, *longest);
-            levelled.with_waviness = std::exchange(levelled.map, std::move(roughness));
+            levelled.map = gaussian_high_pass(levelled.map, *longest);
             levelled.lambda_c = *longest;
         }
         result.rms_as_read = rms_height(read);

@@ -51,13 +51,13 @@ TEST_CASE("Behind a Gaussian filter the form has left no mark") {
     CHECK(fit_fractal(flat).fractal.dimension == fit_fractal(flat.profile).fractal.dimension);
 }
 
-TEST_CASE("D of a roughness is that of the profile before lambda_c, from lags that lambda_c holds") {
+TEST_CASE("D of a filtered profile is that of the profile before the filters, from lags that lambda_c holds") {
     const auto low = level(rough(), Form::line, {}, 0, 5e-6);
     const auto flat = without_waviness(low, 100e-6);
     CHECK(flat.profile.heights == gaussian_roughness(low.profile, 100e-6).heights);
-    CHECK(flat.cutoff == 100e-6);
+    CHECK(flat.lambda_c == 100e-6);
     CHECK(flat.mark() == Form::line);
-    CHECK_FALSE(flat.bent());
+    CHECK(flat.of_structure().heights == detrend(rough(), Form::line).heights);
     FractalFitOptions<double> options;
     options.longest = 100e-6;
     const auto fit = fit_fractal(flat), same = fit_fractal(low, options);

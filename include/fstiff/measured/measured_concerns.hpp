@@ -74,7 +74,7 @@ template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const FractalFit<T>& fit, const LevelledProfile<T>& levelled,
                                                        const std::optional<SpectralFit<T>>& spectrum) {
     std::vector<MeasuredConcern> found = concerns_of(fit);
-    if (levelled.bent() && fit.window.to > *levelled.cutoff / 10) found.push_back(MeasuredConcern::filtered);
+    if (levelled.cutoff && fit.window.to > *levelled.cutoff / 10) found.push_back(MeasuredConcern::filtered);
     if (spectrum) {
         const T difference = std::abs(spectrum->dimension - fit.fractal.dimension);
         if (difference > 3 * std::hypot(spectrum->dimension_error, fit.dimension_error) && difference > T(0.1))

@@ -177,10 +177,10 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, Form removed, const
 
 template <Real T>
 FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options) {
-    if (!levelled.with_waviness) return detail::fit_profile(levelled.profile, levelled.mark(), options);
     FractalFitOptions<T> how = options;
-    if (how.longest == T(0) || how.longest > *levelled.cutoff) how.longest = *levelled.cutoff;
-    return detail::fit_profile(*levelled.with_waviness, levelled.mark(), how);
+    if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
+        how.longest = *levelled.lambda_c;
+    return detail::fit_profile(levelled.of_structure(), levelled.mark(), how);
 }
 
 template <Real T>

@@ -82,9 +82,9 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
     attempt(result.spectrum, result.no_spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
-        std::optional<WavelengthWindow<double>> window;  // without the waves that the filter took a part of
-        if (const auto shortest = result.levelled.cut_offs.lambda_s)
-            window = {std::max(16 * profile.spacing, 5 * *shortest), 2 * numbers::pi_v<double> / spectrum.step / 8};
+        std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
+        if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
+            window = {*shortest, 2 * numbers::pi_v<double> / spectrum.step / 8};
         return fit_spectrum(spectrum, window);
     });
     attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
