@@ -31,6 +31,7 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/math/tukey.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/surface/cut_offs.hpp>
@@ -50,6 +51,7 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/profile/roughness_cut_off.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_errors.hpp>
@@ -66,6 +68,7 @@
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>

@@ -67,6 +67,8 @@ CutOffs cut_offs_of(const SurfaceOptions& options, double step, double length) {
         CutOffs found{cut_off(options.lambda_s, short_name, 2, step, length),
                       cut_off(options.lambda_c, long_name, 5, step, length),
                       {},
+                      {},
+                      options.filter,
                       {}};
         if (options.detrend == gaussian_form)
             found.lambda_c = parse_length(options.cutoff, std::string(options.prefix) + "cutoff");
@@ -108,8 +110,9 @@ std::string CutOffs::sentence() const {
     return (lambda_s ? "lambda_s " + shown_length(*lambda_s) + " (" + s + "Gaussian, after the form was removed)"
                      : "lambda_s none (" + (why_s.empty() ? "as measured" : why_s) + ")") +
            ", " +
-           (lambda_c ? "lambda_c " + shown_length(*lambda_c) + " (" + c + "Gaussian, after " +
-                           (lambda_s ? "lambda_s)" : "the form was removed)")
+           (lambda_c ? "lambda_c " + shown_length(*lambda_c) + " (" + c +
+                           (filter == CutOffFilter::robust ? "robust Gaussian" : "Gaussian") + ", after " +
+                           (lambda_s ? "lambda_s" : "the form was removed") + left_out + ")"
                      : "lambda_c none" + (why_c.empty() ? "" : " (" + why_c + ")"));
 }
 

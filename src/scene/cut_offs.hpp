@@ -2,6 +2,7 @@
 #pragma once
 // The cut-offs of a measurement: given, chosen by the table of the standards, or none, with the reason.
 
+#include <fstiff/core/names.hpp>
 #include <fstiff/profile/profile.hpp>
 
 #include <algorithm>
@@ -12,10 +13,24 @@ namespace fstiff::scene {
 
 struct SurfaceOptions;
 
+/// The filter of lambda_c: its mean line (surface) is drawn by grooves and spikes, or not.
+enum class CutOffFilter { gaussian, robust };
+}  // namespace fstiff::scene
+
+namespace fstiff {
+template <>
+inline constexpr auto names<scene::CutOffFilter> = name_list<scene::CutOffFilter>(
+    {{scene::CutOffFilter::gaussian, "gaussian"}, {scene::CutOffFilter::robust, "robust"}});
+}  // namespace fstiff
+
+namespace fstiff::scene {
+
 /// The cut-offs of the Gaussian filters (ISO 16610-21 of profiles, -61 of maps) that act once the form is removed.
 struct CutOffs {
     std::optional<double> lambda_s, lambda_c;  ///< of the short waves, and then of the long ones [m]
     std::string why_s, why_c;                  ///< why they are so, or why there is none; empty where they were given
+    CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
+    std::string left_out;                          ///< what the robust filter took for no surface, in words
 
     [[nodiscard]] bool any() const { return lambda_s || lambda_c; }
     [[nodiscard]] std::string sentence() const;

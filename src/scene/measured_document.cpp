@@ -64,7 +64,7 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
         if (found == document.end() || found->is_null()) return {};
         return number_of(document, key, name);
     };
-    surface.cut_offs = {cut_off("lambda_s_m"), cut_off("lambda_c_m"), {}, {}};
+    surface.cut_offs = {cut_off("lambda_s_m"), cut_off("lambda_c_m"), {}, {}, {}, {}};
     for (const std::string& word :
          texts_of(document, "concerns"))  // of a later version: unknown words say nothing here
         if (const auto concern = find_named<MeasuredConcern>(word)) surface.concerns.push_back(*concern);

@@ -329,10 +329,10 @@ MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, cons
 }
 
 /// The keys beside surface.from that say how the file is read.
-constexpr std::array<std::string_view, 19> reading_keys{"format",   "units",         "spacing",    "column",  "dx",
-                                                        "dy",       "width",         "height",     "detrend", "cutoff",
-                                                        "peaks",    "tip_radius",    "resolution", "window",  "missing",
-                                                        "resample", "x3p_increment", "lambda_s",   "lambda_c"};
+constexpr std::array<std::string_view, 20> reading_keys{
+    "format",  "units",    "spacing",       "column",   "dx",         "dy",         "width",
+    "height",  "detrend",  "cutoff",        "peaks",    "tip_radius", "resolution", "window",
+    "missing", "resample", "x3p_increment", "lambda_s", "lambda_c",   "filter"};
 
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
@@ -360,7 +360,8 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
                                                              nullptr,
                                                              &options.input.x3p_increment,
                                                              &options.input.lambda_s,
-                                                             &options.input.lambda_c};
+                                                             &options.input.lambda_c,
+                                                             nullptr};
     bool defaults = true;
     for (std::size_t i = 0; i < reading_keys.size(); ++i) {
         const toml::node* node = surface.find(reading_keys[i]);
@@ -371,6 +372,8 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
             *into[i] = source.text(*node, key);
         } else if (reading_keys[i] == "peaks") {
             options.peaks = source.choice<PeakSource>(*node, key);
+        } else if (reading_keys[i] == "filter") {
+            options.input.filter = source.choice<scene::CutOffFilter>(*node, key);
         } else if (reading_keys[i] == "missing") {  // missing = -9999 or missing = "-9999"
             if (!node->is_number() && !node->is_string()) source.refuse(*node, key, "must be a number or a text");
             options.input.missing = written(*node);

@@ -5,8 +5,10 @@
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #ifdef FSTIFF_HAS_X3P
 #include <fstiff/io/x3p.hpp>
 #endif
@@ -33,6 +35,24 @@ void refuse_cutoff(const SurfaceOptions& options) {
     if (!options.cutoff.empty())
         throw option_error(std::string(options.prefix) + "cutoff belongs to " + std::string(options.prefix) +
                            "detrend gaussian, of a profile; must not be given without it");
+}
+
+/// What a robust filter says of itself, in words behind others.
+template <class Robust>
+std::string left_out(const Robust& robust, Eigen::Index points) {
+    return ", " + std::to_string(robust.left_out) + " of " + std::to_string(points) + " points without weight, " +
+           std::to_string(robust.iterations) + " iterations" + (robust.converged ? "" : ", not converged");
+}
+
+/// \p levelled without its waves above lambda_c, by the filter that \p cut_offs name.
+LevelledProfile<double> without_waves_above(CutOffs& cut_offs, LevelledProfile<double> levelled) {
+    if (cut_offs.filter == CutOffFilter::gaussian) return without_waviness(std::move(levelled), *cut_offs.lambda_c);
+    const RobustWaviness<double> robust = robust_waviness(levelled.profile, *cut_offs.lambda_c);
+    cut_offs.left_out = left_out(robust, static_cast<Eigen::Index>(levelled.profile.present()));
+    if (!levelled.unfiltered) levelled.unfiltered = levelled.profile;
+    for (std::size_t i = 0; i < levelled.profile.size(); ++i) levelled.profile.heights[i] -= robust.waviness.heights[i];
+    levelled.lambda_c = cut_offs.lambda_c;
+    return levelled;
 }
 
 }  // namespace
@@ -117,7 +137,7 @@ PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
         levelled = level(read, form, filter ? cut_offs.lambda_c : std::nullopt, input.surface.record.resolution,
                          cut_offs.lambda_s);
         if (!filter && is_automatic(options.lambda_c)) choose_lambda_c(cut_offs, levelled.profile);
-        if (!filter && cut_offs.lambda_c) levelled = without_waviness(std::move(levelled), *cut_offs.lambda_c);
+        if (!filter && cut_offs.lambda_c) levelled = without_waves_above(cut_offs, std::move(levelled));
         result.rms = rms_height(result.profile);
     });
     return result;
@@ -143,7 +163,13 @@ PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
         if (result.cut_offs.any()) levelled.unfiltered = levelled.map;
         if (const auto shortest = result.cut_offs.lambda_s) levelled.map = gaussian_low_pass(levelled.map, *shortest);
         if (const auto longest = result.cut_offs.lambda_c) {
-            levelled.map = gaussian_high_pass(levelled.map, *longest);
+            if (options.filter == CutOffFilter::robust) {
+                const RobustMapWaviness<double> robust = robust_waviness(levelled.map, *longest);
+                levelled.map.heights -= robust.waviness.heights;
+                result.cut_offs.left_out = left_out(robust, levelled.map.present());
+            } else {
+                levelled.map = gaussian_high_pass(levelled.map, *longest);
+            }
             levelled.lambda_c = *longest;
         }
         result.rms_as_read = rms_height(read);

@@ -34,6 +34,7 @@ struct SurfaceOptions {
     std::string detrend;                ///< see remove_form(); empty: "line" of a profile, "plane" of a map
     std::string cutoff;                 ///< of detrend = "gaussian"
     std::string lambda_s, lambda_c;     ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
+    CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
     std::string tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
     std::string_view prefix = "";

@@ -5,9 +5,11 @@
 #include "support/skip.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/level.hpp>
+#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -214,4 +216,21 @@ TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
                         {"--cutoff", "another cut-off"}, profile);
     const auto document = json_of("measure - --units um --spacing '1 um' --detrend gaussian --cutoff '80 um'", profile);
     CHECK(document["lambda_c_m"] == 80e-6);
+}
+
+TEST_CASE("The robust filter of lambda_c is that of the library, and says what it left out") {
+    const std::string text = map_text();
+    const auto map = fstiff::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
+    const auto document = json_of("measure - --lambda-s none --lambda-c '40 um' --filter robust", text);
+    CHECK(same(document["surface"]["rms_height"]["value"], fstiff::rms_height(fstiff::robust_high_pass(map, 40e-6))));
+    CHECK(decided(document, "lambda_c 40 µm (robust Gaussian, after the form was removed, "));
+    CHECK(decided(document, " of 25600 points without weight, "));
+    const std::string made =
+        test::fstiff("generate profile --points 4096 --spacing '1 um' --hurst 0.5 --rms '1 um'").out;
+    const auto flat = fstiff::level(fstiff::io::read_surface(made, "profile").profile(), fstiff::Form::line);
+    const auto profile = json_of("measure - --lambda-s none --lambda-c '80 um' --filter robust", made);
+    CHECK(same(profile["surface"]["rms_height"]["value"],
+               fstiff::rms_height(fstiff::robust_roughness(flat.profile, 80e-6))));
+    CHECK(decided(profile, "robust Gaussian"));
+    test::check_refused("measure - --filter spline", 2, {"--filter", "spline"}, made);
 }

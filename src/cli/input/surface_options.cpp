@@ -66,6 +66,10 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
         "--lambda-c", options.lambda_c,
         "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) takes that of the "
         "standards' table for a profile of five of them, and none for a map; none keeps all");
+    arguments.option(
+        "--filter", options.filter,
+        "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line grooves and "
+        "spikes do not draw towards them");
 }
 
 void put_cut_offs(Json& document, const CutOffs& cut_offs) {
@@ -88,6 +92,7 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
                    {"cutoff", options.cutoff}};
     if (!options.lambda_s.empty()) inputs["lambda_s"] = options.lambda_s;
     if (!options.lambda_c.empty()) inputs["lambda_c"] = options.lambda_c;
+    if (options.filter != CutOffFilter::gaussian) inputs["filter"] = name_of(options.filter);
     if (!options.missing.empty()) inputs["missing"] = options.missing;
     if (options.resample) inputs["resample"] = true;
     if (!options.x3p_increment.empty()) inputs["x3p_increment"] = options.x3p_increment;
