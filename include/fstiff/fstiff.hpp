@@ -51,6 +51,7 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/repair.hpp>
 #include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/profile/roughness_cut_off.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
@@ -68,6 +69,7 @@
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/repair.hpp>
 #include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>

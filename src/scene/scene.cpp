@@ -329,10 +329,10 @@ MeasuredSurface measured_from(const MeasureOptions& options, bool defaults, cons
 }
 
 /// The keys beside surface.from that say how the file is read.
-constexpr std::array<std::string_view, 20> reading_keys{
-    "format",  "units",    "spacing",       "column",   "dx",         "dy",         "width",
-    "height",  "detrend",  "cutoff",        "peaks",    "tip_radius", "resolution", "window",
-    "missing", "resample", "x3p_increment", "lambda_s", "lambda_c",   "filter"};
+constexpr std::array<std::string_view, 24> reading_keys{
+    "format",        "units",    "spacing",  "column",     "dx",         "dy",     "width",   "height",
+    "detrend",       "cutoff",   "peaks",    "tip_radius", "resolution", "window", "missing", "resample",
+    "x3p_increment", "lambda_s", "lambda_c", "filter",     "crop",       "mask",   "spikes",  "fill"};
 
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
@@ -361,6 +361,10 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
                                                              &options.input.x3p_increment,
                                                              &options.input.lambda_s,
                                                              &options.input.lambda_c,
+                                                             nullptr,
+                                                             &options.input.crop,
+                                                             nullptr,
+                                                             nullptr,
                                                              nullptr};
     bool defaults = true;
     for (std::size_t i = 0; i < reading_keys.size(); ++i) {
@@ -378,10 +382,20 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
             if (!node->is_number() && !node->is_string()) source.refuse(*node, key, "must be a number or a text");
             options.input.missing = written(*node);
             source.record(key, written(*node));
-        } else if (reading_keys[i] == "resample") {
+        } else if (reading_keys[i] == "resample" || reading_keys[i] == "fill") {
             if (!node->is_boolean()) source.refuse(*node, key, "must be true or false");
-            options.input.resample = node->as_boolean()->get();
+            (reading_keys[i] == "fill" ? options.input.fill : options.input.resample) = node->as_boolean()->get();
             source.record(key, written(*node));
+        } else if (reading_keys[i] == "mask") {
+            std::filesystem::path mask = source.text(*node, key);
+            if (mask.is_relative() && scene.has_parent_path()) mask = scene.parent_path() / mask;
+            options.input.mask = mask.string();
+        } else if (reading_keys[i] == "spikes") {
+            const auto number = node->value<double>();
+            if (!number || !(*number >= 3 && *number <= 1000))
+                source.refuse(*node, key, "must be a number from 3 to 1000");
+            options.input.spikes = *number;
+            source.record(key, written(*node), *number);
         } else {
             const auto* column = node->as_integer();
             if (!column || column->get() < 1 || column->get() > 1000000)

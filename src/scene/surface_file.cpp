@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/surface_file.hpp"
 
+#include "scene/cleaning.hpp"
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
@@ -109,6 +110,11 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     SurfaceInput input;
     input.sha256 = sha256(bytes);
     input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
+    about_file(options.file, [&] {
+        clean(options, input.surface);
+        for (std::string& hint : cleaning_hints(options, input.surface))
+            input.surface.record.warnings.push_back(std::move(hint));
+    });
     return input;
 }
 

@@ -31,6 +31,9 @@ struct SurfaceOptions {
     std::string missing;                ///< stands for missing points of a text: "-9999", or "none"
     bool resample = false;              ///< unequally spaced positions of a profile are interpolated
     std::string x3p_increment;          ///< apply (or empty) or ignore
+    std::string crop, mask;             ///< a part of the surface, "x0,x1" or "x0,x1,y0,y1"; a file of 0 and 1
+    double spikes = 0;                  ///< become missing beyond so many standard deviations; 0: none
+    bool fill = false;                  ///< missing points are filled
     std::string detrend;                ///< see remove_form(); empty: "line" of a profile, "plane" of a map
     std::string cutoff;                 ///< of detrend = "gaussian"
     std::string lambda_s, lambda_c;     ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
