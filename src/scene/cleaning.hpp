@@ -9,7 +9,7 @@ namespace fstiff::scene {
 struct SurfaceOptions;
 
 /// Crops, masks, takes spikes out and fills, in this order, as the options say; each is told in the details of the record.
-/// \throws domain_error, option_error for options that do not fit the surface, file_error for the mask.
+/// \throws domain_error, file_error for the mask.
 void clean(const SurfaceOptions& options, io::Surface& surface);
 
 /// What could have been asked of clean() and was not: of spikes and of \p missing points, with the option's name.
