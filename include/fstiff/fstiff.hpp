@@ -31,12 +31,14 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/math/tukey.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/surface/moments.hpp>
+#include <fstiff/surface/nesting_indices.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/surface/spectrum_window.hpp>
@@ -53,6 +55,9 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/repair.hpp>
+#include <fstiff/profile/robust_gaussian_filter.hpp>
+#include <fstiff/profile/roughness_cut_off.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_errors.hpp>
@@ -72,6 +77,8 @@
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/radial_spectrum.hpp>
+#include <fstiff/topography/repair.hpp>
+#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>

@@ -24,7 +24,7 @@ namespace fstiff::scene {
 struct MeasureOptions {
     SurfaceOptions input;
     PeakSource peaks = PeakSource::islands;  ///< of a map
-    std::string tip_radius, resolution, window;
+    std::string window;                      ///< of lags that give D
     int resamples = 400;
     std::uint64_t seed = 2014;
     bool neighbours = true;  ///< measures behind a smaller and a greater lambda_s too

@@ -51,6 +51,22 @@ TEST_CASE("Behind a Gaussian filter the form has left no mark") {
     CHECK(fit_fractal(flat).fractal.dimension == fit_fractal(flat.profile).fractal.dimension);
 }
 
+TEST_CASE("D of a filtered profile is that of the profile before the filters, from lags that lambda_c holds") {
+    const auto low = level(rough(), Form::line, {}, 0, 5e-6);
+    const auto flat = without_waviness(low, 100e-6);
+    CHECK(flat.profile.heights == gaussian_roughness(low.profile, 100e-6).heights);
+    CHECK(flat.lambda_c == 100e-6);
+    CHECK(flat.mark() == Form::line);
+    CHECK(flat.of_structure().heights == detrend(rough(), Form::line).heights);
+    FractalFitOptions<double> options;
+    options.longest = 100e-6;
+    const auto fit = fit_fractal(flat), same = fit_fractal(low, options);
+    CHECK(fit.fractal.dimension == same.fractal.dimension);
+    CHECK(fit.window.to <= 100e-6);
+    CHECK(fit_fractal(low).window.to > 100e-6);
+    CHECK(fit.structure_function.value == fit_fractal(low).structure_function.value);
+}
+
 TEST_CASE("A fit makes up for the form that the profile knows, and for none of a bare profile") {
     const auto flat = level(rough(), Form::line);
     CHECK(fit_fractal(level(flat.profile, Form::none)).fractal.dimension ==

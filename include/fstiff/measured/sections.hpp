@@ -86,7 +86,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const LevelledMap<T>& levelled,
                                                const FractalFitOptions<T>& options = {}) {
-    return fit_directions(levelled.map, options);
+    FractalFitOptions<T> how = options;  // lags above lambda_c are none of the roughness
+    if (levelled.lambda_c > T(0) && !(how.longest > T(0) && how.longest < levelled.lambda_c))
+        how.longest = levelled.lambda_c;
+    return fit_directions(levelled.of_structure(), how);
 }
 
 namespace detail {

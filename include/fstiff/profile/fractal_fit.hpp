@@ -46,6 +46,7 @@ struct FractalFitOptions {
     int resamples = 200;        ///< of the bootstrap; 0 leaves it out
     T tip_radius{};             ///< of the stylus [m]: lags that may show it are left out; 0: not known
     T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
+    T longest{};                ///< lag that an automatic window may reach [m]; 0: not limited
     ProgressHook progress{};    ///< of the bootstrap
 };
 
@@ -176,7 +177,10 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, Form removed, const
 
 template <Real T>
 FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options) {
-    return detail::fit_profile(levelled.profile, levelled.mark(), options);
+    FractalFitOptions<T> how = options;
+    if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
+        how.longest = *levelled.lambda_c;
+    return detail::fit_profile(levelled.of_structure(), levelled.mark(), how);
 }
 
 template <Real T>
@@ -306,7 +310,15 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     const T spacing = measured.spacing;
     const ReliableLags<T> reliable{std::max(tip_length, options.resolution),
                                    tip_length > options.resolution ? WindowEnd::tip : WindowEnd::resolution};
-    const LogStructure<F> log = log_structure(measured.structure_function, spacing, measured.points, reliable);
+    StructureFunction<T> searched = measured.structure_function;
+    if (!options.window && options.longest > T(0))
+        while (searched.size() > 0 && searched.lag.back() > options.longest * T(1.0001)) {
+            searched.step.pop_back();
+            searched.lag.pop_back();
+            searched.value.pop_back();
+            searched.pairs.pop_back();
+        }
+    const LogStructure<F> log = log_structure(searched, spacing, measured.points, reliable);
     const ChosenRange<F> chosen =
         options.window ? given_range(log, *options.window, spacing, reliable) : automatic_range(log, spacing, reliable);
     set_window(result, log, chosen, spacing, reliable);

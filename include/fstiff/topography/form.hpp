@@ -22,6 +22,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -46,6 +47,11 @@ template <Real T = double>
 struct LevelledMap {
     HeightMap<T> map;
     MapForm removed = MapForm::none;
+    std::optional<HeightMap<T>> unfiltered{};  ///< the map before lambda_s and lambda_c, where there is one
+    T lambda_c{};                              ///< of the filter that took the long waves [m]; 0: none
+
+    /// What the structure functions are taken of.
+    [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
 };
 
 /// The same with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted; 0
