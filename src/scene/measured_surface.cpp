@@ -179,6 +179,13 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
         surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }
+    const double before = profile ? surface.profile->rms_levelled : surface.map->rms_levelled,
+                 after = profile ? surface.profile->rms : surface.map->rms;
+    if (surface.cut_offs.lambda_c && !surface.cut_offs.why_c.empty() && after < before / 2)
+        surface.warnings.push_back(
+            "lambda_c " + shown_length(*surface.cut_offs.lambda_c) + ", chosen by the table, leaves " +
+            rounded(100 * after / before, 2) + " % of the rms height of " + shown_length(before) +
+            ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
     try {
         surface.heights = profile ? height_statistics(surface.profile->profile) : height_statistics(surface.map->map);
     } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without

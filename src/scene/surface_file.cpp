@@ -149,6 +149,7 @@ PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
         auto& levelled = static_cast<LevelledProfile<double>&>(result);
         levelled = level(read, form, filter ? cut_offs.lambda_c : std::nullopt, input.surface.record.resolution,
                          cut_offs.lambda_s);
+        result.rms_levelled = rms_height(result.profile);
         if (!filter && is_automatic(options.lambda_c)) choose_lambda_c(cut_offs, levelled.profile);
         if (!filter && cut_offs.lambda_c) levelled = without_waves_above(cut_offs, std::move(levelled));
         result.rms = rms_height(result.profile);
@@ -173,6 +174,7 @@ PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
     about_file(options.file, [&] {
         auto& levelled = static_cast<LevelledMap<double>&>(result);
         levelled = level(read, form, input.surface.record.resolution);
+        result.rms_levelled = rms_height(levelled.map);
         if (result.cut_offs.any()) levelled.unfiltered = levelled.map;
         if (const auto shortest = result.cut_offs.lambda_s) levelled.map = gaussian_low_pass(levelled.map, *shortest);
         if (const auto longest = result.cut_offs.lambda_c) {
