@@ -41,7 +41,7 @@
 #include <fstiff/surface/structure_constant.hpp>
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/detrend.hpp>
-#include <fstiff/profile/form_loss.hpp>
+#include <fstiff/profile/filter_loss.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/lag_window.hpp>
@@ -49,6 +49,7 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/second_differences.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>

@@ -60,8 +60,6 @@ struct CutOffs {
 
     [[nodiscard]] bool any() const { return lambda_s || lambda_c; }
     [[nodiscard]] std::string sentence() const;
-    /// The shortest lag at which a surface still shows itself: \p resolution, or lambda_s where that is longer [m].
-    [[nodiscard]] double shortest_lag(double resolution) const { return std::max(resolution, lambda_s.value_or(0)); }
 };
 
 /// A profile without its form and, with cut-offs, without its short and its long waves.

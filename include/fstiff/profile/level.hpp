@@ -24,9 +24,6 @@ struct LevelledProfile {
     Form removed = Form::none;
     std::optional<T> cutoff{};    ///< lambda_c of the Gaussian filter that took the long waves [m]
     std::optional<T> lambda_s{};  ///< of the one that took the short waves before it [m]
-
-    /// The form whose mark the long lags of the structure function bear: none behind a filter, which took them itself.
-    [[nodiscard]] Form mark() const { return cutoff ? Form::none : removed; }
 };
 
 /// \p profile without the \p form, then, with \p lambda_s, without its short waves, and then, with a \p cutoff, without

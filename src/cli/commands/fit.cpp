@@ -78,7 +78,7 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     ProfileResult result;
     result.levelled = level_profile(options.surface, input);
     const Profile<double>& profile = result.levelled.profile;
-    how.resolution = result.levelled.cut_offs.shortest_lag(how.resolution);
+    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
     attempt(result.spectrum, result.no_spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(profile);
@@ -99,7 +99,7 @@ MapResult fit_map(const Options& options, const SurfaceInput& input) {
     how.progress = progress_bar();
     MapResult result;
     result.levelled = level_map(options.surface, input);
-    how.resolution = result.levelled.cut_offs.shortest_lag(how.resolution);
+    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     about_file(options.surface.file, [&] {
         result.fit = fit_directions(result.levelled.map, how);
         if (!result.fit.x && !result.fit.y)
