@@ -11,8 +11,8 @@
 ///
 /// Reference   ISO 16610-21 (the filter); the mean over two normal distributions is this project's
 /// Units       lag and lambda_s in the same unit
-/// Valid       0 < p < 2, tau >= lambda_s/4
-/// Accuracy    1e-6 of the share for lambda_s of many samples; at two samples the filter itself is coarse
+/// Valid       0 < p < 2, tau >= lambda_s/2
+/// Accuracy    1e-4 of the share for lambda_s of many samples; at two samples the filter itself is coarse
 ///             (tests/profile/filter_loss_test.cpp)
 
 #include <fstiff/core/concepts.hpp>

@@ -4,10 +4,11 @@
 /// The range of lags over which the structure function S2 of second differences is a power law: searched for, or given.
 ///
 /// Automatic window: the longest range of lags, half a decade at least, over which the local slope of ln S2 (over a
-/// factor of 2.25) keeps to the slope of the range within 0.2, or twice its sampling error where that is more, and lies between
-/// 0.2 and 1.95, within the same: a self-affine profile has a slope between 0 and 2, one that is smooth below its resolution 4, and one
+/// factor of 3.4) keeps to the slope of the range within 0.2, or twice its sampling error where that is more, and which itself lies
+/// between 0.2 and 1.95, the local slopes between 0.1 and 1.95 but for their sampling error: a self-affine profile has a slope between 0 and 2, one that is smooth below its resolution 4, and one
 /// that has saturated 0. When there is none, 0.2 becomes 0.3, then 0.45, and the fit is flagged as curved. Lags of 4 samples
-/// to a tenth of the points are searched; 1 sample to an eighth for a profile of fewer than 400 points. The window ends a
+/// to a tenth of the points are searched; 1 sample to an eighth for a profile of fewer than 400 points; to a fifth of those
+/// of the sections of a map, which hold more pieces of a lag. The window ends a
 /// factor of 1.5 before its power law would reach the highest value of S2: nearer to where
 /// the spectrum ends or turns flat S2 bends. Lags below the
 /// resolution, below lambda_s, or that may show the tip (profile/tip_cutoff.hpp), are left out of everything.
@@ -109,10 +110,10 @@ T regression_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index first, E
     return (dx * y.segment(first, count).array()).sum() / dx.square().sum();
 }
 
-/// Slope about point k, over the lags within a factor 1.5 of it and its two neighbours at least.
+/// Slope about point k, over the lags within a factor 1.84 of it and its two neighbours at least.
 template <Real T>
 T local_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index k) {
-    const T reach = std::log(T(1.5)) * T(1.001);
+    const T reach = std::log(T(1.84)) * T(1.001);
     Eigen::Index first = k, last = k;
     while (first > 0 && (x[k] - x[first - 1] <= reach || first == k)) --first;
     while (last + 1 < x.size() && (x[last + 1] - x[k] <= reach || last == k)) ++last;
@@ -129,12 +130,12 @@ struct LogStructure {
     F profiles = 1, apart = 0;    // how many, and samples between neighbours; 0: nothing in common
 
     /// How many profiles know something of their own at the lag \p n: neighbours see the same waves when they are
-    /// closer than the lag.
-    F independent(F n) const { return apart > 0 ? std::clamp(profiles * apart / n, F(1), profiles) : profiles; }
+    /// closer than half the lag.
+    F independent(F n) const { return apart > 0 ? std::clamp(2 * profiles * apart / n, F(1), profiles) : profiles; }
 
     /// Lags that are searched for a window, in samples.
     F shortest() const { return points < 400 ? F(1) : F(4); }
-    F longest() const { return static_cast<F>(points < 400 ? points / 8 : points / 10); }
+    F longest() const { return static_cast<F>(points / (apart > 0 ? 5u : points < 400 ? 8u : 10u)); }
     /// ln of how far the end of a window stays from the lag at which its power law would reach the highest value of S2.
     static F before_saturation() { return std::log(F(1.5)); }
 };
@@ -210,7 +211,7 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
             const auto slopes = local.segment(a, count).array();
             const auto by_chance = scatter.segment(a, count).array();
             const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && mean > min_slope &&
-                                  mean < max_slope && (slopes > min_slope - by_chance).all() &&
+                                  mean < max_slope && (slopes > min_slope / 2 - by_chance).all() &&
                                   (slopes < max_slope + by_chance).all() &&
                                   ((slopes - mean).abs() <= by_chance.max(tolerance)).all() &&
                                   y[b] + mean * log.before_saturation() <= top;

@@ -9,9 +9,10 @@
 ///
 ///  - a: waves that are missing below the resolution, or noise. With no wave shorter than the first lag a is -a_max,
 ///    a_max = 6 Gamma(1+p) sin(pi p/2)/(pi p (4-2^p) (2 pi)^p) of S2 there; before the fit taken for -0.45 a_max with a
-///    standard deviation of 0.6 a_max; for 0 behind a filter lambda_s, which is made up for; for -0.75 a_max with 0.5 a_max where
-///    S2 is steeper at shorter lags, so that the end of the band shows;
-///  - b: where the spectrum ends or turns flat, before the fit taken for 0 with a standard deviation of 1 at the last lag;
+///    standard deviation of 0.6 a_max; for 0 behind a filter lambda_s, which is made up for; for -0.75 a_max where
+///    S2 is steeper at shorter lags, so that the end of the band shows. In the sections of a map a_max is larger by
+///    sqrt(pi) Gamma(1+p/2)/Gamma((1+p)/2), as short waves run across them too, and -0.6 stands for -0.45;
+///  - b: where the spectrum ends or turns flat, before the fit taken for 0 with a standard deviation of 0.5 at the last lag;
 ///  - log-periodic terms, where they explain more than half of the scatter about the line.
 /// The weights are those of the covariance of ln S2 (profile/structure_errors), with 0.03 added to each lag for what the
 /// model misses. What the data cannot tell of a and b is part of the error of D.
@@ -36,6 +37,12 @@ T share_of_short_waves(T power) {
     const T pi = numbers::pi_v<T>;
     return 6 * std::tgamma(1 + power) * std::sin(pi * power / 2) /
            (pi * power * (4 - pow(T(2), power)) * pow(2 * pi, power));
+}
+
+/// How much more the short waves of an isotropic map are missed in its sections than those of a profile.
+template <Real T>
+T share_of_oblique_waves(T power) {
+    return std::sqrt(numbers::pi_v<T>) * std::tgamma(1 + power / 2) / std::tgamma((1 + power) / 2);
 }
 
 /// Lower triangular root L of a = L L^T, which must be positive definite.
@@ -91,8 +98,8 @@ public:
           covariance_(std::move(covariance)),
           power_(power),
           log_gamma_(log_gamma),
-          expected_short_(share_of_short_waves(power) * (lambda_s > T(0) ? T(0) : band_ends ? T(-0.75) : T(-0.45))),
-          short_sd_(share_of_short_waves(power) * (band_ends ? T(0.5) : T(0.6))),
+          short_sd_(T(0.6) * share_of_short_waves(power) * (log.apart > T(0) ? share_of_oblique_waves(power) : T(1))),
+          expected_short_(short_sd_ * (lambda_s > T(0) ? T(0) : band_ends ? T(-1.25) : log.apart > T(0) ? T(-1) : T(-0.75))),
           y_(log.value) {
         for (Eigen::Index k = 0; k < y_.size(); ++k) {
             // the logarithm of a mean of squares is low by half its variance
@@ -122,7 +129,7 @@ public:
     }
 
 private:
-    static constexpr T long_sd = T(1);
+    static constexpr T long_sd = T(0.5);
 
     /// a and b at all lags: each is 1 at its own end of the band.
     Matrix<T> band_columns(const IndexRange& band) const {
@@ -176,7 +183,7 @@ private:
 
     const LogStructure<T>& log_;
     Matrix<T> covariance_;
-    T power_, log_gamma_, expected_short_, short_sd_;
+    T power_, log_gamma_, short_sd_, expected_short_;
     Vector<T> y_;
 };
 
