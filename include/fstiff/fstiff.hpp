@@ -35,11 +35,15 @@
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/surface/fractal.hpp>
+#include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
+#include <fstiff/surface/spectrum_window.hpp>
 #include <fstiff/surface/structure_constant.hpp>
+#include <fstiff/surface/two_faces.hpp>
 #include <fstiff/profile/all_lags.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/filter_loss.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
@@ -49,6 +53,7 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/profile/second_differences.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_errors.hpp>
@@ -56,6 +61,8 @@
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/profile/triples.hpp>
+#include <fstiff/topography/areal_autocorrelation.hpp>
+#include <fstiff/topography/areal_parameters.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/coarsen.hpp>
 #include <fstiff/topography/form.hpp>
@@ -65,6 +72,8 @@
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/radial_spectrum.hpp>
+#include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
@@ -116,10 +125,12 @@
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
+#include <fstiff/measured/pooled_surface.hpp>
 #include <fstiff/measured/sampled_band.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/stiffness_band.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>

@@ -56,10 +56,10 @@ int run_main(int argc, char** argv) {
             "\nExit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that cannot "
             "be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run");
     CLI::App& app = program.app();
-    const std::vector<Command> commands{add_run(app),      add_measure(app),   add_fit(app),      add_islands(app),
-                                        add_peaks(app),    add_integral(app),  add_generate(app), add_ultrasound(app),
-                                        add_identify(app), add_reproduce(app), add_report(app),   add_formats(app),
-                                        add_truth(app)};
+    const std::vector<Command> commands{add_run(app),        add_measure(app),  add_fit(app),       add_islands(app),
+                                        add_spectrum(app),   add_peaks(app),    add_integral(app),  add_generate(app),
+                                        add_ultrasound(app), add_identify(app), add_reproduce(app), add_report(app),
+                                        add_formats(app),    add_truth(app)};
     const CLI::App* chosen = program.parse(argc, argv);
     for (const Command& command : commands)
         if (command.app == chosen) return execute(command);

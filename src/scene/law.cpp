@@ -57,6 +57,61 @@ std::unique_ptr<AnyContact> held(Contact contact) {
     return std::make_unique<Holder<Contact>>(std::move(contact));
 }
 
+/// The mean over several maps: two faces meet at a shift that nobody knows. The errors hold the scatter of one shift.
+class MeanOverShifts final : public AnyContact {
+public:
+    explicit MeanOverShifts(std::vector<std::unique_ptr<AnyContact>> contacts) : contacts_(std::move(contacts)) {}
+    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity wanted) const override {
+        return mean([&](const AnyContact& one) { return one.at_pressures(pressures, wanted); });
+    }
+    std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
+                                                     Quantity wanted) const override {
+        return mean([&](const AnyContact& one) { return one.at_separations(separations, wanted); });
+    }
+
+private:
+    static Estimate<double> mean_of(std::span<const Estimate<double>> all) {
+        const auto n = static_cast<double>(all.size());
+        double value = 0, error = 0, square = 0;
+        int evaluations = 0;
+        for (const auto& one : all) value += one.value / n, error += one.error / n, evaluations += one.evaluations;
+        for (const auto& one : all) square += (one.value - value) * (one.value - value) / (n - 1);
+        return {value, std::hypot(error, std::sqrt(square)), evaluations};
+    }
+    template <class Call>
+    std::vector<ContactPoint<double>> mean(const Call& call) const {
+        std::vector<std::vector<ContactPoint<double>>> all;
+        for (const auto& one : contacts_) all.push_back(call(*one));
+        std::vector<ContactPoint<double>> points = all.front();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            for (const auto& of_shift : all)
+                if (!of_shift[i].ok()) points[i] = of_shift[i];
+            if (!points[i].ok()) continue;
+            ContactState<double>& state = points[i].state;
+            std::vector<Estimate<double>> values(all.size());
+            for (const auto member :
+                 {&ContactState<double>::separation, &ContactState<double>::pressure, &ContactState<double>::stiffness,
+                  &ContactState<double>::real_area_fraction, &ContactState<double>::contact_density,
+                  &ContactState<double>::loading_stiffness}) {
+                std::transform(all.begin(), all.end(), values.begin(),
+                               [&](const auto& of_shift) { return of_shift[i].state.*member; });
+                state.*member = mean_of(values);
+            }
+            state.eta = 0;
+            for (const auto& of_shift : all) state.eta += of_shift[i].state.eta / static_cast<double>(all.size());
+        }
+        return points;
+    }
+
+    std::vector<std::unique_ptr<AnyContact>> contacts_;
+};
+
+/// One contact as it is, more of them as their mean.
+std::unique_ptr<AnyContact> mean_over(std::vector<std::unique_ptr<AnyContact>> contacts) {
+    if (contacts.size() == 1) return std::move(contacts.front());
+    return std::make_unique<MeanOverShifts>(std::move(contacts));
+}
+
 RoughContactOptions<double> options_of(const ContactInputs& inputs) {
     RoughContactOptions<double> options;
     options.interaction = inputs.interaction;
@@ -97,16 +152,28 @@ std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(c
 constexpr std::array<double, 1> quick_summits{0};
 constexpr std::array<LawOption, 1> summit_options{{{.key = "mutual", .otherwise = 1}}};
 
+/// The mean of what \p make makes of the summits of every shift.
+template <class Make>
+std::unique_ptr<AnyContact> over_shifts(const ContactInputs& inputs, const Make& make) {
+    std::vector<std::unique_ptr<AnyContact>> contacts;
+    for (const Summits<double>& one : inputs.map->summits) contacts.push_back(held(make(one)));
+    return mean_over(std::move(contacts));
+}
+
 std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
-    if (inputs.options.front() != 0)
-        return held(MutualSummits<double>(inputs.map->summits, inputs.effective_modulus, inputs.elements.edges));
-    return held(SummitContact<double>(inputs.map->summits, inputs.effective_modulus));
+    if (inputs.options.front() == 0)
+        return over_shifts(
+            inputs, [&](const Summits<double>& of) { return SummitContact<double>(of, inputs.effective_modulus); });
+    return over_shifts(inputs, [&](const Summits<double>& of) {
+        return MutualSummits<double>(of, inputs.effective_modulus, inputs.elements.edges);
+    });
 }
 
 std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
     if (inputs.map && inputs.spectrum_of_map)
-        return held(
-            HybridContact(SummitContact<double>(inputs.map->summits, inputs.effective_modulus), crowded(inputs)));
+        return over_shifts(inputs, [&](const Summits<double>& of) {
+            return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs));
+        });
     return held(HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),
                               crowded(inputs)));
 }
@@ -139,11 +206,8 @@ std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
 /// Boundary elements of the map itself.
 class Elements final : public AnyContact {
 public:
-    explicit Elements(const ContactInputs& inputs)
-        : map_(inputs.map->map),
-          modulus_(inputs.effective_modulus),
-          how_(inputs.elements),
-          progress_(inputs.progress) {}
+    Elements(std::shared_ptr<const HeightMap<double>> map, const ContactInputs& inputs)
+        : map_(std::move(map)), modulus_(inputs.effective_modulus), how_(inputs.elements), progress_(inputs.progress) {}
     std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity) const override {
         std::vector<ContactPoint<double>> points;
         for (const double p : pressures) require_positive("pressure", p);
@@ -185,20 +249,47 @@ private:
 };
 
 std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
-    return std::make_unique<Elements>(inputs);
+    std::vector<std::unique_ptr<AnyContact>> of_shifts;
+    for (const auto& map : inputs.map->maps) of_shifts.push_back(std::make_unique<Elements>(map, inputs));
+    return mean_over(std::move(of_shifts));
 }
 
 constexpr Quantity without_contacts =
     Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
 
 const std::array<Law, 11> table{{
-    {"fractal", true, true, "(3.7)", "(3.14), (4.9)", "(4.4)", joint<fractal>, fitted<fractal>},
-    {"fractal_consistent", true, true, "integral of (3.14)", "(3.14), (4.9)", "(4.4)", joint<fractal_consistent>,
-     fitted<fractal_consistent>},
-    {"hertz", false, true, "(3.7)", "derivative of (3.7)", "(4.4)", joint<hertz>, fitted<hertz>},
-    {"greenwood_williamson", false, false, "(3.7)", "derivative of (3.7)", "Gaussian, one radius",
-     greenwood_williamson},
+    {.name = "fractal",
+     .nature = "the print of the paper: K is not the slope of the load (docs/errata.md)",
+     .needs_dimension = true,
+     .load = "(3.7)",
+     .stiffness = "(3.14), (4.9)",
+     .peaks = "(4.4)",
+     .contact = joint<fractal>,
+     .fit = fitted<fractal>},
+    {.name = "fractal_consistent",
+     .nature = "elastic: K of the paper, with the load whose slope it is",
+     .needs_dimension = true,
+     .load = "integral of (3.14)",
+     .stiffness = "(3.14), (4.9)",
+     .peaks = "(4.4)",
+     .contact = joint<fractal_consistent>,
+     .fit = fitted<fractal_consistent>},
+    {.name = "hertz",
+     .nature = "elastic: K is the slope of the load",
+     .load = "(3.7)",
+     .stiffness = "derivative of (3.7)",
+     .peaks = "(4.4)",
+     .contact = joint<hertz>,
+     .fit = fitted<hertz>},
+    {.name = "greenwood_williamson",
+     .nature = "elastic, peaks of one radius",
+     .has_peaks = false,
+     .load = "(3.7)",
+     .stiffness = "derivative of (3.7)",
+     .peaks = "Gaussian, one radius",
+     .contact = greenwood_williamson},
     {.name = "hybrid",
+     .nature = "elastic, for all loads: peaks and Persson's theory",
      .load = "at equal K",
      .stiffness = "(hertz^5 + persson^5)^(1/5)",
      .peaks = "(4.4); of a map its summits",
@@ -207,6 +298,7 @@ const std::array<Law, 11> table{{
      .summits_of_map = true,
      .holds_when_crowded = true},
     {.name = "persson",
+     .nature = "elastic, of the spectrum: crowded contacts",
      .has_peaks = false,
      .load = "Persson (2007)",
      .stiffness = "Persson (2007), Almqvist et al. (2011)",
@@ -216,6 +308,7 @@ const std::array<Law, 11> table{{
      .needs_spectrum = true,
      .holds_when_crowded = true},
     {.name = "summits",
+     .nature = "elastic, the map's own summits, which push each other down",
      .has_peaks = false,
      .load = "(3.7)",
      .stiffness = "derivative of (3.7)",
@@ -223,9 +316,11 @@ const std::array<Law, 11> table{{
      .contact = summits,
      .options = summit_options,
      .needs_map = true,
+     .needs_summits = true,
      .ends = true,
      .quick_options = quick_summits},
     {.name = "plastic",
+     .nature = "fully plastic: K is that of unloading, which a wave sees",
      .load = "hardness times area, 2 pi R omega",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
@@ -233,6 +328,7 @@ const std::array<Law, 11> table{{
      .needs_hardness = true,
      .range = {.least_interference = 110, .most_radius_ratio = 0.4}},
     {.name = "jackson_green",
+     .nature = "elastic to plastic: K is that of unloading, which a wave sees",
      .load = "Jackson, Green (2005)",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
@@ -240,6 +336,7 @@ const std::array<Law, 11> table{{
      .needs_yield = true,
      .range = {.most_radius_ratio = 0.41}},
     {.name = "kogut_etsion",
+     .nature = "elastic to plastic: K is that of unloading, which a wave sees",
      .load = "Kogut, Etsion (2002)",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
@@ -247,12 +344,14 @@ const std::array<Law, 11> table{{
      .needs_yield = true,
      .range = {.most_interference = 110, .most_radius_ratio = 0.41}},
     {.name = "boundary_elements",
+     .nature = "the half space solved on the map itself; the error is that of the grid",
      .has_peaks = false,
      .load = "elastic half space",
      .stiffness = "of the contact held together",
      .peaks = "the map itself",
      .contact = boundary_elements,
      .needs_map = true,
+     .needs_whole_map = true,
      .holds_when_crowded = true,
      .varies = false},
 }};

@@ -55,9 +55,9 @@ struct LawOption {
 
 /// What laws take of a measured map beside its numbers.
 struct MapOfSurface {
-    std::shared_ptr<const HeightMap<double>> map;  ///< without its form
-    Summits<double> summits;
-    SpectrumShells<double> spectrum;  ///< without shells where points are missing
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps;  ///< without form; of two faces one sum for each shift
+    std::vector<Summits<double>> summits;                        ///< one for each map
+    SpectrumShells<double> spectrum;                             ///< without shells where points are missing
 };
 
 /// The section [boundary_elements].
@@ -74,7 +74,7 @@ struct ContactInputs {
     const PeakDistribution<double>* peaks = nullptr;  ///< none of a law that has no joint distribution
     double fractal_dimension = 0;                     ///< of a law that needs it
     Interaction<double> interaction{};
-    std::vector<double> options{};     ///< [SI], in the order of Law::options
+    std::vector<double> options{};      ///< [SI], in the order of Law::options
     SpectralMoments<double> moments{};  ///< of the surface, where the spectrum is a band
     double hurst = 0.8, gamma = 0.45;
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
@@ -95,6 +95,7 @@ struct FitInputs {
 /// One law.
 struct Law {
     std::string_view name;
+    std::string_view nature;       ///< what it computes: the rest of a sentence "hertz is ..."
     bool needs_dimension = false;  ///< the fractal dimension of the surface
     bool has_peaks = true;         ///< one curve for each joint distribution of peaks; else one curve
     /// The equations of the paper, or what stands in their place.
@@ -106,6 +107,7 @@ struct Law {
     Quantity quantities = Quantity::all;  ///< that the law gives
     std::span<const LawOption> options{};
     bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
+    bool needs_summits = false, needs_whole_map = false;  ///< of the map; the latter of 16 points a side at least
     bool summits_of_map = false;      ///< of a map it takes the summits in place of a joint distribution
     bool holds_when_crowded = false;  ///< peaks that push each other down are in it
     bool ends = false;                ///< has no state above some pressure: the curve ends there, with a warning

@@ -34,42 +34,19 @@ std::vector<std::string> texts_of(const Parsed& object, const char* key) {
     return texts;
 }
 
-}  // namespace
-
-bool is_measured_document(std::string_view bytes) {
-    const auto first = bytes.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && bytes[first] == '{';
-}
-
-MeasuredSurface read_measured_document(const std::string& bytes, const std::string& name) {
-    const Parsed document = Parsed::parse(bytes, nullptr, false);
-    if (!document.is_object() || text_of(document, "command") != "measure")
-        throw domain_error(name +
-                           ": is not the JSON of fstiff measure, whole and unchanged; must be that, or a surface");
-    if (const auto version = document.find("schema_version"); version == document.end() || *version != 1)
-        throw domain_error(name + ": schema_version must be 1");
+/// Parameters, moments and cut-offs of \p document, or of one of its neighbours.
+MeasuredSurface values_of(const Parsed& document, const std::string& name) {
+    if (!document.is_object()) throw domain_error(name + ": must be an object");
     const auto values = document.find("surface");
     if (values == document.end() || !values->is_object())
         throw domain_error(name + ": surface: is missing; must be that of fstiff measure");
     MeasuredSurface surface;
-    if (const auto source = document.find("source"); source != document.end() && source->is_object()) {
-        surface.file = text_of(*source, "file");
-        surface.sha256 = text_of(*source, "sha256");
-        surface.kind = text_of(*source, "kind");
-        surface.decisions = texts_of(*source, "decisions");
-    }
-    surface.warnings = texts_of(document, "warnings");
     const auto cut_off = [&](const char* key) -> std::optional<double> {  // absent from documents of an older fstiff
         const auto found = document.find(key);
         if (found == document.end() || found->is_null()) return {};
         return number_of(document, key, name);
     };
     surface.cut_offs = {cut_off("lambda_s_m"), cut_off("lambda_c_m")};
-    for (const std::string& word :
-         texts_of(document, "concerns"))  // of a later version: unknown words say nothing here
-        if (const auto concern = find_named<MeasuredConcern>(word)) surface.concerns.push_back(*concern);
-    surface.fractal_refusal = text_of(document, "no_fractal_dimension");
-    surface.peaks_refusal = text_of(document, "no_r_and_theta");
     const auto read = [&](const char* key) -> std::optional<Measurement<double>> {
         const auto found = values->find(key);
         if (found == values->end()) return std::nullopt;
@@ -95,6 +72,36 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
               surface.heights->rms_gradient.value > 0))
             throw domain_error(name + ": moments: must be greater than 0, and stand beside surface.rms_gradient");
     }
+    return surface;
+}
+
+}  // namespace
+
+bool is_measured_document(std::string_view bytes) {
+    const auto first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '{';
+}
+
+MeasuredSurface read_measured_document(const std::string& bytes, const std::string& name) {
+    const Parsed document = Parsed::parse(bytes, nullptr, false);
+    if (!document.is_object() || text_of(document, "command") != "measure")
+        throw domain_error(name +
+                           ": is not the JSON of fstiff measure, whole and unchanged; must be that, or a surface");
+    if (const auto version = document.find("schema_version"); version == document.end() || *version != 1)
+        throw domain_error(name + ": schema_version must be 1");
+    MeasuredSurface surface = values_of(document, name);
+    if (const auto source = document.find("source"); source != document.end() && source->is_object()) {
+        surface.file = text_of(*source, "file");
+        surface.sha256 = text_of(*source, "sha256");
+        surface.kind = text_of(*source, "kind");
+        surface.decisions = texts_of(*source, "decisions");
+    }
+    surface.warnings = texts_of(document, "warnings");
+    for (const std::string& word :
+         texts_of(document, "concerns"))  // of a later version: unknown words say nothing here
+        if (const auto concern = find_named<MeasuredConcern>(word)) surface.concerns.push_back(*concern);
+    surface.fractal_refusal = text_of(document, "no_fractal_dimension");
+    surface.peaks_refusal = text_of(document, "no_r_and_theta");
     if (const auto correlation = document.find("correlation_of_errors");
         correlation != document.end() && correlation->is_object()) {
         const auto matrix = correlation->find("matrix");
@@ -106,6 +113,9 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
                 surface.parameters.correlation[i][j] = (*matrix)[i][j].get<double>();
             }
     }
+    if (const auto neighbours = document.find("neighbours"); neighbours != document.end() && neighbours->is_array())
+        for (std::size_t k = 0; k < neighbours->size(); ++k)
+            surface.neighbours.push_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
     about_file(name,
                [&] { SurfaceSampler<double>(surface.parameters, 0); });  // refuses what no sample could be drawn of
     return surface;

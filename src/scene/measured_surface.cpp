@@ -4,8 +4,6 @@
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
-#include <fstiff/topography/map_spectrum.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,18 +59,12 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     else if (found.curved)
         warned.push_back("the structure function is no single power law over the window: D is a mean over it");
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
+    surface.peaks = found.peaks_counted;
     surface.concerns = concerns_of(found);
     if (has(surface.concerns, MeasuredConcern::anisotropic))
         warned.push_back("the map differs along x and y; the models take it for isotropic");
     for (std::string& line : peak_warnings(surface.concerns, found.peaks_counted, surface.parameters))
         warned.push_back(std::move(line));
-}
-
-std::shared_ptr<const MapOfSurface> map_of_surface(const HeightMap<double>& map) {
-    const bool whole = map.present() == map.size() && map.rows() >= 4 && map.columns() >= 4;
-    return std::make_shared<const MapOfSurface>(MapOfSurface{std::make_shared<const HeightMap<double>>(map),
-                                                             summits_of(map),
-                                                             whole ? map_spectrum(map) : SpectrumShells<double>{}});
 }
 
 }  // namespace
@@ -116,14 +108,44 @@ std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const 
     return all;
 }
 
+namespace {
+
+/// The cut-offs of the neighbours of a surface of \p step behind \p lambda_s.
+std::vector<double> neighbouring_cut_offs(const std::optional<double>& lambda_s, double step) {
+    if (!lambda_s) return {4 * step};
+    const double root = numbers::sqrt2_v<double>;
+    if (*lambda_s / root < 2 * step) return {2 * *lambda_s};
+    return {*lambda_s / root, *lambda_s * root};
+}
+
+void add_neighbours(MeasuredSurface& surface, MeasureOptions options, const SurfaceInput& input) {
+    const double step =
+        surface.profile ? surface.profile->profile.spacing : std::max(surface.map->map.dx, surface.map->map.dy);
+    options.neighbours = false;
+    options.resamples = 2;  // their errors are not asked
+    for (const double lambda_s : neighbouring_cut_offs(surface.cut_offs.lambda_s, step)) {
+        options.input.lambda_s = exact(lambda_s) + " m";
+        try {
+            surface.neighbours.push_back(measure_surface(options, input, {}));
+        } catch (const domain_error&) {  // too long a cut-off for the file, or too few peaks behind it
+        }
+    }
+}
+
+}  // namespace
+
 MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes, const ProgressHook& progress) {
+    return measure_surface(options, read_surface_input(options.input, bytes), progress);
+}
+
+MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
+                                const ProgressHook& progress) {
     SurfaceParameterOptions<double> how;
     how.fit = fit_options(options);
     how.fit.seed = how.seed = options.seed;
     how.resamples = static_cast<std::size_t>(options.resamples);
     how.progress = how.fit.progress = how.islands.progress = progress;
     how.peaks = options.peaks;
-    const SurfaceInput input = read_surface_input(options.input, bytes);
     const bool profile = input.surface.is_profile();
     MeasuredSurface surface;
     surface.file = display_name(options.input.file);
@@ -156,7 +178,6 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
         surface.heights = profile ? height_statistics(surface.profile->profile) : height_statistics(surface.map->map);
     } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
     }
-    if (!profile) surface.of_map = map_of_surface(surface.map->map);
     surface.profile_fit = std::move(found.profile_fit);
     surface.map_fit = std::move(found.map_fit);
     if (found.islands) surface.islands = std::move(found.islands->curve);
@@ -164,7 +185,16 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const std::string
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
     surface.fractal_refusal = found.why_no_dimension;
     surface.peaks_refusal = found.why_no_peaks;
+    if (options.neighbours) add_neighbours(surface, options, input);
     return surface;
+}
+
+double MeasuredSurface::size() const {
+    double size = 0;
+    for (const MeasuredSurface& part : parts) size += part.size();
+    if (profile) size = static_cast<double>(profile->profile.present()) * profile->profile.spacing;
+    if (map) size = static_cast<double>(map->map.present()) * map->map.dx * map->map.dy;
+    return size;
 }
 
 std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {

@@ -2,7 +2,6 @@
 #pragma once
 // The parameters of a scene's [surface], from a measured file or from what `fstiff measure` wrote of one.
 
-#include "scene/law.hpp"
 #include "scene/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
@@ -28,6 +27,7 @@ struct MeasureOptions {
     std::string tip_radius, resolution, window;
     int resamples = 400;
     std::uint64_t seed = 2014;
+    bool neighbours = true;  ///< measures behind a smaller and a greater lambda_s too
 };
 
 struct MeasuredSurface {
@@ -35,11 +35,11 @@ struct MeasuredSurface {
     std::vector<std::string> decisions, warnings;
     CutOffs cut_offs;                       ///< of what was measured
     std::vector<MeasuredConcern> concerns;  ///< behind the warnings
+    std::size_t peaks = 0;                  ///< behind R and D_p
     UncertainSurface<double> parameters;
     Measurement<double> max_peak_height;  ///< [m]; 0: not known
     std::optional<Measurement<double>> fractal_roughness;
     std::optional<HeightStatistics<double>> heights;  ///< none: the JSON is of an older fstiff
-    std::shared_ptr<const MapOfSurface> of_map;       ///< for laws of the map itself
     std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
     std::shared_ptr<const PreparedProfile> profile;
@@ -47,11 +47,28 @@ struct MeasuredSurface {
     std::optional<FractalFit<double>> profile_fit;  ///< that gave D, and that of a map
     std::optional<DirectionalFit<double>> map_fit;
     std::optional<IslandCurve<double>> islands;  ///< that gave R and D_p of a map
+    std::vector<MeasuredSurface> parts;          ///< of a surface measured from several files: each of them
+
+    /// The same behind lambda_s/sqrt(2) and sqrt(2) lambda_s, without errors; behind twice it alone where the file holds no smaller
+    /// one. Without lambda_s: behind four steps, which is twice the shortest wave of the file.
+    std::vector<MeasuredSurface> neighbours;
+
+    /// Length of the profile [m], or area of the map [m^2]; 0 where neither is there.
+    [[nodiscard]] double size() const;
 };
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
 [[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes,
                                               const ProgressHook& progress = {});
+/// The same of what was read already.
+[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
+                                              const ProgressHook& progress = {});
+
+/// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder stands for its files in the order of
+/// their names, without those that begin with a dot. One file is measure_surface().
+/// \throws domain_error for a folder without files, files of unlike kinds, or files whose steps differ without one lambda_s.
+[[nodiscard]] MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::string>& files,
+                                            const ProgressHook& progress = {});
 
 /// Whether \p bytes look like the document of `fstiff measure`, not like a surface.
 [[nodiscard]] bool is_measured_document(std::string_view bytes);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/results.hpp"
 
-#include "scene/contact_instances.hpp"
+#include "scene/bands.hpp"
+#include "scene/each_contact.hpp"
 #include "scene/file.hpp"
 #include "scene/verdict.hpp"
 
@@ -46,75 +47,6 @@ std::vector<ContactState<double>> accepted(const Scene& scene, const Law& law,
         states.push_back(point.state);
     }
     return states;
-}
-
-/// Every point stands by itself, so that they may be computed in parts, with \p progress told between them.
-std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact& contact, Quantity quantities,
-                                            const ProgressHook& progress = {}) {
-    constexpr std::size_t part = 64;
-    std::vector<ContactPoint<double>> points;
-    for (std::span<const double> rest = scene.points; !rest.empty();) {
-        if (progress) progress("points", scene.points.size() - rest.size(), scene.points.size());
-        const auto some = rest.first(std::min(part, rest.size()));
-        const auto more =
-            scene.at_separations ? contact.at_separations(some, quantities) : contact.at_pressures(some, quantities);
-        points.insert(points.end(), more.begin(), more.end());
-        rest = rest.subspan(some.size());
-    }
-    return points;
-}
-
-/// Whether \p law has a curve for each joint distribution of peaks.
-bool is_joint(const Law& law, const Scene& scene) {
-    return law.has_peaks && !(law.summits_of_map && scene.map && scene.spectrum_of_map);
-}
-
-/// The rms gradient of the surface for p*: known; of \p peaks; where these do not know it (r = 0, or none), of the surface's
-/// own r and theta, or of the spectrum that \p law takes.
-std::optional<double> gradient(const Scene& scene, const Law& law, const PeakDistribution<double>* peaks) {
-    if (scene.rms_gradient) return scene.rms_gradient;
-    if (const auto of_peaks = peaks ? rms_gradient(scene.surface, *peaks) : std::nullopt) return of_peaks;
-    if (scene.r && scene.theta) return rms_gradient(scene.surface, PeakDistribution<double>(*scene.r, *scene.theta));
-    if (law.needs_spectrum) return std::sqrt(2 * spectral_moments(scene).m2);
-    return std::nullopt;
-}
-
-/// Calls \p visit with the curve of every law and distribution of peaks, still without states, and with what makes its
-/// contact.
-template <class Visit>
-void for_each_contact(const Scene& scene, double modulus, const ProgressHook& progress, const Visit& visit) {
-    ContactInputs inputs{.surface = scene.surface,
-                         .effective_modulus = modulus,
-                         .fractal_dimension = scene.fractal_dimension.value_or(0),
-                         .interaction = interaction(scene),
-                         .moments = spectral_moments(scene),
-                         .hurst = hurst_exponent(scene),
-                         .gamma = scene.gamma,
-                         .map = scene.map.get(),
-                         .spectrum_of_map = scene.spectrum_of_map,
-                         .material = {.effective_modulus = modulus,
-                                      .yield_strength = scene.yield_strength.value_or(0),
-                                      .poisson_ratio = scene.softer_poisson,
-                                      .hardness = scene.hardness.value_or(0)},
-                         .elements = scene.elements,
-                         .progress = progress};
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law& law = *chosen.law;
-        inputs.options = chosen.options;
-        if (!is_joint(law, scene)) {
-            visit(Curve{.law = &law, .rms_gradient = gradient(scene, law, nullptr)},
-                  [&] { return law.contact(inputs); });
-            continue;
-        }
-        for (const Peaks& of : scene.peaks) {
-            const PeakDistribution<double> peaks = peak_density(of);
-            inputs.peaks = &peaks;
-            visit(
-                Curve{
-                    .law = &law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = gradient(scene, law, &peaks)},
-                [&] { return law.contact(inputs); });
-        }
-    }
 }
 
 /// Begins the sentence about what does not hold at some points of a curve.
@@ -212,77 +144,6 @@ void add_warnings(const Scene& scene, Results& results) {
     if (results.warnings.size() > before || !unknown_parameters(scene).empty()) results.doubtful = true;
 }
 
-/// The scene with the surface \p drawn about its own. Of a map the tiles are drawn anew, with the random \p tiles.
-Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn, std::uint64_t& tiles) {
-    const double rms_height = scene.surface.rms_height;
-    const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
-    scene.surface.rms_height = value(Parameter::rms_height);
-    scene.surface.peak_radius = value(Parameter::peak_radius);
-    scene.surface.peak_density = value(Parameter::peak_density);
-    if (scene.fractal_dimension) scene.fractal_dimension = value(Parameter::fractal_dimension);
-    const double taller = scene.surface.rms_height / rms_height;
-    if (scene.rms_gradient) *scene.rms_gradient *= taller;
-    if (scene.map) {
-        MapOfSurface map{nullptr, resampled(scene.map->summits, 4, tiles), scene.map->spectrum};
-        map.spectrum.rms_height *= taller;
-        for (auto& shell : map.spectrum.shells) shell.q2_h2 *= taller * taller, shell.q_h2 *= taller * taller;
-        scene.map = std::make_shared<const MapOfSurface>(std::move(map));
-    }
-    for (Peaks& peaks : scene.peaks)
-        if (peaks.of_surface) peaks.r = value(Parameter::r), peaks.theta = value(Parameter::theta);
-    return scene;
-}
-
-/// The band of K over the errors of the surface; every curve and point sees the same samples.
-void add_bands(const Scene& scene, Results& results, const ProgressHook& progress) {
-    Scene lean = scene;  // is copied with every surface
-    lean.inputs.clear();
-    lean.measured.reset();
-    std::erase_if(lean.laws, [](const ChosenLaw& chosen) { return !chosen.law->varies; });
-    std::uint64_t tiles = scene.seed;
-    for (ChosenLaw& chosen : lean.laws)
-        if (!chosen.law->quick_options.empty())
-            chosen.options.assign(chosen.law->quick_options.begin(), chosen.law->quick_options.end());
-    const auto stiffness_of = [&](const std::array<double, surface_parameter_count>& drawn) {
-        std::vector<double> all;
-        for_each_contact(with_surface(lean, drawn, tiles), results.modulus, {}, [&](const Curve&, const auto& contact) {
-            try {
-                for (const auto& point : points_of(scene, *contact(), Quantity::pressure | Quantity::stiffness))
-                    all.push_back(point.state.stiffness.value);
-            } catch (
-                const domain_error&) {  // a surface that the law does not take, such as a D next to 2: counted as failed
-                all.insert(all.end(), scene.points.size(), std::numeric_limits<double>::quiet_NaN());
-            }
-        });
-        return all;
-    };
-    const auto bands =
-        sampled_band(scene.uncertain, stiffness_of, {static_cast<std::size_t>(scene.samples), scene.seed, progress});
-    std::vector<double> quick;  // of the surface itself, by the laws that were sampled
-    for_each_contact(lean, results.modulus, {}, [&](const Curve&, const auto& contact) {
-        for (const auto& point : points_of(scene, *contact(), Quantity::pressure | Quantity::stiffness))
-            quick.push_back(point.state.stiffness.value);
-    });
-    std::size_t failed = 0, next = 0;
-    for (Curve& curve : results.curves) {
-        if (!curve.law->varies) continue;
-        for (std::size_t i = 0; i < curve.states.size(); ++i) {
-            SampledBand<double> band = bands[next + i];
-            failed = std::max(failed, band.failed);
-            if (!curve.law->quick_options.empty()) {
-                const double factor = curve.states[i].stiffness.value / quick[next + i];
-                band.low *= factor, band.median *= factor, band.high *= factor;
-            }
-            curve.band.push_back(band);
-        }
-        next += scene.points.size();
-    }
-    if (failed > 0)
-        results.warnings.push_back("up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +
-                                   " sampled surfaces are beyond the reach of the model at a point: the band there is "
-                                   "that of the others");
-}
-
 /// The columns of \p curve in the order in which documents show them; law, theta and r stand before them.
 std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio, bool bands) {
     std::vector<Column> columns;
@@ -360,7 +221,16 @@ std::string title(const Curve& curve) {
 }
 
 std::vector<Parameter> unknown_parameters(const Scene& scene) {
-    return scene.measured ? unknown_parameters(*scene.measured, scene.uncertain) : std::vector<Parameter>{};
+    if (scene.measured) return unknown_parameters(*scene.measured, scene.uncertain);
+    std::vector<Parameter> all;  // of a sum: what is unknown of one face may not matter beside the other
+    if (measured_faces(scene).empty()) return all;
+    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) {
+        const std::size_t i = index_of(row.parameter);
+        if (scene.uncertain.known[i] &&
+            !is_known(Measurement<double>{scene.uncertain.value[i], scene.uncertain.error[i]}))
+            all.push_back(row.parameter);
+    }
+    return all;
 }
 
 bool has_band(const Results& results) {
@@ -411,7 +281,9 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
                                            quantities);
         std::erase_if(curve.checks, [&](const Check<double>& check) {
             return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
-                   (check.concern == Concern::not_converged && !curve.law->varies);  // the error is that of the grid
+                   (check.concern ==
+                        Concern::not_converged &&  // the error is that of the grid, or of the shifts or files
+                    (!curve.law->varies || (scene.map && scene.map->maps.size() > 1)));
         });
         std::vector<double> etas;
         for (const auto& state : curve.states) etas.push_back(state.eta);

@@ -29,6 +29,12 @@ struct Column {
     std::vector<double> values;  ///< one a point; empty: the law does not give the quantity
 };
 
+/// What the band of K at one point is made of, in logarithms of K over its value: low ends are 0 or less, high ends 0 or more.
+struct BandParts {
+    double errors_low = 0, errors_high = 0;  ///< of the surfaces drawn by their errors
+    double scale_low = 0, scale_high = 0;    ///< of the neighbours behind another lambda_s
+};
+
 /// One law on one joint distribution of peaks, at every point of the scene.
 struct Curve {
     const Law* law = nullptr;
@@ -38,6 +44,7 @@ struct Curve {
     std::vector<Check<double>> checks{};
     std::vector<LoadMeans<double>> means{};   ///< of a plastic law, one a state
     std::vector<SampledBand<double>> band{};  ///< of the stiffness, one a state; empty: the surface has no errors
+    std::vector<BandParts> band_parts{};      ///< of the band, where the surface has neighbours
     std::vector<Column> columns{};            ///< what Scene asks for; the same keys in every curve
 };
 
@@ -51,6 +58,7 @@ struct Results {
     std::vector<Check<double>> surface_checks;
     std::vector<Curve> curves;
     std::vector<std::string> warnings;  ///< sentences on the checks that do not hold, and on the scene
+    std::string about_band;             ///< which part of the band is the greater; empty: there is one part
     std::vector<std::string> verdict;   ///< which law to believe, and to about what; the most important sentence first
     /// A real area above the nominal one, integrals that did not converge, or a measured surface with unknown_parameters().
     bool doubtful = false;

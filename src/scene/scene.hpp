@@ -3,6 +3,7 @@
 // A scene: a surface, two bodies and what is asked of their contact, read from TOML. Every key, unit and default is in
 // docs/scene.md. results.hpp computes it.
 
+#include "scene/face.hpp"
 #include "scene/law.hpp"
 #include "scene/measured_surface.hpp"
 
@@ -73,31 +74,21 @@ struct Waves {
     [[nodiscard]] double angular() const { return angular_frequency(frequency); }
 };
 
-struct Scene {
+/// What is asked, of the face that it is derived from: the rough one, or the sum of two.
+struct Scene : Face {
     std::string name;
     std::string file;    ///< as given, or "built-in scene"
     std::string sha256;  ///< of the text of the scene
 
-    Roughness<double> surface;
-    std::optional<double> fractal_dimension;
-    std::optional<double> fractal_roughness;  ///< [m]
+    /// The faces that the sum above is of, the upper one first; empty where one face is rough and the other smooth.
+    std::vector<Face> faces;
+    int shifts = 1;  ///< of the lower map over the upper one
 
-    std::optional<double> r, theta;           ///< of the surface [1, rad]; both or none
-    std::optional<double> rms_gradient, alpha, hurst;  ///< written, or measured; alpha is Nayak's m0 m4/m2^2
-    double gamma = 0.45;                               ///< [persson] gamma
-    bool spectrum_of_map = true;                       ///< [persson] spectrum = "map", where there is one
-    std::shared_ptr<const MapOfSurface> map;           ///< where the surface was measured as a map
-    ElementInputs elements;                            ///< [boundary_elements]
-    UncertainSurface<double> uncertain;       ///< the same with errors
-    std::optional<MeasuredSurface> measured;  ///< where surface.from says, or --surface
-    int samples = 400;                        ///< of the band; 0: no band
+    double gamma = 0.45;     ///< [persson] gamma
+    ElementInputs elements;  ///< [boundary_elements]
+    int samples = 400;       ///< of the band; 0: no band
     std::uint64_t seed = 2014;
     std::vector<std::string> warnings;
-
-    /// Whether a band can be given: some parameter that enters has an error.
-    [[nodiscard]] bool has_errors() const {
-        return std::any_of(uncertain.error.begin(), uncertain.error.end(), [](double error) { return error > 0; });
-    }
 
     Material<double> upper, lower;
     std::optional<double> yield_strength;  ///< the smaller of the two that are given [Pa]
@@ -128,12 +119,15 @@ struct Scene {
     std::vector<Input> inputs;  ///< every key that was written or filled in by a default
 };
 
-/// Moments of the spectrum of the surface of \p scene, and its Hurst exponent (2 - D, or 0.8 where neither is known): from rms
-/// gradient and alpha where they are known, else from R and D_p with eq. (4.10) and Nayak.
-[[nodiscard]] SpectralMoments<double> spectral_moments(const Scene& scene);
-[[nodiscard]] double hurst_exponent(const Scene& scene);
-/// Why \p scene has no spectrum for Persson's theory; empty where it has one.
-[[nodiscard]] std::string no_spectrum(const Scene& scene);
+/// Every measured surface of \p scene, called surface, or upper and lower.
+struct NamedFace {
+    std::string_view name;
+    const Face* face;
+};
+[[nodiscard]] std::vector<NamedFace> measured_faces(const Scene& scene);
+
+/// Why \p law cannot be computed of \p scene; empty where it can.
+[[nodiscard]] std::string refusal_of(const Law& law, const Scene& scene);
 
 /// Where a scene comes from.
 struct SceneSource {

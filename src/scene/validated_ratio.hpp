@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a law is, and what docs/validation.md found of it: K of the law over K of boundary elements, by p*.
+// What docs/validation.md found of a law: K of the law over K of boundary elements, by p*.
 
 #include <optional>
 #include <string_view>
 
 namespace fstiff::scene {
-
-/// One clause on what the law called \p law computes; empty for one that has none.
-[[nodiscard]] std::string_view nature_of(std::string_view law);
 
 /// Least and largest over the families of surfaces of docs/validation.md.
 struct ValidatedRatio {

@@ -19,13 +19,18 @@ std::string unless_there(const Scene& scene, std::string_view law) {
     return has_law(scene, law) ? "" : " (add \"" + std::string(law) + "\" to contact.laws)";
 }
 
-/// What the distribution of the heights does to every law over Gaussian peaks; empty for Gaussian heights.
-std::string about_heights(const Scene& scene) {
-    if (!scene.measured || !scene.measured->heights) return "";
-    const double skewness = scene.measured->heights->skewness.value, kurtosis = scene.measured->heights->kurtosis.value;
-    if (kurtosis == 0) return "";  // a document without it
+struct AboutHeights {
+    std::string sentence;            ///< empty for Gaussian heights
+    bool far_from_gaussian = false;  ///< no law over a distribution of peaks holds
+};
+
+/// What the distribution of the heights does to every law over Gaussian peaks.
+AboutHeights about_heights(const Scene& scene) {
+    if (!scene.heights) return {};
+    const double skewness = scene.heights->skewness.value, kurtosis = scene.heights->kurtosis.value;
+    if (kurtosis == 0) return {};  // a document without it
     const double highest = scene.surface.max_peak_height / scene.surface.rms_height;
-    const double summits = scene.map ? static_cast<double>(scene.map->summits.summits.size()) : 0;
+    const double summits = scene.map ? static_cast<double>(scene.map->summits.front().summits.size()) : 0;
     const double gaussian = std::sqrt(2 * std::log(std::max(summits, 2.0)));
     std::string numbers = "skewness " + rounded(skewness, 2) + ", kurtosis " + rounded(kurtosis, 2);
     if (summits > 0 && highest > 0)
@@ -33,17 +38,18 @@ std::string about_heights(const Scene& scene) {
                    " Gaussian summits reach " + rounded(gaussian, 2);
     const bool too_high = summits > 0 && highest > 1.6 * gaussian;
     if (std::abs(skewness) > 1 || std::abs(kurtosis - 3) > 2 || too_high)
-        return "the heights are far from Gaussian (" + numbers +
-               "): no law over a distribution of peaks is near the truth " +
-               "here, and K may be wrong by 5 times; believe " +
-               (scene.map ? "boundary_elements" + unless_there(scene, "boundary_elements") +
-                                ", then summits at light loads" + unless_there(scene, "summits")
-                          : std::string("boundary_elements of a map of this surface (fstiff truth)"));
+        return {"the heights are far from Gaussian (" + numbers +
+                    "): no law over a distribution of peaks is near the truth " +
+                    "here, and K may be wrong by 5 times; believe " +
+                    (scene.map ? "boundary_elements" + unless_there(scene, "boundary_elements") +
+                                     ", then summits at light loads" + unless_there(scene, "summits")
+                               : std::string("boundary_elements of a map of this surface (fstiff truth)")),
+                true};
     if (std::abs(skewness) > 0.3 || std::abs(kurtosis - 3) > 1)
-        return "the heights are not Gaussian (" + numbers + "): K of laws over Gaussian peaks is " +
-               (skewness > 0 ? "1.05 to 1.9 times too large at skewnesses of 0.35 to 0.9"
-                             : "too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23");
-    return "";
+        return {"the heights are not Gaussian (" + numbers + "): K of laws over Gaussian peaks is " +
+                (skewness > 0 ? "1.05 to 1.9 times too large at skewnesses of 0.35 to 0.9"
+                              : "too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23")};
+    return {};
 }
 
 /// Which elastic law holds at the pressures of the scene.
@@ -67,7 +73,7 @@ std::string about_pressures(const Scene& scene, const Results& results) {
 }
 
 std::string about_contacts(const Scene& scene, const Results& results) {
-    const double area = scene.nominal_area ? *scene.nominal_area : scene.map ? scene.map->map->area() : 0;
+    const double area = scene.nominal_area ? *scene.nominal_area : scene.map ? scene.map->maps.front()->area() : 0;
     double least = std::numeric_limits<double>::infinity();
     for (const Curve& curve : results.curves)
         for (const auto& state : curve.states)
@@ -92,10 +98,10 @@ std::string about_flow(const Scene& scene, const Results& results) {
 
 std::vector<std::string> verdict(const Scene& scene, const Results& results) {
     std::vector<std::string> sentences;
-    const std::string heights = about_heights(scene);
-    const bool far = heights.starts_with("the heights are far");  // then no pressure is right for hybrid
-    for (std::string sentence : {heights, about_flow(scene, results), far ? "" : about_pressures(scene, results),
-                                 about_contacts(scene, results)})
+    const auto [heights, far_from_gaussian] = about_heights(scene);
+    for (std::string sentence :
+         {heights, about_flow(scene, results), far_from_gaussian ? "" : about_pressures(scene, results),
+          about_contacts(scene, results), results.about_band})
         if (!sentence.empty()) sentences.push_back(std::move(sentence));
     return sentences;
 }

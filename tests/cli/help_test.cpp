@@ -4,8 +4,9 @@
 #include <fstiff/core/version.hpp>
 
 TEST_CASE("The example at the end of every --help works as pasted") {
-    for (const std::string subcommand : {"", "run ", "measure ", "fit ", "islands ", "peaks ", "integral ", "generate ",
-                                         "ultrasound ", "identify ", "reproduce ", "report ", "formats ", "help "}) {
+    for (const std::string subcommand :
+         {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
+          "identify ", "reproduce ", "report ", "formats ", "help "}) {
         const auto help = test::fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);
         CHECK(help.status == 0);
@@ -62,8 +63,9 @@ TEST_CASE("help prints what --help prints") {
 }
 
 TEST_CASE("No help points at a file that is not installed") {
-    for (const std::string command : {"", "run ", "measure ", "fit ", "islands ", "peaks ", "integral ", "generate ",
-                                      "ultrasound ", "identify ", "reproduce ", "report ", "formats ", "help "})
+    for (const std::string command :
+         {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
+          "identify ", "reproduce ", "report ", "formats ", "help "})
         for (const char* folder : {"docs/", "data/", "README"}) {
             INFO(command << folder);
             CHECK_FALSE(test::contains(test::fstiff(command + "--help").out, folder));

@@ -281,17 +281,6 @@ TEST_CASE("estimates do not depend on the unit of length") {
     }
 }
 
-TEST_CASE("half the interval is Student's t") {
-    // tables: 12.706, 4.303, 3.182, 2.571, 2.228, 2.042 for 1, 2, 3, 5, 10, 30
-    CHECK(test::relative_error(interval_factor<double>(0), 1.959964) < 1e-6);
-    CHECK(test::relative_error(interval_factor<double>(1), 12.7062) < 1e-5);
-    CHECK(test::relative_error(interval_factor<double>(2), 4.30265) < 1e-5);
-    CHECK(test::relative_error(interval_factor<double>(3), 3.18245) < 1e-2);
-    CHECK(test::relative_error(interval_factor<double>(5), 2.57058) < 1e-3);
-    CHECK(test::relative_error(interval_factor<double>(10), 2.22814) < 1e-4);
-    CHECK(test::relative_error(interval_factor<double>(30), 2.04227) < 1e-5);
-}
-
 TEST_CASE("identify refuses data and starting values that no model has") {
     using enum Parameter;
     auto data = curve(truth, fractal, 3);

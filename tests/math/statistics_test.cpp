@@ -2,7 +2,10 @@
 // Quantiles by hand; resamples against the variance of a mean of blocks.
 #include <fstiff/math/statistics.hpp>
 
+#include "support/accuracy.hpp"
 #include "support/catch.hpp"
+
+#include <gsl/gsl_cdf.h>
 
 #include <numeric>
 
@@ -46,4 +49,17 @@ TEST_CASE("A resample that holds nothing has the mean of the whole") {
         return i == 0 ? std::pair{6.0, 2.0} : std::pair{0.0, 0.0};
     });
     for (const double m : means) CHECK(m == 3);
+}
+
+TEST_CASE("quantiles of Student's t are those of GSL") {
+    const auto error = [](const NormalQuantile<double>& normal, int degrees) {
+        return test::relative_error(student_quantile(normal, degrees),
+                                    gsl_cdf_tdist_Pinv(normal.probability, static_cast<double>(degrees)));
+    };
+    for (const auto& normal : {normal_95<double>, normal_975<double>}) {
+        CHECK(test::relative_error(student_quantile(normal, 0), gsl_cdf_ugaussian_Pinv(normal.probability)) < 1e-12);
+        for (const int degrees : {1, 2}) CHECK(error(normal, degrees) < 1e-12);
+        for (const int degrees : {3, 4}) CHECK(error(normal, degrees) < 1e-2);
+        for (const int degrees : {5, 6, 8, 10, 20, 30, 100}) CHECK(error(normal, degrees) < 1e-3);
+    }
 }

@@ -4,6 +4,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
+#include "support/roughness_reference.hpp"
 
 #include <numbers>
 
@@ -127,4 +128,28 @@ TEST_CASE("Windows that hold too little are refused") {
     CHECK_FALSE(test::refusal([] {
                     (void)power_spectrum(Profile<double>{std::vector<double>(50, 1.0), 1.0});
                 }).empty());
+}
+
+TEST_CASE("Spectra of profiles are those that scipy finds, with the window and without") {
+    for (const auto window : {SpectrumWindow::hann, SpectrumWindow::none}) {
+        const auto found = power_spectrum(test::reference_profile("profile_row"), window);
+        std::size_t compared = 0;
+        const std::string start = "psd_" + std::string(name_of(window)) + "_";
+        for (const auto& [parameter, value] : test::roughness_reference("profile_row")) {
+            if (!parameter.starts_with(start)) continue;
+            CAPTURE(parameter);
+            CHECK(test::relative_error(found.value[std::stoul(parameter.substr(start.size()))], value) < 1e-9);
+            ++compared;
+        }
+        CHECK(compared >= 2);
+    }
+}
+
+TEST_CASE("Without a window the integral of the spectrum is the variance") {
+    auto z = test::fractional_brownian(1024, 0.5, 2);
+    z.resize(1009);
+    const Profile<double> profile{z, 1e-6};
+    const auto spectrum = power_spectrum(profile, SpectrumWindow::none);
+    CHECK(test::relative_error(spectrum.moment(0), std::pow(rms_height(profile), 2)) < 1e-13);
+    CHECK(spectrum.value[0] == 0);
 }

@@ -173,3 +173,8 @@ TEST_CASE("scenes that a law cannot be computed of are refused with what is miss
     weak.erase(weak.find("yield_strength"), std::string("yield_strength = \"4 MPa\"\n").size());
     CHECK(refused(weak).find("needs material.upper.yield_strength") != std::string::npos);
 }
+
+TEST_CASE("Every law says what it is") {
+    for (const scene::Law& law : scene::laws()) CHECK(!law.nature.empty());
+    CHECK(scene::find_law("fractal")->nature.starts_with("the print of the paper"));
+}

@@ -67,6 +67,4 @@ TEST_CASE("Between two rows the ratio covers both, and outside of the table ther
     CHECK(!scene::validated_ratio("hertz", 0.0019));
     CHECK(!scene::validated_ratio("hertz", 0.26));
     CHECK(!scene::validated_ratio("gauss", 0.02));
-    CHECK(scene::nature_of("gauss").empty());
-    CHECK(scene::nature_of("fractal").starts_with("the print of the paper"));
 }

@@ -31,6 +31,7 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/fit/fit_problem.hpp>
 #include <fstiff/math/least_squares.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 
 #include <algorithm>
@@ -72,21 +73,6 @@ struct Identification {
     T scatter{};  ///< of points without errors, rms over the degrees of freedom: of K relative, of |R| absolute
     int evaluations = 0;
 };
-
-/// Half the width of the 95 % interval in standard errors: Student's t at \p degrees_of_freedom (0: the normal value).
-/// Closed for 1 and 2; else an expansion, right to 1e-3 from 5 on and to 1 % at 3.
-template <Real T>
-[[nodiscard]] T interval_factor(int degrees_of_freedom) {
-    const T z = T(1.959963984540054);
-    if (degrees_of_freedom <= 0) return z;
-    const auto n = static_cast<T>(degrees_of_freedom);
-    if (degrees_of_freedom == 1) return std::tan(T(0.475) * numbers::pi_v<T>);
-    if (degrees_of_freedom == 2) return T(0.95) * std::sqrt(2 / (1 - T(0.95) * T(0.95)));
-    const T s = z * z;
-    return z * (1 + (s + 1) / (4 * n) + ((5 * s + 16) * s + 3) / (96 * n * n) +
-                (((3 * s + 19) * s + 17) * s - 15) / (384 * n * n * n) +
-                ((((79 * s + 776) * s + 1482) * s - 1920) * s - 945) / (92160 * n * n * n * n));
-}
 
 namespace detail {
 
@@ -213,7 +199,7 @@ private:
         if (fit_.null_direction.size() > 0)
             found.null_share = std::abs(fit_.null_direction(index)) / fit_.null_direction.cwiseAbs().maxCoeff();
         if (has_errors()) {
-            const T factor = interval_factor<T>(out_.errors_known ? 0 : out_.degrees_of_freedom);
+            const T factor = student_quantile(normal_975<T>, out_.errors_known ? 0 : out_.degrees_of_freedom);
             found.standard_error = deviation_(index) * fitted.slope(found.value);
             found.low = fitted.value(fit_.parameters(index) - factor * deviation_(index));
             found.high = fitted.value(fit_.parameters(index) + factor * deviation_(index));

@@ -7,7 +7,8 @@
 ///     sum' C(q_k) dq = sum (w_i (z_i - mean))^2 / sum w_i^2      Parseval; sum' halves k = 0 and k = M/2
 ///     ln C = -(5-2D) ln q + const,  D = 2 - H                    of a self-affine profile
 ///
-/// One-sided, Hann window w, mean weighted by the window, so that C(0) = 0. Missing points inside are bridged by
+/// One-sided, Hann window w, or w = 1, mean weighted by the window, so that C(0) = 0. The same in waves per metre, f = q/(2 pi),
+/// is 2 pi C; Jacobs et al. write pi C. Missing points inside are bridged by
 /// straight lines, those at the ends cut off. D is a weighted line through the means of C over eighths of an octave: a
 /// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to sqrt(psi'(v)).
 /// Neighbours of a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18
@@ -26,6 +27,7 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/surface/spectrum_window.hpp>
 
 #include <optional>
 
@@ -62,7 +64,7 @@ struct SpectralFit {
 /// Spectrum of \p profile as it is: remove its form first, with detrend().
 /// \throws domain_error for a profile out of range.
 template <Real T>
-[[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile);
+[[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow window = SpectrumWindow::hann);
 
 /// D from the slope of \p spectrum over \p window, by default from 16 spacings to an eighth of the length.
 /// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
@@ -106,7 +108,7 @@ std::vector<Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) 
 }  // namespace detail
 
 template <Real T>
-PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
+PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape) {
     using F = Accumulator<T>;
     profile.validate(16);
     const T scale = detail::height_scale(profile);
@@ -115,8 +117,7 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
     std::vector<F> window(points);
     CompensatedSum<F> weight, squares, weighted;
     for (std::size_t i = 0; i < points; ++i) {
-        const F sine = std::sin(numbers::pi_v<F> * (static_cast<F>(i) + F(0.5)) / static_cast<F>(points));
-        window[i] = sine * sine;
+        window[i] = window_weight<F>(shape, i, points);
         weight.add(window[i]);
         squares.add(window[i] * window[i]);
         weighted.add(window[i] * z[i]);
@@ -131,7 +132,8 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile) {
     const F h = static_cast<F>(profile.spacing), size = static_cast<F>(fft.size());
     const F factor = h / (numbers::pi_v<F> * squares.value());
     spectrum.step = static_cast<T>(2 * numbers::pi_v<F> / (size * h));
-    spectrum.independent = static_cast<T>(F(35) / 18 * size / static_cast<F>(points));
+    const F neighbours = shape == SpectrumWindow::hann ? F(35) / 18 : F(1);
+    spectrum.independent = static_cast<T>(neighbours * size / static_cast<F>(points));
     for (std::size_t k = 0; k < transform.size(); ++k) {
         spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
         const F relative = k == 0 ? F(0) : std::norm(transform[k]) * factor;

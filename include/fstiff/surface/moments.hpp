@@ -28,6 +28,10 @@ struct SpectralMoments {
 
     /// Nayak's alpha.
     [[nodiscard]] T bandwidth() const { return (m0 / m2) * (m4 / m2); }
+    /// Of the sum of two independent surfaces.
+    [[nodiscard]] SpectralMoments operator+(const SpectralMoments& other) const {
+        return {m0 + other.m0, m2 + other.m2, m4 + other.m4};
+    }
 };
 
 /// R sigma_kappa = 3 sqrt(pi)/8, eq. (4.10).

@@ -10,6 +10,7 @@ Command add_run(CLI::App& app);
 Command add_measure(CLI::App& app);
 Command add_fit(CLI::App& app);
 Command add_islands(CLI::App& app);
+Command add_spectrum(CLI::App& app);
 Command add_peaks(CLI::App& app);
 Command add_integral(CLI::App& app);
 Command add_generate(CLI::App& app);

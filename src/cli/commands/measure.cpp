@@ -6,6 +6,7 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "scene/measured_surface.hpp"
+#include "scene/roughness.hpp"
 #include "scene/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -18,9 +19,13 @@ namespace {
 struct Options {
     OutputOptions output;
     MeasureOptions measure;
+    std::vector<std::string> files;
+    bool scales = false;
+    std::string modulus, pressure, picture;
 };
 
-Rows rows_of(const MeasuredSurface& surface) {
+/// \p file stands in a first column; empty: in none.
+Rows rows_of(const MeasuredSurface& surface, const std::string& file = "") {
     std::vector<std::string> names, units, ways, shown, shown_errors, shown_units;
     std::vector<double> values, errors;
     for (const ParameterLine& line : parameter_lines(surface)) {
@@ -36,6 +41,7 @@ Rows rows_of(const MeasuredSurface& surface) {
         ways.push_back(line.how);
     }
     Rows rows;
+    if (!file.empty()) rows.repeat({.key = "file"}, file, names.size());
     rows.add({"parameter", "parameter"}, names);
     rows.add({"value"}, values);
     rows.add({"error"}, errors);
@@ -47,14 +53,129 @@ Rows rows_of(const MeasuredSurface& surface) {
     return rows;
 }
 
+/// Of several files the means of theirs.
+RoughnessTable roughness_of(const MeasuredSurface& surface) {
+    if (surface.parts.empty())
+        return about_file(surface.file, [&] {
+            return surface.profile ? roughness_table(*surface.profile) : roughness_table(*surface.map);
+        });
+    std::vector<RoughnessTable> tables;
+    for (const MeasuredSurface& part : surface.parts) tables.push_back(roughness_of(part));
+    return mean_of(tables);
+}
+
+std::string text_of(const RoughnessTable& table) {
+    std::vector<std::string> symbols, values, units, meanings;
+    for (const RoughnessLine& line : table.lines) {
+        const ShownUnit unit = shown_unit(line.value.value_or(0), line.unit);
+        symbols.push_back(line.symbol);
+        values.push_back(line.value ? rounded(*line.value * unit.factor) : "-");
+        units.emplace_back(line.value ? unit.name : "");
+        meanings.push_back(line.meaning);
+    }
+    Rows rows;
+    rows.add({"", "parameter"}, symbols);
+    rows.add({"", "value"}, values);
+    rows.add({"", "unit"}, units);
+    rows.add({"", "meaning"}, meanings);
+    return "\n  by " + table.standard + ", of the same heights, about their mean, with the cut-offs above" +
+           (table.files > 1 ? ": means of " + std::to_string(table.files) + " files" : "") + "\n" +
+           (table.sections.empty()
+                ? ""
+                : "  sections: " + table.sections +
+                      (table.section_length > 0 ? ", " + shown_length(table.section_length) : "") + "\n") +
+           "\n" + rows.text();
+}
+
+Json json_of(const RoughnessTable& table) {
+    Json object = {{"standard", table.standard}};
+    Json reasons = Json::object();
+    for (const RoughnessLine& line : table.lines) {
+        const std::string key = line.symbol + (line.unit.empty() ? "" : "_" + line.unit);
+        object[key] = line.value ? Json(*line.value) : Json();
+        if (!line.value) reasons[key] = line.meaning;
+    }
+    if (!table.sections.empty()) {
+        object["section_length_m"] = table.section_length > 0 ? Json(table.section_length) : Json();
+        object["sections"] = table.sections;
+    }
+    if (table.files > 1) object["mean_of_files"] = table.files;
+    object["reasons"] = std::move(reasons);
+    return object;
+}
+
 std::string table(const MeasuredSurface& surface) {
     std::string text = "fstiff " FSTIFF_VERSION ": surface of " + surface.file + "\n";
     for (const std::string& decision : surface.decisions) text += "  " + decision + "\n";
-    return text + "\n" + rows_of(surface).text();
+    text += "\n" + rows_of(surface).text() + text_of(roughness_of(surface));
+    for (const MeasuredSurface& part : surface.parts) {
+        text += "\n" + part.file + "\n";
+        for (const std::string& decision : part.decisions) text += "  " + decision + "\n";
+        text += rows_of(part).text() + text_of(roughness_of(part));
+    }
+    return text;
+}
+
+/// Of several files all of them first, in rows of the file "pooled".
+std::string csv(const MeasuredSurface& surface) {
+    if (surface.parts.empty()) return rows_of(surface).csv();
+    std::string text = rows_of(surface, "pooled").csv();
+    for (const MeasuredSurface& part : surface.parts) text += rows_of(part, part.file).csv(false);
+    return text;
+}
+
+/// The table of --scales, and the picture where one is asked for.
+Report execute_scales(const Options& options) {
+    if (options.files.size() != 1) throw Usage("--scales is of one file");
+    ScalesOptions how{.progress = progress_bar()};
+    const auto pressure_of = [](const std::string& text, const char* name) {
+        const double value = io::parse_quantity(text, io::Dimension::pressure, name);
+        require_positive(name, value);
+        return value;
+    };
+    how.pressure = pressure_of(options.pressure, "--pressure");
+    how.modulus = pressure_of(options.modulus, "--modulus");
+    MeasureOptions measure = options.measure;
+    measure.input.file = options.files.front();
+    const SurfaceInput input = read_surface_input(measure.input);
+    const MeasuredSurface surface = measure_surface(measure, input, progress_bar());
+    const Scales scales = scales_of(measure, input, how);
+    std::vector<OutputFile> files;
+    if (!options.picture.empty()) {
+        Figure figure{.title = surface.file + " behind other cut-offs", .panels = scales_panels(scales)};
+        if (figure.panels.empty()) throw domain_error(surface.file + ": holds no other cut-off; no picture is drawn");
+        figure.note = "K by " + scales.law + " at " + rounded(how.pressure / 1e6) + " MPa, effective modulus " +
+                      rounded(how.modulus / 1e9) + " GPa";
+        files = figure_files(in_units(figure), options.picture);
+    }
+    return report({.table = [&] { return table(surface) + text_of(scales, how); },
+                   .csv = [&] { return rows_of(scales).csv(); },
+                   .json =
+                       [&] {
+                           Json document = json(measure, surface);
+                           Json& of = document["scales"] = {{"law", scales.law},
+                                                            {"pressure_Pa", how.pressure},
+                                                            {"effective_modulus_Pa", how.modulus},
+                                                            {"settled", what_is_settled(scales)}};
+                           rows_of(scales).append_to(of["rows"]);
+                           return document;
+                       },
+                   .warnings = surface.warnings,
+                   .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
+                  options.output.format);
 }
 
 Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
     Json document = measured_document(surface);
+    for (const MeasuredSurface& part : surface.parts) {
+        Json one = measured_document(part);
+        document["files"].push_back({{"source", one["source"]},
+                                     {"surface", one["surface"]},
+                                     {"moments", one["moments"]},
+                                     {"roughness", json_of(roughness_of(part))},
+                                     {"concerns", one["concerns"]},
+                                     {"warnings", one["warnings"]}});
+    }
     document["inputs"] = json_inputs(options.input, options.input.detrend);
     document["inputs"].update({{"peaks", name_of(options.peaks)},
                                {"tip_radius", options.tip_radius},
@@ -62,14 +183,14 @@ Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
                                {"window", options.window},
                                {"resamples", options.resamples},
                                {"seed", options.seed}});
+    document["roughness"] = json_of(roughness_of(surface));
     return document;
 }
 
 Report execute(const Options& options) {
-    const MeasuredSurface surface =
-        measure_surface(options.measure, read_all(options.measure.input.file), progress_bar());
+    const MeasuredSurface surface = measure_files(options.measure, options.files, progress_bar());
     return report({.table = [&] { return table(surface); },
-                   .csv = [&] { return rows_of(surface).csv(); },
+                   .csv = [&] { return csv(surface); },
                    .json = [&] { return json(options.measure, surface); },
                    .warnings = surface.warnings,
                    .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
@@ -83,7 +204,11 @@ Command add_measure(CLI::App& app) {
     MeasureOptions& measure = options->measure;
     Arguments command(app, "measure",
                       "Every parameter of a scene's surface from a measured profile or map, with errors");
-    command.option("file", measure.input.file, "profile or map of any form; - is standard input").required();
+    command
+        .option("files", options->files,
+                "profile or map of any form; - is standard input. Several files of one surface, or a folder of them, "
+                "are pooled")
+        .required();
     add_surface_options(command, measure.input);
     command.option("--peaks", measure.peaks,
                    "what counts as a peak of a map, for R and D_p: its islands (default) or its summits");
@@ -102,6 +227,9 @@ Command add_measure(CLI::App& app) {
     command.option("--seed", measure.seed, "seed of the random numbers of the resamples; the default is 2014");
     add_output_options(command, options->output, Format::json);
     command.footer(
+        "Beside them stand the roughness parameters of ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, "
+        "Sq,\n"
+        "Sk ... of a map); the CSV leaves them out.\n"
         "The JSON is what run --surface and a scene's [surface] from = \"...\" read. Exit code 4: a parameter is not "
         "known\nto a factor of two, or the islands of a map are densest at no level. The example makes a random walk.\n"
         "Example:\n"

@@ -268,6 +268,7 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
     if (!surface.fractal_refusal.empty()) page.paragraph("No D and G: " + surface.fractal_refusal);
     if (!surface.peaks_refusal.empty()) page.paragraph("No r and θ: " + surface.peaks_refusal);
 
+    if (!surface.parts.empty()) return;  // which follow, each by itself
     if (!surface.profile && !surface.map) {
         page.paragraph("The numbers come from the JSON of fstiff measure, which holds no heights: none are drawn.");
         return;
@@ -476,7 +477,7 @@ void inputs_section(Page& page, const Scene& scene) {
         inputs.push_back({input.key, input.value ? with_unit(*input.value, input.unit) : "",
                           input.key.ends_with("(measured)") ? "" : input.written});
     page.table(inputs);
-    if (!scene.measured)
+    if (measured_faces(scene).empty())
         page.paragraph("The surface is given by its parameters; there is no measured profile or map to show.");
 }
 
@@ -509,7 +510,10 @@ std::string page_of(const Scene& scene, const Results& results) {
     answer_section(page, scene, results);
     other_figures(page, scene, results);
     inputs_section(page, scene);
-    if (scene.measured) measured_section(page, *scene.measured);
+    for (const auto& [name, face] : measured_faces(scene)) {
+        measured_section(page, *face->measured);
+        for (const MeasuredSurface& part : face->measured->parts) measured_section(page, part);
+    }
     validity_section(page, scene, results);
     numbers_section(page, scene, results);
     equations_section(page, scene, results);
@@ -522,11 +526,10 @@ Report execute(const Options& options) {
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
     // of a map a report shows the truth beside the laws
-    if (scene.map && scene.map->map->present() == scene.map->map->size() &&
-        std::min(scene.map->map->rows(), scene.map->map->columns()) >= 16 && !scene.at_separations &&
-        std::none_of(scene.laws.begin(), scene.laws.end(),
-                     [](const ChosenLaw& one) { return one.law->name == "boundary_elements"; }))
-        scene.laws.push_back({scene::find_law("boundary_elements"), {}});
+    const scene::Law& elements = *scene::find_law("boundary_elements");
+    if (refusal_of(elements, scene).empty() && !scene.at_separations &&
+        std::none_of(scene.laws.begin(), scene.laws.end(), [&](const ChosenLaw& one) { return one.law == &elements; }))
+        scene.laws.push_back({&elements, {}});
     // a report shows everything, whatever output.quantities asks of run
     scene.stiffness = scene.separation = scene.real_area = scene.contacts = true;
     if (scene.ultrasound) {

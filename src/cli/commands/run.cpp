@@ -129,10 +129,11 @@ std::string csv(const Results& results) {
 Json json(const Scene& scene, const Results& results) {
     Json document = json_document("run");
     document["scene"] = scene_json(scene);
-    if (scene.measured) {
-        Json measured = measured_document(*scene.measured);
-        document["surface"] = {{"source", measured["source"]}, {"measured", measured["surface"]}};
-        put_cut_offs(document["surface"], scene.measured->cut_offs);
+    for (const auto& [name, face] : measured_faces(scene)) {
+        Json measured = measured_document(*face->measured);
+        Json& place = scene.faces.empty() ? document["surface"] : document["surface"][name];
+        place = {{"source", measured["source"]}, {"measured", measured["surface"]}};
+        put_cut_offs(place, face->measured->cut_offs);
     }
     if (has_band(results))
         document["uncertainty"] = {
@@ -227,18 +228,26 @@ std::string introduction(const Scene& scene, const Results& results) {
         parts.push_back("r " + rounded(*scene.r, digits(Parameter::r)));
         parts.push_back("theta " + rounded(*scene.theta, digits(Parameter::theta)));
     }
+    if (scene.faces.empty()) parts.push_back("the other face smooth");
     std::string text = "fstiff " FSTIFF_VERSION ": " + scene.name + " (" + scene.file + ")\n";
     text += believed(results) + in_lines("surface", parts);
-    if (scene.measured) {
+    if (!scene.faces.empty()) {
+        parts = {"of the sum of two rough faces"};
+        if (scene.map)
+            parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) + " random shifts");
+        text += in_lines("", parts);
+    }
+    for (const auto& [name, face] : measured_faces(scene)) {
         parts.clear();
-        const auto& u = scene.uncertain;
+        const MeasuredSurface& measured = *face->measured;
+        const auto& u = face->uncertain;
         for (std::size_t i = 0; i < surface_parameter_count; ++i)
             if (u.known[i])
                 parts.push_back(std::string(parameter_table[i].symbol) + " " +
                                 rounded(100 * u.error[i] / u.value[i], 2) + " %");
-        parts.front() = scene.measured->file + " (" + scene.measured->kind + "), errors of " + parts.front();
-        if (scene.measured->cut_offs.any()) parts.push_back(scene.measured->cut_offs.sentence());
-        text += in_lines("measured", parts);
+        parts.front() = measured.file + " (" + measured.kind + "), errors of " + parts.front();
+        if (measured.cut_offs.any()) parts.push_back(measured.cut_offs.sentence());
+        text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
     }
     const auto material = [&](const Material<double>& m) {
         return pressure(m.youngs_modulus) + ", nu " + rounded(m.poisson_ratio);
@@ -281,7 +290,8 @@ std::string explanations(const Scene& scene, const Results& results) {
         text += "|R| is the reflection of the interface as a spring, eq. (5.1); shear waves see Kt/A0\n";
     if (has_band(results))
         text += "5 % and 95 %: of " + std::to_string(scene.samples) +
-                " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) + "\n";
+                " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) +
+                (results.about_band.empty() ? "\n" : ", widened by the spread over lambda_s\n");
     else if (scene.needs_stiffness())
         text += scene.has_errors() ? "K has no band: the scene asks for no samples\n"
                                    : "K has no band: no error of a parameter of the surface is known\n";
@@ -442,8 +452,7 @@ std::string table(const Scene& scene, const Results& results) {
     while (width_of(tables) > widest && columns > 1) tables = blocks(scene, results, --columns);
     std::string text = introduction(scene, results) + tables + "\n";
     for (const ChosenLaw& chosen : scene.laws)
-        if (const std::string_view nature = nature_of(chosen.law->name); !nature.empty())
-            text += "  " + std::string(chosen.law->name) + " is " + std::string(nature) + "\n";
+        text += "  " + std::string(chosen.law->name) + " is " + std::string(chosen.law->nature) + "\n";
     return text + "\n" + explanations(scene, results) +
            "every point and quantity: --full, --format csv, --format json\n";
 }

@@ -51,6 +51,13 @@ Json measured_document(const MeasuredSurface& surface) {
                                {"m2", surface.heights->moments.m2},
                                {"m4_per_m2", surface.heights->moments.m4},
                                {"alpha", surface.heights->moments.bandwidth()}};
+    for (const MeasuredSurface& neighbour : surface.neighbours) {
+        Json of = measured_document(neighbour);
+        document["neighbours"].push_back({{"lambda_s_m", of["lambda_s_m"]},
+                                          {"lambda_c_m", of["lambda_c_m"]},
+                                          {"surface", of["surface"]},
+                                          {"moments", of["moments"]}});
+    }
     if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;
     if (!surface.peaks_refusal.empty()) document["no_r_and_theta"] = surface.peaks_refusal;
     Json names = Json::array(), rows = Json::array();

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The sum of two faces whose parameters have errors, and how the heights of it are distributed.
+///
+///     errors and their correlation: of 4000 pairs of faces drawn by SurfaceSampler, added by sum_of_faces()
+///     skewness: sum of sigma^3 skewness over sigma^3         kurtosis - 3: sum of sigma^4 (kurtosis - 3) over sigma^4
+///
+/// The faces are independent, so their cumulants add. D is drawn at the shares of both faces in the structure function.
+///
+/// Reference   surface/two_faces.hpp; Kendall, Stuart, The Advanced Theory of Statistics 1 (Griffin, 1977) (cumulants).
+/// Units       SI
+/// Valid       as UncertainSurface and RoughFace
+/// Accuracy    errors 2 % (4000 draws); values exact (tests/measured/uncertain_sum_test.cpp)
+
+#include <fstiff/measured/height_statistics.hpp>
+#include <fstiff/measured/uncertain_surface.hpp>
+#include <fstiff/surface/two_faces.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace fstiff {
+
+namespace detail {
+
+/// \p face with the parameters \p drawn about its own; the moments grow with the height.
+template <Real T>
+[[nodiscard]] RoughFace<T> redrawn(RoughFace<T> face, const std::array<T, surface_parameter_count>& drawn) {
+    const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
+    const T taller = value(Parameter::rms_height) / face.roughness.rms_height;
+    const T bent = face.roughness.peak_radius / value(Parameter::peak_radius);
+    face.moments = {face.moments.m0 * taller * taller, face.moments.m2 * taller * taller,
+                    face.moments.m4 * bent * bent};
+    face.roughness = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
+                      face.roughness.max_peak_height};
+    if (face.fractal_dimension) face.fractal_dimension = value(Parameter::fractal_dimension);
+    face.fractal_roughness.reset();
+    if (face.r) face.r = value(Parameter::r), face.theta = value(Parameter::theta);
+    return face;
+}
+
+/// The parameters of \p face in the order of Parameter, those that vary by a factor as logarithms; 0 where not known.
+template <Real T>
+[[nodiscard]] std::array<T, surface_parameter_count> coordinates(const RoughFace<T>& face) {
+    std::array<T, surface_parameter_count> x{};
+    const auto put = [&](Parameter which, T value) {
+        x[index_of(which)] = parameter_table[index_of(which)].variation == Variation::log ? std::log(value) : value;
+    };
+    put(Parameter::rms_height, face.roughness.rms_height);
+    put(Parameter::peak_radius, face.roughness.peak_radius);
+    put(Parameter::peak_density, face.roughness.peak_density);
+    if (face.fractal_dimension) put(Parameter::fractal_dimension, *face.fractal_dimension);
+    if (face.r) put(Parameter::r, *face.r), put(Parameter::theta, *face.theta);
+    return x;
+}
+
+}  // namespace detail
+
+/// The sum of \p a and \p b, whose parameters have the errors of \p of_a and \p of_b.
+/// \throws domain_error for parameters or errors out of range.
+template <Real T>
+[[nodiscard]] UncertainSurface<T> uncertain_sum(const RoughFace<T>& a, const UncertainSurface<T>& of_a,
+                                                const RoughFace<T>& b, const UncertainSurface<T>& of_b,
+                                                std::uint64_t seed = 2014) {
+    constexpr std::size_t draws = 4000, size = surface_parameter_count;
+    const RoughFace<T> nominal = sum_of_faces(a, b);
+    SurfaceSampler<T> draw_a(of_a, seed), draw_b(of_b, ~seed);
+    const T share = share_of_face(a, b);
+    std::array<T, size> mean{};
+    std::array<std::array<T, size>, size> square{};
+    const std::array<T, size> centre = detail::coordinates(nominal);
+    for (std::size_t n = 0; n < draws; ++n) {
+        const RoughFace<T> one = detail::redrawn(a, draw_a()), other = detail::redrawn(b, draw_b());
+        RoughFace<T> sum = sum_of_faces(one, other);
+        if (sum.fractal_dimension)
+            sum.fractal_dimension = share * *one.fractal_dimension + (1 - share) * *other.fractal_dimension;
+        std::array<T, size> x = detail::coordinates(sum);
+        for (std::size_t i = 0; i < size; ++i) x[i] -= centre[i];
+        for (std::size_t i = 0; i < size; ++i) {
+            mean[i] += x[i] / T(draws);
+            for (std::size_t j = 0; j < size; ++j) square[i][j] += x[i] * x[j] / T(draws);
+        }
+    }
+    UncertainSurface<T> out;
+    const auto set = [&](Parameter which, T value) {
+        const std::size_t i = index_of(which);
+        const T variance = std::max(T(0), square[i][i] - mean[i] * mean[i]);
+        const bool log = parameter_table[i].variation == Variation::log;  // then s^2 = ln(1 + (error/value)^2)
+        out.set(which, {value, log ? value * std::sqrt(std::expm1(variance)) : std::sqrt(variance)});
+    };
+    set(Parameter::rms_height, nominal.roughness.rms_height);
+    set(Parameter::peak_radius, nominal.roughness.peak_radius);
+    set(Parameter::peak_density, nominal.roughness.peak_density);
+    if (nominal.fractal_dimension) set(Parameter::fractal_dimension, *nominal.fractal_dimension);
+    if (nominal.r) set(Parameter::r, *nominal.r), set(Parameter::theta, *nominal.theta);
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const T both = std::sqrt((square[i][i] - mean[i] * mean[i]) * (square[j][j] - mean[j] * mean[j]));
+            const T shared = square[i][j] - mean[i] * mean[j];
+            if (both > T(0) && out.error[i] > T(0) && out.error[j] > T(0))
+                out.correlation[i][j] = out.correlation[j][i] = std::clamp(shared / both, T(-1), T(1));
+        }
+    return out;
+}
+
+/// Of the sum of two faces whose heights are independent.
+template <Real T>
+[[nodiscard]] HeightStatistics<T> sum_of_faces(const HeightStatistics<T>& a, const HeightStatistics<T>& b) {
+    HeightStatistics<T> sum;
+    sum.moments = a.moments + b.moments;
+    const T share_a = a.moments.m0 / sum.moments.m0, share_b = b.moments.m0 / sum.moments.m0;
+    const auto cumulant = [&](const Measurement<T>& one, const Measurement<T>& other, T power, T gaussian) {
+        const T of_a = std::pow(share_a, power), of_b = std::pow(share_b, power);
+        return Measurement<T>{gaussian + of_a * (one.value - gaussian) + of_b * (other.value - gaussian),
+                              std::hypot(of_a * one.error, of_b * other.error)};
+    };
+    sum.skewness = cumulant(a.skewness, b.skewness, T(1.5), T(0));
+    sum.kurtosis = cumulant(a.kurtosis, b.kurtosis, T(2), T(3));
+    const T gradient = std::hypot(a.rms_gradient.value, b.rms_gradient.value);
+    sum.rms_gradient = {gradient, std::hypot(a.rms_gradient.value / gradient * a.rms_gradient.error,
+                                             b.rms_gradient.value / gradient * b.rms_gradient.error)};
+    return sum;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Roughness parameters of a profile by ISO 21920-2: Ra, Rq, Rsk, Rku, Rt, Rz, Rp, Rv, Rdq.
+///
+///     Ra = <|z|>    Rq^2 = <z^2>    Rsk = <z^3>/Rq^3    Rku = <z^4>/Rq^4         z about the mean of the whole profile
+///     Rt = max z - min z                                                         of the whole profile
+///     Rp, Rv, Rz = means over five sections of max z, -min z and max z - min z
+///     Rdq^2 = <z'^2>   z' = (z_(i+3) - 9 z_(i+2) + 45 z_(i+1) - 45 z_(i-1) + 9 z_(i-2) - z_(i-3))/(60 h)
+///
+/// A section is as long as the cut-off lambda_c where that fits into the profile five times: the five in the middle of it, for
+/// the ends of a filtered profile are its worst part. Without such a cut-off the whole profile is cut into five. Section k of
+/// five holds the points from k n/5 to (k+1) n/5, rounded down, of the n points. Means are over the points that exist, those of
+/// sections over the sections that have one; a slope needs its seven points.
+///
+/// Reference   ISO 21920-2:2021 (parameters), ISO 21920-3:2021 (five sections of lambda_c); ISO 4287:1997, 4.4.1 (the slope).
+///             The profile element spacing RSm is not here: it rests on how small an element counts.
+/// Units       heights, spacing, cut-off [m]; Rsk, Rku, Rdq dimensionless
+/// Valid       16 points at least, not all of one height; remove the form first
+/// Accuracy    1e-13 relative, beside the rounding of an offset (tests/profile/roughness_parameters_test.cpp)
+
+#include <fstiff/profile/profile.hpp>
+
+#include <optional>
+
+namespace fstiff {
+
+template <Real T = double>
+struct RoughnessParameters {
+    T mean_deviation{};            ///< Ra [m]
+    T rms_height{};                ///< Rq [m]
+    T skewness{};                  ///< Rsk
+    T kurtosis{};                  ///< Rku
+    T total_height{};              ///< Rt [m]
+    T section_height{};            ///< Rz [m]
+    T section_peak_height{};       ///< Rp [m]
+    T section_pit_depth{};         ///< Rv [m]
+    std::optional<T> rms_slope{};  ///< Rdq; none where no seven points follow one another
+
+    std::size_t sections{};  ///< that hold a point: five, or fewer where points are missing
+    T section_length{};      ///< [m]
+    bool by_cutoff{};        ///< whether that is the cut-off
+};
+
+/// Of \p profile, whose waves above \p cutoff [m] were filtered away, if any were.
+/// \throws domain_error for a profile out of range, or a cut-off that is not positive.
+template <Real T>
+[[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,
+                                                          std::optional<std::type_identity_t<T>> cutoff = {});
+
+namespace detail {
+
+/// Means over the sections of [\p first, \p first + \p count) of \p z into \p result.
+template <Real F, Real T>
+void measure_sections(const std::vector<F>& z, std::size_t first, std::size_t count, F unit,
+                      RoughnessParameters<T>& result) {
+    F peaks = 0, pits = 0;
+    for (std::size_t k = 0; k < 5; ++k) {
+        F high = -std::numeric_limits<F>::infinity(), low = -high;
+        for (std::size_t i = first + k * count / 5; i < first + (k + 1) * count / 5; ++i) {
+            if (std::isnan(z[i])) continue;
+            high = std::max(high, z[i]);
+            low = std::min(low, z[i]);
+        }
+        if (high < low) continue;  // no point
+        peaks += high;
+        pits -= low;
+        ++result.sections;
+    }
+    const F sections = static_cast<F>(result.sections);
+    result.section_peak_height = static_cast<T>(peaks / sections * unit);
+    result.section_pit_depth = static_cast<T>(pits / sections * unit);
+    result.section_height = static_cast<T>((peaks + pits) / sections * unit);
+}
+
+/// Mean square of the slopes by seven points, times the square of the spacing; none where there is no slope.
+template <Real F>
+[[nodiscard]] std::optional<F> mean_square_rise(const std::vector<F>& z) {
+    CompensatedSum<F> squares;
+    std::size_t slopes = 0;
+    for (std::size_t i = 3; i + 3 < z.size(); ++i) {
+        const F rise = ((z[i + 3] - z[i - 3]) - 9 * (z[i + 2] - z[i - 2]) + 45 * (z[i + 1] - z[i - 1])) / 60;
+        if (std::isnan(rise) || std::isnan(z[i])) continue;
+        squares.add(rise * rise);
+        ++slopes;
+    }
+    if (slopes == 0) return {};
+    return squares.value() / static_cast<F>(slopes);
+}
+
+}  // namespace detail
+
+template <Real T>
+RoughnessParameters<T> roughness_parameters(const Profile<T>& profile, std::optional<std::type_identity_t<T>> cutoff) {
+    using F = Accumulator<T>;
+    profile.validate(16);
+    if (cutoff) require_positive("cut-off", *cutoff);
+    const std::size_t size = profile.size();
+    RoughnessParameters<T> result;
+    result.rms_height = rms_height(profile);
+    const F unit = static_cast<F>(power_of_two_below(result.rms_height));
+    const T mean = mean_height(profile);
+    std::vector<F> z(size);
+    CompensatedSum<F> rest;
+    for (std::size_t i = 0; i < size; ++i) {
+        z[i] = static_cast<F>(profile.heights[i] - mean) / unit;
+        if (!std::isnan(z[i])) rest.add(z[i]);
+    }
+    const F points = static_cast<F>(profile.present());
+    const F offset = rest.value() / points;  // what the rounding of the mean left behind
+    CompensatedSum<F> firsts, squares, thirds, fourths;
+    F high = -std::numeric_limits<F>::infinity(), low = -high;
+    for (F& one : z) {
+        if (std::isnan(one)) continue;
+        one -= offset;
+        firsts.add(std::abs(one));
+        squares.add(one * one);
+        thirds.add(one * one * one);
+        fourths.add(one * one * one * one);
+        high = std::max(high, one);
+        low = std::min(low, one);
+    }
+    const F variance = squares.value() / points;
+    result.mean_deviation = static_cast<T>(firsts.value() / points * unit);
+    result.skewness = static_cast<T>(thirds.value() / points / (variance * std::sqrt(variance)));
+    result.kurtosis = static_cast<T>(fourths.value() / points / (variance * variance));
+    result.total_height = static_cast<T>((high - low) * unit);
+    if (const auto rise = detail::mean_square_rise(z))
+        result.rms_slope = static_cast<T>(std::sqrt(*rise) * unit / static_cast<F>(profile.spacing));
+
+    const T steps = cutoff ? std::round(*cutoff / profile.spacing) : T(0);
+    result.by_cutoff = steps >= 1 && 5 * steps <= static_cast<T>(size);
+    const std::size_t count = result.by_cutoff ? 5 * static_cast<std::size_t>(steps) : size;
+    result.section_length = result.by_cutoff ? *cutoff : static_cast<T>(size) * profile.spacing / 5;
+    detail::measure_sections(z, (size - count) / 2, count, unit, result);
+    return result;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Peaks, core and valleys by the material ratio curve: Sk, Spk, Svk, Smr1, Smr2 of a map, Rk, Rpk, Rvk, Rmr1, Rmr2 of a
+/// profile.
+///
+///     z(t), t = 0 ... 1     the heights in falling order at t = i/(N-1), straight lines between them
+///     [a, a + 0.4]          where z(a) - z(a + 0.4) is least; the first where several are
+///     z = u - Sk t          the line of least squares in z through z(t) over that region, as an integral over t
+///     z(Smr1) = u           z(Smr2) = u - Sk
+///     Spk Smr1/2     = int_0^Smr1 (z(t) - u) dt                   triangles of equal area
+///     Svk (1-Smr2)/2 = int_Smr2^1 (u - Sk - z(t)) dt
+///
+/// Positions count as one where their differences of height agree to 1e-14 of the range of the heights, and so do heights. A curve that does not
+/// stand above u has Smr1 = Spk = 0, one that does not fall below u - Sk has Smr2 = 1 and Svk = 0.
+///
+/// Reference   ISO 25178-2:2021 (Sk, Spk, Svk, Smr1, Smr2), ISO 21920-2:2021 and before it ISO 13565-2:1996 (the profile). The
+///             filter of ISO 13565-1, which spares deep valleys, is not applied: the heights are taken as they are.
+/// Units       heights in any unit; shares from 0 to 1, where the standards print per cent
+/// Valid       heights finite, or NaN where a point is missing; 16 at least exist, not all of one height
+/// Accuracy    1e-12 of the range of the heights (tests/surface/material_ratio_test.cpp)
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/math/accumulate.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace fstiff {
+
+template <Real T = double>
+struct MaterialRatio {
+    T core_height{};           ///< Sk, Rk
+    T reduced_peak_height{};   ///< Spk, Rpk
+    T reduced_valley_depth{};  ///< Svk, Rvk
+    T peak_share{};            ///< Smr1, Rmr1: of the points that stand above the core
+    T core_and_peak_share{};   ///< Smr2, Rmr2: of the points that do not lie below the core
+};
+
+/// Of \p heights in any order. \throws domain_error when fewer than 16 exist, or all are of one height.
+template <Real T>
+[[nodiscard]] MaterialRatio<T> material_ratio(std::span<const T> heights);
+
+namespace detail {
+
+/// Heights, and differences of them, that count as one, over the range of the heights: a few roundings.
+template <Real F>
+inline constexpr F tie = std::max(F(1e-14), 64 * std::numeric_limits<F>::epsilon());
+
+/// Heights in falling order within a range of 1, one at each whole place; straight lines between them.
+template <Real F>
+class FallingCurve {
+public:
+    explicit FallingCurve(const std::vector<F>& heights) : z_(heights) {}
+
+    [[nodiscard]] F at(F place) const {
+        const std::size_t i = std::min(static_cast<std::size_t>(place), z_.size() - 2);
+        const F part = place - static_cast<F>(i);
+        return z_[i] * (1 - part) + z_[i + 1] * part;
+    }
+    /// The first place where the curve is down to \p level; 0 where it begins below, the last place where it ends above.
+    [[nodiscard]] F first_at_or_below(F level) const {
+        const auto found = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z > level + tie<F>; });
+        return place_of(found, level);
+    }
+    /// The first place behind which it is below \p level, with the same ends.
+    [[nodiscard]] F first_below(F level) const {
+        const auto found = std::partition_point(z_.begin(), z_.end(), [level](F z) { return z >= level - tie<F>; });
+        return place_of(found, level);
+    }
+    /// Calls \p use(from, to, z(from), z(to)) for each straight part between two places.
+    template <class Use>
+    void visit(F from, F to, const Use& use) const {
+        while (from < to) {
+            const F next = std::min(to, std::floor(from) + 1);
+            use(from, next, at(from), at(next));
+            from = next;
+        }
+    }
+    /// int (z - level) over the places.
+    [[nodiscard]] F area_above(F level, F from, F to) const {
+        CompensatedSum<F> sum;
+        visit(from, to, [&](F a, F b, F za, F zb) { sum.add((b - a) * ((za - level) + (zb - level)) / 2); });
+        return sum.value();
+    }
+
+private:
+    F place_of(typename std::vector<F>::const_iterator found, F level) const {
+        if (found == z_.begin()) return 0;
+        if (found == z_.end()) return static_cast<F>(z_.size() - 1);
+        const F above = *(found - 1), below = *found;
+        return static_cast<F>(found - z_.begin() - 1) + std::clamp((above - level) / (above - below), F(0), F(1));
+    }
+    const std::vector<F>& z_;
+};
+
+/// Where the curve falls least over \p width places: the first of the places that agree to 1e-12 of its range.
+template <Real F>
+[[nodiscard]] F flattest_place(const std::vector<F>& z, F width) {
+    const FallingCurve<F> curve(z);
+    const std::size_t whole = static_cast<std::size_t>(width);
+    const F part = width - static_cast<F>(whole), last = static_cast<F>(z.size() - 1) - width;
+    // the fall is piecewise linear in its place: its least value is where one of its ends is at a height
+    const auto visit = [&](const auto& use) {
+        for (std::size_t i = 0; static_cast<F>(i) <= last; ++i) {
+            if (use(static_cast<F>(i), z[i] - curve.at(static_cast<F>(i) + width))) return;
+            const F place = static_cast<F>(i + 1) - part;
+            if (place <= last && use(place, curve.at(place) - z[i + whole + 1])) return;
+        }
+    };
+    F least = z.front() - z.back(), found = 0;
+    const F same = (z.front() - z.back()) * tie<F>;
+    visit([&](F, F fall) {
+        least = std::min(least, fall);
+        return false;
+    });
+    visit([&](F place, F fall) {
+        found = place;
+        return fall <= least + same;
+    });
+    return found;
+}
+
+}  // namespace detail
+
+template <Real T>
+MaterialRatio<T> material_ratio(std::span<const T> heights) {
+    using F = Accumulator<T>;
+    std::vector<F> z;
+    z.reserve(heights.size());
+    for (const T height : heights)
+        if (!std::isnan(height)) z.push_back(static_cast<F>(height));
+    require(z.size() >= 16, "heights of a material ratio curve", z.size(), "at least 16");
+    std::sort(z.begin(), z.end(), std::greater<>());
+    require(z.front() > z.back() && std::isfinite(z.front() - z.back()),
+            "heights of a material ratio curve, all of them", static_cast<T>(z.front()),
+            "finite and of varying height");
+    const F datum = z[z.size() / 2], scale = z.front() - z.back(), places = static_cast<F>(z.size() - 1);
+    for (F& one : z) one = (one - datum) / scale;
+
+    const detail::FallingCurve<F> curve(z);
+    const F width = F(2) / 5 * places, from = detail::flattest_place(z, width), to = std::min(from + width, places);
+    const F middle = (from + to) / 2;
+    CompensatedSum<F> area, moment;
+    curve.visit(from, to, [&](F a, F b, F za, F zb) {
+        const F part = b - a, mean = (za + zb) / 2;
+        area.add(part * mean);
+        moment.add(part * (mean * ((a + b) / 2 - middle) + (zb - za) * part / 12));
+    });
+    const F slope = std::min(F(0), 12 * moment.value() / (width * width * width));  // of z per place
+    const F upper = area.value() / width - slope * middle, lower = upper + slope * places;
+    const F first = curve.first_at_or_below(upper), second = curve.first_below(lower);
+    MaterialRatio<T> result;
+    result.core_height = static_cast<T>((upper - lower) * scale);
+    result.peak_share = static_cast<T>(first / places);
+    result.core_and_peak_share = static_cast<T>(second / places);
+    if (first > 0) result.reduced_peak_height = static_cast<T>(2 * curve.area_above(upper, 0, first) / first * scale);
+    if (second < places)
+        result.reduced_valley_depth =
+            static_cast<T>(-2 * curve.area_above(lower, second, places) / (places - second) * scale);
+    return result;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// What heights are multiplied by before their spectrum is taken.
+///
+///     hann: w_i = sin^2(pi (i + 1/2)/N)      none: w_i = 1           i = 0 ... N-1
+///
+/// Without a window the step between the two ends of a measured surface is taken for roughness.
+///
+/// Reference   Harris, Proc. IEEE 66 (1978) 51.
+/// Units       none
+/// Valid       one point at least
+/// Accuracy    2 ulp (tests/surface/spectrum_window_test.cpp)
+
+#include <fstiff/core/names.hpp>
+#include <fstiff/core/numbers.hpp>
+
+#include <cmath>
+#include <cstddef>
+
+namespace fstiff {
+
+enum class SpectrumWindow {
+    hann,  ///< for measured surfaces
+    none   ///< for surfaces that repeat themselves
+};
+template <>
+inline constexpr auto names<SpectrumWindow> = name_list<SpectrumWindow>({{SpectrumWindow::hann, "hann"},
+                                                                         {SpectrumWindow::none, "none"}});
+
+/// w_i of \p points.
+template <Real T>
+[[nodiscard]] T window_weight(SpectrumWindow window, std::size_t i, std::size_t points) {
+    if (window == SpectrumWindow::none) return T(1);
+    const T sine = std::sin(numbers::pi_v<T> * (static_cast<T>(i) + T(0.5)) / static_cast<T>(points));
+    return sine * sine;
+}
+
+}  // namespace fstiff

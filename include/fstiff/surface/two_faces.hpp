@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Two rough faces as one: the sum of both, against a smooth face, has the same contact.
+///
+///     m0, m2, m4      add, and with them sigma^2, g^2, and 1/R^2 by eq. (4.10)
+///     D_p             m4/(6 pi sqrt(3) m2), where m4 and m2 of each face are those of its R and D_p
+///     R_p             R_p + R_p: no point of the sum is higher
+///     r, theta        sigma_m^2 = r sigma sigma_kappa adds, r = sigma_m^2/(sigma sigma_kappa),
+///                     sin^2(theta) = mean of sin^2(theta), weighted by sigma_m^2
+///     D, G            S(tau) adds: D and G of the power law that touches it at tau = D_p^(-1/2), where the peaks are
+///
+/// The heights of the faces are taken for independent, both for isotropic. theta holds for faces sampled at one step; at two
+/// steps it is a mean of both. The sum of two power laws of different D is none: its D falls from that of the rougher face at
+/// short lags to that of the smoother one at long lags. Where G of a face is not known, m2 stands for S.
+///
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625 (two rough
+///             faces as one); Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3), (4.1)-(4.3), (4.10).
+/// Units       SI
+/// Valid       parameters in the range of Roughness, Fractal and PeakDistribution
+/// Accuracy    1e-13 of the formulae; a face 1e9 times lower leaves the other as it is (tests/surface/two_faces_test.cpp)
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/surface/fractal.hpp>
+#include <fstiff/surface/moments.hpp>
+#include <fstiff/surface/roughness.hpp>
+#include <fstiff/surface/structure_constant.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace fstiff {
+
+/// What the contact needs to know of one face.
+template <Real T = double>
+struct RoughFace {
+    Roughness<T> roughness{};
+    SpectralMoments<T> moments{};  ///< of the spectrum; those of R and D_p where nothing else is known
+    std::optional<T> fractal_dimension{}, fractal_roughness{};  ///< G [m]
+    std::optional<T> r{}, theta{};                              ///< both or none [1, rad]
+};
+
+/// \p face with its heights multiplied by \p factor > 0: R/factor, and G such that S grows by factor^2.
+template <Real T>
+[[nodiscard]] RoughFace<T> scaled(RoughFace<T> face, T factor) {
+    const T square = factor * factor;
+    face.roughness.rms_height *= factor;
+    face.roughness.max_peak_height *= factor;
+    face.roughness.peak_radius /= factor;
+    face.moments = {face.moments.m0 * square, face.moments.m2 * square, face.moments.m4 * square};
+    if (face.fractal_dimension && face.fractal_roughness)
+        *face.fractal_roughness *= std::pow(factor, 1 / (*face.fractal_dimension - 1));
+    return face;
+}
+
+namespace detail {
+
+/// Mean square slope of neighbours, r sigma sigma_kappa.
+template <Real T>
+[[nodiscard]] T slope_of_triples(const RoughFace<T>& face) {
+    return *face.r * face.roughness.rms_height * std::sqrt(face.moments.m4);
+}
+
+}  // namespace detail
+
+/// R, D_p, sigma and R_p of the sum.
+/// \throws domain_error naming the parameter that is out of range.
+template <Real T>
+[[nodiscard]] Roughness<T> sum_of_faces(const Roughness<T>& a, const Roughness<T>& b) {
+    const auto of = [](const Roughness<T>& one) {
+        return moments_of_peaks(one.rms_height, one.peak_radius, one.peak_density);
+    };
+    const SpectralMoments<T> sum = of(a) + of(b);
+    const bool known = a.max_peak_height > T(0) && b.max_peak_height > T(0);
+    return {std::hypot(a.rms_height, b.rms_height), peak_radius_of(sum), peak_density_of(sum),
+            known ? a.max_peak_height + b.max_peak_height : T(0)};
+}
+
+/// Share of \p a in the structure function of the sum at the distance of its peaks; in m2 where a G is not known.
+template <Real T>
+[[nodiscard]] T share_of_face(const RoughFace<T>& a, const RoughFace<T>& b) {
+    if (!(a.fractal_dimension && a.fractal_roughness && b.fractal_dimension && b.fractal_roughness))
+        return a.moments.m2 / (a.moments.m2 + b.moments.m2);
+    const T lag = 1 / std::sqrt(sum_of_faces(a.roughness, b.roughness).peak_density);
+    const auto s = [&](const RoughFace<T>& one) {
+        return structure_function_at(lag, Fractal<T>{*one.fractal_dimension, *one.fractal_roughness});
+    };
+    return s(a) / (s(a) + s(b));
+}
+
+/// The sum of two faces. What one of them does not know (D; r and theta) the sum does not know.
+/// \throws domain_error naming the parameter that is out of range.
+template <Real T>
+[[nodiscard]] RoughFace<T> sum_of_faces(const RoughFace<T>& a, const RoughFace<T>& b) {
+    RoughFace<T> sum{sum_of_faces(a.roughness, b.roughness), a.moments + b.moments};
+    if (a.fractal_dimension && b.fractal_dimension) {
+        const T share = share_of_face(a, b);
+        const T dimension = share * *a.fractal_dimension + (1 - share) * *b.fractal_dimension;
+        sum.fractal_dimension = dimension;
+        if (a.fractal_roughness && b.fractal_roughness) {
+            const T lag = 1 / std::sqrt(sum.roughness.peak_density);
+            const T s = structure_function_at(lag, Fractal<T>{*a.fractal_dimension, *a.fractal_roughness}) +
+                        structure_function_at(lag, Fractal<T>{*b.fractal_dimension, *b.fractal_roughness});
+            sum.fractal_roughness = fractal_roughness(dimension, lag, s);
+        }
+    }
+    if (a.r && a.theta && b.r && b.theta) {
+        const T slope_a = detail::slope_of_triples(a), slope_b = detail::slope_of_triples(b), slope = slope_a + slope_b;
+        const T sine_a = std::sin(*a.theta), sine_b = std::sin(*b.theta);
+        sum.r = slope / (sum.roughness.rms_height * std::sqrt(sum.moments.m4));
+        sum.theta = std::asin(std::sqrt((slope_a / slope) * sine_a * sine_a + (slope_b / slope) * sine_b * sine_b));
+    }
+    return sum;
+}
+
+}  // namespace fstiff

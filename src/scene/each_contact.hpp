@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The contacts of a scene one after the other, and their points. Private to the files that compute.
+
+#include "scene/contact_instances.hpp"
+#include "scene/results.hpp"
+
+#include <fstiff/contact/rough_contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// Every point stands by itself, so that they may be computed in parts, with \p progress told between them.
+inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact& contact, Quantity quantities,
+                                                   const ProgressHook& progress = {}) {
+    constexpr std::size_t part = 64;
+    std::vector<ContactPoint<double>> points;
+    for (std::span<const double> rest = scene.points; !rest.empty();) {
+        if (progress) progress("points", scene.points.size() - rest.size(), scene.points.size());
+        const auto some = rest.first(std::min(part, rest.size()));
+        const auto more =
+            scene.at_separations ? contact.at_separations(some, quantities) : contact.at_pressures(some, quantities);
+        points.insert(points.end(), more.begin(), more.end());
+        rest = rest.subspan(some.size());
+    }
+    return points;
+}
+
+/// Whether \p law has a curve for each joint distribution of peaks.
+inline bool is_joint(const Law& law, const Scene& scene) {
+    return law.has_peaks && !(law.summits_of_map && scene.map && scene.spectrum_of_map);
+}
+
+/// The rms gradient of the surface for p*: known; of \p peaks; where these do not know it (r = 0, or none), of the surface's
+/// own r and theta, or of the spectrum that \p law takes.
+inline std::optional<double> gradient(const Scene& scene, const Law& law, const PeakDistribution<double>* peaks) {
+    if (scene.rms_gradient) return scene.rms_gradient;
+    if (const auto of_peaks = peaks ? rms_gradient(scene.surface, *peaks) : std::nullopt) return of_peaks;
+    if (scene.r && scene.theta) return rms_gradient(scene.surface, PeakDistribution<double>(*scene.r, *scene.theta));
+    if (law.needs_spectrum) return std::sqrt(2 * spectral_moments(scene).m2);
+    return std::nullopt;
+}
+
+/// Calls \p visit with the curve of every law and distribution of peaks, still without states, and with what makes its
+/// contact.
+template <class Visit>
+void for_each_contact(const Scene& scene, double modulus, const ProgressHook& progress, const Visit& visit) {
+    ContactInputs inputs{.surface = scene.surface,
+                         .effective_modulus = modulus,
+                         .fractal_dimension = scene.fractal_dimension.value_or(0),
+                         .interaction = interaction(scene),
+                         .moments = spectral_moments(scene),
+                         .hurst = hurst_exponent(scene),
+                         .gamma = scene.gamma,
+                         .map = scene.map.get(),
+                         .spectrum_of_map = scene.spectrum_of_map,
+                         .material = {.effective_modulus = modulus,
+                                      .yield_strength = scene.yield_strength.value_or(0),
+                                      .poisson_ratio = scene.softer_poisson,
+                                      .hardness = scene.hardness.value_or(0)},
+                         .elements = scene.elements,
+                         .progress = progress};
+    for (const ChosenLaw& chosen : scene.laws) {
+        const Law& law = *chosen.law;
+        inputs.options = chosen.options;
+        if (!is_joint(law, scene)) {
+            visit(Curve{.law = &law, .rms_gradient = gradient(scene, law, nullptr)},
+                  [&] { return law.contact(inputs); });
+            continue;
+        }
+        for (const Peaks& of : scene.peaks) {
+            const PeakDistribution<double> peaks = peak_density(of);
+            inputs.peaks = &peaks;
+            visit(
+                Curve{
+                    .law = &law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = gradient(scene, law, &peaks)},
+                [&] { return law.contact(inputs); });
+        }
+    }
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/face.hpp"
+
+#include "scene/file.hpp"
+
+#include <fstiff/measured/uncertain_sum.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/shifted_sum.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace fstiff::scene {
+namespace {
+
+RoughFace<double> rough_face(const Face& face) {
+    return {face.surface, spectral_moments(face), face.fractal_dimension, face.fractal_roughness, face.r, face.theta};
+}
+
+/// The shells of both, in ascending order of |q|.
+SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const SpectrumShells<double>& b) {
+    SpectrumShells<double> sum{a.shells, std::hypot(a.rms_height, b.rms_height)};
+    sum.shells.insert(sum.shells.end(), b.shells.begin(), b.shells.end());
+    std::stable_sort(sum.shells.begin(), sum.shells.end(), [](const auto& one, const auto& other) {
+        return one.q2_h2 * other.q_h2 < other.q2_h2 * one.q_h2;
+    });
+    return sum;
+}
+
+}  // namespace
+
+SpectralMoments<double> spectral_moments(const Face& face) {
+    const Roughness<double>& of = face.surface;
+    SpectralMoments<double> moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
+    if (face.rms_gradient && face.alpha) return moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
+    if (face.rms_gradient) moments.m2 = *face.rms_gradient * *face.rms_gradient / 2;
+    if (face.alpha) moments.m2 = of.rms_height * std::sqrt(moments.m4 / *face.alpha);
+    return moments;
+}
+
+double hurst_exponent(const Face& face) {
+    return face.hurst ? *face.hurst : face.fractal_dimension ? 2 - *face.fractal_dimension : 0.8;
+}
+
+std::string no_spectrum(const Face& face) {
+    if (face.map && face.spectrum_of_map)
+        return face.map->spectrum.shells.empty() ? "points of the map are missing, or it has fewer than 4 a side"
+               : face.map->summits.front().summits.empty() ? "no point of the map stands above its eight neighbours"
+                                                           : "";
+    const double alpha = spectral_moments(face).bandwidth();
+    if (alpha > 1.5) return "";
+    return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(alpha, 3) +
+           ", and every isotropic surface has more than 1.5; must be told surface.rms_gradient";
+}
+
+std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
+    MapOfSurface of;
+    of.maps = std::move(maps);
+    double area = 0;
+    bool whole = true;
+    for (const auto& map : of.maps) {
+        of.summits.push_back(summits_of(*map));
+        area += map->area();
+        whole = whole && map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
+    }
+    if (whole)
+        for (const auto& map : of.maps) {
+            SpectrumShells<double> spectrum = map_spectrum(*map);
+            const double share = map->area() / area;
+            for (auto& shell : spectrum.shells) shell.q2_h2 *= share, shell.q_h2 *= share;
+            spectrum.rms_height *= std::sqrt(share);
+            of.spectrum = of.spectrum.shells.empty() ? spectrum : sum_of_spectra(of.spectrum, spectrum);
+        }
+    return std::make_shared<const MapOfSurface>(std::move(of));
+}
+
+std::string no_sum_of_maps(const Face& upper, const Face& lower) {
+    if (!upper.map || !lower.map) return "not both faces are maps";
+    for (const auto& one : upper.map->maps)
+        for (const auto& other : lower.map->maps)
+            if (const std::string why = no_sum_of(*one, *other); !why.empty()) return why;
+    return "";
+}
+
+Face face_of(const MeasuredSurface& measured) {
+    Face face;
+    face.measured = measured;
+    const auto& p = measured.parameters;
+    const auto value = [&](Parameter which) { return p.value[index_of(which)]; };
+    const auto known = [&](Parameter which) { return p.known[index_of(which)]; };
+    face.uncertain = p;
+    face.surface = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
+                    measured.max_peak_height.value};
+    if (known(Parameter::fractal_dimension)) face.fractal_dimension = value(Parameter::fractal_dimension);
+    if (measured.fractal_roughness) face.fractal_roughness = measured.fractal_roughness->value;
+    face.heights = measured.heights;
+    if (measured.heights) {
+        face.rms_gradient = measured.heights->rms_gradient.value;
+        face.alpha = measured.heights->moments.bandwidth();
+    }
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
+    if (measured.map) maps.emplace_back(measured.map, &measured.map->map);
+    for (const MeasuredSurface& part : measured.parts)
+        if (part.map) maps.emplace_back(part.map, &part.map->map);
+    if (!maps.empty()) face.map = map_of_surface(std::move(maps));
+    if (known(Parameter::r) && known(Parameter::theta)) {
+        face.r = value(Parameter::r);
+        face.theta = value(Parameter::theta);
+    }
+    for (const MeasuredSurface& neighbour : measured.neighbours) face.neighbours.push_back(face_of(neighbour));
+    return face;
+}
+
+Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
+    const RoughFace<double> a = rough_face(upper), b = rough_face(lower), sum = sum_of_faces(a, b);
+    Face face;
+    face.surface = sum.roughness;
+    face.fractal_dimension = sum.fractal_dimension;
+    face.fractal_roughness = sum.fractal_roughness;
+    face.r = sum.r;
+    face.theta = sum.theta;
+    if (upper.rms_gradient || lower.rms_gradient) face.rms_gradient = std::sqrt(2 * sum.moments.m2);
+    if (upper.alpha || lower.alpha) face.alpha = sum.moments.bandwidth();
+    if (upper.hurst || lower.hurst)
+        face.hurst = (a.moments.m2 * hurst_exponent(upper) + b.moments.m2 * hurst_exponent(lower)) / sum.moments.m2;
+    face.uncertain = uncertain_sum(a, upper.uncertain, b, lower.uncertain);
+    if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
+    face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
+    for (std::size_t k = 0; k < std::max(upper.neighbours.size(), lower.neighbours.size()); ++k) {
+        const auto neighbour = [k](const Face& one) -> const Face& {
+            return one.neighbours.empty() ? one : one.neighbours[std::min(k, one.neighbours.size() - 1)];
+        };
+        face.neighbours.push_back(sum_of_faces(neighbour(upper), neighbour(lower), shifts, seed));
+    }
+    if (!no_sum_of_maps(upper, lower).empty()) return face;
+    MapOfSurface of;
+    const auto &above = upper.map->maps, &below = lower.map->maps;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(shifts); ++k) {  // of several maps each in turn
+        HeightMap<double> map = random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
+        of.summits.push_back(summits_of(map));
+        of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
+    }
+    if (!upper.map->spectrum.shells.empty() && !lower.map->spectrum.shells.empty())
+        of.spectrum = sum_of_spectra(upper.map->spectrum, lower.map->spectrum);
+    face.map = std::make_shared<const MapOfSurface>(std::move(of));
+    return face;
+}
+
+}  // namespace fstiff::scene

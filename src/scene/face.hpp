@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A rough face as the contact sees it, and two of them as one.
+
+#include "scene/law.hpp"
+#include "scene/measured_surface.hpp"
+
+#include <fstiff/measured/height_statistics.hpp>
+#include <fstiff/measured/uncertain_surface.hpp>
+#include <fstiff/surface/moments.hpp>
+#include <fstiff/surface/roughness.hpp>
+#include <fstiff/surface/two_faces.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// One rough face, or the sum of two that a smooth face meets instead.
+struct Face {
+    Roughness<double> surface;
+    std::optional<double> fractal_dimension;
+    std::optional<double> fractal_roughness;           ///< [m]
+    std::optional<double> r, theta;                    ///< of the surface [1, rad]; both or none
+    std::optional<double> rms_gradient, alpha, hurst;  ///< written, or measured; alpha is Nayak's m0 m4/m2^2
+    bool spectrum_of_map = true;                       ///< [persson] spectrum = "map", where there is one
+    std::shared_ptr<const MapOfSurface> map;           ///< where the surface was measured as a map
+    UncertainSurface<double> uncertain;                ///< the same with errors
+    std::optional<HeightStatistics<double>> heights;   ///< where the surface was measured
+    std::optional<MeasuredSurface> measured;           ///< where surface.from says, or --surface; none of a sum
+
+    std::vector<Face> neighbours;  ///< behind a smaller and a greater lambda_s, where they were measured
+
+    /// Whether a band can be given: some parameter that enters has an error.
+    [[nodiscard]] bool has_errors() const {
+        return std::any_of(uncertain.error.begin(), uncertain.error.end(), [](double error) { return error > 0; });
+    }
+};
+
+/// Moments of the spectrum of \p face, and its Hurst exponent (2 - D, or 0.8 where neither is known): from rms gradient and
+/// alpha where they are known, else from R and D_p with eq. (4.10) and Nayak.
+[[nodiscard]] SpectralMoments<double> spectral_moments(const Face& face);
+[[nodiscard]] double hurst_exponent(const Face& face);
+/// Why \p face has no spectrum for Persson's theory; empty where it has one.
+[[nodiscard]] std::string no_spectrum(const Face& face);
+
+/// What was measured, as the contact sees it.
+[[nodiscard]] Face face_of(const MeasuredSurface& measured);
+/// What laws take of \p maps, one at least, of one surface.
+[[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(
+    std::vector<std::shared_ptr<const HeightMap<double>>> maps);
+
+/// Why two faces have no sum of heights; empty where both are maps of one grid.
+[[nodiscard]] std::string no_sum_of_maps(const Face& upper, const Face& lower);
+/// Both faces as one; of maps of one grid the heights are added at \p shifts random shifts.
+/// \throws domain_error where the sum is out of range.
+[[nodiscard]] Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several files of one surface as one.
+#include "scene/measured_surface.hpp"
+#include "scene/shown_unit.hpp"
+
+#include <fstiff/measured/pooled_surface.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace fstiff::scene {
+namespace {
+
+/// \p names with the files of a folder in its place.
+std::vector<std::string> without_folders(const std::vector<std::string>& names) {
+    std::vector<std::string> files;
+    for (const std::string& name : names) {
+        std::error_code none;
+        if (!std::filesystem::is_directory(name, none)) {
+            files.push_back(name);
+            continue;
+        }
+        std::vector<std::string> inside;
+        std::error_code unreadable;
+        for (const auto& entry : std::filesystem::directory_iterator(name, unreadable))
+            if (entry.is_regular_file(none) && !entry.path().filename().string().starts_with('.'))
+                inside.push_back(entry.path().string());
+        if (unreadable) throw file_error(name, "cannot be read: " + unreadable.message());
+        if (inside.empty()) throw domain_error(name + ": is a folder without files; must hold files of one surface");
+        std::sort(inside.begin(), inside.end());
+        files.insert(files.end(), inside.begin(), inside.end());
+    }
+    return files;
+}
+
+/// Shortest and longest of the two steps; once more of a profile.
+std::pair<double, double> steps(const MeasuredSurface& one) {
+    if (one.profile) return {one.profile->profile.spacing, one.profile->profile.spacing};
+    return std::minmax(one.map->map.dx, one.map->map.dy);
+}
+
+bool differ(double a, double b) { return std::abs(a - b) > 1e-6 * std::abs(a); }
+
+/// \throws domain_error unless \p one can be pooled with \p first.
+void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, std::string_view prefix) {
+    if (one.kind != first.kind)
+        throw domain_error(one.file + ": is a " + one.kind + ", and " + first.file + " a " + first.kind +
+                           "; files of one surface must be of one kind");
+    const std::string dash = prefix.empty() ? "_" : "-", short_name = std::string(prefix) + "lambda" + dash + "s";
+    const auto alike = [](const std::optional<double>& a, const std::optional<double>& b) {
+        return a.has_value() == b.has_value() && (!a || !differ(*a, *b));
+    };
+    const auto shown = [](const std::optional<double>& a) { return a ? shown_length(*a) : std::string("none"); };
+    if (!alike(one.cut_offs.lambda_s, first.cut_offs.lambda_s))
+        throw domain_error(one.file + ": lambda_s " + shown(one.cut_offs.lambda_s) + ", that of " + first.file + " " +
+                           shown(first.cut_offs.lambda_s) + "; files of one surface must have one " + short_name);
+    if (!alike(one.cut_offs.lambda_c, first.cut_offs.lambda_c))
+        throw domain_error(one.file + ": lambda_c " + shown(one.cut_offs.lambda_c) + ", that of " + first.file + " " +
+                           shown(first.cut_offs.lambda_c) + "; files of one surface must have one " +
+                           std::string(prefix) + "lambda" + dash + "c");
+    if (!one.cut_offs.lambda_s &&
+        (differ(steps(one).first, steps(first).first) || differ(steps(one).second, steps(first).second)))
+        throw domain_error(one.file + ": has points " + shown_length(steps(one).first) + " apart, and " + first.file +
+                           " " + shown_length(steps(first).first) + "; files of unlike steps must have one " +
+                           short_name);
+}
+
+MeasuredFace<double> face_of(const MeasuredSurface& one) {
+    const UncertainSurface<double>& p = one.parameters;
+    const auto known = [&](Parameter which) {
+        const std::size_t i = index_of(which);
+        return p.known[i] ? std::optional(p.value[i]) : std::nullopt;
+    };
+    MeasuredFace<double> of;
+    of.face.roughness = {*known(Parameter::rms_height), *known(Parameter::peak_radius), *known(Parameter::peak_density),
+                         one.max_peak_height.value};
+    const Roughness<double>& r = of.face.roughness;
+    of.face.moments =
+        one.heights ? one.heights->moments : moments_of_peaks(r.rms_height, r.peak_radius, r.peak_density);
+    of.face.fractal_dimension = known(Parameter::fractal_dimension);
+    if (one.fractal_roughness) of.face.fractal_roughness = one.fractal_roughness->value;
+    of.face.r = known(Parameter::r);
+    of.face.theta = known(Parameter::theta);
+    of.uncertain = p;
+    of.size = one.size();
+    return of;
+}
+
+/// The names of \p files, or the first and how many more.
+std::string names_of(const std::vector<MeasuredSurface>& parts) {
+    std::string text;
+    for (const MeasuredSurface& part : parts) text += (text.empty() ? "" : ", ") + part.file;
+    return text.size() <= 80 ? text : parts.front().file + " and " + std::to_string(parts.size() - 1) + " more files";
+}
+
+/// What is said of all of \p parts is said once, the rest with the name of the file.
+void gather_warnings(MeasuredSurface& whole) {
+    const auto count = [&](const std::string& sentence) {
+        return std::count_if(whole.parts.begin(), whole.parts.end(), [&](const MeasuredSurface& part) {
+            return std::count(part.warnings.begin(), part.warnings.end(), sentence) > 0;
+        });
+    };
+    for (const MeasuredSurface& part : whole.parts)
+        for (const std::string& sentence : part.warnings) {
+            const bool of_all = count(sentence) == std::ssize(whole.parts);
+            if (!of_all)
+                whole.warnings.push_back(part.file + ": " + sentence);
+            else if (&part == &whole.parts.front())
+                whole.warnings.push_back(sentence);
+        }
+}
+
+/// The concerns of every file, and whether the pooled parameters are known.
+std::vector<MeasuredConcern> concerns_of(const MeasuredSurface& whole) {
+    std::vector<MeasuredConcern> all;
+    const auto of_peaks = [](MeasuredConcern concern) {
+        return concern == MeasuredConcern::few_peaks || concern == MeasuredConcern::radius_uncertain ||
+               concern == MeasuredConcern::density_uncertain || concern == MeasuredConcern::parameter_unknown;
+    };
+    for (const MeasuredConcern concern : whole.parts.front().concerns)
+        if (!of_peaks(concern) && std::all_of(whole.parts.begin(), whole.parts.end(), [&](const MeasuredSurface& part) {
+                return std::count(part.concerns.begin(), part.concerns.end(), concern) > 0;
+            }))
+            all.push_back(concern);
+    const auto& p = whole.parameters;
+    const auto relative = [&](Parameter which) { return p.error[index_of(which)] / p.value[index_of(which)]; };
+    if (whole.peaks < 30) all.push_back(MeasuredConcern::few_peaks);
+    if (relative(Parameter::peak_radius) > 0.3) all.push_back(MeasuredConcern::radius_uncertain);
+    if (relative(Parameter::peak_density) > 0.3) all.push_back(MeasuredConcern::density_uncertain);
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        if (p.known[i] && !is_known(Measurement<double>{p.value[i], p.error[i]})) {
+            all.push_back(MeasuredConcern::parameter_unknown);
+            break;
+        }
+    return all;
+}
+
+MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
+    MeasuredSurface whole;
+    whole.parts = std::move(parts);
+    std::vector<MeasuredFace<double>> faces;
+    std::vector<HeightStatistics<double>> heights;
+    std::vector<SizedMeasurement<double>> log_roughness, highest;
+    std::vector<double> sizes;
+    std::string hashes;
+    for (const MeasuredSurface& part : whole.parts) {
+        faces.push_back(face_of(part));
+        sizes.push_back(part.size());
+        if (part.heights) heights.push_back(*part.heights);
+        if (part.fractal_roughness)
+            log_roughness.push_back({{std::log(part.fractal_roughness->value),
+                                      part.fractal_roughness->error / part.fractal_roughness->value},
+                                     part.size()});
+        highest.push_back({part.max_peak_height, part.size()});
+        whole.peaks += part.peaks;
+        hashes += part.sha256 + "\n";
+    }
+    const MeasuredFace<double> mean = fstiff::pooled(faces);
+    const MeasuredSurface& first = whole.parts.front();
+    whole.file = names_of(whole.parts);
+    whole.sha256 = sha256(hashes);
+    whole.kind = first.kind;
+    whole.cut_offs = first.cut_offs;
+    whole.parameters = mean.uncertain;
+    whole.max_peak_height = {mean.face.roughness.max_peak_height, pooled_error(highest)};
+    if (mean.face.fractal_roughness)
+        whole.fractal_roughness = Measurement<double>{*mean.face.fractal_roughness,
+                                                      *mean.face.fractal_roughness * pooled_error(log_roughness)};
+    else
+        whole.fractal_refusal = first.fractal_refusal;
+    if (!mean.face.r) whole.peaks_refusal = first.peaks_refusal;
+    if (heights.size() == sizes.size()) whole.heights = fstiff::pooled(heights, sizes);
+    for (std::size_t k = 0; k < first.neighbours.size(); ++k) {
+        std::vector<MeasuredSurface> neighbours;
+        for (const MeasuredSurface& part : whole.parts)
+            if (k < part.neighbours.size()) neighbours.push_back(part.neighbours[k]);
+        if (neighbours.size() == whole.parts.size()) whole.neighbours.push_back(pooled(std::move(neighbours)));
+    }
+    whole.concerns = concerns_of(whole);
+    whole.decisions = {std::to_string(whole.parts.size()) + " files pooled, each by its " +
+                           (whole.kind == "profile" ? "length" : "area") + ": " + names_of(whole.parts),
+                       whole.cut_offs.sentence(),
+                       "errors: those of the files, or of their scatter by Student's t where it is greater"};
+    gather_warnings(whole);
+    for (std::string& line : peak_warnings(whole.concerns, whole.peaks, whole.parameters))
+        if (std::count(whole.warnings.begin(), whole.warnings.end(), line) == 0)
+            whole.warnings.push_back(std::move(line));
+    return whole;
+}
+
+}  // namespace
+
+MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::string>& names,
+                              const ProgressHook& progress) {
+    const std::vector<std::string> files = without_folders(names);
+    std::vector<MeasuredSurface> parts;
+    for (const std::string& file : files) {
+        options.input.file = file;
+        parts.push_back(measure_surface(options, read_all(file), progress));
+        require_alike(parts.front(), parts.back(), options.input.prefix);
+    }
+    return parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts));
+}
+
+}  // namespace fstiff::scene

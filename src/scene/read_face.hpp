@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The section [surface] of a scene. Private to the files that read a scene.
+
+#include "scene/face.hpp"
+#include "scene/source.hpp"
+
+#include <fstiff/core/progress.hpp>
+
+#include <string>
+
+namespace fstiff::scene {
+
+/// Measures the file that --surface names, or reads what fstiff measure made of it.
+[[nodiscard]] Face face_of_file(Source& source, const std::string& file, const ProgressHook& progress);
+/// Reads [surface] into \p scene, or its two faces.
+void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress);
+/// An angle with its unit, or a number of radians.
+[[nodiscard]] double read_angle(Source& source, const toml::node& node, const std::string& key);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The roughness parameters of the standards, of what fstiff measure has measured.
+
+#include "scene/surface_file.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// One parameter by its symbol in the standard.
+struct RoughnessLine {
+    std::string symbol, unit;     ///< Ra and m; no unit: a plain number
+    std::optional<double> value;  ///< none where it is not defined
+    std::string meaning;          ///< what it is, or the reason why there is none
+};
+
+struct RoughnessTable {
+    std::string standard;  ///< "ISO 21920-2:2021"
+    std::vector<RoughnessLine> lines;
+    std::string sections;     ///< how the sections of a profile were chosen; empty of a map
+    double section_length{};  ///< [m]; 0 of a map
+    std::size_t files = 1;    ///< whose means these are
+};
+
+/// Of the heights that are there, about their mean. \throws domain_error for a surface out of range.
+[[nodiscard]] RoughnessTable roughness_table(const PreparedProfile& profile);
+[[nodiscard]] RoughnessTable roughness_table(const PreparedMap& map);
+
+/// The means of \p tables, of one kind of surface; none where one of them has none.
+[[nodiscard]] RoughnessTable mean_of(const std::vector<RoughnessTable>& tables);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The TOML of a scene while it is read: values with their units, refusals with their place, and a record of the inputs.
+// Private to the files that read a scene: it brings in toml++.
+
+#include "scene/scene.hpp"
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/io/quantity.hpp>
+
+// toml++ 3.3 asserts, or assumes in an optimised build, what some malformed texts break. Its assertions are made to throw
+// in every build; no other file includes toml++.
+namespace fstiff::scene {
+struct BrokenToml {};
+constexpr void expect_toml(bool whole) {
+    if (!whole) throw BrokenToml{};
+}
+}  // namespace fstiff::scene
+#undef NDEBUG
+#define TOML_ASSERT(expression) fstiff::scene::expect_toml(static_cast<bool>(expression))
+#define TOML_HEADER_ONLY 0  // source.cpp holds the implementation
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::scene {
+
+using io::Dimension;
+
+[[nodiscard]] std::string_view si_unit(Dimension dimension);
+/// A quantity as an example of how to write one.
+[[nodiscard]] std::string_view example(Dimension dimension);
+/// The text of a value for messages and for the echo of the inputs.
+[[nodiscard]] std::string written(const toml::node& node);
+
+/// What all parts of one scene share: where it stands for messages, and the record of its inputs.
+struct Source {
+    std::string file;
+    std::vector<Input> inputs;
+    bool builtin = false;  ///< the scene is the built-in one, whose laws nobody chose
+
+    std::string at(const toml::node& node) const {
+        const auto line = node.source().begin.line;
+        return line > 0 ? file + ":" + std::to_string(line) : file;
+    }
+    [[noreturn]] void refuse(const toml::node& node, const std::string& key, const std::string& reason) const {
+        const std::string value = node.is_string() ? "\"" + written(node) + "\"" : written(node);
+        throw domain_error(at(node) + ": " + key + " = " + value + ": " + reason);
+    }
+    Place place(const toml::node& node, std::string key = "") const {
+        return {.file = file, .line = node.source().begin.line, .key = std::move(key), .before_line = ":"};
+    }
+    /// Runs a check or a reader of the library; what it throws gets the place.
+    template <class Call>
+    auto located(const toml::node& node, const Call& call) const {
+        return fstiff::located(place(node), call);
+    }
+    void record(std::string key, std::string text, std::optional<double> value = {}, std::string_view unit = {}) {
+        inputs.push_back({std::move(key), std::move(text), value, std::string(unit)});
+    }
+
+    double quantity(const toml::node& node, const std::string& key, Dimension dimension) {
+        if (node.is_number())
+            refuse(node, key,
+                   "a number without a unit; write it as a text such as \"" + std::string(example(dimension)) + "\"");
+        if (!node.is_string()) refuse(node, key, "must be a text such as \"" + std::string(example(dimension)) + "\"");
+        const double value = located(node, [&] { return io::parse_quantity(written(node), dimension, key); });
+        record(key, written(node), value, si_unit(dimension));
+        return value;
+    }
+    double positive(const toml::node& node, const std::string& key, Dimension dimension) {
+        const double value = quantity(node, key, dimension);
+        if (!(value > 0) || !std::isfinite(value)) refuse(node, key, "must be finite and greater than 0");
+        return value;
+    }
+    double number(const toml::node& node, const std::string& key) {
+        if (!node.is_number()) refuse(node, key, "must be a plain number");
+        const double value = *node.value<double>();
+        if (!std::isfinite(value)) refuse(node, key, "must be a finite number");
+        record(key, written(node), value);
+        return value;
+    }
+    std::string text(const toml::node& node, const std::string& key) {
+        if (!node.is_string()) refuse(node, key, "must be a text in quotation marks");
+        record(key, written(node));
+        return written(node);
+    }
+    /// One of the words of \p Enum.
+    template <NamedEnum Enum>
+    Enum choice(const toml::node& node, const std::string& key) {
+        return names<Enum>[choice(node, key, fstiff::choices<Enum>())].value;
+    }
+    /// One of \p allowed, by its place in that list.
+    std::size_t choice(const toml::node& node, const std::string& key, std::span<const std::string_view> allowed) {
+        const auto found = std::find(allowed.begin(), allowed.end(), node.is_string() ? written(node) : "");
+        if (found == allowed.end()) refuse(node, key, "must be one of " + list_of(allowed));
+        record(key, written(node));
+        return static_cast<std::size_t>(found - allowed.begin());
+    }
+    /// A non-empty list of choices, none twice.
+    std::vector<std::size_t> choices(const toml::node& node, const std::string& key,
+                                     std::span<const std::string_view> allowed) {
+        if (!node.is_array() || node.as_array()->empty())
+            refuse(node, key, "must be a list of one or more of " + list_of(allowed));
+        std::vector<std::size_t> chosen;
+        for (std::size_t i = 0; i < node.as_array()->size(); ++i) {
+            const toml::node& item = (*node.as_array())[i];
+            const std::string item_key = key + "[" + std::to_string(i) + "]";
+            chosen.push_back(choice(item, item_key, allowed));
+            if (std::count(chosen.begin(), chosen.end(), chosen.back()) > 1)
+                refuse(item, item_key, "is there twice; each may be named once");
+        }
+        return chosen;
+    }
+};
+
+/// A table of the scene with the path of its keys; a key outside \p valid is refused with the list of them.
+class Section {
+public:
+    Section(Source& source, const toml::table& table, std::string path, std::initializer_list<std::string_view> valid)
+        : Section(source, table, std::move(path), std::span(valid.begin(), valid.size())) {}
+    Section(Source& source, const toml::table& table, std::string path, std::span<const std::string_view> valid)
+        : source_(source), table_(table), path_(std::move(path)) {
+        for (const auto& [key, node] : table)
+            if (std::find(valid.begin(), valid.end(), key.str()) == valid.end())
+                throw domain_error(source.at(node) + ": " + this->key(key.str()) + ": unknown key; valid keys" +
+                                   (path_.empty() ? "" : " of " + path_) + " are " + list_of(valid));
+    }
+    std::string key(std::string_view name) const { return (path_.empty() ? "" : path_ + ".") + std::string(name); }
+    /// The place of the section itself, for messages.
+    const toml::node& node() const { return table_; }
+    const toml::node* find(std::string_view name) const { return table_.get(name); }
+    const toml::node& at(std::string_view name, const std::string& why = "is missing; the scene needs it") const {
+        if (const auto* found = find(name)) return *found;
+        throw domain_error((path_.empty() ? source_.file : source_.at(table_)) + ": " + key(name) + ": " + why);
+    }
+    const toml::table& subtable(std::string_view name) const {
+        const toml::node& found = at(name, "is missing; the scene needs this section");
+        if (!found.is_table()) source_.refuse(found, key(name), "must be a section of keys");
+        return *found.as_table();
+    }
+
+    double positive(std::string_view name, Dimension dimension) const {
+        return source_.positive(at(name), key(name), dimension);
+    }
+    std::optional<double> optional_positive(std::string_view name, Dimension dimension) const {
+        return find(name) ? std::optional(positive(name, dimension)) : std::nullopt;
+    }
+
+private:
+    Source& source_;
+    const toml::table& table_;
+    std::string path_;
+};
+
+/// \throws domain_error with the line of \p file where \p text is no TOML.
+[[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
+
+}  // namespace fstiff::scene
