@@ -95,12 +95,7 @@ std::string dominating(const Scene& scene, const Curve& curve) {
     const std::size_t i = curve.band_parts.size() / 2;
     const BandParts& parts = curve.band_parts[i];
     const auto percent = [](double low, double high) {
-        const auto one = [](double x) {
-            const double change = 100 * std::expm1(x);
-            return std::abs(change) < 100 ? (change < 0 ? "" : "+") + rounded(change, 2) + " %"
-                                          : rounded(std::exp(x), 2) + " times";
-        };
-        return one(low) + " to " + one(high);
+        return shown_change(std::exp(low)) + " to " + shown_change(std::exp(high));
     };
     std::string of = "the scale of the measurement";
     std::vector<double> scales;

@@ -150,6 +150,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
     MeasuredSurface surface;
     surface.file = display_name(options.input.file);
     surface.sha256 = input.sha256;
+    surface.how = std::make_shared<const MeasureOptions>(options);
     surface.kind = profile ? "profile" : "map";
     surface.decisions = input.surface.record.sentences();
     surface.warnings = reading_warnings(input, "what needs them is left out");

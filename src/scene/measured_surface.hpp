@@ -47,6 +47,7 @@ struct MeasuredSurface {
     std::optional<FractalFit<double>> profile_fit;  ///< that gave D, and that of a map
     std::optional<DirectionalFit<double>> map_fit;
     std::optional<IslandCurve<double>> islands;  ///< that gave R and D_p of a map
+    std::shared_ptr<const MeasureOptions> how;   ///< it was measured; none: of the JSON, or of several files
     std::vector<MeasuredSurface> parts;          ///< of a surface measured from several files: each of them
 
     /// The same behind lambda_s/sqrt(2) and sqrt(2) lambda_s, without errors; behind twice it alone where the file holds no smaller

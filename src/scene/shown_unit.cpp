@@ -34,4 +34,10 @@ ShownUnit shown_unit(double value, std::string_view si) {
     return si == "m" ? unit_of_length(value) : si == "/m^2" ? unit_of_density(value) : ShownUnit{si, 1};
 }
 
+std::string shown_change(double factor) {
+    const double change = 100 * (factor - 1);
+    if (change >= 100) return rounded(factor, 2) + " times";
+    return (change < 0 ? "" : "+") + rounded(change, 2) + " %";
+}
+
 }  // namespace fstiff::scene

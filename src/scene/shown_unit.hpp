@@ -29,4 +29,7 @@ inline constexpr ShownUnit unit_of_stiffness{"GPa/µm", 1e-15};
 /// \p value in the unit that its SI unit \p si ("m", "/m^2") has for people; a plain number or any other unit stays.
 [[nodiscard]] ShownUnit shown_unit(double value, std::string_view si);
 
+/// A factor as a change: "-3 %", "+41 %", or "2.8 times" where that is clearer.
+[[nodiscard]] std::string shown_change(double factor);
+
 }  // namespace fstiff::scene

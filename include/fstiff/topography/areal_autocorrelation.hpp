@@ -77,7 +77,7 @@ template <Real T>
 [[nodiscard]] TextureParameters<T> texture_parameters(const ArealAutocorrelation<T>& correlation,
                                                       std::type_identity_t<T> threshold = T(0.2));
 
-/// Means over shells as wide as the shorter step, about whole multiples of it, to the shorter reach.
+/// Means over shells as wide as the longer step, about whole multiples of it, to the shorter reach.
 template <Real T>
 [[nodiscard]] RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation);
 
@@ -219,7 +219,7 @@ ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map, LagPairs 
 template <Real T>
 RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation) {
     using Index = Eigen::Index;
-    const T width = std::min(correlation.dx, correlation.dy);
+    const T width = std::max(correlation.dx, correlation.dy);
     const T end = std::min(static_cast<T>(correlation.reach_x) * correlation.dx,
                            static_cast<T>(correlation.reach_y) * correlation.dy);
     const auto shells = static_cast<std::size_t>(std::lround(end / width)) + 1;

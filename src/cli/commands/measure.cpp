@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff measure: every parameter of a scene's [surface] from a measured profile or map, with errors.
 #include "commands/commands.hpp"
+#include "commands/scales.hpp"
 #include "document/document.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
+#include "picture/plot.hpp"
 #include "scene/measured_surface.hpp"
 #include "scene/roughness.hpp"
 #include "scene/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
+#include <fstiff/io/quantity.hpp>
 
 #include <memory>
 
@@ -21,7 +24,7 @@ struct Options {
     MeasureOptions measure;
     std::vector<std::string> files;
     bool scales = false;
-    std::string modulus, pressure, picture;
+    std::string modulus = "112.6 GPa", pressure = "10 MPa", picture;
 };
 
 /// \p file stands in a first column; empty: in none.
@@ -124,47 +127,6 @@ std::string csv(const MeasuredSurface& surface) {
     return text;
 }
 
-/// The table of --scales, and the picture where one is asked for.
-Report execute_scales(const Options& options) {
-    if (options.files.size() != 1) throw Usage("--scales is of one file");
-    ScalesOptions how{.progress = progress_bar()};
-    const auto pressure_of = [](const std::string& text, const char* name) {
-        const double value = io::parse_quantity(text, io::Dimension::pressure, name);
-        require_positive(name, value);
-        return value;
-    };
-    how.pressure = pressure_of(options.pressure, "--pressure");
-    how.modulus = pressure_of(options.modulus, "--modulus");
-    MeasureOptions measure = options.measure;
-    measure.input.file = options.files.front();
-    const SurfaceInput input = read_surface_input(measure.input);
-    const MeasuredSurface surface = measure_surface(measure, input, progress_bar());
-    const Scales scales = scales_of(measure, input, how);
-    std::vector<OutputFile> files;
-    if (!options.picture.empty()) {
-        Figure figure{.title = surface.file + " behind other cut-offs", .panels = scales_panels(scales)};
-        if (figure.panels.empty()) throw domain_error(surface.file + ": holds no other cut-off; no picture is drawn");
-        figure.note = "K by " + scales.law + " at " + rounded(how.pressure / 1e6) + " MPa, effective modulus " +
-                      rounded(how.modulus / 1e9) + " GPa";
-        files = figure_files(in_units(figure), options.picture);
-    }
-    return report({.table = [&] { return table(surface) + text_of(scales, how); },
-                   .csv = [&] { return rows_of(scales).csv(); },
-                   .json =
-                       [&] {
-                           Json document = json(measure, surface);
-                           Json& of = document["scales"] = {{"law", scales.law},
-                                                            {"pressure_Pa", how.pressure},
-                                                            {"effective_modulus_Pa", how.modulus},
-                                                            {"settled", what_is_settled(scales)}};
-                           rows_of(scales).append_to(of["rows"]);
-                           return document;
-                       },
-                   .warnings = surface.warnings,
-                   .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
-                  options.output.format);
-}
-
 Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
     Json document = measured_document(surface);
     for (const MeasuredSurface& part : surface.parts) {
@@ -187,7 +149,54 @@ Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
     return document;
 }
 
+/// The table of --scales, and the picture where one is asked for.
+Report execute_scales(const Options& options) {
+    if (options.files.size() != 1) throw Usage("--scales is of one file");
+    if (!options.picture.empty()) keep_for_picture(options.picture);
+    ScalesOptions how{.progress = progress_bar()};
+    const auto pressure_of = [](const std::string& text, const char* name) {
+        const double value = io::parse_quantity(text, io::Dimension::pressure, name);
+        require_positive(name, value);
+        return value;
+    };
+    how.pressure = pressure_of(options.pressure, "--pressure");
+    how.modulus = pressure_of(options.modulus, "--modulus");
+    MeasureOptions measure = options.measure;
+    measure.input.file = options.files.front();
+    const SurfaceInput input = read_surface_input(measure.input);
+    const MeasuredSurface surface = measure_surface(measure, input, progress_bar());
+    const Scales scales = scales_of(measure, input, how);
+    std::vector<std::string> files;
+    if (!options.picture.empty()) {
+        Figure figure{.title = surface.file + " behind other cut-offs", .panels = scales_panels(scales)};
+        if (figure.panels.empty()) throw domain_error(surface.file + ": holds no other cut-off; no picture is drawn");
+        figure.note = "K by " + scales.law + " at " + rounded(how.pressure / 1e6) + " MPa, effective modulus " +
+                      rounded(how.modulus / 1e9) + " GPa";
+        files = write_figure(figure, options.picture);
+    }
+    Report made =
+        report({.table = [&] { return table(surface) + scales_text(scales, how); },
+                .csv = [&] { return scales_rows(scales).csv(); },
+                .json =
+                    [&] {
+                        Json document = json(measure, surface);
+                        Json& of = document["scales"] = {{"law", scales.law},
+                                                         {"pressure_Pa", how.pressure},
+                                                         {"effective_modulus_Pa", how.modulus},
+                                                         {"settled", what_is_settled(scales)}};
+                        scales_rows(scales).append_to(of["rows"]);
+                        return document;
+                    },
+                .warnings = surface.warnings,
+                .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
+               options.output.format);
+    say_written(made, files);
+    return made;
+}
+
 Report execute(const Options& options) {
+    if (options.scales) return execute_scales(options);
+    if (!options.picture.empty()) throw Usage("--plot draws what --scales computes; give both");
     const MeasuredSurface surface = measure_files(options.measure, options.files, progress_bar());
     return report({.table = [&] { return table(surface); },
                    .csv = [&] { return csv(surface); },
@@ -225,6 +234,13 @@ Command add_measure(CLI::App& app) {
                 "number of resamples that the standard errors are computed from; the default is 400")
         .between(2, 100000);
     command.option("--seed", measure.seed, "seed of the random numbers of the resamples; the default is 2014");
+    command.flag("--scales", options->scales,
+                 "the surface behind other cut-offs too, by factors of two, and K behind each: what of it is settled");
+    command.option("--pressure", options->pressure, "nominal pressure of the K of --scales").show_default();
+    command
+        .option("--modulus", options->modulus, "effective modulus of the K of --scales; the default is steel on steel")
+        .show_default();
+    add_picture_option(command, options->picture, "draw what --scales computes");
     add_output_options(command, options->output, Format::json);
     command.footer(
         "Beside them stand the roughness parameters of ISO 21920-2 (Ra, Rq, Rz ... of a profile) or ISO 25178-2 (Sa, "

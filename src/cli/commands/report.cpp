@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff report: a scene and all that follows from it, on one page that needs nothing else.
 #include "commands/commands.hpp"
+#include "commands/scales.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "picture/page.hpp"
@@ -505,6 +506,21 @@ void equations_section(Page& page, const Scene& scene, const Results& results) {
                    scene.sha256 + ".");
 }
 
+/// The surface behind other cut-offs, and K by them at the middle point of the scene.
+void scales_section(Page& page, const Scene& scene, const Results& results, const MeasuredSurface& surface) {
+    if (!surface.how || surface.how->input.file == "-" || scene.at_separations) return;
+    const scene::ScalesOptions how{
+        .pressure = scene.points[scene.points.size() / 2], .modulus = results.modulus, .progress = progress_bar()};
+    const scene::Scales scales = scales_of(*surface.how, read_surface_input(surface.how->input), how);
+    std::vector<Panel> panels = scales_panels(scales);
+    if (panels.empty()) return;
+    page.heading("What hangs on the cut-offs");
+    for (const std::string& sentence : what_is_settled(scales)) page.paragraph(sentence + ".");
+    show(page, std::move(panels),
+         "K by " + scales.law + " at " + rounded(how.pressure / 1e6) +
+             " MPa, and the parameters of the surface, over those behind the chosen cut-offs.");
+}
+
 std::string page_of(const Scene& scene, const Results& results) {
     Page page(scene.name);
     answer_section(page, scene, results);
@@ -512,6 +528,7 @@ std::string page_of(const Scene& scene, const Results& results) {
     inputs_section(page, scene);
     for (const auto& [name, face] : measured_faces(scene)) {
         measured_section(page, *face->measured);
+        scales_section(page, scene, results, *face->measured);
         for (const MeasuredSurface& part : face->measured->parts) measured_section(page, part);
     }
     validity_section(page, scene, results);

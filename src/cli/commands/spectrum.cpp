@@ -270,7 +270,8 @@ Figure figure_of(const Options& options, const Result& result) {
         current->lines.push_back(std::move(line));
     }
     if (!psd) {
-        const double end = current->lines.front().x.back();
+        double end = 0;
+        for (const PlotLine& line : current->lines) end = std::max(end, line.x.back());
         current->lines.push_back({.label = std::string("0.2, which gives ") + (map ? "Sal and Str" : "Ral"),
                                   .x = {0, end},
                                   .y = {0.2, 0.2},

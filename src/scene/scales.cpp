@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/scales.hpp"
+
+#include "scene/file.hpp"
+#include "scene/results.hpp"
+#include "scene/shown_unit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fstiff::scene {
+namespace {
+
+/// One pressure on \p face by \p law, of bodies with the effective modulus \p how says.
+Scene scene_of(const Face& face, const Law& law, const ScalesOptions& how) {
+    Scene scene;
+    static_cast<Face&>(scene) = face;
+    scene.upper = scene.lower = {2 * how.modulus, 0.0};
+    scene.points = {how.pressure};
+    scene.stiffness = true;
+    scene.samples = 0;
+    std::vector<double> options;
+    for (const LawOption& option : law.options) options.push_back(option.otherwise.value_or(0));
+    scene.laws = {{&law, options}};
+    if (face.r) scene.peaks = {{*face.theta, face.r, true, {}, "surface."}};
+    return scene;
+}
+
+std::optional<double> stiffness_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {
+    try {
+        const Scene scene = scene_of(face_of(surface), law, how);
+        if (!refusal_of(law, scene).empty()) return {};
+        const Results results = compute(scene);
+        if (results.curves.empty() || results.curves.front().states.empty()) return {};
+        return results.curves.front().states.front().stiffness.value;
+    } catch (const domain_error&) {
+        return {};
+    }
+}
+
+const Law& law_for(const MeasuredSurface& surface) {
+    const Face face = face_of(surface);
+    if (no_spectrum(face).empty() && (face.r || face.map)) return *find_law("hybrid");
+    return *find_law(face.r ? "hertz" : "greenwood_williamson");
+}
+
+std::string text_of(const std::optional<double>& cut_off) { return cut_off ? exact(*cut_off) + " m" : "none"; }
+
+Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs& cut_offs, const Law& law,
+               const ScalesOptions& how) {
+    options.neighbours = false;
+    options.resamples = 2;  // errors are not asked
+    options.input.lambda_s = text_of(cut_offs.lambda_s);
+    options.input.lambda_c = text_of(cut_offs.lambda_c);
+    Scale scale{.cut_offs = cut_offs};
+    try {
+        scale.surface = measure_surface(options, input);
+        scale.stiffness = stiffness_of(*scale.surface, law, how);
+        if (!scale.stiffness) scale.refusal = "no K by " + std::string(law.name);
+    } catch (const domain_error& error) {
+        scale.refusal = error.what();
+    }
+    return scale;
+}
+
+}  // namespace
+
+Scales scales_of(const MeasureOptions& options, const SurfaceInput& input, const ScalesOptions& how) {
+    MeasureOptions once = options;
+    once.neighbours = false;
+    const MeasuredSurface chosen = measure_surface(once, input);
+    const Law& law = law_for(chosen);
+    double step = 0, length = 0;
+    if (chosen.profile) {
+        step = chosen.profile->profile.spacing;
+        length = step * static_cast<double>(chosen.profile->profile.size());
+    } else {
+        const HeightMap<double>& map = chosen.map->map;
+        step = std::max(map.dx, map.dy);
+        length = std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
+    }
+    std::vector<std::pair<bool, CutOffs>> asked;  // whether lambda_s varies
+    const CutOffs& own = chosen.cut_offs;
+    const double shortest = own.lambda_s.value_or(4 * step), longest = own.lambda_c.value_or(length / 2);
+    asked.push_back({true, {std::nullopt, own.lambda_c}});
+    for (double cut = shortest * std::exp2(std::ceil(std::log2(2 * step / shortest) - 1e-9));
+         cut <= std::min(length / 20, own.lambda_c.value_or(length) / 5) * (1 + 1e-9); cut *= 2)
+        asked.push_back({true, {cut, own.lambda_c}});
+    asked.push_back({false, {own.lambda_s, std::nullopt}});
+    for (double cut = longest * std::exp2(std::floor(std::log2(length / 2 / longest) + 1e-9));
+         cut >= std::max(10 * own.lambda_s.value_or(0), 20 * step) * (1 - 1e-9); cut /= 2)
+        asked.push_back({false, {own.lambda_s, cut}});
+    Scales scales{.law = std::string(law.name), .length = length, .short_waves = {}, .long_waves = {}};
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (how.progress) how.progress("scales", i, asked.size());
+        Scale scale = scale_at(options, input, asked[i].second, law, how);
+        const auto same = [](const std::optional<double>& a, const std::optional<double>& b) {
+            return a.has_value() == b.has_value() && (!a || std::abs(*a - *b) < 1e-9 * *b);
+        };
+        scale.chosen = same(scale.cut_offs.lambda_s, own.lambda_s) && same(scale.cut_offs.lambda_c, own.lambda_c);
+        (asked[i].first ? scales.short_waves : scales.long_waves).push_back(std::move(scale));
+    }
+    return scales;
+}
+
+std::vector<std::string> what_is_settled(const Scales& scales) {
+    const auto about = [&](const std::vector<Scale>& rows, const std::string& name) {
+        const auto chosen = std::find_if(rows.begin(), rows.end(), [](const Scale& one) { return one.chosen; });
+        if (chosen == rows.end() || !chosen->stiffness) return "K behind the chosen " + name + " is not known";
+        double low = 0, high = 0;
+        int known = 0;
+        for (const std::ptrdiff_t away : {-1, 1}) {
+            const std::ptrdiff_t at = (chosen - rows.begin()) + away;
+            if (at < 0 || at >= std::ssize(rows) || !rows[static_cast<std::size_t>(at)].stiffness) continue;
+            const double change = *rows[static_cast<std::size_t>(at)].stiffness / *chosen->stiffness - 1;
+            low = std::min(low, change), high = std::max(high, change);
+            ++known;
+        }
+        if (known == 0) return "no other " + name + " can be had of this file: what it does to K is not known";
+        return "the next " + name + " below and above change K by " + shown_change(1 + low) + " to " +
+               shown_change(1 + high) + (std::max(high, -low) <= 0.1 ? ": settled to 10 %" : ": not settled to 10 %");
+    };
+    return {about(scales.short_waves, "lambda_s"), about(scales.long_waves, "lambda_c")};
+}
+
+}  // namespace fstiff::scene

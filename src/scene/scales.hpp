@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a measured surface, and K of it, become behind other cut-offs: what is settled and what is not.
+
+#include "scene/measured_surface.hpp"
+
+#include <fstiff/core/progress.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// At what K is computed.
+struct ScalesOptions {
+    double pressure = 10e6;   ///< [Pa]
+    double modulus = 0;       ///< effective [Pa]
+    ProgressHook progress{};  ///< called for every pair of cut-offs
+};
+
+/// The surface behind one pair of cut-offs.
+struct Scale {
+    CutOffs cut_offs;
+    bool chosen = false;                       ///< the cut-offs that the measurement has
+    std::optional<MeasuredSurface> surface{};  ///< none: `refusal` says why
+    std::optional<double> stiffness{};         ///< K [Pa/m] by Scales::law
+    std::string refusal{};
+};
+
+struct Scales {
+    std::string law;    ///< that K is of: hybrid where the surface has a spectrum, else hertz or greenwood_williamson
+    double length = 0;  ///< of the surface, the shorter side of a map [m]
+    std::vector<Scale> short_waves;  ///< lambda_s from none by factors of two to a twentieth of the length
+    std::vector<Scale> long_waves;   ///< lambda_c from none by factors of two down to ten times lambda_s
+};
+
+/// Measures \p input behind each of the cut-offs, without errors.
+/// \throws as measure_surface() for the cut-offs of \p options; what others refuse stands in their rows.
+[[nodiscard]] Scales scales_of(const MeasureOptions& options, const SurfaceInput& input, const ScalesOptions& how);
+
+/// "halving or doubling lambda_s changes K by -3 % to +4 %: settled"; one sentence for either cut-off.
+[[nodiscard]] std::vector<std::string> what_is_settled(const Scales& scales);
+
+}  // namespace fstiff::scene
