@@ -95,8 +95,9 @@ TEST_CASE("Short lags that are smooth are left out of the window") {
     CHECK(fit.window.from >= 8e-7);
     CHECK(std::abs(fit.fractal.dimension - 1.5) < 3 * fit.dimension_error);
     // forced into the smooth end, the same profile is none: its second differences grow as the fourth power
-    CHECK(test::refusal([&] { (void)fit_fractal(profile, {.window = LagWindow<double>{1e-7, 8e-7}}); })
-              .find("fractal dimension of the window = 0") == 0);
+    CHECK(test::refusal([&] {
+              (void)fit_fractal(profile, {.window = LagWindow<double>{1e-7, 8e-7}});
+          }).find("fractal dimension of the window = 0") == 0);
 }
 
 TEST_CASE("White noise and other profiles without a power law are refused with their slopes") {
@@ -273,7 +274,7 @@ TEST_CASE("The interval of 95 % covers the D of 40 self-affine profiles as often
     CHECK(c.inside >= 35);
     // no interval so wide that it covers anything; it holds what waves beyond the band may add, which these have not
     CHECK(c.error < 1.8 * c.scatter);
-    CHECK(c.by_regression <= 24);      // ordinary least squares covers far less
+    CHECK(c.by_regression <= 24);  // ordinary least squares covers far less
     CHECK(c.refused == 0);
 }
 
@@ -369,7 +370,8 @@ TEST_CASE("A structure function fits as the profile it came from, and the mean o
     CHECK(same.dimension_error == fit.dimension_error);
     measured.profiles = 25;
     const auto mean = fit_fractal(measured);
-    CHECK(mean.model_dimension_error < 0.5 * fit.model_dimension_error);  // not a fifth: the ends of the band stay unknown
+    CHECK(mean.model_dimension_error <
+          0.5 * fit.model_dimension_error);  // not a fifth: the ends of the band stay unknown
     // resamples that differ by a power of the lag: their spread in D is half that of the power
     measured.profiles = 1e6;
     measured.resample = [&](const std::vector<std::size_t>& steps) {

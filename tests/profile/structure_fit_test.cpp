@@ -32,7 +32,7 @@ detail::IndexRange all(const detail::LogStructure<double>& log) { return {0, log
 
 /// With independent errors of 1e-3; lambda_s of a tiny length leaves the waves beyond the first lag at 0.
 detail::LineFitter<double> fitter(const detail::LogStructure<double>& log, double power, double lambda_s = 1e-9) {
-    return {log, 1e-6 * detail::Matrix<double>::Identity(log.lag.size(), log.lag.size()), power, lambda_s, log_gamma,
+    return {log,  1e-6 * detail::Matrix<double>::Identity(log.lag.size(), log.lag.size()), power, lambda_s, log_gamma,
             false};
 }
 

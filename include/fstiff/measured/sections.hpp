@@ -209,7 +209,8 @@ LogLevel<Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured,
     log.lag = Eigen::Map<const Vector<F>>(log_lag.data(), size);
     const Vector<F> y = Eigen::Map<const Vector<F>>(log_s.data(), size);
     level.error = expected_spread(row, covariance_of(log, regression_slope(log.lag, y, 0, size - 1)));
-    if (measured.resample) level.error = std::max(level.error, sample_spread(row, Matrix<F>(measured.resample(log.step))));
+    if (measured.resample)
+        level.error = std::max(level.error, sample_spread(row, Matrix<F>(measured.resample(log.step))));
     return level;
 }
 

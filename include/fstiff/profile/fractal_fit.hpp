@@ -52,17 +52,18 @@ struct FractalFitOptions {
     T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
     T lambda_s{};  ///< cut-off of the Gaussian filter that took the short waves [m]: shorter lags are left out, and
                    ///< what it took of longer ones is made up for; 0: none
-    ProgressHook progress{};    ///< of the bootstrap
+    ProgressHook progress{};  ///< of the bootstrap
 };
 
 /// S and S2 of one profile or the mean of several, for fit_fractal().
 template <Real T = double>
 struct MeasuredStructureFunction {
     StructureFunction<T> structure_function;  ///< to be shown
-    StructureFunction<T> second_differences;  ///< that is fitted, at some lags, rising; `pairs` are those of one profile
-    T spacing{};                              ///< [m]
-    std::size_t points{};                     ///< of one profile, missing ones included
-    T profiles = T(1);                        ///< that the means are of
+    StructureFunction<T>
+        second_differences;  ///< that is fitted, at some lags, rising; `pairs` are those of one profile
+    T spacing{};             ///< [m]
+    std::size_t points{};    ///< of one profile, missing ones included
+    T profiles = T(1);       ///< that the means are of
     T apart{};  ///< how far neighbours of them stand apart [spacings]: closer than half the lag, they see the same waves;
                 ///< 0: they are independent
     /// ln S2 at the steps given (rows) of resamples (columns), for the errors; may be empty. ln S2 in any unit.
@@ -73,25 +74,25 @@ struct MeasuredStructureFunction {
 /// D of a half of the window, or of a straight window beside it.
 template <Real T = double>
 struct NeighbourWindow {
-    LagWindow<T> window;       ///< [m]
-    T dimension{};             ///< D; of a half that is no self-affine profile it may lie outside (1, 2)
-    T difference{};            ///< from D of the fit
-    T difference_error{};      ///< what sampling lets expect of it, one standard deviation
-    bool half{};               ///< of the window itself
-    bool disagrees{};          ///< by more than 2.5 standard deviations and by 0.05
+    LagWindow<T> window;   ///< [m]
+    T dimension{};         ///< D; of a half that is no self-affine profile it may lie outside (1, 2)
+    T difference{};        ///< from D of the fit
+    T difference_error{};  ///< what sampling lets expect of it, one standard deviation
+    bool half{};           ///< of the window itself
+    bool disagrees{};      ///< by more than 2.5 standard deviations and by 0.05
 };
 
 template <Real T = double>
 struct FractalFit {
-    Fractal<T> fractal;              ///< D and G [m]
-    T dimension_error{};             ///< standard deviation of D: of sampling and of the choice of the window
-    T sampling_dimension_error{};    ///< its share of sampling
-    T window_dimension_error{};      ///< and of the window
-    T roughness_error{};             ///< standard deviation of G [m]: G times that of ln G
-    T log_roughness_error{};         ///< standard deviation of ln G; G is known to a factor exp of this
-    T sampling_log_roughness_error{};    ///< its share of sampling
-    T window_log_roughness_error{};      ///< and of the window
-    T dimension_roughness_correlation{}; ///< of the errors of D and ln G
+    Fractal<T> fractal;                   ///< D and G [m]
+    T dimension_error{};                  ///< standard deviation of D: of sampling and of the choice of the window
+    T sampling_dimension_error{};         ///< its share of sampling
+    T window_dimension_error{};           ///< and of the window
+    T roughness_error{};                  ///< standard deviation of G [m]: G times that of ln G
+    T log_roughness_error{};              ///< standard deviation of ln G; G is known to a factor exp of this
+    T sampling_log_roughness_error{};     ///< its share of sampling
+    T window_log_roughness_error{};       ///< and of the window
+    T dimension_roughness_correlation{};  ///< of the errors of D and ln G
     std::vector<NeighbourWindow<T>> neighbours;  ///< that the share of the window comes from
     T regression_dimension_error{};  ///< ordinary least-squares error of D, as if all lags were independent: too small
     T model_dimension_error{};       ///< from the covariance of a Gaussian self-affine profile
@@ -107,10 +108,10 @@ struct FractalFit {
     std::size_t lags{};     ///< lags used
     bool finite_band{};     ///< whether the waves beyond the ends of the band show
     bool log_periodic{};    ///< whether these terms entered
-    bool curved{};       ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
-                         ///< to end of the window or from its ends to its middle, a half of the window or a window
-                         ///< beside it disagrees, the slope is below 0.2, or that of a part is, and less than that of the
-                         ///< whole by 0.3 and by 1.5 standard deviations, or the automatic window had to allow more than 0.2
+    bool curved{};  ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
+                    ///< to end of the window or from its ends to its middle, a half of the window or a window
+                    ///< beside it disagrees, the slope is below 0.2, or that of a part is, and less than that of the
+                    ///< whole by 0.3 and by 1.5 standard deviations, or the automatic window had to allow more than 0.2
     T slope_shortest{};  ///< local slope of ln S2 at the shortest lag used
     T slope_longest{};   ///< and at the longest
     T min_slope{};       ///< least local slope over the lags used
@@ -260,7 +261,8 @@ FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const Fr
     if (s.step.size() != s.size() || s.value.size() != s.size() || s.pairs.size() != s.size())
         throw domain_error("structure function: its vectors must have one length");
     for (std::size_t k = 0; k < s.size(); ++k) {
-        if (s.step[k] < 1 || 2 * s.step[k] >= measured.points || (k > 0 && s.step[k] <= s.step[k - 1]) || s.pairs[k] < 1)
+        if (s.step[k] < 1 || 2 * s.step[k] >= measured.points || (k > 0 && s.step[k] <= s.step[k - 1]) ||
+            s.pairs[k] < 1)
             throw domain_error("structure function, lag = " + std::to_string(s.step[k]) +
                                " samples: lags must rise between 1 and less than half the points, each with a triple");
         require(s.value[k] >= T(0) && s.value[k] <= std::numeric_limits<T>::max(), "structure function", s.value[k],
@@ -308,16 +310,15 @@ void set_window(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
 /// Whether ln S2 bends: its quadratic or its cubic term, each against its own sampling error.
 template <Real F>
 bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const IndexRange& range) {
-    const Vector<F> x = log.lag.segment(range.first, range.count()).array() -
-                        (log.lag[range.first] + log.lag[range.last]) / 2;
+    const Vector<F> x =
+        log.lag.segment(range.first, range.count()).array() - (log.lag[range.first] + log.lag[range.last]) / 2;
     const auto bends = [&](Eigen::Index degree, F change_of_slope) {  // that one of the term gives
         Matrix<F> powers(x.size(), degree + 1);
         for (Eigen::Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
         Vector<F> row = Vector<F>::Zero(log.lag.size());
         row.segment(range.first, range.count()) = PivotedQr<F>(powers).solver().row(degree).transpose();
         const F bend = std::abs(row.dot(fitter.y()));
-        return bend * change_of_slope > F(0.2) &&
-               bend > 3 * std::sqrt(fitter.covariance_of(row, row, range));
+        return bend * change_of_slope > F(0.2) && bend > 3 * std::sqrt(fitter.covariance_of(row, row, range));
     };
     const F width = x[x.size() - 1] - x[0];
     return bends(2, 2 * width) || bends(3, 3 * width * width / 4);
@@ -351,7 +352,8 @@ FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention conventio
     const F level = line.level - 2 * line.reference;
     const auto log_g = [&](F d) {
         return (level - std::log(4 - std::pow(F(2), 4 - 2 * d)) -
-                std::log(structure_constant<F>(d, convention, gamma))) / (2 * (d - 1));
+                std::log(structure_constant<F>(d, convention, gamma))) /
+               (2 * (d - 1));
     };
     const F nearby = F(1e-4) * std::min(found.dimension - 1, 2 - found.dimension);
     const F slope = (log_g(found.dimension + nearby) - log_g(found.dimension - nearby)) / (2 * nearby);
@@ -393,8 +395,8 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& ma
     product = 0;
     const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
     for (const IndexRange& beside : neighbours_of(log, range, result.automatic_window)) {
-        const FractalLine<F> other = fractal_line<F>(fitter.fit(beside, range), options.convention,
-                                                     static_cast<F>(options.gamma));
+        const FractalLine<F> other =
+            fractal_line<F>(fitter.fit(beside, range), options.convention, static_cast<F>(options.gamma));
         NeighbourWindow<T> neighbour;
         neighbour.window = {lag(beside.first), lag(beside.last)};
         neighbour.half = beside.first >= range.first && beside.last <= range.last;
@@ -531,17 +533,16 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
                                       " m: a plateau; must be at most 1.9 in a window that is found"});
     Matrix<F> resampled;
     if (measured.resample) {
-        resampled = measured.resample(
-            {log.step.begin() + range.first, log.step.begin() + range.last + 1});
+        resampled = measured.resample({log.step.begin() + range.first, log.step.begin() + range.last + 1});
         if (resampled.rows() != range.count() || resampled.cols() < 2 || !resampled.allFinite())
             refuse("resamples of the structure function", "",
                    "finite, a row for every lag asked for, two columns or more");
     }
     set_fractal(result, line, log, *fitter, resampled, spacing, options);
-    result.curved = is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) ||
-                    line.slope < F(0.2) || flattens(log, range, line.slope) ||
-                    std::any_of(result.neighbours.begin(), result.neighbours.end(),
-                                [](const auto& one) { return one.disagrees; });
+    result.curved =
+        is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < F(0.2) ||
+        flattens(log, range, line.slope) ||
+        std::any_of(result.neighbours.begin(), result.neighbours.end(), [](const auto& one) { return one.disagrees; });
     return result;
 }
 

@@ -266,22 +266,19 @@ template <Real T>
 ChosenRange<Accumulator<T>> automatic_range(const LogStructure<Accumulator<T>>& log, T spacing,
                                             const ReliableLags<T>& reliable) {
     using F = Accumulator<T>;
-    for (const auto& [tolerance, behind_plateau] : {std::pair{F(0.2), false},
-                                                    {F(0.2), true},
-                                                    {F(0.3), false},
-                                                    {F(0.45), false},
-                                                    {F(0.3), true},
-                                                    {F(0.45), true}})
+    for (const auto& [tolerance, behind_plateau] :
+         {std::pair{F(0.2), false}, {F(0.2), true}, {F(0.3), false}, {F(0.45), false}, {F(0.3), true}, {F(0.45), true}})
         if (const auto range = straight_range(log, tolerance, behind_plateau, {0, log.lag.size() - 1}))
             return {*range, tolerance, behind_plateau};
     const std::string first = rounded_text(log.slope[0], 4), last = rounded_text(log.slope[log.slope.size() - 1], 4);
-    throw domain_error({.parameter = "window",
-                        .value = "automatic",
-                        .reason = "no half decade of lags follows a power law (local slope of the second differences, " + first +
-                                  " at the shortest and " + last +
-                                  " at the longest lag); must be a profile whose slope keeps to one value between 0.2 and "
-                                  "1.95 over half a decade, or a window given by hand" +
-                                  reliable.note(static_cast<T>(log.points - 1) * spacing)});
+    throw domain_error(
+        {.parameter = "window",
+         .value = "automatic",
+         .reason = "no half decade of lags follows a power law (local slope of the second differences, " + first +
+                   " at the shortest and " + last +
+                   " at the longest lag); must be a profile whose slope keeps to one value between 0.2 and "
+                   "1.95 over half a decade, or a window given by hand" +
+                   reliable.note(static_cast<T>(log.points - 1) * spacing)});
 }
 
 /// Why a window that was found ends before lag \p next: \p outermost where the search does.

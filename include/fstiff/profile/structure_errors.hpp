@@ -38,8 +38,8 @@ Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector
         const T width = q * std::log(T(2)) / per_octave;
         T spectrum = std::pow(q, -1 - power) + 2 * std::pow(turn, -1 - power) * std::pow(T(3.5), -power) / power;
         for (const int k : {1, 2, 3})
-            spectrum += std::pow(static_cast<T>(k) * turn - q, -1 - power) +
-                        std::pow(static_cast<T>(k) * turn + q, -1 - power);
+            spectrum +=
+                std::pow(static_cast<T>(k) * turn - q, -1 - power) + std::pow(static_cast<T>(k) * turn + q, -1 - power);
         for (Eigen::Index row = 0; row < size; ++row) {
             const T wave = 1 - std::cos(q * static_cast<T>(step[static_cast<std::size_t>(row)]));
             shares(row, node) = 4 * wave * wave * spectrum * std::sqrt(width);
@@ -68,7 +68,8 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
     const std::size_t cell = std::max<std::size_t>(1, z.size() / cells_wanted);
     const std::size_t cells = (z.size() + cell - 1) / cell;
     // four times the longest lag, so that what a block holds is nearly independent of its neighbours
-    const std::size_t block = std::clamp<std::size_t>(4 * step.back() / cell + 1, 1, std::max<std::size_t>(1, cells / 4));
+    const std::size_t block =
+        std::clamp<std::size_t>(4 * step.back() / cell + 1, 1, std::max<std::size_t>(1, cells / 4));
     BlockBootstrap<T> bootstrap(cells, block, static_cast<std::size_t>(resamples), seed);
     const T scale = 2 * height_scale(profile);
     Matrix<T> resampled(static_cast<Eigen::Index>(step.size()), resamples);

@@ -79,8 +79,8 @@ Matrix<T> forward_substituted(const Matrix<T>& l, Matrix<T> a) {
 template <Real T = double>
 struct LogFit {
     IndexRange range;
-    T reference{};      ///< ln n of the middle of the window
-    T level{}, slope{}; ///< ln S2 there, without a and b, and p
+    T reference{};       ///< ln n of the middle of the window
+    T level{}, slope{};  ///< ln S2 there, without a and b, and p
     Vector<T> level_row, slope_row;
     T short_waves{}, long_waves{};  ///< a, b
     T residual{};                   ///< weighted sum of squares
@@ -99,7 +99,10 @@ public:
           power_(power),
           log_gamma_(log_gamma),
           short_sd_(T(0.6) * share_of_short_waves(power) * (log.apart > T(0) ? share_of_oblique_waves(power) : T(1))),
-          expected_short_(short_sd_ * (lambda_s > T(0) ? T(0) : band_ends ? T(-1.25) : log.apart > T(0) ? T(-1) : T(-0.75))),
+          expected_short_(short_sd_ * (lambda_s > T(0)    ? T(0)
+                                       : band_ends        ? T(-1.25)
+                                       : log.apart > T(0) ? T(-1)
+                                                          : T(-0.75))),
           y_(log.value) {
         for (Eigen::Index k = 0; k < y_.size(); ++k) {
             // the logarithm of a mean of squares is low by half its variance
@@ -163,15 +166,15 @@ private:
         weighted(count, 2) = 1 / short_sd_;
         weighted(count + 1, 3) = 1 / long_sd;
         const Matrix<T> inverse_root = forward_substituted<T>(root, Matrix<T>::Identity(count, count));
-        const Matrix<T> solver =
-            PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
+        const Matrix<T> solver = PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
         const Vector<T> y = y_.segment(range.first, count) - expected_short_ * columns.col(2);
         const Vector<T> found = solver.lazyProduct(y);
         const auto spread = [&](Eigen::Index term) {
             const Vector<T> row = solver.row(term).transpose();
             return std::sqrt(row.dot(covariance_.block(range.first, range.first, count, count).lazyProduct(row)));
         };
-        line.level = found[0], line.slope = found[1], line.short_waves = found[2] + expected_short_, line.long_waves = found[3];
+        line.level = found[0], line.slope = found[1], line.short_waves = found[2] + expected_short_,
+        line.long_waves = found[3];
         line.finite_band = std::abs(found[2]) > 2 * spread(2) || std::abs(found[3]) > 2 * spread(3);
         const Vector<T> left = inverse_root.lazyProduct(y - columns.lazyProduct(found));
         line.residual = left.squaredNorm();

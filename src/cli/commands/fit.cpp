@@ -116,20 +116,20 @@ bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.wi
 
 /// Why a fit is flagged as curved.
 std::string curved_sentence(const FractalFit<double>& fit) {
-    const std::string slopes = "the local slope of the structure function " +
-                               (fit.slope_longest < fit.slope_shortest - 0.3
-                                    ? "falls from " + rounded(fit.slope_shortest, 3) + " to " +
-                                          rounded(fit.slope_longest, 3) + " over the window"
-                                    : "varies between " + rounded(fit.min_slope, 3) + " and " +
-                                          rounded(fit.max_slope, 3) + " over the window") +
-                               (fit.min_slope < 0.2 ? ": a part of it is a plateau" : "");
+    const std::string slopes =
+        "the local slope of the structure function " +
+        (fit.slope_longest < fit.slope_shortest - 0.3 ? "falls from " + rounded(fit.slope_shortest, 3) + " to " +
+                                                            rounded(fit.slope_longest, 3) + " over the window"
+                                                      : "varies between " + rounded(fit.min_slope, 3) + " and " +
+                                                            rounded(fit.max_slope, 3) + " over the window") +
+        (fit.min_slope < 0.2 ? ": a part of it is a plateau" : "");
     for (const auto& beside : fit.neighbours)
         if (beside.disagrees)
             return slopes + "; " + (beside.half ? "its half" : "beside it the window") + " of " +
-                   shown_length(beside.window.from, 3) + " to " + shown_length(beside.window.to, 3) + " gives D = " +
-                   rounded(beside.dimension, 3) + ", which differs by " + rounded(std::abs(beside.difference), 2) +
-                   " where sampling explains " + rounded(beside.difference_error, 2) +
-                   ": this is no single power law, and D is a mean over it";
+                   shown_length(beside.window.from, 3) + " to " + shown_length(beside.window.to, 3) +
+                   " gives D = " + rounded(beside.dimension, 3) + ", which differs by " +
+                   rounded(std::abs(beside.difference), 2) + " where sampling explains " +
+                   rounded(beside.difference_error, 2) + ": this is no single power law, and D is a mean over it";
     return slopes + ": this is no single power law, and D is a mean over it";
 }
 
@@ -347,8 +347,8 @@ std::string roughness_text(const FractalFit<double>& fit) {
 
 std::string window_line(const FractalFit<double>& fit) {
     return shown_length(fit.window.from) + " to " + shown_length(fit.window.to) + " (" +
-           (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) +
-           " lags; local slope " + rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) + ")";
+           (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) + " lags; local slope " +
+           rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) + ")";
 }
 
 std::string window_reason(const FractalFit<double>& fit) {
