@@ -214,7 +214,7 @@ TEST_CASE("Measured profiles give D and G with their units, or say why not") {
     const std::string folder = FSTIFF_SURFACES;
     if (!std::filesystem::exists(folder)) SKIP_CASE("there is no folder of measured surfaces " + folder);
     // smooth by its tip, flat behind it, then waves: no half decade of a power law (a D of 1.85 was once read off there)
-    check_refused("fit " + folder + "/dektak-1.csv", 3, {"fractal dimension of the window", "a plateau"});
+    test::check_refused("fit " + folder + "/dektak-1.csv", 3, {"fractal dimension of the window", "a plateau"});
     for (const auto& [file, options, points] : {std::tuple{"opdx-3.txt", " --units m,m", 3001}}) {
         const auto outcome = test::fstiff("fit '" + folder + "/" + file + "' --format json" + options);
         INFO(file << "\n" << outcome.err);
