@@ -14,6 +14,7 @@ write_basic_package_version_file(
 install(
     FILES ${PROJECT_BINARY_DIR}/fstiff-config.cmake ${PROJECT_BINARY_DIR}/fstiff-config-version.cmake
           ${CMAKE_CURRENT_LIST_DIR}/fstiff-eigen.cmake ${CMAKE_CURRENT_LIST_DIR}/fstiff-x3p.cmake
+          ${CMAKE_CURRENT_LIST_DIR}/fstiff-zlib.cmake
     DESTINATION ${fstiff_package_dir}
     COMPONENT dev)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/fstiff COMPONENT dev)

@@ -14,8 +14,8 @@ cmake_minimum_required(VERSION 3.25)
 
 set(levels core math surface "profile topography" halfspace synthetic asperity peaks contact ultrasound measured fit io)
 # Opt-in headers, left out of fstiff.hpp: which ones (regex), and what else they may include (regex).
-set(optional_headers "^io/(x3p|zip_archive)\\.hpp$")
-set(optional_includes "^(zip\\.h|pugixml\\.hpp)$")
+set(optional_headers "^io/(x3p|zip_archive|inflate)\\.hpp$")
+set(optional_includes "^(zip\\.h|pugixml\\.hpp|zlib\\.h)$")
 
 if(NOT ROOT)
     cmake_path(SET ROOT NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/..)

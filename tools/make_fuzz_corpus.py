@@ -11,6 +11,7 @@ import math
 import pathlib
 import struct
 import zipfile
+import zlib
 
 root = pathlib.Path(__file__).resolve().parent.parent / "tests" / "fuzz" / "corpus"
 
@@ -61,6 +62,17 @@ put("map_text", "triples-by-column.txt", "x [um] y [um] z [nm]\n" + "".join(
 put("map_text", "scattered.txt", "".join(f"{math.sin(i):.6f} {math.cos(3 * i):.6f} {i}\n" for i in range(20)))
 put("map_text", "twice.csv", "x [um],y [um],z [nm]\n" + triples(",") + "0.5,2,1\n")
 put("map_text", "written.txt", "# Form: matrix\n# dx: 1e-6 m\n# dy: 1e-6 m\n# Value units: m\n" + matrix("\t"))
+put("map_text", "keyence.csv", '"Measured date","2026-01-01 12:00:00"\n"XY Calibration","277.8","nm"\n"Horizontal","5"\n'
+    '"Vertical","4"\n"Minimum value","-1"\n"Unit","um"\n"Reference data name",""\n\n"Height"\n' +
+    matrix('","').replace("\n", '"\n"')[:-1].join(['"', ""]))
+put("map_text", "spip.asc", "# File Format = ASCII\n# Created by SPIP\n# x-pixels = 5\n# y-pixels = 4\n# x-length = 2000\n"
+    "# y-length = 1500\n# Bit2nm = 0.5\n# voidpixels =0\n# Start of Data:\n" + matrix("\t"))
+put("map_text", "gwyddion-german.txt", "# Kanal: z\n# Breite: 10,5 \u00b5m\n# H\u00f6he: 800 nm\n# Einheiten: nm\n" +
+    matrix("\t").replace(".", ","))
+put("map_text", "gwyddion-czech-cp1250.txt", ("# Kan\u00e1l: z\n# \u0160\u00ed\u0159ka: 10,5 \u00b5m\n# V\u00fd\u0161ka: 800 nm\n"
+    "# Jednotky hodnot: nm\n" + matrix("\t").replace(".", ",")).encode("cp1250"))
+put("map_text", "gwyddion-japanese.txt", "# \u30c1\u30e3\u30cd\u30eb\uff1a z\n# \u5e45\uff1a 10 \u00b5m\n# \u9ad8\u3055\uff1a 800 nm\n"
+    "# \u5024\u306e\u5358\u4f4d\uff1a nm\n" + matrix("\t"))
 put("map_text", "far-apart.csv", "x [um],y [um],z [nm]\n0,0,1\n1,1,2\n1e300,1e300,3\n-1e308,1,1\n1e308,2,2\n")
 
 # --- surface data files ---
@@ -136,14 +148,26 @@ put("gsf", "no-width.gsf", gsf(width="nan"))
 put("gsf", "missing.gsf", gsf(data=struct.pack("<20f", math.nan, *range(19))))
 
 
-def sur(order="<", bits=16, x=5, y=4, comment=b"", marked=1, z=1e-3, units=(b"mm", b"\xb5m")):
+def sur(order="<", bits=16, x=5, y=4, comment=b"", marked=1, z=1e-3, units=(b"mm", b"\xb5m"), streams=None):
     text = lambda word: word.ljust(16)
     header = struct.pack(
-        order + "12s4h30s30s5h8sh5i3f48s16s16s16s48s3f3h12s7hf10s2h128s3f34s", b"DIGITAL SURF", 257 if order == ">" else 0,
+        order + "12s4h30s30s5h8sh5i3f48s16s16s16s48s3f3h12s7hf10s2h128s3f34s", b"DSCOMPRESSED" if streams else b"DIGITAL SURF", 257 if order == ">" else 0,
         1, 1, 2, b"name", b"operator", 0, 0, 0, marked, 0, b"", bits, -1, 6, x, y, 20, 0.5, 0.5, z, b"", text(units[0]),
         text(units[0]), text(units[1]), b"", 1, 1, 1, 0, 0, 0, b"", *[0] * 7, 0, b"", len(comment), 0, b"", 0, 0, 0, b"")
     assert len(header) == 512
-    return header + comment + struct.pack(f"{order}20{'h' if bits == 16 else 'i'}", *heights)
+    data = struct.pack(f"{order}20{'h' if bits == 16 else 'i'}", *heights)
+    return header + comment + (streams(data) if streams else data)
+
+
+def packed_in(*sizes):
+    """The data as zlib streams of so many bytes, behind their table."""
+    def pack(data):
+        parts = [data[sum(sizes[:i]):sum(sizes[:i + 1])] for i in range(len(sizes))]
+        parts.append(data[sum(sizes):])
+        streams = [zlib.compress(part, 9) for part in parts]
+        table = b"".join(struct.pack("<2I", len(part), len(stream)) for part, stream in zip(parts, streams))
+        return struct.pack("<I", len(parts)) + table + b"".join(streams)
+    return pack
 
 
 for bits in (16, 32):
@@ -154,6 +178,89 @@ put("sur", "profile.pro", sur(x=20, y=1))
 put("sur", "huge-count.sur", sur(x=2147483647, y=2147483647))
 put("sur", "nan-step.sur", sur(z=math.nan))
 put("sur", "volt.sur", sur(units=(b"mm", b"V")))
+put("sur", "compressed-16.sur", sur(streams=packed_in()))
+put("sur", "compressed-32-three-streams.sur", sur(bits=32, comment=b"comment", streams=packed_in(8, 20)))
+put("sur", "compressed-bomb.sur", sur(x=30000, y=30000, streams=lambda data: struct.pack("<3I", 1, 1800000000, 60) + bytes(60)))
+put("sur", "compressed-many-streams.sur", sur(streams=lambda data: b"\xff" * 40))
+put("sur", "compressed-damaged.sur", sur(streams=lambda data: packed_in()(data)[:-4] + bytes(4)))
+
+
+# --- files of Gwyddion ---
+def gwy_object(name, *components):
+    content = b"".join(components)
+    return name.encode() + b"\0" + struct.pack("<I", len(content)) + content
+
+
+def gwy_part(name, kind, value):
+    body = {"b": lambda: bytes([value]), "i": lambda: struct.pack("<i", value), "d": lambda: struct.pack("<d", value),
+            "q": lambda: struct.pack("<q", value), "s": lambda: value.encode() + b"\0", "o": lambda: value,
+            "D": lambda: struct.pack(f"<I{len(value)}d", len(value), *value),
+            "S": lambda: struct.pack("<I", len(value)) + b"".join(text.encode() + b"\0" for text in value),
+            "O": lambda: struct.pack("<I", len(value)) + b"".join(value), "raw": lambda: value}[kind]()
+    return name.encode() + b"\0" + (b"D" if kind == "raw" else kind.encode()) + body
+
+
+def gwy_field(x=5, y=4, width=1e-5, unit="m", numbers=heights):
+    si = lambda text: gwy_object("GwySIUnit", gwy_part("unitstr", "s", text))
+    data = gwy_part("data", "raw", numbers) if isinstance(numbers, bytes) else gwy_part("data", "D", numbers)
+    return gwy_object("GwyDataField", gwy_part("xres", "i", x), gwy_part("yres", "i", y), gwy_part("xreal", "d", width),
+                      gwy_part("yreal", "d", 4e-6), gwy_part("si_unit_xy", "o", si("m")),
+                      gwy_part("si_unit_z", "o", si(unit)), data)
+
+
+def gwy(*components):
+    return b"GWYP" + gwy_object("GwyContainer", *components)
+
+
+gwy_data = lambda number=0, **changed: gwy_part(f"/{number}/data", "o", gwy_field(**changed))
+gwy_mask = gwy_part("/0/mask", "o", gwy_field(unit="", numbers=[1, 0.0] * 10))
+put("gwy", "map.gwy", gwy(gwy_part("/filename", "s", "a"), gwy_data(), gwy_part("/0/base/palette", "s", "Gray"),
+                          gwy_part("/0/data/visible", "b", 1), gwy_part("/0/data/title", "s", "Height")))
+put("gwy", "profile.gwy", gwy(gwy_data(x=20, y=1)))
+put("gwy", "mask.gwy", gwy(gwy_mask, gwy_data()))
+put("gwy", "two.gwy", gwy(gwy_data(unit="deg"), gwy_data(1), gwy_part("/1/data/title", "s", "Height"),
+                          gwy_part("/texts", "S", ["a", "b"]), gwy_part("/list", "O", [gwy_object("GwyString")])))
+put("gwy", "volt.gwy", gwy(gwy_data(unit="V")))
+put("gwy", "huge-count.gwy", gwy(gwy_data(x=2147483647, y=2147483647, numbers=struct.pack("<I", 0xFFFFFFFF))))
+put("gwy", "huge-texts.gwy", gwy(gwy_part("/texts", "S", []).replace(bytes(4), b"\xff" * 4), gwy_data()))
+put("gwy", "no-width.gwy", gwy(gwy_data(width=math.nan)))
+put("gwy", "missing.gwy", gwy(gwy_data(numbers=[math.nan, *range(19)])))
+put("gwy", "infinite.gwy", gwy(gwy_data(numbers=[math.inf, *range(19)])))
+put("gwy", "old.gwy", b"GWYO" + gwy_object("GwyContainer"))
+put("gwy", "unknown-type.gwy", gwy(gwy_data(), b"x\0?"))
+
+
+# --- profiles of ISO 5436-2 and their elder form ---
+def smd(points=20, x="I", z="A", unit="um", scale="1.0e0", data=None, total=None, form="PRF"):
+    data = "".join(f"{value / 10:.5f}\r\n" for value in heights) if data is None else data
+    text = (f"ISO 5436-2:2012\0a.smd\0\r\n{form}\0 1 ISO5436\0\r\nCX\0 {x}\0 {points} mm\0 1.0e0 D\0 5.0e-4 \r\n"
+            f"CZ\0 {z}\0 {points} {unit}\0 {scale} D\0\r\n\3\r\nDATE: 1-January-2026\0\r\nCOMMENT /* a */\0\r\n\3\r\n"
+            f"{data}\3\r\n").encode()
+    return text + (str(sum(text) % 65535 if total is None else total) + "\r\n\3\r\n\x1a").encode()
+
+
+def prf(points="2.000000e+001", spacing="SPACING CX 5.000000e-004\r\n", scale="1.000000e-006", mapped="0.000000e+000"):
+    return (f"1 2\r\nSG2004 0.000000e+000 PRF\r\nCX M {points} MM 1.000000e+000 D\r\nCZ M {points} UM {scale} L\r\nEOR\r\n"
+            f"STYLUS_RADIUS 2.000000e-003 MM\r\n{spacing}MAP 1.000000e+000 CZ CZ 1.000000e+000 1.000000e+000\r\n"
+            f"MAP 2.000000e+000 CZ CX 1.000000e+000 {mapped}\r\nCOMMENT a\r\nEOR\r\n" +
+            "".join(f"{100000 * value}\r\n" for value in heights) + "EOR\r\nEOF\r\n")
+
+
+put("smd", "profile.smd", smd())
+put("smd", "blanks.smd", smd().replace(b"\0", b" "))
+put("smd", "changed.smd", smd(total=1))
+put("smd", "absolute-x.smd", smd(x="A"))
+put("smd", "surface.smd", smd(form="SUR"))
+put("smd", "volt.smd", smd(unit="V"))
+put("smd", "huge-count.smd", smd(points=4294967295))
+put("smd", "huge-scale.smd", smd(scale="1e308", unit="km"))
+put("smd", "word.smd", smd(data="a\r\n" * 20))
+put("smd", "missing.smd", smd(data="BAD\r\n" + "".join(f"{value}\r\n" for value in range(19))))
+put("smd", "many-ends.smd", smd() + b"\3" * 200)
+put("smd", "profile.prf", prf())
+put("smd", "gauge.prf", prf(mapped="1.000000e-003"))
+put("smd", "no-spacing.prf", prf(spacing=""))
+put("smd", "zero-scale.prf", prf(scale="0"))
 
 
 # --- X3P ---

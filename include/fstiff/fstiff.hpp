@@ -31,12 +31,14 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/math/tukey.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/surface/moments.hpp>
+#include <fstiff/surface/nesting_indices.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/surface/spectrum_window.hpp>
@@ -45,7 +47,6 @@
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/detrend.hpp>
-#include <fstiff/profile/filter_loss.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/lag_window.hpp>
@@ -53,6 +54,9 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/repair.hpp>
+#include <fstiff/profile/robust_gaussian_filter.hpp>
+#include <fstiff/profile/roughness_cut_off.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/profile/second_differences.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
@@ -73,6 +77,8 @@
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/radial_spectrum.hpp>
+#include <fstiff/topography/repair.hpp>
+#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>

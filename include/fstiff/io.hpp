@@ -5,7 +5,9 @@
 
 #include <fstiff/io/binary_numbers.hpp>
 #include <fstiff/io/gsf.hpp>
+#include <fstiff/io/gwy.hpp>
 #include <fstiff/io/header.hpp>
+#include <fstiff/io/header_words.hpp>
 #include <fstiff/io/known_binary.hpp>
 #include <fstiff/io/lines.hpp>
 #include <fstiff/io/map_text.hpp>
@@ -18,6 +20,7 @@
 #include <fstiff/io/quantity.hpp>
 #include <fstiff/io/regular_grid.hpp>
 #include <fstiff/io/sdf.hpp>
+#include <fstiff/io/smd.hpp>
 #include <fstiff/io/sur.hpp>
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/io/units.hpp>

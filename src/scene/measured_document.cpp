@@ -46,7 +46,7 @@ MeasuredSurface values_of(const Parsed& document, const std::string& name) {
         if (found == document.end() || found->is_null()) return {};
         return number_of(document, key, name);
     };
-    surface.cut_offs = {cut_off("lambda_s_m"), cut_off("lambda_c_m")};
+    surface.cut_offs = {cut_off("lambda_s_m"), cut_off("lambda_c_m"), {}, {}, {}, {}};
     const auto read = [&](const char* key) -> std::optional<Measurement<double>> {
         const auto found = values->find(key);
         if (found == values->end()) return std::nullopt;

@@ -66,6 +66,25 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, std
                            short_name);
 }
 
+/// Cut-offs that the table chose differently for \p parts become the longest of them in \p options, or none where one part
+/// has none. Returns whether there are such.
+bool share_cut_offs(SurfaceOptions& options, const std::vector<MeasuredSurface>& parts) {
+    const auto share = [&](std::string& option, std::optional<double> CutOffs::*of) {
+        if (!is_automatic(option)) return false;
+        const auto shorter = [&](const MeasuredSurface& a, const MeasuredSurface& b) {
+            return (a.cut_offs.*of).value_or(0) < (b.cut_offs.*of).value_or(0);
+        };
+        const auto [low, high] = std::minmax_element(parts.begin(), parts.end(), shorter);
+        const std::optional<double> least = low->cut_offs.*of, most = high->cut_offs.*of;
+        if (!most || (least && !differ(*least, *most))) return false;
+        option = least ? exact(*most) + " m" : "none";
+        return true;
+    };
+    const bool short_waves = share(options.lambda_s, &CutOffs::lambda_s);
+    const bool long_waves = options.detrend != gaussian_form && share(options.lambda_c, &CutOffs::lambda_c);
+    return short_waves || long_waves;
+}
+
 MeasuredFace<double> face_of(const MeasuredSurface& one) {
     const UncertainSurface<double>& p = one.parameters;
     const auto known = [&](Parameter which) {
@@ -195,11 +214,17 @@ MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::str
                               const ProgressHook& progress) {
     const std::vector<std::string> files = without_folders(names);
     std::vector<MeasuredSurface> parts;
-    for (const std::string& file : files) {
-        options.input.file = file;
-        parts.push_back(measure_surface(options, read_all(file), progress));
-        require_alike(parts.front(), parts.back(), options.input.prefix);
-    }
+    const auto measure = [&] {
+        parts.clear();
+        for (const std::string& file : files) {
+            options.input.file = file;
+            parts.push_back(measure_surface(options, read_all(file), progress));
+        }
+    };
+    measure();
+    const bool once = std::count(files.begin(), files.end(), "-") > 0;  // standard input is read once
+    if (!once && share_cut_offs(options.input, parts)) measure();
+    for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input.prefix);
     return parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts));
 }
 

@@ -15,9 +15,11 @@ namespace {
 FractalFitOptions<double> fit_options(const MeasureOptions& options) {
     const std::string prefix(options.input.prefix);
     FractalFitOptions<double> fit;
-    if (!options.tip_radius.empty())
-        fit.tip_radius = parse_length(options.tip_radius, prefix + (prefix.empty() ? "tip_radius" : "tip-radius"));
-    if (!options.resolution.empty()) fit.resolution = parse_length(options.resolution, prefix + "resolution");
+    if (!options.input.tip_radius.empty())
+        fit.tip_radius =
+            parse_length(options.input.tip_radius, prefix + (prefix.empty() ? "tip_radius" : "tip-radius"));
+    if (!options.input.resolution.empty())
+        fit.resolution = parse_length(options.input.resolution, prefix + "resolution");
     if (!options.window.empty()) fit.window = parse_window(options.window, prefix + "window");
     return fit;
 }
@@ -122,7 +124,9 @@ void add_neighbours(MeasuredSurface& surface, MeasureOptions options, const Surf
     const double step =
         surface.profile ? surface.profile->profile.spacing : std::max(surface.map->map.dx, surface.map->map.dy);
     options.neighbours = false;
-    options.resamples = 2;  // their errors are not asked
+    options.resamples = 2;                       // their errors are not asked
+    if (options.input.detrend != gaussian_form)  // whatever chose lambda_c, it stays
+        options.input.lambda_c = surface.cut_offs.lambda_c ? exact(*surface.cut_offs.lambda_c) + " m" : "none";
     for (const double lambda_s : neighbouring_cut_offs(surface.cut_offs.lambda_s, step)) {
         options.input.lambda_s = exact(lambda_s) + " m";
         try {
@@ -134,8 +138,8 @@ void add_neighbours(MeasuredSurface& surface, MeasureOptions options, const Surf
 
 }  // namespace
 
-MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes, const ProgressHook& progress) {
-    return measure_surface(options, read_surface_input(options.input, bytes), progress);
+MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes, const ProgressHook& progress) {
+    return measure_surface(options, read_surface_input(options.input, std::move(bytes)), progress);
 }
 
 MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
@@ -171,7 +175,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
         const PreparedMap& levelled = *surface.map;
         surface.cut_offs = levelled.cut_offs;
         how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
-        found = about_file(options.input.file, [&] { return surface_parameters(levelled.map, how); });
+        found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
         surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
     }

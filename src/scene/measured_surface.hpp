@@ -24,7 +24,7 @@ namespace fstiff::scene {
 struct MeasureOptions {
     SurfaceOptions input;
     PeakSource peaks = PeakSource::islands;  ///< of a map
-    std::string tip_radius, resolution, window;
+    std::string window;                      ///< of lags that give D
     int resamples = 400;
     std::uint64_t seed = 2014;
     bool neighbours = true;  ///< measures behind a smaller and a greater lambda_s too
@@ -59,7 +59,7 @@ struct MeasuredSurface {
 };
 
 /// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
-[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const std::string& bytes,
+[[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes,
                                               const ProgressHook& progress = {});
 /// The same of what was read already.
 [[nodiscard]] MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,

@@ -18,11 +18,11 @@ MeasuredSurface measured_from(const MeasureOptions& options, const std::vector<s
         if (files.size() > 1 || std::filesystem::is_directory(files.front(), none))
             return measure_files(options, files, progress);
         const std::string& file = files.front();
-        const std::string bytes = read_all(file);
+        std::string bytes = read_all(file);
         if (!is_measured_document(bytes)) {
             MeasureOptions of_file = options;
             of_file.input.file = file;
-            return measure_surface(of_file, bytes, progress);
+            return measure_surface(of_file, std::move(bytes), progress);
         }
         if (!defaults)
             throw domain_error(display_name(file) +
@@ -31,14 +31,18 @@ MeasuredSurface measured_from(const MeasureOptions& options, const std::vector<s
     });
 }
 
+/// \p file, which the scene names relative to itself; "-" is standard input.
+std::string beside_scene(const Source& source, const std::filesystem::path& file) {
+    const std::filesystem::path scene(source.file);
+    return (file != "-" && file.is_relative() && scene.has_parent_path() ? scene.parent_path() / file : file).string();
+}
+
 /// The files that \p from names, relative to the scene.
 std::vector<std::string> files_of(Source& source, const toml::node& from, const std::string& key) {
     const auto one = [&](const toml::node& node, const std::string& name) {
-        std::filesystem::path path = source.text(node, name);
-        if (path.empty()) source.refuse(node, name, "must name a file");
-        const std::filesystem::path scene(source.file);
-        if (path != "-" && path.is_relative() && scene.has_parent_path()) path = scene.parent_path() / path;
-        return path.string();
+        const std::string file = source.text(node, name);
+        if (file.empty()) source.refuse(node, name, "must name a file");
+        return beside_scene(source, file);
     };
     const auto* list = from.as_array();
     if (!list) return {one(from, key)};
@@ -49,61 +53,91 @@ std::vector<std::string> files_of(Source& source, const toml::node& from, const 
     return files;
 }
 
-/// The keys beside surface.from that say how the file is read.
-constexpr std::array<std::string_view, 19> reading_keys{"format",   "units",         "spacing",    "column",  "dx",
-                                                        "dy",       "width",         "height",     "detrend", "cutoff",
-                                                        "peaks",    "tip_radius",    "resolution", "window",  "missing",
-                                                        "resample", "x3p_increment", "lambda_s",   "lambda_c"};
+/// A key beside surface.from, and how it is read.
+struct ReadingKey {
+    std::string_view name;
+    void (*read)(Source&, const toml::node&, const std::string& key, MeasureOptions&);
+};
+
+template <std::string SurfaceOptions::*member>
+void text(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
+    options.input.*member = source.text(node, key);
+}
+
+template <bool SurfaceOptions::*member>
+void flag(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
+    if (!node.is_boolean()) source.refuse(node, key, "must be true or false");
+    options.input.*member = node.as_boolean()->get();
+    source.record(key, written(node));
+}
+
+/// missing = -9999 or missing = "-9999".
+void read_missing(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
+    if (!node.is_number() && !node.is_string()) source.refuse(node, key, "must be a number or a text");
+    options.input.missing = written(node);
+    source.record(key, written(node));
+}
+
+void read_mask(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
+    options.input.mask = beside_scene(source, source.text(node, key));
+}
+
+void read_spikes(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
+    const auto number = node.value<double>();
+    if (!number || !(*number >= 3 && *number <= 1000)) source.refuse(node, key, "must be a number from 3 to 1000");
+    options.input.spikes = *number;
+    source.record(key, written(node), *number);
+}
+
+void read_column(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
+    const auto* column = node.as_integer();
+    if (!column || column->get() < 1 || column->get() > 1000000)
+        source.refuse(node, key, "must be a whole number from 1 to 1000000");
+    options.input.column = static_cast<int>(column->get());
+    source.record(key, written(node), static_cast<double>(column->get()));
+}
+
+constexpr std::array<ReadingKey, 25> reading_keys{{
+    {"format", text<&SurfaceOptions::format>},
+    {"units", text<&SurfaceOptions::units>},
+    {"spacing", text<&SurfaceOptions::spacing>},
+    {"column", read_column},
+    {"dx", text<&SurfaceOptions::dx>},
+    {"dy", text<&SurfaceOptions::dy>},
+    {"width", text<&SurfaceOptions::width>},
+    {"height", text<&SurfaceOptions::height>},
+    {"detrend", text<&SurfaceOptions::detrend>},
+    {"cutoff", text<&SurfaceOptions::cutoff>},
+    {"peaks", [](Source& source, const toml::node& node, const std::string& key,
+                 MeasureOptions& options) { options.peaks = source.choice<PeakSource>(node, key); }},
+    {"tip_radius", text<&SurfaceOptions::tip_radius>},
+    {"resolution", text<&SurfaceOptions::resolution>},
+    {"window", [](Source& source, const toml::node& node, const std::string& key,
+                  MeasureOptions& options) { options.window = source.text(node, key); }},
+    {"missing", read_missing},
+    {"resample", flag<&SurfaceOptions::resample>},
+    {"x3p_increment", text<&SurfaceOptions::x3p_increment>},
+    {"lambda_s", text<&SurfaceOptions::lambda_s>},
+    {"lambda_c", text<&SurfaceOptions::lambda_c>},
+    {"filter", [](Source& source, const toml::node& node, const std::string& key,
+                  MeasureOptions& options) { options.input.filter = source.choice<CutOffFilter>(node, key); }},
+    {"crop", text<&SurfaceOptions::crop>},
+    {"mask", read_mask},
+    {"spikes", read_spikes},
+    {"fill", flag<&SurfaceOptions::fill>},
+    {"channel", text<&SurfaceOptions::channel>},
+}};
 
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
     MeasureOptions options;
     const std::vector<std::string> files = files_of(source, from, surface.key("from"));
-    const std::array<std::string*, reading_keys.size()> into{&options.input.format,
-                                                             &options.input.units,
-                                                             &options.input.spacing,
-                                                             nullptr,
-                                                             &options.input.dx,
-                                                             &options.input.dy,
-                                                             &options.input.width,
-                                                             &options.input.height,
-                                                             &options.input.detrend,
-                                                             &options.input.cutoff,
-                                                             nullptr,
-                                                             &options.tip_radius,
-                                                             &options.resolution,
-                                                             &options.window,
-                                                             nullptr,
-                                                             nullptr,
-                                                             &options.input.x3p_increment,
-                                                             &options.input.lambda_s,
-                                                             &options.input.lambda_c};
     bool defaults = true;
-    for (std::size_t i = 0; i < reading_keys.size(); ++i) {
-        const toml::node* node = surface.find(reading_keys[i]);
-        if (!node) continue;
-        defaults = false;
-        const std::string key = surface.key(reading_keys[i]);
-        if (into[i]) {
-            *into[i] = source.text(*node, key);
-        } else if (reading_keys[i] == "peaks") {
-            options.peaks = source.choice<PeakSource>(*node, key);
-        } else if (reading_keys[i] == "missing") {  // missing = -9999 or missing = "-9999"
-            if (!node->is_number() && !node->is_string()) source.refuse(*node, key, "must be a number or a text");
-            options.input.missing = written(*node);
-            source.record(key, written(*node));
-        } else if (reading_keys[i] == "resample") {
-            if (!node->is_boolean()) source.refuse(*node, key, "must be true or false");
-            options.input.resample = node->as_boolean()->get();
-            source.record(key, written(*node));
-        } else {
-            const auto* column = node->as_integer();
-            if (!column || column->get() < 1 || column->get() > 1000000)
-                source.refuse(*node, key, "must be a whole number from 1 to 1000000");
-            options.input.column = static_cast<int>(column->get());
-            source.record(key, written(*node), static_cast<double>(column->get()));
+    for (const ReadingKey& key : reading_keys)
+        if (const toml::node* node = surface.find(key.name)) {
+            key.read(source, *node, surface.key(key.name), options);
+            defaults = false;
         }
-    }
     return measured_from(options, files, defaults, source.place(from, surface.key("from")), progress);
 }
 
@@ -160,7 +194,8 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
                                                                "hurst",
                                                                "errors"};
     std::vector<std::string_view> valid(written_keys);
-    if (table.contains("from")) valid.insert(valid.end(), reading_keys.begin(), reading_keys.end());
+    if (table.contains("from"))
+        for (const ReadingKey& key : reading_keys) valid.push_back(key.name);
     const Section surface(source, table, path, valid);
     if (surface.find("from")) {
         face = face_of(read_from(source, surface, progress));

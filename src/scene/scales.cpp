@@ -82,14 +82,19 @@ Scales scales_of(const MeasureOptions& options, const SurfaceInput& input, const
     std::vector<std::pair<bool, CutOffs>> asked;  // whether lambda_s varies
     const CutOffs& own = chosen.cut_offs;
     const double shortest = own.lambda_s.value_or(4 * step), longest = own.lambda_c.value_or(length / 2);
-    asked.push_back({true, {std::nullopt, own.lambda_c}});
+    const auto ask = [&](bool of_short_waves, std::optional<double> lambda_s, std::optional<double> lambda_c) {
+        CutOffs cut_offs;
+        cut_offs.lambda_s = lambda_s, cut_offs.lambda_c = lambda_c, cut_offs.filter = own.filter;
+        asked.emplace_back(of_short_waves, cut_offs);
+    };
+    ask(true, {}, own.lambda_c);
     for (double cut = shortest * std::exp2(std::ceil(std::log2(2 * step / shortest) - 1e-9));
          cut <= std::min(length / 20, own.lambda_c.value_or(length) / 5) * (1 + 1e-9); cut *= 2)
-        asked.push_back({true, {cut, own.lambda_c}});
-    asked.push_back({false, {own.lambda_s, std::nullopt}});
+        ask(true, cut, own.lambda_c);
+    ask(false, own.lambda_s, {});
     for (double cut = longest * std::exp2(std::floor(std::log2(length / 2 / longest) + 1e-9));
          cut >= std::max(10 * own.lambda_s.value_or(0), 20 * step) * (1 - 1e-9); cut /= 2)
-        asked.push_back({false, {own.lambda_s, cut}});
+        ask(false, own.lambda_s, cut);
     Scales scales{.law = std::string(law.name), .length = length, .short_waves = {}, .long_waves = {}};
     for (std::size_t i = 0; i < asked.size(); ++i) {
         if (how.progress) how.progress("scales", i, asked.size());

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/surface_file.hpp"
 
+#include "scene/cleaning.hpp"
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #ifdef FSTIFF_HAS_X3P
 #include <fstiff/io/x3p.hpp>
+#endif
+#ifdef FSTIFF_HAS_ZLIB
+#include <fstiff/io/inflate.hpp>
 #endif
 
 #include <algorithm>
@@ -35,32 +41,22 @@ void refuse_cutoff(const SurfaceOptions& options) {
                            "detrend gaussian, of a profile; must not be given without it");
 }
 
-/// The cut-off of \p text for a surface of \p step and of \p length, which messages call \p name.
-std::optional<double> cut_off(const std::string& text, const std::string& name, int least, double step, double length) {
-    if (text.empty() || text == "none") return {};
-    const double value = parse_length(text, name);
-    if (value < least * step * (1 - 4 * std::numeric_limits<double>::epsilon()))
-        throw domain_error(name + " = " + shown_length(value) + " cannot be held by this file, whose points are " +
-                           shown_length(step) + " apart: must be at least " + std::to_string(least) + " steps, " +
-                           shown_length(least * step));
-    if (value > length)
-        throw domain_error(name + " = " + shown_length(value) + ": must be at most the length of the surface, " +
-                           shown_length(length));
-    return value;
+/// What a robust filter says of itself, in words behind others.
+template <class Robust>
+std::string left_out(const Robust& robust, Eigen::Index points) {
+    return ", " + std::to_string(robust.left_out) + " of " + std::to_string(points) + " points without weight, " +
+           std::to_string(robust.iterations) + " iterations" + (robust.converged ? "" : ", not converged");
 }
 
-/// \throws domain_error for cut-offs that a surface of \p step (the coarser one) and \p length (the shorter) cannot hold.
-CutOffs cut_offs_of(const SurfaceOptions& options, double step, double length) {
-    const std::string prefix(options.prefix), dash = prefix.empty() ? "_" : "-";
-    const std::string short_name = prefix + "lambda" + dash + "s", long_name = prefix + "lambda" + dash + "c";
-    return about_file(options.file, [&] {
-        const CutOffs found{cut_off(options.lambda_s, short_name, 2, step, length),
-                            cut_off(options.lambda_c, long_name, 5, step, length)};
-        if (found.lambda_s && found.lambda_c && *found.lambda_s >= *found.lambda_c)
-            throw domain_error(short_name + " = " + shown_length(*found.lambda_s) + ": must be less than " + long_name +
-                               ", " + shown_length(*found.lambda_c));
-        return found;
-    });
+/// \p levelled without its waves above lambda_c, by the filter that \p cut_offs name.
+LevelledProfile<double> without_waves_above(CutOffs& cut_offs, LevelledProfile<double> levelled) {
+    if (cut_offs.filter == CutOffFilter::gaussian) return without_waviness(std::move(levelled), *cut_offs.lambda_c);
+    const RobustWaviness<double> robust = robust_waviness(levelled.profile, *cut_offs.lambda_c);
+    cut_offs.left_out = left_out(robust, static_cast<Eigen::Index>(levelled.profile.present()));
+    if (!levelled.unfiltered) levelled.unfiltered = levelled.profile;
+    for (std::size_t i = 0; i < levelled.profile.size(); ++i) levelled.profile.heights[i] -= robust.waviness.heights[i];
+    levelled.lambda_c = cut_offs.lambda_c;
+    return levelled;
 }
 
 }  // namespace
@@ -76,15 +72,6 @@ LagWindow<double> parse_window(const std::string& text, std::string_view name) {
     if (comma == std::string::npos)
         throw option_error(std::string(name) + " = \"" + text + "\": must be two lengths, such as \"1 um,100 um\"");
     return {parse_length(text.substr(0, comma), name), parse_length(text.substr(comma + 1), name)};
-}
-
-std::string CutOffs::sentence() const {
-    return (lambda_s ? "lambda_s " + shown_length(*lambda_s) + " (Gaussian, after the form was removed)"
-                     : std::string("lambda_s none (as measured)")) +
-           ", " +
-           (lambda_c ? "lambda_c " + shown_length(*lambda_c) + " (Gaussian, after " +
-                           (lambda_s ? "lambda_s)" : "the form was removed)")
-                     : std::string("lambda_c none"));
 }
 
 std::size_t SurfaceInput::points() const {
@@ -120,12 +107,21 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
         how.x3p_increment = parse<io::X3pIncrement>(
             options.x3p_increment,
             std::string(options.prefix) + (options.prefix.empty() ? "x3p_increment" : "x3p-increment"));
+    how.channel = options.channel;
+#ifdef FSTIFF_HAS_ZLIB
+    how.inflate = io::inflate_zlib;
+#endif
 #ifdef FSTIFF_HAS_X3P
     how.x3p = io::x3p_reader();
 #endif
     SurfaceInput input;
     input.sha256 = sha256(bytes);
     input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
+    about_file(options.file, [&] {
+        clean(options, input.surface);
+        for (std::string& hint : cleaning_hints(options, input.surface))
+            input.surface.record.warnings.push_back(std::move(hint));
+    });
     return input;
 }
 
@@ -147,12 +143,14 @@ PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
     if (filter && !options.lambda_c.empty() && options.lambda_c != "none")
         throw option_error(std::string(options.prefix) + "detrend gaussian has the cut-off " + name +
                            " already; must not stand beside another cut-off of long waves");
-    result.cut_offs = cut_offs_of(options, read.spacing, read.length());
-    if (filter) result.cut_offs.lambda_c = parse_length(options.cutoff, name);
+    CutOffs& cut_offs = result.cut_offs = cut_offs_of(options, read.spacing, read.length());
     about_file(options.file, [&] {
         result.rms_as_read = rms_height(read);
-        static_cast<LevelledProfile<double>&>(result) =
-            level(read, form, result.cut_offs.lambda_c, input.surface.record.resolution, result.cut_offs.lambda_s);
+        auto& levelled = static_cast<LevelledProfile<double>&>(result);
+        levelled = level(read, form, filter ? cut_offs.lambda_c : std::nullopt, input.surface.record.resolution,
+                         cut_offs.lambda_s);
+        if (!filter && is_automatic(options.lambda_c)) choose_lambda_c(cut_offs, levelled.profile);
+        if (!filter && cut_offs.lambda_c) levelled = without_waves_above(cut_offs, std::move(levelled));
         result.rms = rms_height(result.profile);
     });
     return result;
@@ -170,10 +168,23 @@ PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) 
     result.cut_offs = cut_offs_of(
         options, std::max(read.dx, read.dy),
         std::min(static_cast<double>(read.columns()) * read.dx, static_cast<double>(read.rows()) * read.dy));
+    if (is_automatic(options.lambda_c))
+        result.cut_offs.why_c = "an S-F surface of ISO 25178-2: the form alone bounds the long waves";
     about_file(options.file, [&] {
-        result.map = level(read, form, input.surface.record.resolution).map;
-        if (const auto shortest = result.cut_offs.lambda_s) result.map = gaussian_low_pass(result.map, *shortest);
-        if (const auto longest = result.cut_offs.lambda_c) result.map = gaussian_high_pass(result.map, *longest);
+        auto& levelled = static_cast<LevelledMap<double>&>(result);
+        levelled = level(read, form, input.surface.record.resolution);
+        if (result.cut_offs.any()) levelled.unfiltered = levelled.map;
+        if (const auto shortest = result.cut_offs.lambda_s) levelled.map = gaussian_low_pass(levelled.map, *shortest);
+        if (const auto longest = result.cut_offs.lambda_c) {
+            if (options.filter == CutOffFilter::robust) {
+                const RobustMapWaviness<double> robust = robust_waviness(levelled.map, *longest);
+                levelled.map.heights -= robust.waviness.heights;
+                result.cut_offs.left_out = left_out(robust, levelled.map.present());
+            } else {
+                levelled.map = gaussian_high_pass(levelled.map, *longest);
+            }
+            levelled.lambda_c = *longest;
+        }
         result.rms_as_read = rms_height(read);
         result.areal = areal_statistics(result.map);
         result.rms = result.areal.rms_height;

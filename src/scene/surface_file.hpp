@@ -2,6 +2,7 @@
 #pragma once
 // A measured surface: the options that say how a file is read, the reading, and the removal of the form.
 
+#include "scene/cut_offs.hpp"
 #include "scene/file.hpp"
 
 #include <fstiff/core/error.hpp>
@@ -22,7 +23,7 @@ namespace fstiff::scene {
 /// How a file is read; a file name alone will do. What is left empty is taken from the file, or by default.
 struct SurfaceOptions {
     std::string file;                   ///< "-" is standard input
-    std::string format = "auto";        ///< auto, profile, triples, matrix, sdf, x3p, npy, gsf or sur
+    std::string format = "auto";        ///< auto, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd
     std::string units;                  ///< "um,nm" (lengths, heights) or "um" (both)
     std::string spacing;                ///< of a profile
     std::string dx, dy, width, height;  ///< of a matrix
@@ -30,9 +31,15 @@ struct SurfaceOptions {
     std::string missing;                ///< stands for missing points of a text: "-9999", or "none"
     bool resample = false;              ///< unequally spaced positions of a profile are interpolated
     std::string x3p_increment;          ///< apply (or empty) or ignore
+    std::string channel;                ///< of gwy: its number or its title
+    std::string crop, mask;             ///< a part of the surface, "x0,x1" or "x0,x1,y0,y1"; a file of 0 and 1
+    double spikes = 0;                  ///< become missing beyond so many standard deviations; 0: none
+    bool fill = false;                  ///< missing points are filled
     std::string detrend;                ///< see remove_form(); empty: "line" of a profile, "plane" of a map
     std::string cutoff;                 ///< of detrend = "gaussian"
-    std::string lambda_s, lambda_c;     ///< cut-offs of short and of long waves: a length, or "none" (or empty)
+    std::string lambda_s, lambda_c;     ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
+    CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
+    std::string tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
     std::string_view prefix = "";
     std::string_view format_name = "format";
@@ -54,14 +61,6 @@ struct SurfaceInput {
 /// The same from bytes that were read already.
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
 
-/// The cut-offs of the Gaussian filters (ISO 16610-21 of profiles, -61 of maps) that act once the form is removed.
-struct CutOffs {
-    std::optional<double> lambda_s, lambda_c;  ///< of the short waves, and then of the long ones [m]
-
-    [[nodiscard]] bool any() const { return lambda_s || lambda_c; }
-    [[nodiscard]] std::string sentence() const;
-};
-
 /// A profile without its form and, with cut-offs, without its short and its long waves.
 struct PreparedProfile : LevelledProfile<double> {
     double rms_as_read{}, rms{};  ///< Rq before and after [m]
@@ -70,8 +69,7 @@ struct PreparedProfile : LevelledProfile<double> {
 };
 
 /// A map without its form and, with cut-offs, without its short and its long waves.
-struct PreparedMap {
-    HeightMap<double> map;
+struct PreparedMap : LevelledMap<double> {
     double rms_as_read{}, rms{};  ///< Sq before and after [m]
     ArealStatistics<double> areal;
     std::string form;

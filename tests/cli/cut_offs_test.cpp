@@ -5,9 +5,11 @@
 #include "support/skip.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/level.hpp>
+#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -56,7 +58,7 @@ TEST_CASE("A trace at every 1st to 16th point has one R, D_p and gradient behind
     for (const std::size_t step : {1, 2, 4, 8, 16}) {
         const std::string part = decimated(text, step);
         found.push_back(json_of("measure - --units m,m --lambda-s '1 um'", part)["surface"]);
-        as_measured.push_back(json_of("measure - --units m,m", part)["surface"]);
+        as_measured.push_back(json_of("measure - --units m,m --lambda-s none", part)["surface"]);
     }
     const auto apart = [](const nlohmann::json& a, const nlohmann::json& b) {  // in errors of their difference
         return std::abs(a["value"].get<double>() - b["value"].get<double>()) /
@@ -103,17 +105,78 @@ TEST_CASE("The map that is measured is the one that the library filters, first l
     CHECK(fit["x"]["window_m"][0].get<double>() >= 3e-6 * (1 - 1e-9));
 }
 
-TEST_CASE("Without the options, and with none, nothing is filtered, and the output says so") {
+TEST_CASE("With none nothing is filtered, and the output says so") {
     const std::string text = map_text();
-    const auto plain = json_of("measure -", text), none = json_of("measure - --lambda-s none --lambda-c none", text);
-    CHECK(plain["surface"] == none["surface"]);
-    for (const auto& document : {plain, none}) {
-        CHECK(document["lambda_s_m"].is_null());
-        CHECK(document["lambda_c_m"].is_null());
-        CHECK(decided(document, "lambda_s none (as measured), lambda_c none"));
-    }
-    CHECK(test::contains(test::fstiff("fit -", text).out, "lambda_s none (as measured)"));
-    CHECK(test::contains(test::fstiff("islands -", text).out, "lambda_s none (as measured)"));
+    const auto map = fstiff::io::read_surface(text, "map").map();
+    const auto none = json_of("measure - --lambda-s none --lambda-c none", text);
+    CHECK(same(none["surface"]["rms_height"]["value"],
+               fstiff::rms_height(fstiff::remove_form(map, fstiff::MapForm::plane))));
+    CHECK(none["lambda_s_m"].is_null());
+    CHECK(none["lambda_c_m"].is_null());
+    CHECK(decided(none, "lambda_s none (as measured), lambda_c none"));
+    for (const char* command : {"fit", "islands"})
+        CHECK(test::contains(test::fstiff(command + std::string(" - --lambda-s none"), text).out,
+                             "lambda_s none (as measured)"));
+}
+
+TEST_CASE("Without the options the table chooses lambda_s by the step, and the output says why") {
+    const std::string text = map_text();  // steps of 1 um
+    const auto plain = json_of("measure -", text), given = json_of("measure - --lambda-s '5 um'", text);
+    CHECK(plain["surface"] == given["surface"]);
+    CHECK(plain["lambda_s_m"] == 5e-6);
+    CHECK(plain["lambda_c_m"].is_null());
+    CHECK(decided(plain,
+                  "lambda_s 5 µm (by the table, the index of five steps of 1 µm; Gaussian, after the form was "
+                  "removed), lambda_c none (an S-F surface of ISO 25178-2"));
+    CHECK(json_of("measure - --lambda-s auto --lambda-c auto", text)["surface"] == plain["surface"]);
+    const auto blurred = json_of("measure - --resolution '7 um'", text);
+    CHECK(blurred["lambda_s_m"] == 8e-6);
+    CHECK(decided(blurred, "the index of the resolution"));
+    for (const char* command : {"fit", "islands"})
+        CHECK(test::contains(test::fstiff(command + std::string(" -"), text).out, "lambda_s 5 µm (by the table"));
+}
+
+TEST_CASE("The table chooses lambda_c of a profile by its Ra, and its D is that of the profile before lambda_c") {
+    const std::string made =
+        test::fstiff("generate profile --points 16384 --spacing '0.5 um' --hurst 0.5 --rms '0.1 um' --longest '0.2 mm'")
+            .out;
+    const auto measured = json_of("measure -", made);
+    CHECK(measured["lambda_s_m"] == 2.5e-6);
+    CHECK(measured["lambda_c_m"] == 0.25e-3);  // Ra is between 20 nm and 0.1 um
+    CHECK(decided(measured, "lambda_c 250 µm (by the table, of Ra "));
+    const auto whole = json_of("measure - --lambda-c none", made);
+    CHECK(whole["lambda_c_m"].is_null());
+    CHECK(measured["surface"]["rms_height"]["value"] < whole["surface"]["rms_height"]["value"]);
+    const auto fit = json_of("fit - --format json", made), open = json_of("fit - --lambda-c none --format json", made);
+    CHECK(fit["structure_function"]["value_m2"] == open["structure_function"]["value_m2"]);
+    CHECK(fit["window_m"][0] >= 2.5e-6 * (1 - 1e-12));
+    CHECK(fit["window_m"][1] <= 0.25e-3 * (1 + 1e-9));
+    CHECK(measured["surface"]["fractal_dimension"]["value"] == fit["fractal_dimension"]);
+    const auto tip = json_of("measure - --tip-radius '5 um'", made);
+    CHECK(tip["lambda_s_m"] == 8e-6);
+    CHECK(decided(tip, "the index of a tip of 5 µm"));
+    const auto gaussian = json_of("measure - --detrend gaussian --cutoff '0.8 mm'", made);  // no other lambda_c
+    CHECK(gaussian["lambda_c_m"] == 0.8e-3);
+}
+
+TEST_CASE("A file that is too short or too coarse for a default has none, and the output says why") {
+    const auto few =
+        json_of("measure -", test::fstiff("generate map --points 40 --spacing '1 um' --hurst 0.8 --rms '1 um'").out);
+    CHECK(few["lambda_s_m"].is_null());
+    CHECK(decided(
+        few,
+        "lambda_s none (as measured; 10 of 5 µm, the index of five steps of 1 µm, do not fit the length of 40 µm)"));
+    const auto short_one = json_of(
+        "measure -", test::fstiff("generate profile --points 700 --spacing '0.5 um' --hurst 0.5 --rms '1 um'").out);
+    CHECK(short_one["lambda_s_m"] == 2.5e-6);
+    CHECK(short_one["lambda_c_m"].is_null());
+    CHECK(decided(short_one, "does not hold five of 80 µm"));
+    const auto coarse = json_of(
+        "measure -", test::fstiff("generate profile --points 200 --spacing '10 um' --hurst 0.5 --rms '10 nm'").out);
+    CHECK(coarse["lambda_s_m"] == 50e-6);
+    CHECK(coarse["lambda_c_m"].is_null());
+    CHECK(decided(coarse, "too short for the step"));
+    CHECK(json_of("measure - --lambda-c '5 um'", map_text())["lambda_s_m"].is_null());  // 5 um is not below 5 um
 }
 
 TEST_CASE("A scene takes lambda_s and lambda_c beside from, and measures as the command does") {
@@ -155,4 +218,21 @@ TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
                         {"--cutoff", "another cut-off"}, profile);
     const auto document = json_of("measure - --units um --spacing '1 um' --detrend gaussian --cutoff '80 um'", profile);
     CHECK(document["lambda_c_m"] == 80e-6);
+}
+
+TEST_CASE("The robust filter of lambda_c is that of the library, and says what it left out") {
+    const std::string text = map_text();
+    const auto map = fstiff::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
+    const auto document = json_of("measure - --lambda-s none --lambda-c '40 um' --filter robust", text);
+    CHECK(same(document["surface"]["rms_height"]["value"], fstiff::rms_height(fstiff::robust_high_pass(map, 40e-6))));
+    CHECK(decided(document, "lambda_c 40 µm (robust Gaussian, after the form was removed, "));
+    CHECK(decided(document, " of 25600 points without weight, "));
+    const std::string made =
+        test::fstiff("generate profile --points 4096 --spacing '1 um' --hurst 0.5 --rms '1 um'").out;
+    const auto flat = fstiff::level(fstiff::io::read_surface(made, "profile").profile(), fstiff::Form::line);
+    const auto profile = json_of("measure - --lambda-s none --lambda-c '80 um' --filter robust", made);
+    CHECK(same(profile["surface"]["rms_height"]["value"],
+               fstiff::rms_height(fstiff::robust_roughness(flat.profile, 80e-6))));
+    CHECK(decided(profile, "robust Gaussian"));
+    test::check_refused("measure - --filter spline", 2, {"--filter", "spline"}, made);
 }

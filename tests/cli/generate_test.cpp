@@ -64,7 +64,8 @@ TEST_CASE("A generated file holds the heights of the library, bit for bit") {
 
 TEST_CASE("What is generated is what the fit finds") {
     const auto fit_of = [](const std::string& arguments) {
-        const auto outcome = test::shell("fstiff generate " + arguments + " | fstiff fit - --format json");
+        const auto outcome = test::shell("fstiff generate " + arguments +
+                                         " | fstiff fit - --lambda-s none --lambda-c none --format json");
         INFO(arguments << "\n" << outcome.err);
         REQUIRE(outcome.status == 0);
         return nlohmann::json::parse(outcome.out);

@@ -81,10 +81,11 @@ TEST_CASE("The command measures what the library measures, to the last digit") {
     SECTION("of a map") {
         const std::string text = map_text();
         const auto map = fstiff::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
-        check_measured(json_of("measure -", text)["surface"], fstiff::surface_parameters(map));
+        check_measured(json_of("measure - --lambda-s none", text)["surface"], fstiff::surface_parameters(map));
         fstiff::SurfaceParameterOptions<double> summits;
         summits.peaks = fstiff::PeakSource::summits;
-        check_measured(json_of("measure - --peaks summits", text)["surface"], fstiff::surface_parameters(map, summits));
+        check_measured(json_of("measure - --lambda-s none --peaks summits", text)["surface"],
+                       fstiff::surface_parameters(map, summits));
     }
     SECTION("of a profile") {
         const std::string text = profile_text();
@@ -92,7 +93,7 @@ TEST_CASE("The command measures what the library measures, to the last digit") {
         fstiff::SurfaceParameterOptions<double> how;
         how.seed = how.fit.seed = 7;
         how.resamples = 100;
-        check_measured(json_of("measure - --seed 7 --resamples 100", text)["surface"],
+        check_measured(json_of("measure - --lambda-s none --lambda-c none --seed 7 --resamples 100", text)["surface"],
                        fstiff::surface_parameters(profile, how));
     }
 }

@@ -59,7 +59,7 @@ TEST_CASE("each row of --scales is the measurement and the K behind its cut-offs
     CHECK(document["scales"]["settled"].size() == 2);
 }
 
-TEST_CASE("--scales is a table, rows of CSV and a picture, of one file") {
+TEST_CASE("the table of --scales, its CSV and its picture are of one file") {
     const test::Folder folder;
     const auto map =
         folder.write("map.txt", test::fstiff("generate map --points 128 --spacing '1 um' --hurst 0.8 --rms '1 um' "

@@ -90,6 +90,50 @@ TEST_CASE("A matrix without a physical size or a unit is refused with the option
     check_map(read("Width: 10\nHeight: 8\n" + matrix(" "), {.units = "um,nm"}), 2e-6, 2e-6, 1e-9);
 }
 
+TEST_CASE("An export of Keyence has its pitch, counts and unit in quoted cells") {
+    const std::string header =
+        "\"Measured date\",\"2026-01-01 12:00:00\"\n\"XY Calibration\",\"350\",\"nm\"\n"
+        "\"Horizontal\",\"5\"\n\"Vertical\",\"4\"\n\"Unit\",\"um\"\n\n\"Height\"\n";
+    const Cell quoted = [](int i, int j) { return '"' + plain(i, j) + '"'; };
+    check_map(read(header + matrix(",", quoted)), 350e-9, 350e-9, 1e-6);
+    check_map(read(header + matrix(",")), 350e-9, 350e-9, 1e-6);
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string changed = header;
+        changed.replace(changed.find(from), from.size(), to);
+        return changed + matrix(",", quoted);
+    };
+    check_map(read(with("\"nm\"", "\"nm/pixel\"")), 350e-9, 350e-9, 1e-6);
+    check_map(read(with("XY Calibration", "XY-Justierung")), 350e-9, 350e-9, 1e-6);
+    CHECK(has(refusal(with("\"5\"", "\"6\"")), "line 3: states 6 columns where there are 5"));
+    CHECK(has(refusal(with("\"4\"", "\"9\"")), "line 4: states 9 rows where there are 4"));
+    CHECK(has(refusal(with("\"um\"", "\"V\"")), "\"V\" is no unit of length"));
+    CHECK(has(refusal(with("\"nm\"", "\"s\"")), "states no physical size"));
+}
+
+TEST_CASE("An export of SPIP has its lengths in nm, and its heights in a unit or in counts of so many nm") {
+    const std::string header =
+        "# File Format = ASCII\n# x-pixels = 5\n# y-pixels = 4\n# x-length = 10000\n# y-length = 800\n";
+    const auto found = read(header + "# z-unit = um\n# Start of Data:\n" + matrix("\t"));
+    check_map(found, 2e-6, 200e-9, 1e-6);
+    CHECK(has(found.record.size_from, "width of line 4 (in nm, as SPIP writes it)"));
+    check_map(read(header + "# Bit2nm = 0.5\n" + matrix("\t")), 2e-6, 200e-9, 0.5e-9);
+    check_map(read(header + "# Bit2nm = 1\n# z-unit = um\n" + matrix("\t")), 2e-6, 200e-9, 1e-6);
+    check_map(read(header + "# x-unit = um\n# z-unit = nm\n" + matrix("\t")), 2e-3, 200e-9, 1e-9);
+    CHECK(has(refusal(header + "# Bit2nm = 0.5\n# z-unit = um\n" + matrix("\t")), "heights may be in either"));
+    check_map(read(header + "# Bit2nm = 0.5\n# z-unit = um\n" + matrix("\t"), {.units = "nm"}), 2e-6, 200e-9, 1e-9);
+    CHECK(has(refusal(header + "# Bit2nm = 0\n" + matrix("\t")), "Bit2nm \"0\"; must be a number greater than 0"));
+    CHECK(has(refusal("# x-length = 1000\n# y-length = 800\n# z-unit = um\n" + matrix("\t")),
+              "\"x-length\" has no unit"));
+}
+
+TEST_CASE("A comma in the lengths of a header is decimal, unless it may stand before thousands") {
+    const std::string lengths = "# Breite: 10,0 um\n# H\xC3\xB6he: 800,00 nm\n# Einheiten: nm\n";
+    check_map(read(lengths + matrix("\t")), 2e-6, 200e-9, 1e-9);
+    const std::string three = "# Breite: 10,000 um\n# H\xF6he: 800,000 nm\n# Einheiten: nm\n";
+    check_map(read(three + with_commas(matrix("\t"))), 2e-6, 200e-9, 1e-9);
+    CHECK(has(refusal(three + matrix("\t")), "states no physical size"));
+}
+
 TEST_CASE("Options replace what the header of a matrix says") {
     check_map(read(gwyddion + matrix("\t"), {.dx = 3e-6, .dy = 4e-6, .units = "mm"}), 3e-6, 4e-6, 1e-3);
 }

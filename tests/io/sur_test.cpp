@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 
 using namespace fstiff;
 
@@ -137,6 +138,79 @@ TEST_CASE("A file of Digital Surf is known by its first bytes, one row is a prof
     CHECK(profile.profile().spacing == 0.5 * 1e-6);
     CHECK(has(test::refusal([] { (void)io::read_surface(File{}.bytes(), "file", {.spacing = 1.0}); }),
               "no use for spacing"));
+}
+
+namespace {
+
+/// Stands for zlib: a stream is its bytes, each turned over.
+bool turn_over(std::string_view stream, std::span<char> out) {
+    if (stream.size() != out.size()) return false;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<char>(~stream[i]);
+    return true;
+}
+
+/// A compressed file of streams of the sizes \p parts (the last has what is left); \p declare(i, size) may lie about them.
+std::string compressed(const File& file, std::vector<std::size_t> parts,
+                       const std::function<std::size_t(std::size_t, std::size_t)>& declare = {}) {
+    std::string all = file.bytes();
+    all.replace(0, 12, "DSCOMPRESSED");
+    const std::size_t size = file.numbers.size() * (file.bits == 32 ? 4 : 2);
+    std::string data = all.substr(all.size() - size), table, streams;
+    all.resize(all.size() - size);
+    std::size_t done = 0;
+    for (const std::size_t part : parts) done += part;
+    parts.push_back(size - done);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto inflated = declare ? declare(i, parts[i]) : parts[i];
+        table +=
+            file.number(static_cast<std::int64_t>(inflated), 4) + file.number(static_cast<std::int64_t>(parts[i]), 4);
+        for (const char c : data.substr(0, parts[i])) streams += static_cast<char>(~c);
+        data.erase(0, parts[i]);
+    }
+    return all + file.number(static_cast<std::int64_t>(parts.size()), 4) + table + streams;
+}
+io::SurSurface inflated(const std::string& bytes) { return io::read_sur(bytes, "file.sur", turn_over); }
+std::string refused(const std::string& bytes) {
+    return test::refusal([&] { (void)inflated(bytes); });
+}
+
+}  // namespace
+
+TEST_CASE("Compressed files hold what the same file holds that is not, in one stream and in several") {
+    const int bits = GENERATE(16, 32), order = GENERATE(0, 257);
+    const std::vector<std::size_t> parts =
+        GENERATE(std::vector<std::size_t>{}, std::vector<std::size_t>{3}, std::vector<std::size_t>{1, 8});
+    CAPTURE(bits, order, parts.size());
+    const File file{.order = order, .bits = bits, .comment = "a comment"};
+    const io::SurSurface found = inflated(compressed(file, parts) + "more");
+    CHECK((found.map.heights == read(file.bytes()).map.heights).all());
+    CHECK(found.record.streams == parts.size() + 1);
+    CHECK(found.record.trailer == 4);
+    CHECK(has(found.record.sentences().front(), "form: Digital Surf compressed surface"));
+    CHECK(has(read(file.bytes()).record.sentences().front(), "form: Digital Surf surface"));
+}
+
+TEST_CASE("Compressed files are refused without zlib, and where table and streams disagree") {
+    const std::string whole = compressed(File{}, {4});
+    CHECK(has(refusal(whole), "is compressed, and this program was built without zlib"));
+    CHECK(has(test::refusal([&] { (void)io::read_surface(whole, "file"); }), "without zlib"));
+    CHECK(io::read_surface(whole, "file", {.inflate = turn_over}).record.format == io::SurfaceFormat::sur);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        CAPTURE(size);
+        REQUIRE(!refused(whole.substr(0, size)).empty());
+    }
+    const auto lie = [](std::size_t first, std::size_t other) {
+        return [=](std::size_t i, std::size_t size) { return size + (i == 0 ? first : other); };
+    };
+    CHECK(has(refused(compressed(File{}, {4}, lie(1, std::size_t(-1)))),
+              "stream 1 that does not inflate to the 5 bytes"));
+    CHECK(has(refused(compressed(File{}, {4}, lie(0, 1))), "streams that inflate to 13 bytes; must be as many"));
+    CHECK(has(refused(compressed(File{}, {4}, lie(std::size_t(1) << 30, 0))),
+              "a stream of 4 bytes that inflates to 1073741828; must be at most 200 times"));
+    std::string many = whole;
+    many.replace(512, 4, "\xFF\xFF\xFF\xFF");
+    CHECK(has(refused(many), "number of streams = 4294967295"));
+    CHECK(has(refused(compressed(File{.columns = 2147483647, .rows = 2147483647}, {4})), "declares 2147483647 x"));
 }
 
 TEST_CASE("Every file of Digital Surf cut short is refused with a sentence") {

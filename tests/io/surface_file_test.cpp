@@ -198,5 +198,5 @@ TEST_CASE("Formats have names") {
     for (const char* name : {"auto", "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur"})
         CHECK(io::surface_format_name(io::surface_format(name)) == name);
     CHECK(has(test::refusal([] { (void)io::surface_format("bmp"); }),
-              "auto, profile, triples, matrix, sdf, x3p, npy, gsf, sur"));
+              "auto, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd"));
 }

@@ -46,7 +46,9 @@ public:
         io::write_csv(file, map);
     }
     ~MapFile() { std::filesystem::remove(path_); }
-    [[nodiscard]] std::string surface() const { return "from = \"" + path_.string() + "\"\ndetrend = \"mean\""; }
+    [[nodiscard]] std::string surface() const {
+        return "from = \"" + path_.string() + "\"\ndetrend = \"mean\"\nlambda_s = \"none\"";
+    }
     HeightMap<double> map;
 
 private:

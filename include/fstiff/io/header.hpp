@@ -5,6 +5,7 @@
 ///
 /// Units       lengths in m, once their unit is read
 
+#include <fstiff/io/header_words.hpp>
 #include <fstiff/io/number_table.hpp>
 #include <fstiff/io/quantity.hpp>
 
@@ -134,12 +135,19 @@ inline std::optional<StatedSpacing> stated_spacing(const NumberTable& table) {
 
 /// "key: value" or "key = value" of a header.
 struct HeaderEntry {
-    std::string key;  // lower case, blanks for underscores
-    std::string_view value;
+    std::string key;    // lower case, blanks for underscores
+    std::string value;  // with a decimal point
     std::size_t line;
 };
 
 inline std::string header_key(std::string_view text) {
+    // French sets a blank that does not break before the colon; alone, its second byte is a letter's too
+    text = trimmed(text);
+    const auto last = text.size();
+    if (text.ends_with("\xC2\xA0"))
+        text.remove_suffix(2);
+    else if (last > 1 && text.back() == '\xA0' && static_cast<unsigned char>(text[last - 2]) < 0x80)
+        text.remove_suffix(1);
     std::string key = lower_case(trimmed(text));
     std::replace(key.begin(), key.end(), '_', ' ');
     return key;
@@ -151,25 +159,60 @@ inline bool is_grid_word(std::string_view word) {
     return key == "ncols" || key == "nrows" || key == "cellsize" || key == "nodata_value";
 }
 
+/// "10,5 um" as "10.5 um" where its comma is decimal: the table's is, or other than three digits follow, as no thousands do.
+inline std::string with_decimal_point(std::string_view value, bool decimal_comma) {
+    std::string text(value);
+    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+    const std::size_t comma = text.find_first_not_of("0123456789", sign);
+    if (comma == std::string::npos || comma == sign || text[comma] != ',') return text;
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
+    const std::size_t digits = end - comma - 1;
+    if (digits > 0 && (decimal_comma || digits != 3) && (end == text.size() || (text[end] != ',' && text[end] != '.')))
+        text[comma] = '.';
+    return text;
+}
+
+/// "XY Calibration","277.8","nm", as Keyence exports it: the cells, of which there are two or three; none of other lines.
+inline std::vector<std::string_view> quoted_cells(std::string_view line) {
+    std::vector<std::string_view> cells;
+    if (!line.starts_with('"')) return cells;
+    const std::size_t end = line.find('"', 1);
+    const std::size_t next = end == std::string_view::npos ? end : line.find_first_of(",;\t", end);
+    if (next == std::string_view::npos) return cells;
+    split_line(line, line[next], cells);
+    if (cells.size() < 2 || cells.size() > 3) cells.clear();
+    return cells;
+}
+
 inline std::vector<HeaderEntry> header_entries(const NumberTable& table) {
     std::vector<HeaderEntry> entries;
     std::vector<std::string_view> words;
-    const auto add = [&](std::string_view text, std::size_t sign, std::size_t line) {
-        std::string_view value = trimmed(text.substr(sign + 1));
+    const auto add = [&](std::string_view text, std::size_t sign, std::size_t length, std::size_t line) {
+        std::string_view value = trimmed(text.substr(sign + length));
         while (!value.empty() && (value.back() == ',' || value.back() == ';' || is_blank(value.back())))
             value.remove_suffix(1);
-        entries.push_back({header_key(text.substr(0, sign)), value, line});
+        entries.push_back(
+            {header_key(text.substr(0, sign)), with_decimal_point(value, table.dialect.decimal_comma), line});
     };
     for (std::size_t i = 0; i < table.first; ++i) {
         std::string_view line = table.lines[i].text;
+        if (const auto cells = quoted_cells(line); !cells.empty()) {
+            entries.push_back({header_key(cells[0]),
+                               with_decimal_point(cells[1], table.dialect.decimal_comma) +
+                                   (cells.size() == 3 ? " " + std::string(cells[2]) : std::string()),
+                               table.lines[i].number});
+            continue;
+        }
         while (!line.empty() && (is_blank(line.front()) || line.front() == '#' || line.front() == '%' ||
                                  line.front() == '!' || line.front() == '/' || line.front() == ';'))
             line.remove_prefix(1);
-        const std::size_t sign = line.find_first_of(":=");
+        constexpr std::string_view wide_colon = "\xEF\xBC\x9A";
+        const std::size_t wide = line.find(wide_colon), narrow = line.find_first_of(":=");
+        const std::size_t sign = std::min(wide, narrow);
         // "NODATA_value -9999" of an ESRI grid
         if (split_line(line, ' ', words); words.size() == 2 && is_grid_word(words[0])) {
             const auto at = static_cast<std::size_t>(words[0].data() - line.data());
-            add(line, at + words[0].size(), table.lines[i].number);
+            add(line, at + words[0].size(), 1, table.lines[i].number);
             continue;
         }
         if (sign == std::string_view::npos || sign == 0) continue;
@@ -180,9 +223,9 @@ inline std::vector<HeaderEntry> header_entries(const NumberTable& table) {
             return equal != std::string_view::npos && equal > 0 && equal + 1 < word.size();
         });
         if (words.size() > 1 && every_word)
-            for (const std::string_view word : words) add(word, word.find('='), table.lines[i].number);
+            for (const std::string_view word : words) add(word, word.find('='), 1, table.lines[i].number);
         else
-            add(line, sign, table.lines[i].number);
+            add(line, sign, sign == wide ? wide_colon.size() : 1, table.lines[i].number);
     }
     return entries;
 }
@@ -192,6 +235,7 @@ struct StatedGrid {
     struct Length {
         double value{};
         std::size_t line{};
+        std::string unit_from{};  // why it is in nm where no unit stands behind it; for a record
     };
     std::optional<Length> width, height, dx, dy;
     std::optional<std::size_t> columns, rows;
@@ -202,10 +246,24 @@ struct StatedGrid {
     bool has_size() const { return (width || dx) && (height || dy); }
 };
 
+/// The entry called \p key; nullptr where there is none.
+inline const HeaderEntry* find_entry(const std::vector<HeaderEntry>& entries, std::string_view key) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const HeaderEntry& entry) { return entry.key == key; });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+/// Whether the header is one of SPIP, whose x-length and y-length are in nm.
+inline bool is_spip(const std::vector<HeaderEntry>& entries) {
+    const HeaderEntry* const form = find_entry(entries, "file format");
+    return form && form->value == "ASCII";
+}
+
 /// \p unit stands where a length has none; "" for refusing to guess.
 inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit,
                               const std::string& name) {
     StatedGrid grid;
+    const bool spip = is_spip(entries);
     const auto is_one_of = [](const std::string& key, std::initializer_list<std::string_view> keys) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
@@ -216,20 +274,35 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
         slot = value;
     };
     for (const HeaderEntry& entry : entries) {
-        const bool width = is_one_of(entry.key, {"width", "w", "x size", "size x", "x range", "scan size x"});
-        const bool height = is_one_of(entry.key, {"height", "h", "y size", "size y", "y range", "scan size y"});
+        const bool width =
+            is_one_of(entry.key, {"width", "w", "x size", "size x", "x range", "scan size x", "x-length"}) ||
+            is_one_of_words(entry.key, width_words);
+        const bool height =
+            is_one_of(entry.key, {"height", "h", "y size", "size y", "y range", "scan size y", "y-length"}) ||
+            is_one_of_words(entry.key, height_words);
         const bool both =
-            is_one_of(entry.key, {"pixel size", "pixel pitch", "pixel spacing", "lateral spacing", "cellsize"});
+            is_one_of(entry.key, {"pixel size", "pixel pitch", "pixel spacing", "lateral spacing", "cellsize"}) ||
+            is_one_of_words(entry.key, pitch_words);
         const bool dx = both || is_one_of(entry.key, {"dx", "pixel width", "x pixel size", "pixel size x", "x spacing",
                                                       "spacing x", "x step", "x increment"});
         const bool dy = both || is_one_of(entry.key, {"dy", "pixel height", "y pixel size", "pixel size y", "y spacing",
                                                       "spacing y", "y step", "y increment"});
-        const bool columns = is_one_of(entry.key, {"columns", "cols", "x pixels", "xres", "nx", "ncols"});
-        const bool rows = is_one_of(entry.key, {"rows", "lines", "y pixels", "yres", "ny", "nrows"});
+        const bool columns = is_one_of(entry.key, {"columns", "cols", "x pixels", "x-pixels", "xres", "nx", "ncols"}) ||
+                             is_one_of_words(entry.key, columns_words);
+        const bool rows = is_one_of(entry.key, {"rows", "lines", "y pixels", "y-pixels", "yres", "ny", "nrows"}) ||
+                          is_one_of_words(entry.key, rows_words);
         if (!(width || height || dx || dy || columns || rows)) continue;
         const LeadingNumber number = leading_number(entry.value);
         if (number.status != NumberStatus::ok) continue;
-        const std::string_view written = trimmed(entry.value.substr(number.length));
+        std::string_view written = trimmed(std::string_view(entry.value).substr(number.length));
+        for (const std::string_view per : {"/pixel", "/px", "/point"})  // "277.8 nm/pixel"
+            if (both && written.ends_with(per)) written.remove_suffix(per.size());
+        std::string unit_from;
+        if (written.empty() && unit.empty() && spip && (width || height)) {
+            const HeaderEntry* const axis = find_entry(entries, width ? "x-unit" : "y-unit");
+            written = axis ? std::string_view(axis->value) : "nm";
+            unit_from = axis ? "" : " (in nm, as SPIP writes it)";
+        }
         const std::string word = lower_case(written);
         const bool counted = word == "px" || word == "pixel" || word == "pixels" || word == "points";
         const bool whole = number.value >= 1 && number.value < 4294967296.0 && number.value == std::floor(number.value);
@@ -260,7 +333,7 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
             if (slot && slot->value != value)
                 refuse_line(name, entry.line,
                             {shown_cell(entry.key), " disagrees with line ", slot->line, "; must be one value"});
-            slot = StatedGrid::Length{value, entry.line};
+            slot = StatedGrid::Length{value, entry.line, unit_from};
         };
         if (width) store(grid.width);
         if (height) store(grid.height);
@@ -279,14 +352,16 @@ inline StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entri
     const HeaderEntry* unit = nullptr;
     const HeaderEntry* factor = nullptr;
     for (const HeaderEntry& entry : entries) {
-        for (const char* key : {"value units", "value unit", "data unit", "data units", "z unit", "z units",
-                                "height unit", "height units", "unit", "units"})
-            if (entry.key == key) {
-                if (unit && unit->value != entry.value)
-                    refuse_line(name, entry.line,
-                                {"states another unit of the heights than line ", unit->line, "; must be one unit"});
-                unit = &entry;
-            }
+        static constexpr std::string_view keys[] = {"value units", "value unit",   "data unit", "data units",
+                                                    "z unit",      "z-unit",       "z units",   "height unit",
+                                                    "unit",        "height units", "units"};
+        if (std::find(std::begin(keys), std::end(keys), entry.key) != std::end(keys) ||
+            is_one_of_words(entry.key, height_unit_words)) {
+            if (unit && unit->value != entry.value)
+                refuse_line(name, entry.line,
+                            {"states another unit of the heights than line ", unit->line, "; must be one unit"});
+            unit = &entry;
+        }
         if (entry.key.starts_with("height conversion factor")) factor = &entry;
     }
     return {unit, factor};

@@ -21,7 +21,7 @@ struct KnownBinary {
 };
 
 inline constexpr std::string_view from_the_instrument = "export it from the program of the instrument or from Gwyddion";
-inline constexpr std::string_view from_gwyddion = "export it from Gwyddion";
+inline constexpr std::string_view from_gwyddion = "save it with a newer Gwyddion";
 inline constexpr std::string_view no_heights = "it is no measured surface: export the heights themselves";
 inline constexpr std::string_view from_python = "write its array with a few lines of Python";
 inline constexpr std::string_view unpack = "unpack it first";
@@ -38,10 +38,7 @@ inline constexpr std::array known_binaries{
     KnownBinary{"CDF\x02", "a NetCDF file", from_python},
     KnownBinary{"CDF\x05", "a NetCDF file", from_python},
     KnownBinary{"MATLAB 5.0", "a MATLAB file", "write its matrix as text"},
-    KnownBinary{"GWYP", "a Gwyddion file (.gwy)", from_gwyddion},
-    KnownBinary{"GWYO", "a Gwyddion file (.gwy)", from_gwyddion},
-    KnownBinary{"DSCOMPRESSED", "a compressed Digital Surf file (.sur, .pro)",
-                "export it from MountainsMap or Gwyddion"},
+    KnownBinary{"GWYO", "a file of Gwyddion 1 (.gwy)", from_gwyddion},
     KnownBinary{std::string_view("\x01\0Directory", 11), "a Wyko file (.opd)", from_the_instrument},
     KnownBinary{"\x88\x1B\x03\x6F", "a Zygo MetroPro file (.dat)", from_the_instrument},
     KnownBinary{"\x88\x1B\x03\x70", "a Zygo MetroPro file (.dat)", from_the_instrument},
@@ -66,7 +63,7 @@ inline constexpr std::array known_binaries{
 
 /// What fstiff reads, for messages.
 inline constexpr std::string_view readable_forms =
-    "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, .npy, .gsf or .sur";
+    "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, .npy, .gsf, .gwy, .sur or .smd";
 
 /// "is binary: a PNG picture, which is not read; must be ..."; empty when the first bytes are of no format that is known here.
 inline std::string known_binary_refusal(std::string_view bytes) {
@@ -90,8 +87,8 @@ inline std::string known_binary_refusal(std::string_view bytes) {
 
 /// Whether a reader may want bytes that begin so, NUL bytes and all: of a binary form, or of text in UTF-16.
 inline bool may_hold_nul_bytes(std::string_view bytes) {
-    for (const std::string_view first :
-         {"PK", "\x93NUMPY", "Gwyddion Simple Field", "DIGITAL SURF", "\xFF\xFE", "\xFE\xFF"})
+    for (const std::string_view first : {"PK", "\x93NUMPY", "Gwyddion Simple Field", "GWYP", "DIGITAL SURF",
+                                         "DSCOMPRESSED", "ISO 5436", "\xFF\xFE", "\xFE\xFF"})
         if (bytes.starts_with(first)) return true;
     return bytes.size() > 4 && (bytes.substr(1, 3) == "ISO" || bytes.substr(1, 3) == "BCR");
 }

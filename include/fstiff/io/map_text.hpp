@@ -8,6 +8,8 @@
 /// "pixel size" and the like; "h=305 w=75" is compared with what is there; heights in another unit (rad) need a
 /// "height conversion factor (-> m)". *Triples* have x, y and z a line, in any order of the points; the grid is
 /// recovered from the coordinates, x and y rise in the map, and points that are not there are missing.
+/// Exports of Keyence ("XY Calibration","277.8","nm"), of SPIP ("# x-length = 2000", in nm, "# Bit2nm = 0.5") and of
+/// Gwyddion in other languages are matrices too (<fstiff/io/header_words.hpp>).
 /// Three columns are triples where x and y form a grid, a matrix where the header states a size; otherwise the form
 /// must be given. Missing points are empty cells,
 /// "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header ("NODATA_value -9999") or the options name. Rows of a matrix keep the order of the file.
@@ -163,7 +165,7 @@ private:
         HeightMap<double> map;
         std::vector<double> z(table_.rows());
         for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
-        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, axes[2],
+        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, printable(axes[2], 16),
                      [&](std::size_t r) { return table_.row_lines[r]; });
         for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
         record_.resolution = table_.printed[2].resolution() * z_unit;
@@ -203,7 +205,8 @@ private:
             refuse_file(name_,
                         {"states no units and none are given; must be ", options_.names.given_as("units", "\"um,nm\""),
                          " (x and y, heights), each one of ", accepted_units(Dimension::length)});
-        record_.units = "x in " + axes[0] + ", y in " + axes[1] + ", heights in " + axes[2];
+        record_.units = "x in " + printable(axes[0], 16) + ", y in " + printable(axes[1], 16) + ", heights in " +
+                        printable(axes[2], 16);
         return axes;
     }
 
@@ -221,9 +224,8 @@ private:
                      [&](std::size_t i) { return table_.row_lines[i / columns]; });
         for (const PrintedDigits& printed : table_.printed)
             record_.resolution = std::max(record_.resolution, printed.resolution() * unit);
-        map.heights = Eigen::Map<const HeightMap<double>::Array>(table_.values.data(), static_cast<Eigen::Index>(rows),
-                                                                 static_cast<Eigen::Index>(columns)) *
-                      unit;
+        map.heights = table_.values.take(rows, columns);
+        map.heights *= unit;
         return map;
     }
 
@@ -259,7 +261,7 @@ private:
             return stated_step->value;
         }
         if (stated_whole) {
-            note(whole + " of line " + std::to_string(stated_whole->line));
+            note(whole + " of line " + std::to_string(stated_whole->line) + stated_whole->unit_from);
             return stated_whole->value / points;
         }
         if (!stated_.without_unit.empty())
@@ -280,6 +282,7 @@ private:
         }
         const auto [unit, factor] = stated_height_unit(entries_, name_);
         if (factor) return conversion_factor(*factor, unit);
+        if (const HeaderEntry* const count = find_entry(entries_, "bit2nm")) return nanometres_of_count(*count, unit);
         if (!unit)
             refuse_file(name_,
                         {"states no unit of the heights and none is given; must be ",
@@ -289,16 +292,32 @@ private:
                         {shown_cell(unit->value),
                          " is no unit of length, and no height conversion factor is stated; must be one of ",
                          accepted_units(Dimension::length)});
-        height_unit_ = unit->value;
+        height_unit_ = printable(unit->value, 16);
         record_.units = "heights in " + height_unit_;
         record_.units_from = "line " + std::to_string(unit->line);
         return unit_factor(unit->value, Dimension::length);
     }
 
+    /// "Bit2nm = 0.5" of SPIP: nanometres of a count, where no unit is stated.
+    double nanometres_of_count(const HeaderEntry& entry, const HeaderEntry* unit) {
+        const auto number = number_in(entry.value, false);
+        if (!number || !(*number > 0) || !std::isfinite(*number))
+            refuse_line(name_, entry.line, {"Bit2nm ", shown_cell(entry.value), "; must be a number greater than 0"});
+        const bool stated = unit && is_unit(unit->value, Dimension::length);
+        if (stated && *number != 1)
+            refuse_line(name_, entry.line,
+                        {"states Bit2nm ", *number, ", line ", unit->line, " the unit ", shown_cell(unit->value),
+                         ": heights may be in either; must be ", options_.names.given_as("units", "\"nm\"")});
+        height_unit_ = stated ? printable(unit->value, 16) : "counts";
+        record_.units = stated ? "heights in " + height_unit_ : "heights in counts of " + number_text(*number) + " nm";
+        record_.units_from = "line " + std::to_string(stated ? unit->line : entry.line);
+        return stated ? unit_factor(unit->value, Dimension::length) : *number * 1e-9;
+    }
+
     /// "height conversion factor (-> m)=2.9e-8", or "... = 29 nm".
     double conversion_factor(const HeaderEntry& entry, const HeaderEntry* unit) {
         const LeadingNumber number = leading_number(entry.value);
-        std::string_view to = trimmed(entry.value.substr(number.length));
+        std::string_view to = trimmed(std::string_view(entry.value).substr(number.length));
         const std::size_t arrow = entry.key.find("->");
         if (to.empty() && arrow != std::string::npos) {
             to = std::string_view(entry.key).substr(arrow + 2);
@@ -315,9 +334,8 @@ private:
             refuse_line(name_, entry.line,
                         {"states a height conversion factor, line ", unit->line,
                          " a unit of length that disagrees; must agree, or units be given"});
-        height_unit_ = unit ? std::string(unit->value) : "units";
-        record_.units =
-            "heights in " + (unit ? std::string(unit->value) : "units") + " of " + number_text(factor) + " m";
+        height_unit_ = unit ? printable(unit->value, 16) : "units";
+        record_.units = "heights in " + height_unit_ + " of " + number_text(factor) + " m";
         record_.units_from = "line " + std::to_string(entry.line);
         return factor;
     }

@@ -12,6 +12,8 @@
 
 #include <fstiff/io/missing_values.hpp>
 
+#include <Eigen/Core>
+
 namespace fstiff::io {
 
 /// What was decided about any delimited text, and why.
@@ -140,6 +142,45 @@ struct TableRules {
     bool short_rows = false;  ///< empty cells at the end of a row may be left out, with their separators
 };
 
+/// The numbers of a table, one behind the other, which a map may take over without a copy.
+class TableNumbers {
+public:
+    using Array = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    std::size_t size() const { return size_; }
+    double* data() { return numbers_.data(); }
+    const double* begin() const { return numbers_.data(); }
+    const double* end() const { return begin() + size_; }
+    double& operator[](std::size_t i) { return numbers_.data()[i]; }
+    double operator[](std::size_t i) const { return numbers_.data()[i]; }
+
+    void reserve(std::size_t capacity) {
+        if (capacity > static_cast<std::size_t>(numbers_.size()))
+            numbers_.conservativeResize(1, static_cast<Eigen::Index>(capacity));
+    }
+    void push_back(double number) {
+        if (size_ == static_cast<std::size_t>(numbers_.size())) reserve(2 * size_ + 16);
+        numbers_.data()[size_++] = number;
+    }
+    void resize(std::size_t size, double number = 0) {
+        reserve(size);
+        for (; size_ < size; ++size_) numbers_.data()[size_] = number;
+        size_ = size;
+    }
+    /// All of them as \p rows x \p columns, whose product is size(); nothing is left here.
+    Array take(std::size_t rows, std::size_t columns) {
+        numbers_.conservativeResize(1, static_cast<Eigen::Index>(size_));
+        numbers_.resize(static_cast<Eigen::Index>(rows),
+                        static_cast<Eigen::Index>(columns));  // of the same size: it stays
+        size_ = 0;
+        return std::move(numbers_);
+    }
+
+private:
+    Array numbers_{1, 0};  // with room behind the last
+    std::size_t size_ = 0;
+};
+
 /// Rows of numbers below a header. Views point into the text, which must outlive them.
 struct NumberTable {
     std::vector<Line> lines;
@@ -147,7 +188,7 @@ struct NumberTable {
     std::size_t first{};  // of `lines`: the first row
     Dialect dialect;
     std::size_t columns{};
-    std::vector<double> values;  // by row; NaN where missing
+    TableNumbers values;  // by row; NaN where missing
     std::vector<std::size_t> row_lines;
     std::vector<PrintedDigits> printed;  // of the first three columns
     MissingValues missing;               // beside the words that are always missing
@@ -232,8 +273,7 @@ inline double require_number(std::string_view cell, const NumberTable& table, st
 inline void drop_last_column(NumberTable& table) {
     const std::size_t old = table.columns--;
     for (std::size_t r = 1; r < table.rows(); ++r)
-        std::copy_n(table.values.begin() + static_cast<std::ptrdiff_t>(r * old), table.columns,
-                    table.values.begin() + static_cast<std::ptrdiff_t>(r * table.columns));
+        std::copy_n(table.values.data() + r * old, table.columns, table.values.data() + r * table.columns);
     table.values.resize(table.rows() * table.columns);
 }
 

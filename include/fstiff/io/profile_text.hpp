@@ -337,8 +337,9 @@ inline std::vector<std::string> ProfileTextRecord::sentences() const {
         "columns: " + std::to_string(columns) + ", heights in column " + std::to_string(height_column);
     if (position_column != 0) column_text += ", positions in column " + std::to_string(position_column);
     all.push_back(column_text + (reversed ? ", falling: turned round" : ""));
-    all.push_back("units: heights in " + height_unit +
-                  (position_unit.empty() ? "" : ", positions in " + position_unit) + ", from " + units_from);
+    all.push_back("units: heights in " + detail::printable(height_unit, 16) +
+                  (position_unit.empty() ? "" : ", positions in " + detail::printable(position_unit, 16)) + ", from " +
+                  units_from);
     all.push_back("spacing: from " + spacing_from);
     all.push_back(points_sentence(std::to_string(points)));
     return all;

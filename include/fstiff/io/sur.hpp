@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Reads surfaces and profiles of Digital Surf (.sur, .pro) that are not compressed.
+/// Reads surfaces and profiles of Digital Surf (.sur, .pro), compressed or not.
 ///
 /// A header of 512 bytes, a comment, a private zone, and the heights row after row as integers of 16 or 32 bits. Of the
 /// header are used, by the byte at which they stand:
 ///
-///     0   "DIGITAL SURF"           86  non-measured points are marked     120  steps of x, y, z (float32)
-///     12  0: least significant     98  bits of a height                   180  their units (3 x 16 characters)
-///         byte first, 257: last    100 lowest number                      290  1, 2, 3: inverted
-///     14  objects in the file      108 points of a row                    334  bytes of the comment
-///     18  1 profile, 2 surface     112 rows                               336  bytes of the private zone
+///     0   "DIGITAL SURF", or       86  non-measured points are marked     120  steps of x, y, z (float32)
+///         "DSCOMPRESSED"           98  bits of a height                   180  their units (3 x 16 characters)
+///     12  0: least significant     100 lowest number                      290  1, 2, 3: inverted
+///         byte first, 257: last    108 points of a row                    334  bytes of the comment
+///     14  objects in the file      112 rows                               336  bytes of the private zone
+///     18  1 profile, 2 surface
+///
+/// The heights of a compressed file are zlib streams behind a table: their count, then of each its bytes when inflated and
+/// when deflated (uint32). Together they hold the heights as they would stand in the other form.
 ///
 /// Heights are number times step of z; the offset of the axis, a constant, is not added. Where missing points are marked,
 /// the lowest number less 2 stands for them. A file that states an inversion is read as its numbers stand, with a warning.
 ///
 /// Reference   the header of the formats SUR and PRO of Digital Surf, as open programs that read it (Gwyddion, surfalize)
-///             lay it out; not compared with a file that MountainsMap wrote
+///             lay it out; files of both forms that surfalize wrote are read (tests/data), none that MountainsMap wrote
 /// Units       map in m
 /// Valid       one object; 2 points a side at least, or one row; heights that vary; files up to 2^31 bytes
 /// Accuracy    number times step times unit: two roundings (tests/io/sur_test.cpp)
@@ -26,7 +30,14 @@
 #include <fstiff/io/profile_or_map.hpp>
 #include <fstiff/io/quantity.hpp>
 
+#include <functional>
+#include <span>
+
 namespace fstiff::io {
+
+/// Inflates a zlib stream into exactly as many bytes, or returns false: inflate_zlib() of <fstiff/io/inflate.hpp>, or
+/// nothing where zlib is not there.
+using Inflate = std::function<bool(std::string_view stream, std::span<char> out)>;
 
 /// What was found in a file.
 struct SurRecord {
@@ -39,6 +50,7 @@ struct SurRecord {
     double step{};          ///< of the heights [m]
     bool marked{};          ///< missing points are marked
     int inversion{};        ///< 0: none
+    std::size_t streams{};  ///< of a compressed file; 0: it is not compressed
     std::size_t skipped{};  ///< bytes of the comment and the private zone
     std::size_t columns{}, rows{};
     std::size_t missing{};
@@ -55,20 +67,25 @@ struct SurSurface {
     SurRecord record;
 };
 
-/// Whether \p bytes begin as an uncompressed file of Digital Surf does.
-[[nodiscard]] inline bool is_sur(std::string_view bytes) { return bytes.starts_with("DIGITAL SURF"); }
+/// Whether \p bytes begin as a file of Digital Surf does.
+[[nodiscard]] inline bool is_sur(std::string_view bytes) {
+    return bytes.starts_with("DIGITAL SURF") || bytes.starts_with("DSCOMPRESSED");
+}
 
-/// \throws domain_error naming file, field, value and what is allowed.
-[[nodiscard]] inline SurSurface read_sur(std::string_view bytes, std::string_view name);
+/// Without \p inflate, compressed files are refused. \throws domain_error naming file, field, value and what is allowed.
+[[nodiscard]] inline SurSurface read_sur(std::string_view bytes, std::string_view name, const Inflate& inflate = {});
 
 namespace detail {
 
 class SurReader {
 public:
-    SurReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
+    SurReader(std::string_view bytes, std::string_view name, const Inflate& inflate)
+        : bytes_(bytes), name_(name), inflate_(inflate) {}
 
     SurSurface read() {
-        if (!is_sur(bytes_)) refuse_file(name_, {"does not begin as a file of Digital Surf; must with DIGITAL SURF"});
+        if (!is_sur(bytes_))
+            refuse_file(name_,
+                        {"does not begin as a file of Digital Surf; must begin with DIGITAL SURF or DSCOMPRESSED"});
         if (bytes_.size() < header_bytes)
             refuse_file(name_, {"ends after ", bytes_.size(), " bytes; its header must have ", header_bytes});
         record_.name = name_;
@@ -142,10 +159,12 @@ private:
         rest.remove_prefix(std::min(record_.skipped, rest.size()));
         // both below 2^31: the product fits into 64 bits
         const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
+        std::string inflated;
+        if (bytes_.starts_with("DSCOMPRESSED")) rest = inflated = inflated_heights(rest, points, size);
         if (points > rest.size() / size)
             refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of ", size,
                                 " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
-        record_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
+        if (record_.streams == 0) record_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
         const std::int64_t reserved = integer(100, 4) - 2;
         map.heights.resize(static_cast<Eigen::Index>(record_.rows), static_cast<Eigen::Index>(record_.columns));
         for (std::size_t i = 0; i < points; ++i) {
@@ -155,8 +174,53 @@ private:
         }
     }
 
+    /// The heights of a compressed file, of \p size bytes each.
+    std::string inflated_heights(std::string_view rest, std::uint64_t points, std::size_t size) {
+        if (!inflate_)
+            refuse_file(name_, {"is compressed, and this program was built without zlib; must be saved uncompressed"});
+        const auto number = [&](std::size_t at) { return unsigned_at(rest.substr(at, 4), big_); };
+        if (rest.size() < 4) refuse_file(name_, {"ends before its table of streams; must be whole"});
+        const std::uint64_t streams = number(0);
+        if (streams < 1 || streams > (rest.size() - 4) / 8)
+            refuse_field(name_, "number of streams", std::to_string(streams),
+                         "at least 1, with their table in the file");
+        const std::size_t table = 4 + 8 * static_cast<std::size_t>(streams);
+        std::uint64_t deflated = 0, whole = 0;
+        for (std::size_t at = 4; at < table; at += 8) {
+            // measured heights shrink to a half or a tenth; nothing is set aside for more
+            if (number(at) > (std::uint64_t(1) << 20) && number(at) / 200 > number(at + 4))
+                refuse_file(name_, {"declares a stream of ", number(at + 4), " bytes that inflates to ", number(at),
+                                    "; must be at most 200 times as many"});
+            whole += number(at);
+            deflated += number(at + 4);
+        }
+        if (deflated > rest.size() - table)
+            refuse_file(name_, {"declares ", deflated, " bytes of streams, but holds ", rest.size() - table,
+                                "; must hold all"});
+        if (whole != points * size || whole > most_bytes)
+            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of ", size,
+                                " bytes, but streams that inflate to ", whole, " bytes; must be as many, and at most ",
+                                most_bytes});
+        std::string all(static_cast<std::size_t>(whole), '\0');
+        std::span<char> out(all);
+        std::string_view stream = rest.substr(table);
+        for (std::size_t at = 4; at < table; at += 8) {
+            const auto length = static_cast<std::size_t>(number(at));
+            const auto taken = static_cast<std::size_t>(number(at + 4));
+            if (!inflate_(stream.substr(0, taken), out.first(length)))
+                refuse_file(name_, {"has a stream ", (at - 4) / 8 + 1, " that does not inflate to the ", length,
+                                    " bytes of its table; must be whole"});
+            stream.remove_prefix(taken);
+            out = out.subspan(length);
+        }
+        record_.streams = static_cast<std::size_t>(streams);
+        record_.trailer = stream.size();
+        return all;
+    }
+
     std::string_view bytes_;
     std::string name_;
+    const Inflate& inflate_;
     bool big_ = false;
     SurRecord record_;
 };
@@ -165,8 +229,9 @@ private:
 
 inline std::vector<std::string> SurRecord::sentences() const {
     std::vector<std::string> all;
-    all.push_back("form: Digital Surf " + std::string(profile ? "profile" : "surface") + " of " + std::to_string(bits) +
-                  " bits, " + (big_endian ? "most" : "least") + " significant byte first" +
+    all.push_back("form: Digital Surf " + std::string(streams == 0 ? "" : "compressed ") +
+                  (profile ? "profile" : "surface") + " of " + std::to_string(bits) + " bits, " +
+                  (big_endian ? "most" : "least") + " significant byte first" +
                   (object.empty() ? "" : ", \"" + object + "\""));
     all.push_back("units: x in " + x_unit + ", heights in " + z_unit + ", in steps of " + detail::number_text(step) +
                   " m, from the header; the offset of z is not added");
@@ -184,8 +249,8 @@ inline std::vector<std::string> SurRecord::warnings() const {
             "); they were read as the numbers stand, so that hills may be valleys"};
 }
 
-inline SurSurface read_sur(std::string_view bytes, std::string_view name) {
-    return detail::SurReader(bytes, name).read();
+inline SurSurface read_sur(std::string_view bytes, std::string_view name, const Inflate& inflate) {
+    return detail::SurReader(bytes, name, inflate).read();
 }
 
 }  // namespace fstiff::io

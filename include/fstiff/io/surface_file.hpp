@@ -3,8 +3,8 @@
 /// \file
 /// A measured file of any known form: a profile or a map, with the form that was recognised and every decision.
 ///
-/// Surface data files, X3P, arrays of NumPy, simple fields of Gwyddion and files of Digital Surf are known by their first
-/// bytes. Text is known by the columns of its first row: one or two
+/// Surface data files, X3P, arrays of NumPy, files and simple fields of Gwyddion, files of Digital Surf and profiles of
+/// ISO 5436-2 are known by their first bytes. Other text is known by the columns of its first row: one or two
 /// make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four and
 /// more are a matrix, unless titles with units stand above them or SurfaceOptions::column says that they are columns of
 /// a profile. What could be two things is refused, naming the option `format` that decides.
@@ -12,15 +12,17 @@
 ///
 /// Units       profile and map in m; SurfaceOptions::units are the file's
 /// Valid       as <fstiff/io/profile_text.hpp>, <fstiff/io/map_text.hpp>, <fstiff/io/sdf.hpp>, <fstiff/io/npy.hpp>,
-///             <fstiff/io/gsf.hpp>, <fstiff/io/sur.hpp> and <fstiff/io/x3p.hpp>
+///             <fstiff/io/gsf.hpp>, <fstiff/io/gwy.hpp>, <fstiff/io/sur.hpp>, <fstiff/io/smd.hpp> and <fstiff/io/x3p.hpp>
 /// Accuracy    as there (tests/io/surface_file_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/io/gsf.hpp>
+#include <fstiff/io/gwy.hpp>
 #include <fstiff/io/map_text.hpp>
 #include <fstiff/io/npy.hpp>
 #include <fstiff/io/profile_text.hpp>
 #include <fstiff/io/sdf.hpp>
+#include <fstiff/io/smd.hpp>
 #include <fstiff/io/sur.hpp>
 
 #include <functional>
@@ -28,7 +30,7 @@
 
 namespace fstiff::io {
 
-enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p, npy, gsf, sur };
+enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd };
 
 /// Heights of X3P that are numbers of floating point are times the increment of the z axis, as ISO 25178-72 says; some
 /// programs write an increment that is not to be applied to them.
@@ -48,7 +50,9 @@ inline constexpr auto names<io::SurfaceFormat> = name_list<io::SurfaceFormat>({
     {io::SurfaceFormat::x3p, "x3p"},
     {io::SurfaceFormat::npy, "npy"},
     {io::SurfaceFormat::gsf, "gsf"},
+    {io::SurfaceFormat::gwy, "gwy"},
     {io::SurfaceFormat::sur, "sur"},
+    {io::SurfaceFormat::smd, "smd"},
 });
 template <>
 inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io::X3pIncrement::apply, "apply"},
@@ -58,7 +62,7 @@ inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io
 
 namespace fstiff::io {
 
-/// "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur" or "auto". \throws domain_error listing them.
+/// "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "gwy", "sur", "smd" or "auto". \throws domain_error listing them.
 [[nodiscard]] inline SurfaceFormat surface_format(std::string_view name);
 [[nodiscard]] inline std::string_view surface_format_name(SurfaceFormat format);
 
@@ -82,7 +86,9 @@ struct SurfaceOptions {
         missing{};  ///< of text and npy, stands for missing points: "-9999", "void", both with a comma, or "none"
     bool resample = false;                             ///< of a profile: unequally spaced positions are interpolated
     X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with heights of floating point
-    OptionNames names{};                               ///< for messages
+    std::string channel{};  ///< of gwy: its number or its title; empty: the lowest whose units are lengths
+    OptionNames names{};    ///< for messages
+    Inflate inflate{};      ///< of compressed sur: inflate_zlib() of <fstiff/io/inflate.hpp>, or nothing without zlib
     /// Reads the bytes of an X3P file: x3p_reader() of <fstiff/io/x3p.hpp>, or nothing where X3P is not there.
     std::function<DescribedMap(std::string_view bytes, std::string_view name, const SurfaceOptions& options)> x3p{};
 };
@@ -132,6 +138,7 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
         {"height", options.height && !matrix && !bare},
         {"missing", !options.missing.empty() && !text && !bare},
         {"resample", options.resample && !profile},
+        {"channel", !options.channel.empty() && format != SurfaceFormat::gwy},
         {"x3p-increment", options.x3p_increment != X3pIncrement::apply && format != SurfaceFormat::x3p}};
     for (const auto& [option, refused] : useless)
         if (refused)
@@ -234,16 +241,18 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
     }
 }
 
-/// The binary form that begins as \p bytes do; automatic where none does.
-inline SurfaceFormat binary_form(std::string_view bytes) {
+/// The form, other than a table of numbers, that begins as \p bytes do; automatic where none does.
+inline SurfaceFormat form_of_first_bytes(std::string_view bytes) {
     if (is_sdf(bytes)) return SurfaceFormat::sdf;
     if (bytes.starts_with("PK\3\4")) return SurfaceFormat::x3p;
     if (is_npy(bytes)) return SurfaceFormat::npy;
     if (is_gsf(bytes)) return SurfaceFormat::gsf;
+    if (is_gwy(bytes)) return SurfaceFormat::gwy;
+    if (is_smd(bytes)) return SurfaceFormat::smd;
     return is_sur(bytes) ? SurfaceFormat::sur : SurfaceFormat::automatic;
 }
 
-/// Reads bytes of the binary form \p format.
+/// Reads bytes of the form \p format, which is no table of numbers.
 inline DescribedMap read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
                                 const SurfaceOptions& options) {
     switch (format) {
@@ -272,8 +281,25 @@ inline DescribedMap read_binary(SurfaceFormat format, std::string_view bytes, co
             GsfSurface found = read_gsf(bytes, name);
             return {.map = std::move(found.map), .sentences = found.record.sentences()};
         }
+        case SurfaceFormat::gwy: {
+            GwySurface found = read_gwy(bytes, name, options.channel);
+            return {.map = std::move(found.map),
+                    .sentences = found.record.sentences(),
+                    .warnings = found.record.warnings()};
+        }
+        case SurfaceFormat::smd: {
+            const SmdProfile found = read_smd(bytes, name);
+            HeightMap<double> map;
+            map.heights = Eigen::Map<const HeightMap<double>::Array>(found.profile.heights.data(), 1,
+                                                                     static_cast<Eigen::Index>(found.profile.size()));
+            map.dx = map.dy = found.profile.spacing;
+            return {.map = std::move(map),
+                    .sentences = found.record.sentences(),
+                    .warnings = found.record.warnings(),
+                    .resolution = found.record.resolution};
+        }
         case SurfaceFormat::sur: {
-            SurSurface found = read_sur(bytes, name);
+            SurSurface found = read_sur(bytes, name, options.inflate);
             return {.map = std::move(found.map),
                     .sentences = found.record.sentences(),
                     .warnings = found.record.warnings(),
@@ -294,7 +320,7 @@ inline Surface read_surface(std::string bytes, std::string_view name, const Surf
     record.format = options.format;
     record.format_from = "options";
     if (record.format == SurfaceFormat::automatic) {
-        record.format = detail::binary_form(bytes);
+        record.format = detail::form_of_first_bytes(bytes);
         if (record.format != SurfaceFormat::automatic) record.format_from = "the first bytes";
     }
     switch (record.format) {
@@ -304,7 +330,7 @@ inline Surface read_surface(std::string bytes, std::string_view name, const Surf
         case SurfaceFormat::matrix: {
             const bool utf16 = detail::is_utf16(bytes);
             const std::string text =
-                detail::text_of(std::move(bytes), record.name, "numbers, or SDF, X3P, .npy, .gsf or .sur");
+                detail::text_of(std::move(bytes), record.name, "numbers, or SDF, X3P, .npy, .gsf, .gwy, .sur or .smd");
             detail::read_text(surface, text, options);
             if (utf16) record.details.push_back("encoding: UTF-16, from its byte order mark");
             return surface;

@@ -5,7 +5,7 @@
 ///
 ///     unit_factor("GPa/um", Dimension::stiffness_per_area)          1e15
 ///
-/// The micro sign may be "u", U+00B5, U+03BC or the CP1252 byte 0xB5; exponents may be written "^2", "2" or as
+/// The micro sign may be "u", U+00B5, U+03BC, the CP1252 byte 0xB5 or the MS-DOS byte 0xE6; exponents may be written "^2", "2" or as
 /// superscripts; products with a blank, "*" or a middle dot. Case matters ("MPa" is not "mPa"), except in spelt-out
 /// words ("Micrometer").
 ///
@@ -181,6 +181,7 @@ inline std::string canonical_unit(std::string_view unit) {
     static constexpr std::array spellings{Spelling{"\xC2\xB5", "u"},
                                           Spelling{"\xCE\xBC", "u"},
                                           Spelling{"\xB5", "u"},
+                                          Spelling{"\xE6", "u"},  // the micro sign of MS-DOS (CP437, CP850)
                                           Spelling{"\xC2\xB2", "2"},
                                           Spelling{"\xB2", "2"},
                                           Spelling{"\xC2\xB3", "3"},

@@ -5,10 +5,10 @@
 ///
 ///     S_x(n dx) = mean of (z(j, i+n) - z(j, i))^2 over all rows j and all i that exist           and S_y likewise
 ///
-/// One mean structure function per direction is fitted, not one a row. Its errors are the larger of what the model of
-/// fit_fractal() expects of as many independent rows as stand a tenth of a row's length apart (the longest lag that is
-/// searched: rows closer together see the same waves), and of a moving-block bootstrap of the rows, in blocks of twice
-/// the longest lag used, or of a quarter of the rows where that is less.
+/// One mean structure function of second differences per direction is fitted, not one a row. Its errors are the larger of what
+/// the model of fit_fractal() expects, of rows that know something of their own where they stand half a lag apart, and of a
+/// moving-block bootstrap of the rows, in blocks of four times the longest lag used, or of a quarter of the rows where that is
+/// less. At lags of 32 samples and more one of n/16 rows is used: their neighbours see the same waves.
 ///
 /// Rule of the warning. The map is called anisotropic when
 ///  - D along x and y, both fitted over the lags of both windows, differ by more than three standard errors of their
@@ -86,7 +86,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const LevelledMap<T>& levelled,
                                                const FractalFitOptions<T>& options = {}) {
-    return fit_directions(levelled.map, options);
+    FractalFitOptions<T> how = options;  // lags above lambda_c are none of the roughness
+    if (levelled.lambda_c > T(0) && !(how.longest > T(0) && how.longest < levelled.lambda_c))
+        how.longest = levelled.lambda_c;
+    return fit_directions(levelled.of_structure(), how);
 }
 
 namespace detail {

@@ -124,9 +124,7 @@ template <Real T>
                                                       const SurfaceParameterOptions<T>& options = {});
 template <Real T>
 [[nodiscard]] SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled,
-                                                      const SurfaceParameterOptions<T>& options = {}) {
-    return surface_parameters(levelled.map, options);
-}
+                                                      const SurfaceParameterOptions<T>& options = {});
 
 namespace detail {
 
@@ -264,8 +262,12 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     return result;
 }
 
-template <Real T>
-SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options) {
+namespace detail {
+
+/// Of \p map, with D and G of what \p directions returns.
+template <Real T, class Directions>
+SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options,
+                                    const Directions& directions) {
     using S = Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
@@ -328,9 +330,21 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
     }
     detail::require_numbers(result);
     result.seed = options.seed;
-    result.why_no_dimension = detail::fit_or_reason(result.map_fit, [&] { return fit_directions(map, options.fit); });
+    result.why_no_dimension = detail::fit_or_reason(result.map_fit, [&] { return directions(); });
     if (result.map_fit) detail::store_mean_of_directions(result, *result.map_fit);
     return result;
+}
+
+}  // namespace detail
+
+template <Real T>
+SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options) {
+    return detail::map_parameters(map, options, [&] { return fit_directions(map, options.fit); });
+}
+
+template <Real T>
+SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled, const SurfaceParameterOptions<T>& options) {
+    return detail::map_parameters(levelled.map, options, [&] { return fit_directions(levelled, options.fit); });
 }
 
 }  // namespace fstiff

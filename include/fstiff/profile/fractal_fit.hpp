@@ -6,8 +6,8 @@
 ///     ln S2(tau) = (4-2D) ln tau + ln C + ln(4 - 2^(4-2D))                          eq. (2.5), of second differences
 ///
 /// A line (profile/structure_fit) over a window of lags that is found or given (profile/lag_window). Second differences
-/// (profile/second_differences) do not see a form, a tilt and the waves beyond the window, and what the filter lambda_s took
-/// is made up for (profile/filter_loss).
+/// (profile/second_differences) do not see a form, a tilt and the waves beyond the window. Lags from lambda_s on need no filter:
+/// a profile that was filtered is fitted as it was before.
 ///
 /// Errors (one standard deviation) are the root of the sum of squares of
 ///  - sampling: the larger of what the covariance of a Gaussian self-affine profile with the fitted D gives, in closed form,
@@ -24,8 +24,8 @@
 /// Units       lags, window, G [m]
 /// Valid       16 points at least, heights that vary; D strictly between 1 and 2
 /// Accuracy    Weierstrass-Mandelbrot profiles of 2^16 points waves from their length to two samples, D = 1.3 to 1.8: D
-///             within 0.04 and its own 3 sigma, for D up to 1.62 within 0.005; G within its own 3 sigma. Coverage of D by 1.96 errors:
-///             tests/profile/coverage_test.cpp, which walks over decimations, D, the ends of the band and lambda_s
+///             within 0.02 and its own 3 sigma, G within a factor of 1.5 (tests/profile/fractal_fit_test.cpp). Coverage of D by 1.96 errors:
+///             tests/profile/coverage_test.cpp, at every 1st to 16th point
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/profile/lag_window.hpp>
@@ -50,9 +50,9 @@ struct FractalFitOptions {
     int resamples = 200;        ///< of the bootstrap; 0 leaves it out
     T tip_radius{};             ///< of the stylus [m]: lags that may show it are left out; 0: not known
     T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
-    T lambda_s{};  ///< cut-off of the Gaussian filter that took the short waves [m]: shorter lags are left out, and
-                   ///< what it took of longer ones is made up for; 0: none
-    ProgressHook progress{};  ///< of the bootstrap
+    T lambda_s{};               ///< shortest wave of the roughness [m]: shorter lags are left out; 0: none
+    T longest{};                ///< lag that an automatic window may reach [m]; 0: not limited
+    ProgressHook progress{};    ///< of the bootstrap
 };
 
 /// S and S2 of one profile or the mean of several, for fit_fractal().
@@ -123,7 +123,7 @@ struct FractalFit {
     StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
 };
 
-/// D and G of a profile without its form. What lambda_s took of it is made up for, and options.lambda_s has no part in it.
+/// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
 /// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
 /// of lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
@@ -179,9 +179,9 @@ Matrix<F> covariance_of(const LogStructure<F>& log, F power) {
     return covariance;
 }
 
-/// The local slopes as they were before lambda_s [samples], near enough to look for a window, and how they scatter.
+/// How the local slopes scatter.
 template <Real F>
-void straighten(LogStructure<F>& log, F lambda_s) {
+void set_slope_error(LogStructure<F>& log) {
     Matrix<F> sampled = covariance_of(log, F(1));
     sampled.diagonal().array() += F(1e-8);
     const Matrix<F> root = cholesky(sampled);
@@ -194,11 +194,6 @@ void straighten(LogStructure<F>& log, F lambda_s) {
         }
     }
     log.slope_error = log.slope_error.cwiseSqrt().eval();
-    if (!(lambda_s > F(0))) return;
-    Vector<F> before = log.value;
-    for (Eigen::Index k = 0; k < before.size(); ++k)
-        before[k] -= std::log(std::max(F(0.05), share_left(std::exp(log.lag[k]), lambda_s, F(1))));
-    for (Eigen::Index k = 0; k < before.size(); ++k) log.slope[k] = local_slope(log.lag, before, k);
 }
 
 }  // namespace detail
@@ -237,9 +232,11 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOpt
 
 template <Real T>
 FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options) {
-    FractalFitOptions<T> filtered = options;
-    filtered.lambda_s = levelled.lambda_s.value_or(T(0));
-    return detail::fit_profile(levelled.profile, filtered);
+    FractalFitOptions<T> how = options;
+    how.lambda_s = std::max(how.lambda_s, levelled.lambda_s.value_or(T(0)));
+    if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
+        how.longest = *levelled.lambda_c;
+    return detail::fit_profile(levelled.of_structure(), how);
 }
 
 template <Real T>
@@ -489,11 +486,18 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     ReliableLags<T> reliable{options.resolution, WindowEnd::resolution};
     if (options.lambda_s > reliable.from) reliable = {options.lambda_s, WindowEnd::lambda_s};
     if (tip_length > reliable.from) reliable = {tip_length, WindowEnd::tip};
-    LogStructure<F> log = log_structure(measured.second_differences, spacing, measured.points, reliable);
+    StructureFunction<T> searched = measured.second_differences;
+    if (!options.window && options.longest > T(0))
+        while (searched.size() > 0 && searched.lag.back() > options.longest * T(1.0001)) {
+            searched.step.pop_back();
+            searched.lag.pop_back();
+            searched.value.pop_back();
+            searched.pairs.pop_back();
+        }
+    LogStructure<F> log = log_structure(searched, spacing, measured.points, reliable);
     log.profiles = static_cast<F>(measured.profiles);
     log.apart = static_cast<F>(measured.apart);
-    const F lambda_s = static_cast<F>(options.lambda_s / spacing);
-    straighten(log, lambda_s);
+    set_slope_error(log);
     const ChosenRange<F> chosen =
         options.window ? given_range(log, *options.window, spacing, reliable) : automatic_range(log, spacing, reliable);
     set_window(result, log, chosen, spacing, reliable);
@@ -513,7 +517,7 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     LogFit<F> line;
     for (int round = 0; round < 4; ++round) {  // covariance, filter and ends of the band hang on the slope, weakly
         const bool band_ends = range.first > 0 && log.slope[0] > power + F(0.3);  // S2 is steeper at shorter lags
-        fitter.emplace(log, covariance_of(log, power), power, lambda_s, log_gamma, band_ends);
+        fitter.emplace(log, covariance_of(log, power), power, log_gamma, band_ends);
         line = fitter->fit(range, range);
         if (std::abs(line.slope - power) < F(0.01)) break;
         power = std::clamp(line.slope, F(0.05), F(1.95));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A profile without its form, which knows what was removed: what is measured of it can make up for the loss.
+/// A profile without its form, which knows what was removed: what is measured of it can take the profile before a filter.
 ///
 ///     const auto flat = fstiff::level(profile, fstiff::Form::line);
-///     const auto fit = fstiff::fit_fractal(flat);  // makes up for what the line took of the long waves
+///     const auto fit = fstiff::fit_fractal(flat);
 ///
 /// Units       heights, cut-off [m]
 /// Valid       as detrend(), gaussian_low_pass() and gaussian_roughness()
@@ -15,6 +15,7 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 
 #include <optional>
+#include <utility>
 
 namespace fstiff {
 
@@ -22,8 +23,14 @@ template <Real T = double>
 struct LevelledProfile {
     Profile<T> profile;
     Form removed = Form::none;
-    std::optional<T> cutoff{};    ///< lambda_c of the Gaussian filter that took the long waves [m]
-    std::optional<T> lambda_s{};  ///< of the one that took the short waves before it [m]
+    std::optional<T> cutoff{};    ///< of the Gaussian filter that belongs to the form and took its long waves [m]
+    std::optional<T> lambda_s{};  ///< of the filter that then took the short waves [m]
+    std::optional<T> lambda_c{};  ///< and of the one that took the long ones, of without_waviness() [m]
+    std::optional<Profile<T>> unfiltered{};  ///< the profile before lambda_s and lambda_c, where there is one
+
+    /// What the structure function is taken of: it compares points at a lag, and lags from lambda_s to lambda_c need no
+    /// filter. lambda_s would lower it by what is shorter at every lag, and lambda_c bend it.
+    [[nodiscard]] const Profile<T>& of_structure() const { return unfiltered ? *unfiltered : profile; }
 };
 
 /// \p profile without the \p form, then, with \p lambda_s, without its short waves, and then, with a \p cutoff, without
@@ -36,14 +43,28 @@ template <Real T>
                                        std::optional<std::type_identity_t<T>> cutoff = {},
                                        std::type_identity_t<T> resolution = 0,
                                        std::optional<std::type_identity_t<T>> lambda_s = {}) {
-    LevelledProfile<T> flat{detrend(profile, form), form, cutoff, lambda_s};
+    LevelledProfile<T> flat{.profile = detrend(profile, form), .removed = form, .cutoff = cutoff, .lambda_s = lambda_s};
     if (form != Form::none && detail::is_rounding(profile.heights.data(), flat.profile.heights.data(), profile.size(),
                                                   static_cast<T>(resolution)))
         throw domain_error("profile of constant height once its form (" + std::string(name_of(form)) +
                            ") is removed: what is left is the rounding of its heights; must be of varying height");
-    if (lambda_s) flat.profile = gaussian_low_pass(flat.profile, *lambda_s);
+    if (lambda_s) {
+        flat.unfiltered = cutoff ? gaussian_roughness(flat.profile, *cutoff) : flat.profile;
+        flat.profile = gaussian_low_pass(flat.profile, *lambda_s);
+    }
     if (cutoff) flat.profile = gaussian_roughness(flat.profile, *cutoff);
     return flat;
+}
+
+/// \p levelled without its waves above \p lambda_c, which keeps the profile as it was for the structure function.
+/// \throws domain_error as gaussian_roughness().
+template <Real T>
+[[nodiscard]] LevelledProfile<T> without_waviness(LevelledProfile<T> levelled, std::type_identity_t<T> lambda_c) {
+    Profile<T> roughness = gaussian_roughness(levelled.profile, lambda_c);
+    if (!levelled.unfiltered) levelled.unfiltered = std::move(levelled.profile);
+    levelled.profile = std::move(roughness);
+    levelled.lambda_c = lambda_c;
+    return levelled;
 }
 
 }  // namespace fstiff

@@ -9,7 +9,7 @@
 ///
 ///  - a: waves that are missing below the resolution, or noise. With no wave shorter than the first lag a is -a_max,
 ///    a_max = 6 Gamma(1+p) sin(pi p/2)/(pi p (4-2^p) (2 pi)^p) of S2 there; before the fit taken for -0.45 a_max with a
-///    standard deviation of 0.6 a_max; for 0 behind a filter lambda_s, which is made up for; for -0.75 a_max where
+///    standard deviation of 0.6 a_max; for -0.75 a_max where
 ///    S2 is steeper at shorter lags, so that the end of the band shows. In the sections of a map a_max is larger by
 ///    sqrt(pi) Gamma(1+p/2)/Gamma((1+p)/2), as short waves run across them too, and -0.6 stands for -0.45;
 ///  - b: where the spectrum ends or turns flat, before the fit taken for 0 with a standard deviation of 0.5 at the last lag;
@@ -24,7 +24,6 @@
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/decompositions.hpp>
-#include <fstiff/profile/filter_loss.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 
@@ -92,22 +91,20 @@ struct LogFit {
 template <Real T>
 class LineFitter {
 public:
-    /// \p covariance of log.value; \p lambda_s [samples], 0: no filter; \p band_ends: no wave is much shorter than the window.
-    LineFitter(const LogStructure<T>& log, Matrix<T> covariance, T power, T lambda_s, T log_gamma, bool band_ends)
+    /// \p covariance of log.value; \p band_ends: no wave is much shorter than the window.
+    LineFitter(const LogStructure<T>& log, Matrix<T> covariance, T power, T log_gamma, bool band_ends)
         : log_(log),
           covariance_(std::move(covariance)),
           power_(power),
           log_gamma_(log_gamma),
           short_sd_(T(0.6) * share_of_short_waves(power) * (log.apart > T(0) ? share_of_oblique_waves(power) : T(1))),
-          expected_short_(short_sd_ * (lambda_s > T(0)    ? T(0)
-                                       : band_ends        ? T(-1.25)
+          expected_short_(short_sd_ * (band_ends          ? T(-1.25)
                                        : log.apart > T(0) ? T(-1)
                                                           : T(-0.75))),
           y_(log.value) {
         for (Eigen::Index k = 0; k < y_.size(); ++k) {
             // the logarithm of a mean of squares is low by half its variance
-            y_[k] += std::min(covariance_(k, k), T(0.5)) / 2 -
-                     std::log(std::max(T(0.05), share_left(std::exp(log.lag[k]), lambda_s, power)));
+            y_[k] += std::min(covariance_(k, k), T(0.5)) / 2;
             covariance_(k, k) += T(0.0009);
         }
     }

@@ -22,6 +22,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -46,6 +47,11 @@ template <Real T = double>
 struct LevelledMap {
     HeightMap<T> map;
     MapForm removed = MapForm::none;
+    std::optional<HeightMap<T>> unfiltered{};  ///< the map before lambda_s and lambda_c, where there is one
+    T lambda_c{};                              ///< of the filter that took the long waves [m]; 0: none
+
+    /// What the structure functions are taken of.
+    [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
 };
 
 /// The same with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted; 0
@@ -83,8 +89,7 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
     using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
     using Index = Eigen::Index;
     map.validate();
-    HeightMap<T> result = map;
-    if (form == MapForm::none) return result;
+    if (form == MapForm::none) return map;
     const Index degree = static_cast<Index>(form), terms = (degree + 1) * (degree + 2) / 2;
     const auto terms_shown = std::to_string(terms);
     if (map.present() < terms)
@@ -101,15 +106,19 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
             for (Index l = 0; k + l <= degree; ++l) use(t++, k, l);
     };
     using Array = Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Array exists =
-        map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<S>();
+    // 1 where a point of row j exists, 0 where it is missing: by rows, since a map may be as large as memory allows
+    Eigen::Array<S, 1, Eigen::Dynamic> exists(map.columns());
+    const auto find_existing = [&](Index j) {
+        for (Index i = 0; i < map.columns(); ++i) exists[i] = std::isnan(map.heights(j, i)) ? S(0) : S(1);
+    };
     Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>() / unit;
     Matrix normal = Matrix::Zero(terms, terms);
     for (Index j = 0; j < map.rows(); ++j) {
         Eigen::Matrix<S, 4, 4> products;  // of the polynomials along this row
+        find_existing(j);
         for (Index a = 0; a <= degree; ++a)
             for (Index b = 0; b <= a; ++b)
-                products(a, b) = products(b, a) = (exists.row(j).transpose() * px.col(a) * px.col(b)).sum();
+                products(a, b) = products(b, a) = (exists.transpose() * px.col(a) * px.col(b)).sum();
         each_term([&](Index s, Index k, Index l) {
             each_term([&](Index t, Index m, Index n) { normal(s, t) += products(k, m) * py(j, l) * py(j, n); });
         });
@@ -130,12 +139,20 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
         for (Index j = 0; j < map.rows(); ++j) {
             Eigen::Matrix<S, 4, 1> along = Eigen::Matrix<S, 4, 1>::Zero();
             each_term([&](Index t, Index k, Index l) { along[k] += c[t] * py(j, l); });
-            for (Index k = degree; k >= 0; --k) z.row(j) -= along[k] * (px.col(k).transpose() * exists.row(j));
+            find_existing(j);
+            for (Index k = degree; k >= 0; --k) z.row(j) -= along[k] * (px.col(k).transpose() * exists);
         }
     }
     for (Index j = 0; j < map.rows(); ++j)
         for (Index i = 0; i < map.columns(); ++i)
-            if (exists(j, i) > S(0)) result.heights(j, i) = static_cast<T>(z(j, i) * unit);
+            z(j, i) = std::isnan(map.heights(j, i)) ? static_cast<S>(map.heights(j, i)) : z(j, i) * unit;
+    HeightMap<T> result;
+    result.dx = map.dx;
+    result.dy = map.dy;
+    if constexpr (std::is_same_v<S, T>)
+        result.heights = std::move(z);
+    else
+        result.heights = z.template cast<T>();
     return result;
 }
 

@@ -26,7 +26,7 @@ namespace {
 struct Options {
     OutputOptions output;
     SurfaceOptions surface;
-    std::string window, tip_radius, resolution;
+    std::string window;
     StructureConvention convention = StructureConvention::exact;
     std::uint64_t seed = FractalFitOptions<double>{}.seed;
     int resamples = FractalFitOptions<double>{}.resamples;
@@ -57,8 +57,8 @@ FractalFitOptions<double> fit_options(const Options& options) {
     how.convention = options.convention;
     how.seed = options.seed;
     how.resamples = options.resamples;
-    if (!options.tip_radius.empty()) how.tip_radius = parse_length(options.tip_radius, "--tip-radius");
-    if (!options.resolution.empty()) how.resolution = parse_length(options.resolution, "--resolution");
+    if (!options.surface.tip_radius.empty()) how.tip_radius = parse_length(options.surface.tip_radius, "--tip-radius");
+    if (!options.surface.resolution.empty()) how.resolution = parse_length(options.surface.resolution, "--resolution");
     return how;
 }
 
@@ -81,10 +81,10 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
     attempt(result.spectrum, result.no_spectrum, [&] {
-        const PowerSpectrum<double> spectrum = power_spectrum(profile);
-        std::optional<WavelengthWindow<double>> window;  // without the waves that the filter took a part of
-        if (const auto shortest = result.levelled.cut_offs.lambda_s)
-            window = {std::max(16 * profile.spacing, 5 * *shortest), 2 * numbers::pi_v<double> / spectrum.step / 8};
+        const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
+        std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
+        if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
+            window = {*shortest, 2 * numbers::pi_v<double> / spectrum.step / 8};
         const SpectralFit<double> fit = fit_spectrum(spectrum, window);
         require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
                 "between 1 and 2: over these wavelengths the profile is not self-affine");
@@ -92,7 +92,8 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     });
     attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
     attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });
-    result.structure = options.all_lags ? structure_function_at_all_lags(profile) : result.fit.structure_function;
+    result.structure = options.all_lags ? structure_function_at_all_lags(result.levelled.of_structure())
+                                        : result.fit.structure_function;
     return result;
 }
 
@@ -104,7 +105,7 @@ MapResult fit_map(const Options& options, const SurfaceInput& input) {
     result.levelled = level_map(options.surface, input);
     how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     about_file(options.surface.file, [&] {
-        result.fit = fit_directions(result.levelled.map, how);
+        result.fit = fit_directions<double>(result.levelled, how);
         if (!result.fit.x && !result.fit.y)
             throw domain_error("no direction of the map allows a fit; along x: " + result.fit.why_no_fit_x +
                                "; along y: " + result.fit.why_no_fit_y);
@@ -250,8 +251,8 @@ Json json_start(const Options& options, const SurfaceInput& input, const std::st
     document["source"] = json_source(options.surface, input);
     Json inputs = json_inputs(options.surface, form);
     inputs.update({{"window", options.window},
-                   {"tip_radius", options.tip_radius},
-                   {"resolution", options.resolution},
+                   {"tip_radius", options.surface.tip_radius},
+                   {"resolution", options.surface.resolution},
                    {"seed", options.seed},
                    {"resamples", options.resamples},
                    {"convention", name_of(options.convention)}});
@@ -476,9 +477,9 @@ Command add_fit(CLI::App& app) {
     add_surface_options(command, options->surface);
     command.option("--window", options->window,
                    "shortest and longest lag of the fit, such as \"1 um,100 um\"; the default is chosen automatically");
-    command.option("--tip-radius", options->tip_radius,
+    command.option("--tip-radius", options->surface.tip_radius,
                    "radius of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
-    command.option("--resolution", options->resolution,
+    command.option("--resolution", options->surface.resolution,
                    "lateral resolution of the instrument; shorter lags are left out of the fit");
     command.option("--convention", options->convention,
                    "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien");

@@ -19,12 +19,13 @@ struct Row {
 };
 
 /// The ending of a surface's file decides nothing: its first bytes and lines do.
-constexpr std::array<Row, 11> rows{{
+constexpr std::array<Row, 13> rows{{
     {"profile", ".csv .txt .dat .asc ...", "text: heights, or position and height in a line",
      "one or two columns, or --spacing or --column", "--units without a header that has them; --spacing of heights"},
     {"triples", ".xyz .csv .txt ...", "text: x, y, z in a line", "three columns that fill a rectangular grid",
      "--units without a header that has them"},
-    {"matrix", ".txt .asc .csv ...", "text: a row of the map in a line",
+    {"matrix", ".txt .asc .csv ...",
+     "text: a row of the map in a line; exports of Gwyddion in any language, Keyence, SPIP, ESRI",
      "four columns and more, or a size in the header or by --dx or --width",
      "--units, and --dx or --width, without a header that has them"},
     {"sdf", ".sdf", "ISO 25178-71, text or binary", "its first bytes, such as aISO-1.0 or bISO-1.0", "nothing"},
@@ -33,8 +34,12 @@ constexpr std::array<Row, 11> rows{{
     {"npy", ".npy", "NumPy array of integers or floating point: one dimension is a profile, two are a map",
      "its first bytes, \\x93NUMPY", "--units, and --spacing of a profile, --dx or --width of a map"},
     {"gsf", ".gsf", "Gwyddion simple field, with XReal, YReal and units of length", "its first bytes", "nothing"},
-    {"sur", ".sur .pro", "Digital Surf, not compressed, of 16 or 32 bits, one object", "its first bytes, DIGITAL SURF",
-     "nothing"},
+    {"gwy", ".gwy", "Gwyddion file: one channel, its masked points missing", "its first bytes, GWYP",
+     "--channel, to read another than the lowest in lengths"},
+    {"sur", ".sur .pro", "Digital Surf of 16 or 32 bits, one object, compressed where fstiff was built with zlib",
+     "its first bytes, DIGITAL SURF or DSCOMPRESSED", "nothing"},
+    {"smd", ".smd .prf", "profile of ISO 5436-2, and its elder form of Mahr and Taylor Hobson",
+     "its first line, ISO 5436, or its second, which ends with PRF", "nothing"},
     {"scene", ".toml", "TOML, as run --example prints it", "an argument of run, identify and report", "nothing"},
     {"surface", ".json", "the JSON of measure", "an argument of --surface, or surface.from in a scene", "nothing"},
     {"curve", ".csv", "text: pressure, and stiffness or reflection, with their errors if they are known",
@@ -74,12 +79,13 @@ std::string text() {
                std::string(row.holds) + "\n  recognised by  " + std::string(row.recognised) + "\n  asks for       " +
                std::string(row.asked) + "\n";
     return all +
-           "\nThe first eight are profiles and maps, for fit, measure, islands, peaks and run --surface. The ending "
+           "\nThe first ten are profiles and maps, for fit, measure, islands, peaks and run --surface. The ending "
            "of\n"
            "a file decides nothing; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a "
            "byte\n"
-           "order mark, or of an 8-bit code page. Any other instrument's file is to be exported from its own "
-           "program.\n";
+           "order mark, or of an 8-bit code page. Any other instrument's file is to be exported from its own program, "
+           "or turned\n"
+           "into X3P by a line of Python, which docs/formats.md has.\n";
 }
 
 Json json() {

@@ -140,8 +140,8 @@ Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
     }
     document["inputs"] = json_inputs(options.input, options.input.detrend);
     document["inputs"].update({{"peaks", name_of(options.peaks)},
-                               {"tip_radius", options.tip_radius},
-                               {"resolution", options.resolution},
+                               {"tip_radius", options.input.tip_radius},
+                               {"resolution", options.input.resolution},
                                {"window", options.window},
                                {"resamples", options.resamples},
                                {"seed", options.seed}});
@@ -222,9 +222,9 @@ Command add_measure(CLI::App& app) {
     command.option("--peaks", measure.peaks,
                    "what counts as a peak of a map, for R and D_p: its islands (default) or its summits");
     command.option(
-        "--tip-radius", measure.tip_radius,
+        "--tip-radius", measure.input.tip_radius,
         "radius of the stylus, such as \"2 um\": shorter lags of a profile, which may show it, are not used for D");
-    command.option("--resolution", measure.resolution,
+    command.option("--resolution", measure.input.resolution,
                    "lateral resolution of the instrument; shorter lags are not used for D");
     command.option(
         "--window", measure.window,

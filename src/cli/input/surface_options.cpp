@@ -11,7 +11,7 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     const bool profiles = kind != SurfaceKind::map, maps = kind != SurfaceKind::profile;
     arguments
         .option("--input-format", options.format,
-                "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf or sur")
+                "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd")
         .one_of(choices<io::SurfaceFormat>());
     arguments.option(
         "--units", options.units,
@@ -24,6 +24,8 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
         .option("--x3p-increment", options.x3p_increment,
                 "of X3P with heights of floating point: apply the increment of z (default) or ignore it")
         .one_of(choices<io::X3pIncrement>());
+    arguments.option("--channel", options.channel,
+                     "of a Gwyddion file (.gwy): number or title of the channel; default the lowest in lengths");
     std::vector<std::string_view> words;
     const auto allow = [&](std::span<const std::string_view> more) {
         for (const std::string_view word : more)
@@ -56,14 +58,34 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
         arguments.option("--height", options.height,
                          "height of a matrix or .npy (number of rows times dy), instead of --dy");
     }
+    arguments.option(
+        "--crop", options.crop,
+        maps ? "part that is kept: \"x0,x1\" of a profile, \"x0,x1,y0,y1\" of a map, such as \"0,1 mm,0,1 mm\""
+             : "part that is kept: \"x0,x1\", such as \"0,1 mm\"");
+    arguments.option("--mask", options.mask,
+                     "file of 0 and 1 with the shape of the surface, text or .npy: points of 0 become missing");
+    arguments
+        .option(
+            "--spikes", options.spikes,
+            "points farther than so many robust standard deviations, such as 5, from the median of their neighbours "
+            "become missing")
+        .between(3, 1000);
+    arguments.flag("--fill", options.fill,
+                   "missing points are filled: by straight lines in a profile, by Laplace's equation in a map");
     arguments.option("--detrend", options.detrend, "form that is removed before anything is computed" + forms)
         .one_of(words);
     arguments.option(
         "--lambda-s", options.lambda_s,
         "shortest waves that are kept, such as \"1 um\": the Gaussian filter (ISO 16610-21 and -61) halves "
-        "them once the form is removed; default none");
-    arguments.option("--lambda-c", options.lambda_c,
-                     "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; default none");
+        "them once the form is removed; auto (default) takes the standards' index of five steps; none keeps all");
+    arguments.option(
+        "--lambda-c", options.lambda_c,
+        "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) takes that of the "
+        "standards' table for a profile of five of them, and none for a map; none keeps all");
+    arguments.option(
+        "--filter", options.filter,
+        "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line grooves and "
+        "spikes do not draw towards them");
 }
 
 void put_cut_offs(Json& document, const CutOffs& cut_offs) {
@@ -86,9 +108,15 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
                    {"cutoff", options.cutoff}};
     if (!options.lambda_s.empty()) inputs["lambda_s"] = options.lambda_s;
     if (!options.lambda_c.empty()) inputs["lambda_c"] = options.lambda_c;
+    if (!options.crop.empty()) inputs["crop"] = options.crop;
+    if (!options.mask.empty()) inputs["mask"] = options.mask;
+    if (options.spikes != 0) inputs["spikes"] = options.spikes;
+    if (options.fill) inputs["fill"] = true;
+    if (options.filter != CutOffFilter::gaussian) inputs["filter"] = name_of(options.filter);
     if (!options.missing.empty()) inputs["missing"] = options.missing;
     if (options.resample) inputs["resample"] = true;
     if (!options.x3p_increment.empty()) inputs["x3p_increment"] = options.x3p_increment;
+    if (!options.channel.empty()) inputs["channel"] = options.channel;
     return inputs;
 }
 

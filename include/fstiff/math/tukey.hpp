@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Tukey's weights, by which robust filters leave out what stands far from the mean line.
+///
+///     delta(r) = (1 - (r/c)^2)^2 for |r| < c, else 0;   c = 3 * 1.4826 median |r| = 4.4478 median |r|
+///
+/// c is three standard deviations of Gaussian residuals, whatever the other residuals are.
+///
+/// Reference   ISO 16610-31:2016, 4.3 and ISO 16610-71:2014, 4.3; Beaton, Tukey, Technometrics 16 (1974) 147
+/// Units       r and c: any, the same
+/// Valid       c > 0; at least one residual
+/// Accuracy    2 ulp (tests/math/tukey_test.cpp)
+
+#include <fstiff/core/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fstiff {
+
+/// 3 / Phi^-1(3/4): three standard deviations over the median of the absolute values of Gaussian numbers.
+template <Real T>
+inline constexpr T tukey_factor = T(4.447806655516805720L);
+
+/// delta of the residual \p r.
+template <Real T>
+[[nodiscard]] constexpr T tukey_weight(T r, T c) noexcept {
+    const T ratio = r / c, rest = 1 - ratio * ratio;
+    return rest > T(0) ? rest * rest : T(0);
+}
+
+/// The median of \p values, whose order is lost; of an even number the mean of the middle two.
+/// \throws domain_error when there are none.
+template <Real T>
+[[nodiscard]] T median(std::vector<T>& values) {
+    require(!values.empty(), "values of a median", values.size(), "at least 1");
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return (*std::max_element(values.begin(), middle) + *middle) / 2;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Spikes of a profile become missing points, and missing points are filled.
+///
+///     d_i = z_i - median(z_i-2, z_i-1, z_i+1, z_i+2);  a spike: |d_i - median d| > k 1.4826 MAD(d)
+///     fill: the straight line between the nearest points that exist; at the ends the nearest height
+///
+/// The median of four neighbours follows slopes, so the scale of d is that of the roughness at the step, not of the form.
+///
+/// Reference   Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
+/// Units       heights [m]; k in standard deviations
+/// Valid       k > 0; 5 points at least for spikes, one that exists for filling
+/// Accuracy    none but rounding. k = 5 takes less than 1e-4 of Gaussian and of self-affine roughness
+///             (tests/profile/repair_test.cpp)
+
+#include <fstiff/math/tukey.hpp>
+#include <fstiff/profile/profile.hpp>
+
+namespace fstiff {
+
+/// \p removed points became missing; \p missing are missing, the longest run of them \p longest points.
+struct Repair {
+    std::size_t removed{}, missing{}, longest{};
+};
+
+/// How many spikes \p profile holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
+template <Real T>
+Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true);
+
+/// Fills the missing points of \p profile. \throws domain_error where every point is missing.
+template <Real T>
+Repair fill_missing(Profile<T>& profile);
+
+namespace detail {
+
+/// Marks what stands farther than \p limit robust standard deviations from the median of \p differences (NaN: none).
+template <Real T>
+std::vector<bool> far_from_median(const std::vector<T>& differences, T limit) {
+    std::vector<T> some;
+    for (const T d : differences)
+        if (!std::isnan(d)) some.push_back(d);
+    std::vector<bool> far(differences.size(), false);
+    if (some.empty()) return far;
+    const T middle = median(some);
+    for (T& d : some) d = std::abs(d - middle);
+    const T scale = tukey_factor<T> / 3 * median(some);
+    if (scale > T(0))  // more than half of the differences equal: rounded heights tell nothing of their spread
+        for (std::size_t i = 0; i < far.size(); ++i) far[i] = std::abs(differences[i] - middle) > limit * scale;
+    return far;
+}
+
+}  // namespace detail
+
+template <Real T>
+Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove) {
+    require_positive("spikes", limit);
+    const std::size_t size = profile.size();
+    require(size >= 5, "points of a profile with spikes", size, "at least 5");
+    std::vector<T> differences(size, std::numeric_limits<T>::quiet_NaN()), neighbours;
+    for (std::size_t i = 0; i < size; ++i) {
+        if (std::isnan(profile.heights[i])) continue;
+        neighbours.clear();
+        for (std::size_t k = i < 2 ? 0 : i - 2; k < std::min(size, i + 3); ++k)
+            if (k != i && !std::isnan(profile.heights[k])) neighbours.push_back(profile.heights[k]);
+        if (neighbours.size() >= 2) differences[i] = profile.heights[i] - median(neighbours);
+    }
+    const std::vector<bool> far = detail::far_from_median(differences, limit);
+    Repair repair;
+    for (std::size_t i = 0; i < size; ++i) {
+        if (!far[i]) continue;
+        ++repair.removed;
+        if (remove) profile.heights[i] = std::numeric_limits<T>::quiet_NaN();
+    }
+    return repair;
+}
+
+template <Real T>
+Repair fill_missing(Profile<T>& profile) {
+    Repair repair;
+    const std::size_t size = profile.size();
+    std::size_t from = 0;  // of the run of missing points
+    for (std::size_t i = 0; i <= size; ++i) {
+        if (i < size && std::isnan(profile.heights[i])) continue;
+        const std::size_t count = i - from;
+        if (count > 0) {
+            require(from > 0 || i < size, "points that exist", 0, "at least 1 to fill the others");
+            const T before = profile.heights[from > 0 ? from - 1 : i], after = profile.heights[i < size ? i : from - 1];
+            for (std::size_t k = from; k < i; ++k) {
+                const T share = static_cast<T>(k - from + 1) / static_cast<T>(count + 1);
+                profile.heights[k] = (1 - share) * before + share * after;
+            }
+            repair.missing += count;
+            repair.longest = std::max(repair.longest, count);
+        }
+        from = i + 1;
+    }
+    return repair;
+}
+
+}  // namespace fstiff

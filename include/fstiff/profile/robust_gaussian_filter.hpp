@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Waviness of a profile by the robust Gaussian regression filter, which grooves and spikes do not draw towards them.
+///
+///     minimum over b of sum_k s(x_k - x_i) delta_k (z_k - b_0 - b_1 (x_k - x_i) - b_2 (x_k - x_i)^2)^2,  w_i = b_0
+///     s(x) = exp(-pi (x/(g c))^2),  g = 0.4697 of order 0, 0.7309 of order 2                cut-off wavelength c
+///     delta_k: Tukey's weights of z_k - w_k (math/tukey), all 1 at first; again until their scale changes by less than 1e-4
+///
+/// Order 0 has b_0 alone, and with delta = 1 is the filter of profile/gaussian_filter. Order 2 follows a form of the second
+/// degree, at the ends as well. With delta = 1 both let a wave of the cut-off pass by half.
+///
+/// A missing point has the weight 0 and stays missing. Where nearly all around a point has the weight 0 (less than 1 % of
+/// the Gaussian weight is left, 5 % for order 2), it keeps the waviness of delta = 1. More than half of the points must be
+/// surface: the median of the residuals is what tells the others.
+///
+/// Reference   ISO 16610-31:2016; Brinkmann, Bodschwinna, Lemke, Int. J. Mach. Tools Manuf. 41 (2001) 2153
+/// Units       heights, cut-off [m]
+/// Valid       5 spacings <= cut-off <= length; order 0 or 2; every height finite or NaN (missing)
+/// Accuracy    1e-10 of the rms height against sums and normal equations point by point, with spikes and missing points
+///             (tests/profile/robust_gaussian_filter_test.cpp)
+
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/math/fft.hpp>
+#include <fstiff/math/tukey.hpp>
+#include <fstiff/profile/structure_function.hpp>
+
+#include <array>
+
+namespace fstiff {
+
+template <Real T = double>
+struct RobustWaviness {
+    Profile<T> waviness;
+    std::size_t left_out{};  ///< points of weight 0
+    int iterations{};
+    bool converged{};  ///< false: the scale of the weights still changed after 100 iterations
+};
+
+/// The long waves of \p profile. \throws domain_error for a cut-off, an order or a profile out of range.
+template <Real T>
+[[nodiscard]] RobustWaviness<T> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2);
+
+/// \p profile without them. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] Profile<T> robust_roughness(const Profile<T>& profile, T cutoff, int order = 2);
+
+namespace detail {
+
+inline constexpr double robust_tolerance = 1e-4;
+inline constexpr int robust_iterations = 100;
+/// g of the file's head: exp(-t) = 1/2 and (1 + t) exp(-t) = 1/2 for t = pi g^2.
+template <Real T>
+inline constexpr T robust_width[2] = {T(0.469718639349825667L), T(0.730913428094675868L)};
+/// Share of the Gaussian weight that must be left.
+inline constexpr double robust_share[2] = {0.01, 0.05};
+
+/// sum_k s(k-i) (k-i)^n v_k for n = 0 ... 2 order, with lengths in units of g c, by transforms.
+template <Real F>
+class RegressionSums {
+public:
+    RegressionSums(std::size_t size, F width, int order)
+        : size_(size),
+          order_(order),
+          reach_(reach(size, width * robust_width<F>[order / 2])),
+          fft_(fast_fft_size(size + reach_)) {
+        const F unit = width * robust_width<F>[order / 2];
+        shapes_.resize(static_cast<std::size_t>(2 * order + 1));
+        std::vector<F> kernel(fft_.size());
+        for (std::size_t n = 0; n < shapes_.size(); ++n) {
+            for (std::size_t k = 0; k <= reach_; ++k) {
+                const F x = static_cast<F>(k) / unit;
+                const F value = std::exp(-numbers::pi_v<F> * x * x) * std::pow(x, static_cast<F>(n));
+                kernel[k] = n % 2 == 0 ? value : -value;  // the sum runs over i + x: the kernel is turned round
+                if (k > 0) kernel[fft_.size() - k] = value;
+            }
+            fft_.forward(kernel, shapes_[n]);
+        }
+    }
+
+    /// The first \p count sums of \p values.
+    void operator()(const std::vector<F>& values, std::size_t count, std::vector<std::vector<F>>& sums) {
+        fft_.forward(values, spectrum_);
+        sums.resize(count);
+        for (std::size_t n = 0; n < count; ++n) {
+            product_ = spectrum_;
+            for (std::size_t k = 0; k < product_.size(); ++k) product_[k] *= shapes_[n][k];
+            fft_.inverse(product_, sums[n]);
+            sums[n].resize(size_);
+        }
+    }
+    [[nodiscard]] int order() const { return order_; }
+
+private:
+    static std::size_t reach(std::size_t size, F unit) {  // to 1e-17
+        const F far = F(3.54) * unit;
+        return far >= static_cast<F>(size - 1) ? size - 1 : std::min(size - 1, static_cast<std::size_t>(far) + 1);
+    }
+
+    std::size_t size_;
+    int order_;
+    std::size_t reach_;
+    RealFft<F> fft_;
+    std::vector<std::vector<std::complex<F>>> shapes_;
+    std::vector<std::complex<F>> spectrum_, product_;
+};
+
+/// b_0 of the normal equations with the sums s of the weights and t of the weighted heights.
+template <Real F>
+F regression_value(const std::vector<std::vector<F>>& s, const std::vector<std::vector<F>>& t, std::size_t i) {
+    if (t.size() == 1) return t[0][i] / s[0][i];
+    const F a = s[2][i] * s[4][i] - s[3][i] * s[3][i], b = s[2][i] * s[3][i] - s[1][i] * s[4][i],
+            c = s[1][i] * s[3][i] - s[2][i] * s[2][i];
+    return (a * t[0][i] + b * t[1][i] + c * t[2][i]) / (a * s[0][i] + b * s[1][i] + c * s[2][i]);
+}
+
+}  // namespace detail
+
+template <Real T>
+RobustWaviness<T> robust_waviness(const Profile<T>& profile, T cutoff, int order) {
+    using F = Accumulator<T>;
+    require_positive("spacing", profile.spacing);
+    require(order == 0 || order == 2, "order", order, "0 or 2");
+    require(cutoff >= 5 * profile.spacing * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= profile.length(),
+            "cut-off", cutoff, "at least 5 spacings and at most the length of the profile");
+    const T scale = detail::height_scale(profile), mean = mean_height(profile);
+    const std::size_t size = profile.size(), terms = static_cast<std::size_t>(order) + 1;
+    detail::RegressionSums<F> regression(size, static_cast<F>(cutoff) / static_cast<F>(profile.spacing), order);
+    std::vector<F> heights(size), weights(size), weighted(size), wave(size), residuals;
+    std::vector<std::vector<F>> s, t;
+    std::vector<F> full;  // the Gaussian weight of every point
+    for (std::size_t i = 0; i < size; ++i) {
+        const bool exists = !std::isnan(profile.heights[i]);
+        heights[i] = exists ? static_cast<F>((profile.heights[i] - mean) / scale) : F(0);
+        weights[i] = exists ? F(1) : F(0);
+    }
+    RobustWaviness<T> result;
+    F previous = 0;
+    for (;; ++result.iterations) {
+        for (std::size_t i = 0; i < size; ++i) weighted[i] = weights[i] * heights[i];
+        regression(weights, 2 * terms - 1, s);
+        regression(weighted, terms, t);
+        if (full.empty()) full = s[0];
+        const F least = static_cast<F>(detail::robust_share[order / 2]);
+        residuals.clear();
+        for (std::size_t i = 0; i < size; ++i) {
+            if (std::isnan(profile.heights[i])) continue;
+            if (result.iterations == 0 || s[0][i] >= least * full[i]) wave[i] = detail::regression_value(s, t, i);
+            residuals.push_back(std::abs(heights[i] - wave[i]));
+        }
+        const F c = tukey_factor<F> * median(residuals);
+        result.converged = std::abs(c - previous) <= static_cast<F>(detail::robust_tolerance) * c;
+        if (result.converged || c == F(0) || result.iterations == detail::robust_iterations) break;
+        previous = c;
+        for (std::size_t i = 0; i < size; ++i)
+            weights[i] = std::isnan(profile.heights[i]) ? F(0) : tukey_weight(heights[i] - wave[i], c);
+    }
+    result.waviness = profile;
+    for (std::size_t i = 0; i < size; ++i) {
+        if (std::isnan(profile.heights[i])) continue;
+        result.waviness.heights[i] = static_cast<T>(wave[i]) * scale + mean;
+        if (weights[i] == F(0)) ++result.left_out;
+    }
+    return result;
+}
+
+template <Real T>
+Profile<T> robust_roughness(const Profile<T>& profile, T cutoff, int order) {
+    Profile<T> roughness = robust_waviness(profile, cutoff, order).waviness;
+    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
+    return roughness;
+}
+
+}  // namespace fstiff

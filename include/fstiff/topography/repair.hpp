@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Spikes of a map become missing points, and missing points are filled by the harmonic surface over their holes.
+///
+///     d = z - median of the 8 neighbours;  a spike: |d - median d| > k 1.4826 MAD(d)
+///     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, heights as they are around
+///
+/// At the edges of the map the surface goes on level across them. A hole is a set of missing points that touch along
+/// their sides; one that nothing surrounds cannot be.
+///
+/// Reference   Laplace's equation in five points; Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
+/// Units       heights [m]; k in standard deviations
+/// Valid       k > 0; maps of 3 points a side; at least one point exists
+/// Accuracy    fill: 1e-10 of the range of the heights, of heights that are harmonic in five points
+///             (tests/topography/repair_test.cpp); k = 5 takes less than 1e-4 of Gaussian roughness
+
+#include <fstiff/math/tukey.hpp>
+#include <fstiff/topography/height_map.hpp>
+
+#include <Eigen/SparseCholesky>
+
+namespace fstiff {
+
+/// \p removed points became missing; \p missing were filled, \p longest of them in the largest hole.
+struct MapRepair {
+    std::size_t removed{}, missing{}, longest{};
+};
+
+/// How many spikes \p map holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
+template <Real T>
+MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true);
+
+/// Fills the missing points of \p map. \throws domain_error where every point is missing.
+template <Real T>
+MapRepair fill_missing(HeightMap<T>& map);
+
+template <Real T>
+MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove) {
+    require_positive("spikes", limit);
+    const Eigen::Index rows = map.rows(), columns = map.columns();
+    require(rows >= 3 && columns >= 3, "points a side of a map with spikes", std::min(rows, columns), "at least 3");
+    std::vector<T> differences(static_cast<std::size_t>(map.size()), std::numeric_limits<T>::quiet_NaN()), neighbours,
+        some;
+    for (Eigen::Index j = 0; j < rows; ++j)
+        for (Eigen::Index i = 0; i < columns; ++i) {
+            if (std::isnan(map.heights(j, i))) continue;
+            neighbours.clear();
+            for (Eigen::Index l = std::max<Eigen::Index>(0, j - 1); l < std::min(rows, j + 2); ++l)
+                for (Eigen::Index k = std::max<Eigen::Index>(0, i - 1); k < std::min(columns, i + 2); ++k)
+                    if ((l != j || k != i) && !std::isnan(map.heights(l, k))) neighbours.push_back(map.heights(l, k));
+            if (neighbours.size() < 3) continue;
+            const T d = map.heights(j, i) - median(neighbours);
+            differences[static_cast<std::size_t>(j * columns + i)] = d;
+            some.push_back(d);
+        }
+    MapRepair repair;
+    if (some.empty()) return repair;
+    const T middle = median(some);
+    for (T& d : some) d = std::abs(d - middle);
+    const T scale = tukey_factor<T> / 3 * median(some);
+    if (!(scale > T(0))) return repair;  // more than half of the differences equal: they tell nothing of the spread
+    for (Eigen::Index k = 0; k < map.size(); ++k)
+        if (std::abs(differences[static_cast<std::size_t>(k)] - middle) > limit * scale) {
+            ++repair.removed;
+            if (remove) map.heights.data()[k] = std::numeric_limits<T>::quiet_NaN();
+        }
+    return repair;
+}
+
+template <Real T>
+MapRepair fill_missing(HeightMap<T>& map) {
+    using F = Accumulator<T>;
+    using Index = Eigen::Index;
+    const Index rows = map.rows(), columns = map.columns();
+    MapRepair repair;
+    require(map.present() > 0, "points that exist", 0, "at least 1 to fill the others");
+    std::vector<int> number(static_cast<std::size_t>(map.size()), -1);
+    std::vector<Index> holes, stack;
+    const auto neighbours = [&](Index at, const auto& visit) {  // of a point: place and 1/step^2 over 1/dx^2
+        const F across = static_cast<F>(map.dx) / map.dy * (static_cast<F>(map.dx) / map.dy);
+        const Index j = at / columns, i = at % columns;
+        if (i > 0) visit(at - 1, F(1));
+        if (i + 1 < columns) visit(at + 1, F(1));
+        if (j > 0) visit(at - columns, across);
+        if (j + 1 < rows) visit(at + columns, across);
+    };
+    for (Index start = 0; start < map.size(); ++start) {
+        if (!std::isnan(map.heights.data()[start]) || number[static_cast<std::size_t>(start)] >= 0) continue;
+        std::size_t size = 0;
+        stack.push_back(start);
+        number[static_cast<std::size_t>(start)] = 0;
+        while (!stack.empty()) {
+            const Index at = stack.back();
+            stack.pop_back();
+            number[static_cast<std::size_t>(at)] = static_cast<int>(holes.size());
+            holes.push_back(at);
+            ++size;
+            neighbours(at, [&](Index other, F) {
+                if (!std::isnan(map.heights.data()[other]) || number[static_cast<std::size_t>(other)] >= 0) return;
+                number[static_cast<std::size_t>(other)] = 0;
+                stack.push_back(other);
+            });
+        }
+        repair.longest = std::max(repair.longest, size);
+    }
+    repair.missing = holes.size();
+    if (holes.empty()) return repair;
+    const auto size = static_cast<Index>(holes.size());
+    const detail::MapHeights<T> scaled(map);
+    std::vector<Eigen::Triplet<F>> entries;
+    Eigen::Matrix<F, Eigen::Dynamic, 1> right = Eigen::Matrix<F, Eigen::Dynamic, 1>::Zero(size);
+    for (Index n = 0; n < size; ++n) {
+        F own = 0;
+        neighbours(holes[static_cast<std::size_t>(n)], [&](Index other, F weight) {
+            own += weight;
+            if (const int m = number[static_cast<std::size_t>(other)]; m >= 0)
+                entries.emplace_back(static_cast<int>(n), m, -weight);
+            else
+                right[n] += weight * (scaled.of(map.heights.data()[other]) - scaled.mean);
+        });
+        entries.emplace_back(static_cast<int>(n), static_cast<int>(n), own);
+    }
+    Eigen::SparseMatrix<F> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<F>> solver(matrix);
+    const Eigen::Matrix<F, Eigen::Dynamic, 1> heights = solver.solve(right);
+    for (Index n = 0; n < size; ++n)
+        map.heights.data()[holes[static_cast<std::size_t>(n)]] =
+            static_cast<T>((heights[n] + scaled.mean) * scaled.unit + scaled.datum);
+    return repair;
+}
+
+}  // namespace fstiff

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that other programs wrote, against what yet other programs read in them (tests/data/README.md).
+#ifdef FSTIFF_HAS_ZLIB
+#include <fstiff/io/inflate.hpp>
+#endif
+#include <fstiff/io/surface_file.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/skip.hpp"
+#include "support/table.hpp"
+
+#include <sstream>
+
+using namespace fstiff;
+
+TEST_CASE("Files of other programs hold what other readers find in them, number for number") {
+    const test::Table table("formats_expected.csv");
+    REQUIRE(table.size() == 19);
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const std::string& name = table.text(row, "file");
+        CAPTURE(name);
+        io::SurfaceOptions options;
+#ifdef FSTIFF_HAS_ZLIB
+        options.inflate = io::inflate_zlib;
+#else
+        if (name == "compressed.sur") {
+            test::leave_out("built without zlib: " + name);
+            continue;
+        }
+#endif
+        if (name == "fortran.npy") {
+            options.units = "nm";
+            options.dx = 0.25e-6;
+            options.dy = 0.5e-6;
+        }
+        const io::Surface found = io::read_surface(std::filesystem::path(FSTIFF_TEST_DATA "/formats") / name, options);
+        HeightMap<double> map;
+        if (found.is_profile()) {
+            const Profile<double>& profile = found.profile();
+            map.heights = Eigen::Map<const HeightMap<double>::Array>(profile.heights.data(), 1,
+                                                                     static_cast<Eigen::Index>(profile.size()));
+            map.dx = map.dy = profile.spacing;
+        } else {
+            map = found.map();
+        }
+        REQUIRE(static_cast<long double>(map.rows()) == table.number(row, "rows"));
+        REQUIRE(static_cast<long double>(map.columns()) == table.number(row, "columns"));
+        // single precision in the files of Digital Surf is the same in both readers; two roundings a reader
+        CHECK(test::ulps(map.dx, table.input(row, "dx")) <= 4);
+        CHECK(test::ulps(map.dy, table.input(row, "dy")) <= 4);
+        std::istringstream heights(table.text(row, "heights"));
+        std::vector<double> expected;
+        for (std::string one; heights >> one;) expected.push_back(std::stod(one));
+        REQUIRE(expected.size() == static_cast<std::size_t>(map.size()));
+        double largest = 0;
+        for (const double z : expected)
+            if (!std::isnan(z)) largest = std::max(largest, std::abs(z));
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            CAPTURE(i);
+            const double z = map.heights.data()[i];
+            // units are rounded in some readers, and one adds a constant that was taken away again
+            CHECK((std::isnan(expected[i]) ? std::isnan(z) : std::abs(z - expected[i]) <= 1e-15 * largest));
+        }
+        CHECK(found.record.sentences().size() >= 5);
+    }
+}
