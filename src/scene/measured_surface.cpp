@@ -166,7 +166,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
         surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));
         const PreparedProfile& levelled = *surface.profile;
         surface.cut_offs = levelled.cut_offs;
-        how.fit.resolution = surface.cut_offs.shortest_lag(how.fit.resolution);
+        how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
         found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
         surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
@@ -174,7 +174,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
         surface.map = std::make_shared<PreparedMap>(level_map(options.input, input));
         const PreparedMap& levelled = *surface.map;
         surface.cut_offs = levelled.cut_offs;
-        how.fit.resolution = surface.cut_offs.shortest_lag(how.fit.resolution);
+        how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
         found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
         surface.parameters = uncertain(found);
         describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
