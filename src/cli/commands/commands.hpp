@@ -20,5 +20,6 @@ Command add_reproduce(CLI::App& app);
 Command add_report(CLI::App& app);
 Command add_truth(CLI::App& app);
 Command add_formats(CLI::App& app);
+Command add_export(CLI::App& app);
 
 }  // namespace fstiff::cli

@@ -157,13 +157,15 @@ void require_writable(const std::string& file) {
 }
 
 void require_own(const std::string& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error) && fs::exists(file, error)) return;  // a pipe, which nothing is read from
     std::ifstream stream(file, std::ios::binary);
     std::string line(200, '\0');
     if (!stream) return;  // there is none
     stream.read(line.data(), static_cast<std::streamsize>(line.size()));
     line.resize(static_cast<std::size_t>(stream.gcount()));
     line.resize(std::min(line.find('\n'), line.size()));
-    if (line.starts_with("# fstiff ") || line.starts_with("<!-- fstiff ") ||
+    if (line.starts_with("# fstiff ") || line.starts_with("** fstiff ") || line.starts_with("<!-- fstiff ") ||
         (line.starts_with("<svg ") && line.find(" class=\"fstiff\" ") != std::string::npos))
         return;
     throw file_error(file, "was not made by fstiff and is not replaced; move it away or choose another name");

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/overclosure.hpp"
+
+#include "scene/file.hpp"
+#include "scene/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fstiff::scene {
+namespace {
+
+using Row = PressureTable::Row;
+
+/// The largest relative error of the pressure on the line from the first to the last of \p points.
+double error_of_line(std::span<const Row> points) {
+    const Row a = points.front(), b = points.back();
+    double worst = 0;
+    for (const Row& at : points) {
+        const double on_line =
+            a.pressure + (b.pressure - a.pressure) * (at.overclosure - a.overclosure) / (b.overclosure - a.overclosure);
+        worst = std::max(worst, std::abs(on_line / at.pressure - 1));
+    }
+    return worst;
+}
+
+bool has_separation(const ChosenLaw& chosen) { return has(chosen.law->quantities, Quantity::separation); }
+
+const ChosenLaw& law_of(const Scene& scene, const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const ChosenLaw& chosen : scene.laws) {
+        if (has_separation(chosen) && (name.empty() || name == chosen.law->name)) return chosen;
+        if (has_separation(chosen)) names.push_back(chosen.law->name);
+    }
+    if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
+    throw domain_error("--law = \"" + name + "\": is no law of the scene that gives a separation; must be one of " +
+                       list_of(names));
+}
+
+/// \p scene with one law and the separation alone, at pressures so close that sixteen or so lie between two rows.
+Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
+    if (scene.at_separations && !(options.from && options.to))
+        throw domain_error("the scene has separations; --from and --until must give the range of pressures");
+    const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end());
+    const double from = options.from ? *options.from : *least, to = options.to ? *options.to : *greatest;
+    require_positive("--from", from);
+    require(to > from, "--until", to,
+            "greater than --from, " + shortest(from) + " Pa; the scene may have one pressure only");
+
+    Scene fine = scene;
+    fine.laws = {law_of(scene, options.law)};
+    if (!scene.peaks.empty()) {
+        require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(), "--peaks",
+                options.peaks,
+                "between 1 and " + std::to_string(scene.peaks.size()) + ", as many as contact.peaks has");
+        fine.peaks = {scene.peaks[static_cast<std::size_t>(options.peaks) - 1]};
+    }
+    fine.samples = 0;
+    fine.separation = true;
+    fine.stiffness = fine.real_area = fine.contacts = fine.loading_stiffness = fine.tangential_stiffness = false;
+    fine.reflection = fine.shear_reflection = fine.at_separations = false;
+    // the chord of an exponential is off by (log ratio)^2/8
+    const double decades = std::log(to / from), between_rows = std::sqrt(8 * options.tolerance);
+    const auto steps = static_cast<std::size_t>(std::max(32.0, std::ceil(16 * decades / between_rows)));
+    fine.points.clear();
+    for (std::size_t i = 0; i <= steps; ++i)
+        fine.points.push_back(from * std::exp(decades * static_cast<double>(i) / static_cast<double>(steps)));
+    return fine;
+}
+
+}  // namespace
+
+std::vector<std::size_t> rows_within(std::span<const Row> points, double tolerance) {
+    std::vector<std::size_t> rows{0};
+    while (rows.back() + 1 < points.size()) {
+        const std::size_t begin = rows.back();
+        std::size_t end = begin + 1;
+        while (end + 1 < points.size() && error_of_line(points.subspan(begin, end + 2 - begin)) <= tolerance) ++end;
+        rows.push_back(end);
+    }
+    return rows;
+}
+
+PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options) {
+    require(options.tolerance >= 1e-5 && options.tolerance <= 0.2, "--tolerance", options.tolerance,
+            "between 0.001 % and 20 %");
+    const Results results = compute(fine_scene(scene, options), options.progress);
+    const Curve& curve = results.curves.front();
+    std::vector<Row> points;
+    for (const auto& state : curve.states) {
+        points.push_back({state.pressure.value, curve.states.front().separation.value - state.separation.value});
+        if (points.size() > 1 && !(points.back().overclosure > points[points.size() - 2].overclosure))
+            throw domain_error("law " + std::string(curve.law->name) + ": the separation does not fall at " +
+                               shortest(state.pressure.value) +
+                               " Pa; a table needs one that falls as the pressure rises");
+    }
+    if (points.size() < 2)
+        throw domain_error("law " + std::string(curve.law->name) + ": has no range of pressures there");
+
+    PressureTable table{.title = title(curve),
+                        .from = points.front().pressure,
+                        .to = points.back().pressure,
+                        .compared = points.size(),
+                        .warnings = results.warnings,
+                        .doubtful = results.doubtful};
+    // between the points of the fine grid the error is up to 1/16^2 larger than at them
+    const std::vector<std::size_t> chosen = rows_within(points, options.tolerance * (1 - 1.0 / 256));
+    const Row first = points.front(), second = points[chosen[1]];
+    const double foot = -first.pressure * second.overclosure / (second.pressure - first.pressure);
+    table.zero_separation = curve.states.front().separation.value - foot;
+    table.rows.push_back({0, 0});
+    for (std::size_t i = 1; i < chosen.size(); ++i) {
+        table.rows.push_back({points[chosen[i]].pressure, points[chosen[i]].overclosure - foot});
+        table.error = std::max(table.error,
+                               error_of_line(std::span(points).subspan(chosen[i - 1], chosen[i] - chosen[i - 1] + 1)));
+    }
+    return table;
+}
+
+}  // namespace fstiff::scene

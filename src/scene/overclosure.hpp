@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The pressure of a contact as a table over its overclosure, for programs that interpolate it linearly.
+//
+//     const PressureTable table = pressure_table(scene, {.tolerance = 0.01});
+//     for (const auto& [pressure, overclosure] : table.rows) ...
+//
+// The first row is (0, 0). The rows after it lie on the law, from the second row on without a gap: each line between two of them
+// is as long as the tolerance allows. The line of the first two of the law is prolonged to zero pressure: there the overclosure
+// is 0, and the separation of the mean planes is zero_separation. Below `from` the table is that line and not the law.
+
+#include "scene/scene.hpp"
+
+#include <fstiff/core/progress.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+struct PressureTableOptions {
+    std::string law{};                   ///< one of the scene; empty: its first that has a separation
+    int peaks = 1;                       ///< which of contact.peaks, from 1 on
+    std::optional<double> from{}, to{};  ///< [Pa]; none: the least and the greatest pressure of the scene
+    double tolerance = 0.01;             ///< of the interpolated pressure, relative; 1e-5 to 0.2
+    ProgressHook progress{};
+};
+
+struct PressureTable {
+    struct Row {
+        double pressure;     ///< [Pa]
+        double overclosure;  ///< [m]
+    };
+    std::string title{};         ///< of the law, with theta and r where it has them
+    double from = 0, to = 0;     ///< [Pa]: where the tolerance holds
+    double zero_separation = 0;  ///< of the mean planes at overclosure 0 [m]
+    std::vector<Row> rows{};     ///< both rise from row to row
+    double error = 0;            ///< the largest relative one of the interpolated pressure between `from` and `to`
+    std::size_t compared = 0;    ///< pressures at which it was measured
+    std::vector<std::string> warnings{};
+    bool doubtful = false;  ///< as Results::doubtful
+};
+
+/// Which of \p points, from the first to the last, keep the straight lines between them within \p tolerance of the pressures
+/// of all points; as few as a search from one to the next finds. \p points rise in both numbers.
+[[nodiscard]] std::vector<std::size_t> rows_within(std::span<const PressureTable::Row> points, double tolerance);
+
+/// \throws domain_error where the scene has no such law or no separation, for a range without two pressures, and where the
+/// separation does not fall with the pressure; as compute().
+[[nodiscard]] PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options);
+
+}  // namespace fstiff::scene

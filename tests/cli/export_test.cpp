@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff export. Truth: the separations that fstiff run prints.
+#include "cli/command.hpp"
+#include "support/accuracy.hpp"
+
+#include <fstiff/core/version.hpp>
+
+#include <cmath>
+
+namespace {
+
+struct Table {
+    std::vector<double> pressures, overclosures;
+};
+
+/// The data lines below the keywords.
+Table table_of(const std::string& text) {
+    Table table;
+    for (const std::string& line : test::lines(text)) {
+        if (line.starts_with("*") || line == "1.,") continue;
+        const auto comma = line.find(", ");
+        REQUIRE(comma != std::string::npos);
+        table.pressures.push_back(std::stod(line.substr(0, comma)));
+        table.overclosures.push_back(std::stod(line.substr(comma + 2)));
+        CHECK(comma <= 20);  // what CalculiX and Abaqus read of a number
+        CHECK(line.size() - comma - 2 <= 20);
+    }
+    return table;
+}
+
+}  // namespace
+
+TEST_CASE("export writes the keywords of either program, and one table in the units of the model") {
+    const auto calculix = test::fstiff("export --to calculix");
+    CHECK(calculix.status == 0);
+    CHECK(test::contains(
+        calculix.out, "\n*SURFACE INTERACTION, NAME=FSTIFF\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0, 0\n"));
+    const auto abaqus = test::fstiff("export --to abaqus --units m,N,Pa");
+    CHECK(abaqus.status == 0);
+    CHECK(test::contains(
+        abaqus.out,
+        "\n*Surface Interaction, name=FSTIFF\n1.,\n*Surface Behavior, pressure-overclosure=TABULAR\n0, 0\n"));
+
+    const Table millimetres = table_of(calculix.out), metres = table_of(abaqus.out);
+    REQUIRE(millimetres.pressures.size() > 10);
+    REQUIRE(metres.pressures.size() == millimetres.pressures.size());
+    for (std::size_t i = 1; i < metres.pressures.size(); ++i) {
+        CHECK(test::relative_error(metres.pressures[i], 1e6 * millimetres.pressures[i]) < 1e-9);
+        CHECK(test::relative_error(metres.overclosures[i], 1e-3 * millimetres.overclosures[i]) < 1e-9);
+    }
+    const Table inches = table_of(test::fstiff("export --to abaqus --units in,lbf,psi").out);
+    CHECK(test::relative_error(inches.pressures.back() * 6894.757293168361, 1e8) < 1e-9);
+    CHECK(test::relative_error(inches.overclosures.back() * 0.0254, metres.overclosures.back()) < 1e-9);
+}
+
+TEST_CASE("The ends of the table are as far apart as the separations that run prints") {
+    const test::Csv run(test::fstiff("run --format csv").out);
+    const auto outcome = test::fstiff("export --to abaqus --units m,N,Pa --from '1 MPa' --until '10 MPa'");
+    const Table table = table_of(outcome.out);
+    double at_one = 0, at_ten = 0;
+    for (std::size_t row = 0; row < 31; ++row) {
+        if (test::relative_error(run.number(row, "pressure_Pa"), 1e6) < 1e-9) at_one = run.number(row, "separation_m");
+        if (test::relative_error(run.number(row, "pressure_Pa"), 1e7) < 1e-9) at_ten = run.number(row, "separation_m");
+    }
+    REQUIRE(at_ten > 0);
+    // 1 MPa lies on the line between the first two rows
+    const double first = 1e6 * table.overclosures[1] / table.pressures[1];
+    CHECK(test::relative_error(table.overclosures.back() - first, at_one - at_ten) < 1e-8);
+}
+
+TEST_CASE("The comments say where the table comes from and what it is good for") {
+    const std::string text = test::fstiff("export --to calculix --law hertz --peaks 2 --tolerance 5%").out;
+    for (const std::string part :
+         {"** fstiff " FSTIFF_VERSION ": contact law for calculix\n", "(built-in scene), SHA-256 ",
+          "hertz, theta = 1.0472, r = ", "mm, N, MPa; pressure [MPa] against overclosure [mm]", "0.1 to 100 MPa",
+          "tolerance 5 %", "faces drawn in touch have overclosure 0", "the pressure stays what it is"}) {
+        INFO(part);
+        CHECK(test::contains(text, part));
+    }
+    const test::Folder folder;  // a name may hold what would end a comment
+    const std::string scene = test::read(FSTIFF_SCENES "/sand_blasted_coarse.toml");
+    folder.write("a\n*STEP.toml", scene);
+    const auto odd = test::shell("fstiff export '" + folder / "a\n*STEP.toml" + "' --to abaqus");
+    CHECK(odd.status == 0);
+    CHECK_FALSE(test::contains(odd.out, "\n*STEP"));
+}
+
+TEST_CASE("export replaces its own files and no others") {
+    const test::Folder folder;
+    const std::string own = folder / "law.inp", deck = folder.write("model.inp", "*HEADING\nmine\n");
+    for (const char* tolerance : {"1%", "2%"}) {
+        const auto outcome =
+            test::fstiff(std::string("export --to calculix --tolerance ") + tolerance + " -o '" + own + "'");
+        CHECK(outcome.status == 0);
+        CHECK(outcome.out.empty());
+        CHECK(test::contains(test::read(own), std::string("tolerance ") + tolerance[0] + " %"));
+    }
+    const auto refused = test::fstiff("export --to calculix -o '" + deck + "'");
+    CHECK(refused.status == 3);
+    CHECK(test::contains(refused.err, "model.inp: was not made by fstiff and is not replaced"));
+    CHECK(test::read(deck) == "*HEADING\nmine\n");
+    CHECK(test::lines(test::fstiff("export --to calculix -o /dev/stdout").out).size() > 20);
+}
+
+TEST_CASE("export refuses in one sentence") {
+    test::check_refused("export", 2, {"--to is required"});
+    test::check_refused("export --to nastran", 2, {"nastran", "calculix"});
+    test::check_refused("export --to abaqus --units mm", 3, {"--units = \"mm\"", "length, force and pressure"});
+    test::check_refused("export --to abaqus --units mm,N,Pa", 3, {"consistent", "1 N/mm^2 is 1e+06 Pa"});
+    test::check_refused("export --to abaqus --units mm,kgf,MPa", 3, {"kgf is no unit of force"});
+    test::check_refused("export --to abaqus --units mm,N,bananas", 3, {"--units", "bananas"});
+    test::check_refused("export --to abaqus --tolerance much", 3, {"--tolerance", "much"});
+    test::check_refused("export --to abaqus --tolerance 30%", 3, {"--tolerance = 0.3", "20 %"});
+    test::check_refused("export --to abaqus --law persson", 3, {"--law = \"persson\"", "\"hertz\""});
+    test::check_refused("export --to abaqus --from 5", 3, {"--from", "without a unit"});
+    test::check_refused("export missing.toml --to abaqus", 3, {"missing.toml"});
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of pressures over overclosures. Truth: the chords of an exponential in closed form; the library's contacts, made
+// by hand, at pressures that the table was not made of.
+#include "scene/overclosure.hpp"
+
+#include <fstiff/contact/rough_contact.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/paper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace fstiff;
+using Row = scene::PressureTable::Row;
+
+namespace {
+
+scene::Scene builtin() { return scene::read_scene(scene::builtin_scene, {.name = "built-in scene"}); }
+
+/// The largest relative error of the chord of exp(x) over a length \p length of x.
+double error_of_chord(double length) {
+    double worst = 0;
+    for (int i = 1; i < 4000; ++i) {
+        const double share = i / 4000.0;
+        worst = std::max(worst, (1 + share * std::expm1(length)) * std::exp(-share * length) - 1);
+    }
+    return worst;
+}
+
+double interpolated(const std::vector<Row>& rows, double overclosure) {
+    const auto above =
+        std::find_if(rows.begin() + 1, rows.end() - 1, [&](const Row& r) { return r.overclosure >= overclosure; });
+    const Row a = *(above - 1), b = *above;
+    return a.pressure + (b.pressure - a.pressure) * (overclosure - a.overclosure) / (b.overclosure - a.overclosure);
+}
+
+/// Of the lines of \p table, against the separations of \p contact.
+template <class Contact>
+double largest_error(const scene::PressureTable& table, const Contact& contact) {
+    double worst = 0;
+    for (int i = 0; i < 3001; ++i) {
+        const double p = table.from * std::pow(table.to / table.from, i / 3000.0);
+        const double overclosure = table.zero_separation - contact.at_pressure(p, Quantity::pressure).separation.value;
+        worst = std::max(worst, std::abs(interpolated(table.rows, overclosure) / p - 1));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
+    std::vector<Row> points;
+    for (int i = 0; i <= 7000; ++i) points.push_back({std::exp(1e-3 * i), 1e-3 * i});
+    for (const double tolerance : {0.1, 0.01, 0.001}) {
+        const auto rows = scene::rows_within(points, tolerance);
+        double length = 0;  // the longest chord, in steps of the points
+        while (error_of_chord(length + 1e-3) <= tolerance) length += 1e-3;
+        CHECK(rows.front() == 0);
+        CHECK(rows.back() == 7000);
+        CHECK(rows.size() == 1 + static_cast<std::size_t>(std::ceil(7.0 / length)));
+        for (std::size_t i = 1; i + 1 < rows.size(); ++i)
+            CHECK(std::abs(1e-3 * static_cast<double>(rows[i] - rows[i - 1]) - length) < 2e-3);
+    }
+}
+
+TEST_CASE("Between the rows the pressure is off by the tolerance and no more, under every law of the paper") {
+    const auto peaks = PeakDistribution<double>::exponential(std::numbers::pi / 3);
+    const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
+    const auto& surface = test::sand_blasted_fine;
+    for (const double tolerance : {0.1, 0.01, 1e-4}) {
+        const auto check = [&](const char* law, const auto& contact) {
+            const auto table = pressure_table(builtin(), {.law = law, .peaks = 2, .tolerance = tolerance});
+            const double error = largest_error(table, contact);
+            INFO(table.title << ", tolerance " << tolerance << ", error " << error);
+            CHECK(error <= tolerance);
+            CHECK(error > 0.9 * tolerance);
+            CHECK(table.error <= tolerance);
+            CHECK(std::abs(table.error - error) < 0.02 * tolerance);
+            CHECK(test::relative_error(table.from, 1e5) < 1e-12);
+            CHECK(test::relative_error(table.to, 1e8) < 1e-12);
+            CHECK(table.rows.front().pressure == 0);
+            CHECK(table.rows.front().overclosure == 0);
+            for (std::size_t i = 1; i < table.rows.size(); ++i) {
+                CHECK(table.rows[i].pressure > table.rows[i - 1].pressure);
+                CHECK(table.rows[i].overclosure > table.rows[i - 1].overclosure);
+            }
+        };
+        check("hertz", RoughContact(surface, peaks, HertzLaw<double>{}, modulus));
+        check("fractal", RoughContact(surface, peaks, FractalLaw<double>(1.62), modulus));
+    }
+}
+
+TEST_CASE("A shorter range, and what a table cannot be made of") {
+    const auto table = pressure_table(builtin(), {.law = "hertz", .from = 1e6, .to = 2e6});
+    CHECK(test::relative_error(table.from, 1e6) < 1e-12);
+    CHECK(test::relative_error(table.rows.back().pressure, 2e6) < 1e-12);
+    const auto refusal = [](const scene::PressureTableOptions& options) {
+        return test::refusal([&] { (void)pressure_table(builtin(), options); });
+    };
+    CHECK(refusal({.law = "plastic"}) ==
+          "--law = \"plastic\": is no law of the scene that gives a separation; must be one of \"fractal\", \"hertz\", "
+          "\"greenwood_williamson\"");
+    CHECK(refusal({.peaks = 0}) == "--peaks = 0: must be between 1 and 2, as many as contact.peaks has");
+    CHECK(refusal({.from = 2e6, .to = 1e6}) ==
+          "--until = 1000000: must be greater than --from, 2e+06 Pa; the scene may have one pressure only");
+    CHECK(refusal({.from = -1.0}) == "--from = -1: must be greater than 0");
+    CHECK(refusal({.tolerance = 0.3}) == "--tolerance = 0.3: must be between 0.001 % and 20 %");
+}
