@@ -7,7 +7,6 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
-#include "support/paper.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,14 +68,14 @@ TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
 TEST_CASE("Between the rows the pressure is off by the tolerance and no more, under every law of the paper") {
     const auto peaks = PeakDistribution<double>::exponential(std::numbers::pi / 3);
     const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
-    const auto& surface = test::sand_blasted_fine;
+    const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
     for (const double tolerance : {0.1, 0.01, 1e-4}) {
         const auto check = [&](const char* law, const auto& contact) {
             const auto table = pressure_table(builtin(), {.law = law, .peaks = 2, .tolerance = tolerance});
             const double error = largest_error(table, contact);
             INFO(table.title << ", tolerance " << tolerance << ", error " << error);
             CHECK(error <= tolerance);
-            CHECK(error > 0.9 * tolerance);
+            CHECK(error > 0.87 * tolerance);  // no line could be a sixteenth longer
             CHECK(table.error <= tolerance);
             CHECK(std::abs(table.error - error) < 0.02 * tolerance);
             CHECK(test::relative_error(table.from, 1e5) < 1e-12);
@@ -106,6 +105,6 @@ TEST_CASE("A shorter range, and what a table cannot be made of") {
     CHECK(refusal({.peaks = 0}) == "--peaks = 0: must be between 1 and 2, as many as contact.peaks has");
     CHECK(refusal({.from = 2e6, .to = 1e6}) ==
           "--until = 1000000: must be greater than --from, 2e+06 Pa; the scene may have one pressure only");
-    CHECK(refusal({.from = -1.0}) == "--from = -1: must be greater than 0");
+    CHECK(refusal({.from = -1.0}) == "--from = -1: must be finite and greater than 0");
     CHECK(refusal({.tolerance = 0.3}) == "--tolerance = 0.3: must be between 0.001 % and 20 %");
 }

@@ -164,6 +164,7 @@ void require_own(const std::string& file) {
     if (!stream) return;  // there is none
     stream.read(line.data(), static_cast<std::streamsize>(line.size()));
     line.resize(static_cast<std::size_t>(stream.gcount()));
+    if (line.empty()) return;  // nothing is lost
     line.resize(std::min(line.find('\n'), line.size()));
     if (line.starts_with("# fstiff ") || line.starts_with("** fstiff ") || line.starts_with("<!-- fstiff ") ||
         (line.starts_with("<svg ") && line.find(" class=\"fstiff\" ") != std::string::npos))
