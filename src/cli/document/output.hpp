@@ -100,8 +100,8 @@ void deliver(const std::string& document, const std::string& file);
 /// \throws file_error naming the file that cannot be written, and the reason that the system gives.
 void deliver(const std::vector<OutputFile>& files, const std::string& folder = "");
 
-/// For a file that nobody named, such as one beside a picture. \throws file_error where \p file is there and its first
-/// line does not say that fstiff made it.
+/// For a file that nobody named, such as one beside a picture, and for a law that may lie beside a model. \throws file_error
+/// where \p file holds something and its first line does not say that fstiff made it.
 void require_own(const std::string& file);
 /// Before a long computation. \throws file_error where the folder of \p file is not there, or \p file is a folder or
 /// protected from writing.
