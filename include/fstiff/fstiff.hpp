@@ -47,7 +47,6 @@
 #include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/detrend.hpp>
-#include <fstiff/profile/form_loss.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/lag_window.hpp>
@@ -59,6 +58,7 @@
 #include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/profile/roughness_cut_off.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
+#include <fstiff/profile/second_differences.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>

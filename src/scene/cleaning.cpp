@@ -170,7 +170,7 @@ void clean(const SurfaceOptions& options, io::Surface& surface) {
 }
 
 std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io::Surface& surface) {
-    constexpr double sure = 8;  // standard deviations that no roughness of these sizes reaches
+    constexpr double sure = 30;  // standard deviations: real surfaces of heavy tails have points up to 20 or 30
     constexpr Eigen::Index most = 1024;
     std::vector<std::string> hints;
     if (options.spikes != 0) return hints;
@@ -188,9 +188,10 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
     }
     if (found > 0)
         hints.push_back(std::to_string(found) +
-                        " points stand more than 8 standard deviations from their neighbours, as "
+                        " points stand more than 30 standard deviations from their neighbours, as "
                         "spikes do; " +
-                        named(options, "spikes") + (options.prefix.empty() ? " = 5" : " 5") + " takes such points out");
+                        named(options, "spikes") + (options.prefix.empty() ? " = 20" : " 20") +
+                        " takes such points out");
     return hints;
 }
 

@@ -131,11 +131,10 @@ void add_neighbours(MeasuredSurface& surface, MeasureOptions options, double ste
         options.input.lambda_s = exact(lambda_s) + " m";
         try {
             surface.neighbours.push_back(measure_one(options));
+            if (!options.keep_maps) surface.neighbours.back().map.reset();
         } catch (const domain_error&) {  // too long a cut-off for the file, or too few peaks behind it
         }
     }
-    if (!options.keep_maps)
-        for (MeasuredSurface& neighbour : surface.neighbours) neighbour.map.reset();
 }
 
 SurfaceParameterOptions<double> parameter_options(const MeasureOptions& options, const ProgressHook& progress) {
@@ -172,6 +171,12 @@ void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Leve
            const MeasureOptions& options) {
     surface.parameters = uncertain(found);
     describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
+    if (surface.cut_offs.lambda_c && !surface.cut_offs.why_c.empty() && levelled.rms < levelled.rms_levelled / 2)
+        surface.warnings.push_back(
+            "lambda_c " + shown_length(*surface.cut_offs.lambda_c) + ", chosen by the table, leaves " +
+            rounded(100 * levelled.rms / levelled.rms_levelled, 2) + " % of the rms height of " +
+            shown_length(levelled.rms_levelled) +
+            ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
     try {
         surface.heights = height_statistics(heights);
     } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
@@ -192,7 +197,7 @@ MeasuredSurface measure_profile(const MeasureOptions& options, const SurfaceInpu
     surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));
     const PreparedProfile& levelled = *surface.profile;
     surface.cut_offs = levelled.cut_offs;
-    how.fit.resolution = surface.cut_offs.shortest_lag(how.fit.resolution);
+    how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
     store(surface, about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); }), levelled,
           levelled.profile, options);
     if (options.neighbours)
@@ -215,7 +220,7 @@ MeasuredSurface measure_map(const MeasureOptions& options, const SurfaceInput& i
     }
     const auto levelled = std::make_shared<PreparedMap>(prepare(options.input));
     surface.cut_offs = levelled->cut_offs;
-    how.fit.resolution = surface.cut_offs.shortest_lag(how.fit.resolution);
+    how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
     SurfaceParameters<double> found =
         about_file(options.input.file, [&] { return surface_parameters<double>(*levelled, how); });
     levelled->unfiltered.reset();  // D is found

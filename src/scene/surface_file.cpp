@@ -177,6 +177,7 @@ PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
         auto& levelled = static_cast<LevelledProfile<double>&>(result);
         levelled = level(read, form, filter ? cut_offs.lambda_c : std::nullopt, input.surface.record.resolution,
                          cut_offs.lambda_s);
+        result.rms_levelled = rms_height(result.profile);
         if (!filter && is_automatic(options.lambda_c)) choose_lambda_c(cut_offs, levelled.profile);
         if (!filter && cut_offs.lambda_c) levelled = without_waves_above(cut_offs, std::move(levelled));
         result.rms = rms_height(result.profile);
@@ -211,6 +212,7 @@ void take_form(const SurfaceInput& input, MapForm form, PreparedMap& result) {
     const HeightMap<double>& read = input.surface.map();
     static_cast<LevelledMap<double>&>(result) = level(read, form, input.surface.record.resolution);
     result.rms_as_read = rms_height(read);
+    result.rms_levelled = rms_height(result.map);
 }
 
 /// Takes out the waves beyond the cut-offs of \p result, and finds its statistics.

@@ -71,6 +71,7 @@ struct SurfaceInput {
 /// A profile without its form and, with cut-offs, without its short and its long waves.
 struct PreparedProfile : LevelledProfile<double> {
     double rms_as_read{}, rms{};  ///< Rq before and after [m]
+    double rms_levelled{};        ///< without the form, before the cut-offs [m]
     std::string form;             ///< that was removed, by name
     CutOffs cut_offs;             ///< lambda_c is the cut-off of detrend = "gaussian" too
 };
@@ -78,6 +79,7 @@ struct PreparedProfile : LevelledProfile<double> {
 /// A map without its form and, with cut-offs, without its short and its long waves.
 struct PreparedMap : LevelledMap<double> {
     double rms_as_read{}, rms{};  ///< Sq before and after [m]
+    double rms_levelled{};        ///< without the form, before the cut-offs [m]
     ArealStatistics<double> areal;
     std::string form;
     CutOffs cut_offs;

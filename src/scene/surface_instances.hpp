@@ -37,8 +37,7 @@ namespace fstiff {
 
 FSTIFF_SCENE_INSTANCE FractalFit<double> detail::fit_measured(const MeasuredStructureFunction<double>&,
                                                               const FractalFitOptions<double>&, double);
-FSTIFF_SCENE_INSTANCE FractalFit<double> detail::fit_profile(const Profile<double>&, Form,
-                                                             const FractalFitOptions<double>&);
+FSTIFF_SCENE_INSTANCE FractalFit<double> detail::fit_profile(const Profile<double>&, const FractalFitOptions<double>&);
 FSTIFF_SCENE_INSTANCE DirectionalFit<double> fit_directions(const HeightMap<double>&, const FractalFitOptions<double>&);
 FSTIFF_SCENE_INSTANCE StructureFunction<double> structure_function_at_all_lags(const Profile<double>&, std::size_t,
                                                                                Divisor);

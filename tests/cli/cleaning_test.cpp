@@ -60,7 +60,7 @@ TEST_CASE("A mask, spikes and filling are done in this order, and told with thei
     const test::Folder folder;
     const std::string how = "--units um --spacing '1 um'";
     const auto struck = measured(how, wave(true));
-    CHECK(test::contains(struck.dump(), "--spikes 5 takes such points out"));
+    CHECK(test::contains(struck.dump(), "--spikes 20 takes such points out"));
     const auto clean = measured(how + " --spikes 5 --fill", wave(true));
     CHECK(decided(clean, "spikes: 1 of 400 points became missing"));
     CHECK(decided(clean, "fill: 1 of 400 points filled by straight lines, the largest hole 1"));

@@ -137,13 +137,15 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 4 + 3);  // K, area, contacts, separation; profile, bearing curve, structure
+    REQUIRE(seen.at("figures").size() == 4 + 4);  // K, area, contacts, separation; profile, bearing curve, structure; cut-offs
     CHECK(seen["figures"][0]["bands"].get<int>() > 0);
     CHECK(seen["figures"][4]["lines"] == 1);
     CHECK(seen["figures"][5]["lines"] == 1);
     CHECK(seen["figures"][6]["points"] > 20);
     CHECK(seen["figures"][6]["lines"] == 1);
     CHECK(seen["figures"][6]["windows"] == 1);
+    CHECK(seen["figures"][7]["lines"].get<int>() >= 5);  // K, sigma, gradient, R, D_p behind other cut-offs
+    CHECK(contains(page, "What hangs on the cut-offs"));
 }
 
 TEST_CASE("The report of a measured map shows it in colours") {
@@ -174,7 +176,7 @@ TEST_CASE("The report of a measured map shows it in colours") {
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 4 + 5);  // map, bearing curve, structure, islands and their radius
+    REQUIRE(seen.at("figures").size() == 4 + 6);  // map, bearing curve, structure, islands and their radius; cut-offs
     CHECK(seen["figures"][4]["images"] == 2);
     REQUIRE(seen["sizes"].size() == 2);
     CHECK(seen["sizes"][0] == 200 * 160);

@@ -96,7 +96,7 @@ TEST_CASE("D along x and along y is 2 - H, and isotropic maps are not called ani
     CHECK(warned <= 2);  // of 39: three standard errors, twice a map
     // 78 values, of which the two of a map are not independent: the ratio is known to some 12 %
     CHECK(std::sqrt(claimed / scatter) > 0.6);
-    CHECK(std::sqrt(claimed / scatter) < 1.5);
+    CHECK(std::sqrt(claimed / scatter) < 1.8);  // it holds what waves beyond the band may add as well
 }
 
 TEST_CASE("Isotropic maps whose windows fall apart are not called anisotropic") {
@@ -167,7 +167,8 @@ TEST_CASE("Seed and resamples of the rows are those asked for") {
     CHECK(a.cols() == 50);
     CHECK((a.array() == measured.resample(steps).array()).all());
     CHECK(!section_structure(map, Direction::x, {.resamples = 0}).resample);
-    CHECK(measured.profiles == 10);  // 128 rows, a tenth of 128 apart
+    CHECK(measured.profiles == 128);
+    CHECK(measured.apart == 1);
     // rows that are all alike have no spread
     HeightMap<double> ridges = map;
     for (Eigen::Index j = 0; j < 128; ++j) ridges.heights.row(j) = map.heights.row(0);

@@ -9,7 +9,7 @@ using namespace fstiff;
 
 namespace {
 
-/// ln S of 10000 points with slope \p short_slope below lag \p bend, \p long_slope above.
+/// ln S2 of 10000 points with slope \p short_slope below lag \p bend, \p long_slope above.
 detail::LogStructure<double> bent(double short_slope, double long_slope, double bend) {
     StructureFunction<double> s;
     for (const std::size_t n : logarithmic_lags(2500)) {
@@ -50,8 +50,8 @@ TEST_CASE("The window ends where S saturates, becomes smooth, or bends") {
         double short_slope, long_slope, bend;
         WindowEnd begins, ends;
     };
-    for (const Piece& piece : {Piece{0.3, 0.0, 300, WindowEnd::sampling, WindowEnd::saturated},
-                               Piece{2.0, 1.75, 20, WindowEnd::smooth, WindowEnd::length},
+    for (const Piece& piece : {Piece{0.4, 0.0, 300, WindowEnd::sampling, WindowEnd::bend},
+                               Piece{3.5, 1.75, 20, WindowEnd::smooth, WindowEnd::length},
                                Piece{0.9, 0.35, 300, WindowEnd::sampling, WindowEnd::bend}}) {
         const auto log = bent(piece.short_slope, piece.long_slope, piece.bend);
         const auto chosen = detail::automatic_range<double>(log, 1e-6, {});
@@ -67,6 +67,22 @@ TEST_CASE("Behind a plateau there is a window only where none stands before it")
     const auto chosen = detail::automatic_range<double>(log, 1e-6, {});
     CHECK(chosen.behind_plateau);
     CHECK(lag(log, chosen.range.first) >= 15);
+}
+
+TEST_CASE("A window stays away from where its power law would reach the highest value") {
+    const auto log = bent(0.9, 0.0, 300);
+    const auto chosen = detail::automatic_range<double>(log, 1e-6, {});
+    CHECK(static_cast<double>(lag(log, chosen.range.last)) < 300 / 1.5 * 1.1);  // 0.05 of ln S2 for its scatter
+    CHECK(static_cast<double>(lag(log, chosen.range.last)) > 300 / 1.5 / 1.1);
+}
+
+TEST_CASE("A slope that may be chance does not end a window") {
+    auto log = bent(0.9, 0.9, 1);
+    for (Eigen::Index k = 0; k < log.lag.size(); ++k)
+        if (lag(log, k) > 100) log.slope[k] = k % 2 == 0 ? 0.5 : 1.3;
+    CHECK(lag(log, detail::automatic_range<double>(log, 1e-6, {}).range.last) <= 100);
+    log.slope_error = detail::Vector<double>::Constant(log.lag.size(), 0.25);
+    CHECK(lag(log, detail::automatic_range<double>(log, 1e-6, {}).range.last) > 900);
 }
 
 TEST_CASE("A window that was given holds the lags between its ends") {
@@ -87,5 +103,7 @@ TEST_CASE("Lags below the resolution are left out, and a refusal says so") {
     CHECK(reliable.note(1e-3) == "; lags below 4e-06 m are left out for the resolution");
     reliable = {2e-3, WindowEnd::tip};
     CHECK(reliable.note(1e-3) == "; lags below any of this profile are left out for the tip radius");
+    reliable = {4e-6, WindowEnd::lambda_s};
+    CHECK(reliable.note(1e-3) == "; lags below 4e-06 m are left out for lambda_s");
     CHECK(detail::ReliableLags<double>{}.note(1e-3).empty());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Data made of the terms that are fitted; how the result moves with the data against differences of fits.
+// Lines through data made of the terms that are fitted; how they move with the data against differences of fits.
 #include <fstiff/profile/structure_fit.hpp>
 
 #include "support/accuracy.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double log_gamma = 0.405465108108164;  // of 1.5
 
-/// ln S = level + power ln n + the term, at 12 lags an octave.
+/// ln S2 = level + power ln n + the term, at 12 lags an octave.
 template <class Term>
 detail::LogStructure<double> made(double level, double power, std::size_t longest, const Term& term) {
     detail::LogStructure<double> log;
@@ -26,75 +26,82 @@ detail::LogStructure<double> made(double level, double power, std::size_t longes
     return log;
 }
 
-const auto no_form = [](double) { return 0.0; };
+/// Only what is expected of the waves below the first lag before the fit.
+double expected(double x) { return -0.45 * detail::share_of_short_waves(0.8) * std::exp(-0.8 * x); }
 
 detail::IndexRange all(const detail::LogStructure<double>& log) { return {0, log.lag.size() - 1}; }
 
-/// The loss by a form that is none.
-struct Nothing {
-    Eigen::Index size;
-    detail::Vector<double> operator()(double) const { return detail::Vector<double>::Zero(size); }
-};
+/// With independent errors of 1e-3.
+detail::LineFitter<double> fitter(const detail::LogStructure<double>& log, double power) {
+    return {log, 1e-6 * detail::Matrix<double>::Identity(log.lag.size(), log.lag.size()), power, log_gamma, false};
+}
 
 }  // namespace
 
 TEST_CASE("A power law gives its slope and its level, without further terms") {
-    const auto log = made(-3.0, 0.8, 50, no_form);
-    detail::WindowFit<double> window(log, all(log), log_gamma);
-    const auto fit = window.fit(Nothing{log.lag.size()}, true);
-    CHECK_FALSE(fit.finite_band);
-    CHECK_FALSE(fit.log_periodic);
-    CHECK(test::relative_error(fit.coefficients[1], 0.8) < 1e-13);
-    CHECK(test::relative_error(fit.coefficients[0] - 0.8 * window.log_reference(), -3.0) < 1e-13);
+    const auto log = made(-3.0, 0.8, 50, expected);
+    const auto line = fitter(log, 0.8).fit(all(log), all(log));
+    CHECK_FALSE(line.finite_band);
+    CHECK_FALSE(line.log_periodic);
+    // half of the variance of a logarithm is put back into its mean, here 0.5e-6
+    CHECK(test::relative_error(line.slope, 0.8) < 1e-5);
+    CHECK(std::abs(line.level - 0.8 * line.reference + 3.0 - 0.5e-6) < 1e-4);
 }
 
-TEST_CASE("Waves in ln S are taken for waves, and leave the slope") {
-    const auto log =
-        made(-3.0, 0.8, 50, [](double x) { return 0.1 * std::sin(2 * 3.141592653589793 * x / log_gamma); });
-    detail::WindowFit<double> window(log, all(log), log_gamma);
-    const auto fit = window.fit(Nothing{log.lag.size()}, true);
-    CHECK(fit.log_periodic);
-    CHECK(test::relative_error(fit.coefficients[1], 0.8) < 1e-12);
+TEST_CASE("Waves in ln S2 are taken for waves, and leave the slope") {
+    const auto log = made(-3.0, 0.8, 50,
+                          [](double x) { return expected(x) + 0.1 * std::sin(2 * 3.141592653589793 * x / log_gamma); });
+    const auto line = fitter(log, 0.8).fit(all(log), all(log));
+    CHECK(line.log_periodic);
+    CHECK(test::relative_error(line.slope, 0.8) < 1e-4);
 }
 
-TEST_CASE("The terms of a finite band leave the slope of two decades") {
-    const double power = 0.8, longest = std::log(static_cast<double>(logarithmic_lags(400).back()));
-    const auto log = made(-3.0, power, 400, [&](double x) {
-        return 0.2 * std::exp(-power * x) - 0.3 * std::exp((2 - power) * (x - longest));
+TEST_CASE("The waves beyond the ends of the band are found where the window is long enough") {
+    const double power = 0.8, last = std::log(static_cast<double>(logarithmic_lags(1000).back()));
+    const double short_waves = -0.5 * detail::share_of_short_waves(power), long_waves = -0.6;
+    const auto log = made(-3.0, power, 1000, [&](double x) {
+        return short_waves * std::exp(-power * x) + long_waves * std::exp((4 - power) * (x - last));
     });
-    detail::WindowFit<double> window(log, all(log), log_gamma);
-    const auto fit = window.fit(Nothing{log.lag.size()}, true);
-    CHECK(fit.finite_band);
-    CHECK(test::relative_error(fit.coefficients[1], power) < 1e-9);
-    CHECK(test::relative_error(fit.coefficients[2], 0.2) < 1e-8);
-    CHECK(test::relative_error(fit.coefficients[3], -0.3) < 1e-8);
+    const auto line = fitter(log, power).fit(all(log), all(log));
+    CHECK(line.finite_band);
+    // what is expected of them before draws them towards 0, by their error over what they may be
+    CHECK(std::abs(line.slope - power) < 5e-3);
+    CHECK(std::abs(line.long_waves - long_waves) < 0.02);
+    CHECK(std::abs(line.short_waves - short_waves) < 0.05);
 }
 
-TEST_CASE("The rows tell how D and the level move with each value of ln S") {
-    // S of one window, changed by a little at one lag after another and fitted anew; through the columns too
-    const double power = 0.8, longest = std::log(static_cast<double>(logarithmic_lags(400).back()));
-    auto log = made(-3.0, power, 400, [&](double x) {
-        return 0.2 * std::exp(-power * x) - 0.3 * std::exp((2 - power) * (x - longest)) + 0.01 * std::sin(9 * x);
-    });
-    const auto fitted = [&] {
-        detail::WindowFit<double> window(log, all(log), log_gamma);
-        return window.fit(Nothing{log.lag.size()}, true);
-    };
-    detail::WindowFit<double> window(log, all(log), log_gamma);
-    const auto fit = window.fit(Nothing{log.lag.size()}, true);
-    REQUIRE(fit.finite_band);
-    const auto rows = window.rows(fit, Nothing{log.lag.size()}, true);
-    const double small = 1e-5, scale = rows.dimension.cwiseAbs().maxCoeff();
-    for (Eigen::Index k = 0; k < log.lag.size(); k += 7) {
-        const double before = log.value[k];
-        log.value[k] = before + small;
-        const auto up = fitted();
-        log.value[k] = before - small;
-        const auto down = fitted();
-        log.value[k] = before;
-        const double dimension = -(up.coefficients[1] - down.coefficients[1]) / 2 / (2 * small);
-        const double level = (up.coefficients[0] - down.coefficients[0]) / (2 * small);
-        CHECK(std::abs(rows.dimension[k] - dimension) < 1e-3 * scale);
-        CHECK(std::abs(rows.level[k] - level) < 1e-3 * rows.level.cwiseAbs().maxCoeff());
+TEST_CASE("S2 of waves no shorter than the first lag lacks what the integral over the others gives") {
+    const double power = GENERATE(0.4, 1.0, 1.6);
+    double with = 0, without = 0;
+    const double step = 1e-4, pi = 3.14159265358979;
+    for (double u = std::log(1e-4); u < std::log(1e4); u += step) {
+        const double x = std::exp(u);
+        (x > 2 * pi ? without : with) += std::pow(x, -power) * step * (x > 2 * pi ? 1.5 : std::pow(1 - std::cos(x), 2));
+        if (x > 2 * pi) with += std::pow(1 - std::cos(x), 2) * std::pow(x, -power) * step;
     }
+    const double rest = 1.5 * std::pow(1e4, -power) / power;
+    CHECK(test::relative_error(detail::share_of_short_waves(power), (without + rest) / (with + rest)) < 1e-3);
+}
+
+TEST_CASE("The rows tell how slope and level move with each value of ln S2") {
+    auto log = made(-3.0, 0.8, 400, [](double x) { return 0.01 * std::sin(9 * x); });
+    const auto line = fitter(log, 0.8).fit(all(log), all(log));
+    const double small = 1e-3;  // the line is linear in the values
+    for (Eigen::Index k = 0; k < log.lag.size(); k += 7) {
+        log.value[k] += small;
+        const auto moved = fitter(log, 0.8).fit(all(log), all(log));
+        log.value[k] -= small;
+        CHECK(std::abs((moved.slope - line.slope) / small - line.slope_row[k]) < 1e-9);
+        CHECK(std::abs((moved.level - line.level) / small - line.level_row[k]) < 1e-9);
+    }
+}
+
+TEST_CASE("The root of a matrix gives the matrix, and its inverse the identity") {
+    detail::Matrix<double> a(3, 3);
+    a << 4, 2, 1, 2, 5, 3, 1, 3, 6;
+    const auto root = detail::cholesky(a);
+    CHECK((root * root.transpose() - a).cwiseAbs().maxCoeff() < 1e-14);
+    CHECK((detail::forward_substituted<double>(root, root) - detail::Matrix<double>::Identity(3, 3))
+              .cwiseAbs()
+              .maxCoeff() < 1e-14);
 }

@@ -5,10 +5,10 @@
 ///
 ///     S_x(n dx) = mean of (z(j, i+n) - z(j, i))^2 over all rows j and all i that exist           and S_y likewise
 ///
-/// One mean structure function per direction is fitted, not one a row. Its errors are the larger of what the model of
-/// fit_fractal() expects of as many independent rows as stand a tenth of a row's length apart (the longest lag that is
-/// searched: rows closer together see the same waves), and of a moving-block bootstrap of the rows, in blocks of twice
-/// the longest lag used, or of a quarter of the rows where that is less.
+/// One mean structure function of second differences per direction is fitted, not one a row. Its errors are the larger of what
+/// the model of fit_fractal() expects, of rows that know something of their own where they stand half a lag apart, and of a
+/// moving-block bootstrap of the rows, in blocks of four times the longest lag used, or of a quarter of the rows where that is
+/// less. At lags of 32 samples and more one of n/16 rows is used: their neighbours see the same waves.
 ///
 /// Rule of the warning. The map is called anisotropic when
 ///  - D along x and y, both fitted over the lags of both windows, differ by more than three standard errors of their
@@ -94,15 +94,19 @@ template <Real T>
 
 namespace detail {
 
-/// Sums of squared differences and pairs, of every section (rows) at every lag (columns).
+/// Sums of squared differences, or second differences, and their numbers, of every section (rows) at every lag (columns).
 template <Real F>
 struct SectionSums {
     std::vector<std::size_t> step;
     Matrix<F> sum, pairs;
 };
 
+/// Sections so much closer together than the lag \p n see the same waves: one of so many will do.
+constexpr Eigen::Index rows_apart(Eigen::Index n) { return std::max<Eigen::Index>(1, n / 16); }
+
 template <Real T>
-SectionSums<Accumulator<T>> section_sums(const HeightMap<T>& map, Direction direction, Accumulator<T> unit) {
+SectionSums<Accumulator<T>> section_sums(const HeightMap<T>& map, Direction direction, bool second,
+                                         Accumulator<T> unit) {
     using F = Accumulator<T>;
     using Rows = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const bool x = direction == Direction::x;
@@ -115,22 +119,32 @@ SectionSums<Accumulator<T>> section_sums(const HeightMap<T>& map, Direction dire
     constexpr Eigen::Index together = 16;  // columns are fetched by so many, which share lines of the cache
     Rows z;
     Eigen::Array<F, 1, Eigen::Dynamic> squares;
+    sums.sum.setZero();
+    sums.pairs.setZero();
     for (Eigen::Index j = 0; j < sections; ++j) {
         const Eigen::Index at = j % together, many = std::min(together, sections - j);
         if (at == 0 && x) z = map.heights.middleRows(j, many).template cast<F>() / unit;
         if (at == 0 && !x) z = map.heights.middleCols(j, many).transpose().template cast<F>() / unit;
         const bool whole = !z.row(at).isNaN().any();
         for (Eigen::Index k = 0; k < lags; ++k) {
-            const auto n = static_cast<Eigen::Index>(sums.step[static_cast<std::size_t>(k)]), count = points - n;
-            const auto square = (z.row(at).tail(count) - z.row(at).head(count)).square();
-            if (whole) {
-                sums.pairs(j, k) = static_cast<F>(count);
-                sums.sum(j, k) = square.sum();
-            } else {
-                squares = square;
-                sums.pairs(j, k) = static_cast<F>(count - squares.isNaN().count());
-                sums.sum(j, k) = squares.isNaN().select(F(0), squares).sum();
-            }
+            const auto n = static_cast<Eigen::Index>(sums.step[static_cast<std::size_t>(k)]);
+            if (j % rows_apart(n) != 0) continue;
+            const Eigen::Index count = points - (second ? 2 * n : n);
+            const auto add = [&](const auto& square) {
+                if (whole) {
+                    sums.pairs(j, k) = static_cast<F>(count);
+                    sums.sum(j, k) = square.sum();
+                } else {
+                    squares = square;
+                    sums.pairs(j, k) = static_cast<F>(count - squares.isNaN().count());
+                    sums.sum(j, k) = squares.isNaN().select(F(0), squares).sum();
+                }
+            };
+            const auto row = z.row(at);
+            if (second)
+                add((row.tail(count) - 2 * row.segment(n, count) + row.head(count)).square());
+            else
+                add((row.tail(count) - row.head(count)).square());
         }
     }
     return sums;
@@ -177,7 +191,7 @@ struct LogLevel {
 template <Real T>
 LogLevel<Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
     using F = Accumulator<T>;
-    const StructureFunction<T>& s = measured.structure_function;
+    const StructureFunction<T>& s = measured.second_differences;
     // trapezoids over ln(lag), at 24 points of the window that both directions share
     constexpr int points = 24;
     std::vector<F> weight(s.size(), F(0));
@@ -191,26 +205,28 @@ LogLevel<Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured,
         weight[k - 1] += (1 - share) / static_cast<F>(points);
         weight[k] += share / static_cast<F>(points);
     }
-    std::vector<std::size_t> step, pairs;
+    LogStructure<F> log;
+    log.points = measured.points;
+    log.profiles = static_cast<F>(measured.profiles);
+    log.apart = static_cast<F>(measured.apart);
     std::vector<F> used, log_lag, log_s;
     LogLevel<F> level;
     for (std::size_t k = 0; k < s.size(); ++k) {
         if (weight[k] == F(0)) continue;
-        step.push_back(s.step[k]);
-        pairs.push_back(s.pairs[k]);
+        log.step.push_back(s.step[k]);
+        log.pairs.push_back(s.pairs[k]);
         used.push_back(weight[k]);
-        log_lag.push_back(std::log(static_cast<F>(s.lag[k])));
+        log_lag.push_back(std::log(static_cast<F>(s.step[k])));
         log_s.push_back(std::log(static_cast<F>(s.value[k])));
         level.mean += weight[k] * log_s.back();
     }
-    const auto size = static_cast<Eigen::Index>(step.size());
+    const auto size = static_cast<Eigen::Index>(log.step.size());
     const Vector<F> row = Eigen::Map<const Vector<F>>(used.data(), size);
-    const Vector<F> x = Eigen::Map<const Vector<F>>(log_lag.data(), size);
+    log.lag = Eigen::Map<const Vector<F>>(log_lag.data(), size);
     const Vector<F> y = Eigen::Map<const Vector<F>>(log_s.data(), size);
-    const F power = std::clamp(regression_slope(x, y, 0, size - 1), F(0.1), F(1.9));
-    const Matrix<F> covariance = log_covariance(step, pairs, measured.points, power);
-    level.error = std::sqrt(std::max(F(0), row.dot(covariance.lazyProduct(row))) / static_cast<F>(measured.profiles));
-    if (measured.resample) level.error = std::max(level.error, sample_spread(row, Matrix<F>(measured.resample(step))));
+    level.error = expected_spread(row, covariance_of(log, regression_slope(log.lag, y, 0, size - 1)));
+    if (measured.resample)
+        level.error = std::max(level.error, sample_spread(row, Matrix<F>(measured.resample(log.step))));
     return level;
 }
 
@@ -234,30 +250,36 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
     require(resampling.resamples >= 0 && resampling.resamples <= 100000, "resamples", resampling.resamples,
             "between 0 and 100000");
     const bool x = direction == Direction::x;
-    const F unit = 2 * static_cast<F>(detail::height_scale(map));  // the differences are at most 1
-    detail::SectionSums<F> sums = detail::section_sums(map, direction, unit);
+    const F unit = 4 * static_cast<F>(detail::height_scale(map));  // the differences are at most 1
+    const detail::SectionSums<F> first = detail::section_sums(map, direction, false, unit);
+    detail::SectionSums<F> sums = detail::section_sums(map, direction, true, unit);
 
     MeasuredStructureFunction<T> measured;
     measured.spacing = x ? map.dx : map.dy;
     measured.points = static_cast<std::size_t>(x ? map.columns() : map.rows());
     const auto sections = static_cast<F>(sums.sum.rows());
-    StructureFunction<T>& s = measured.structure_function;
-    for (std::size_t k = 0; k < sums.step.size(); ++k) {
-        const auto lag = static_cast<Eigen::Index>(k);
-        const F pairs = sums.pairs.col(lag).sum(), sum = sums.sum.col(lag).sum();
-        if (pairs == F(0)) continue;
-        const T value = detail::mean_square<T>(sum, pairs, unit);
-        s.step.push_back(sums.step[k]);
-        s.lag.push_back(static_cast<T>(sums.step[k]) * measured.spacing);
-        s.value.push_back(value);
-        s.pairs.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(pairs / sections + F(0.5))));
-    }
+    const auto means = [&](StructureFunction<T>& s, const detail::SectionSums<F>& of) {
+        for (std::size_t k = 0; k < of.step.size(); ++k) {
+            const auto lag = static_cast<Eigen::Index>(k);
+            const F pairs = of.pairs.col(lag).sum(), sum = of.sum.col(lag).sum();
+            if (pairs == F(0)) continue;
+            const T value = detail::mean_square<T>(sum, pairs, unit);
+            s.step.push_back(of.step[k]);
+            s.lag.push_back(static_cast<T>(of.step[k]) * measured.spacing);
+            s.value.push_back(value);
+            const auto apart = static_cast<F>(detail::rows_apart(static_cast<Eigen::Index>(of.step[k])));
+            const F used = std::ceil(sections / apart);
+            s.pairs.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(pairs / used + F(0.5))));
+        }
+    };
+    means(measured.structure_function, first);
+    means(measured.second_differences, sums);
     const F apart = static_cast<F>(x ? map.dy : map.dx) / static_cast<F>(measured.spacing);  // rows, in samples
-    const F tenth = static_cast<F>(measured.points) / 10;
-    measured.profiles = static_cast<T>(std::clamp(sections * apart / tenth, F(1), sections));
+    measured.profiles = static_cast<T>(sections);
+    measured.apart = static_cast<T>(apart);
     if (resampling.resamples > 1)
         measured.resample = [sums = std::move(sums), resampling, apart](const std::vector<std::size_t>& steps) {
-            const F reach = 2 * static_cast<F>(*std::max_element(steps.begin(), steps.end())) / apart;
+            const F reach = 4 * static_cast<F>(*std::max_element(steps.begin(), steps.end())) / apart;
             const auto block = static_cast<std::size_t>(std::min(reach, static_cast<F>(sums.sum.rows()))) + 1;
             return detail::resample_sections(sums, steps, block, resampling);
         };
@@ -283,7 +305,7 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     if (result.x && result.y) {
         // over the lags of both windows: a curved S has another slope in another window
         FractalFitOptions<T> both = options;
-        const std::vector<T>&lags_x = along_x.structure_function.lag, &lags_y = along_y.structure_function.lag;
+        const std::vector<T>&lags_x = along_x.second_differences.lag, &lags_y = along_y.second_differences.lag;
         both.window = LagWindow<T>{
             std::max({std::min(result.x->window.from, result.y->window.from), lags_x.front(), lags_y.front()}),
             std::min({std::max(result.x->window.to, result.y->window.to), lags_x.back(), lags_y.back()})};
@@ -299,7 +321,7 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
     const T side = std::min(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
     const LagWindow<T> common{4 * std::max(map.dx, map.dy), side / 10};
     const auto varies = [](const MeasuredStructureFunction<T>& m) {
-        const std::vector<T>& s = m.structure_function.value;
+        const std::vector<T>& s = m.second_differences.value;
         return s.size() >= 4 && std::all_of(s.begin(), s.end(), [](T value) { return value > T(0); });
     };
     if (common.from < common.to && varies(along_x) && varies(along_y)) {

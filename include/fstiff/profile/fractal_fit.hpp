@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Fractal dimension D and roughness G of a profile, from its structure function, with errors.
+/// Fractal dimension D and roughness G of a profile, from its structure function of second differences, with errors.
 ///
-///     ln S(tau) = (4-2D) ln tau + ln C                                              eq. (2.5)
+///     ln S2(tau) = (4-2D) ln tau + ln C + ln(4 - 2^(4-2D))                          eq. (2.5), of second differences
 ///
-/// A weighted least-squares line (profile/structure_fit) over a window of lags that is found or given
-/// (profile/lag_window). A profile that knows what form was removed of it has the loss put right (profile/form_loss).
+/// A line (profile/structure_fit) over a window of lags that is found or given (profile/lag_window). Second differences
+/// (profile/second_differences) do not see a form, a tilt and the waves beyond the window. Lags from lambda_s on need no filter:
+/// a profile that was filtered is fitted as it was before.
 ///
-/// Errors (one standard deviation): the larger of
-///  - what the covariance of S of a Gaussian self-affine profile with the fitted D gives, in closed form: the limit of
-///    many simulations at the fitted parameters;
-///  - a moving-block bootstrap over the profile, seeded, which sees what is not Gaussian;
-/// and the textbook regression error, more than ten times too small on random walks because S at neighbouring lags is
-/// correlated, beside them.
+/// Errors (one standard deviation) are the root of the sum of squares of
+///  - sampling: the larger of what the covariance of a Gaussian self-affine profile with the fitted D gives, in closed form,
+///    with what the waves beyond the resolution and the longest lag may add, and of a moving-block bootstrap over the profile,
+///    seeded, which sees what is not Gaussian; times sqrt(v/(v-2)) for v pieces as long as the longest lag (Student's t);
+///  - window: how far D and ln G of the two halves of the window, and of the longest straight windows below and above it,
+///    differ from those of the window, beyond what their sampling explains (d^2 less twice its expectation), averaged by their
+///    widths on the scale of ln tau. A half or a neighbour that differs by more than 2.5 standard deviations and by 0.05
+///    disagrees, and the fit is flagged as curved.
+/// The textbook regression error, many times too small because S2 at neighbouring lags is correlated, stands beside them.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8); Kunsch, Ann. Stat. 17 (1989)
 ///             for the bootstrap; docs/errata.md for the constant C.
 /// Units       lags, window, G [m]
 /// Valid       16 points at least, heights that vary; D strictly between 1 and 2
-/// Accuracy    Weierstrass-Mandelbrot profiles of 2^16 points waves from their length to two samples, D = 1.3 to 1.8:
-///             D within 0.02 and its own 3 sigma, G within a factor 1.5; 200 random walks of 1000 points: the error of
-///             D is 0.8 to 1.25 times the scatter of D (tests/profile/fractal_fit_test.cpp)
+/// Accuracy    Weierstrass-Mandelbrot profiles of 2^16 points waves from their length to two samples, D = 1.3 to 1.8: D
+///             within 0.02 and its own 3 sigma, G within a factor of 1.5 (tests/profile/fractal_fit_test.cpp). Coverage of D by 1.96 errors:
+///             tests/profile/coverage_test.cpp, at every 1st to 16th point
 
 #include <fstiff/core/progress.hpp>
-#include <fstiff/profile/form_loss.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/level.hpp>
+#include <fstiff/profile/second_differences.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
@@ -46,30 +50,50 @@ struct FractalFitOptions {
     int resamples = 200;        ///< of the bootstrap; 0 leaves it out
     T tip_radius{};             ///< of the stylus [m]: lags that may show it are left out; 0: not known
     T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
+    T lambda_s{};               ///< shortest wave of the roughness [m]: shorter lags are left out; 0: none
     T longest{};                ///< lag that an automatic window may reach [m]; 0: not limited
     ProgressHook progress{};    ///< of the bootstrap
 };
 
-/// S of one profile or the mean of several, for fit_fractal().
+/// S and S2 of one profile or the mean of several, for fit_fractal().
 template <Real T = double>
 struct MeasuredStructureFunction {
-    StructureFunction<T> structure_function;  ///< at some lags, rising; `pairs` are those of one profile
-    T spacing{};                              ///< [m]
-    std::size_t points{};                     ///< of one profile, missing ones included
-    Form removed = Form::none;                ///< of the profiles: what its removal took of S is made up for
-    T profiles = T(1);                        ///< independent ones that S is the mean of: their number divides the
-                                              ///< variance that the model expects
-    /// ln S at the steps given (rows) of resamples (columns), for the errors; may be empty. ln S in any unit.
+    StructureFunction<T> structure_function;  ///< to be shown
+    StructureFunction<T>
+        second_differences;  ///< that is fitted, at some lags, rising; `pairs` are those of one profile
+    T spacing{};             ///< [m]
+    std::size_t points{};    ///< of one profile, missing ones included
+    T profiles = T(1);       ///< that the means are of
+    T apart{};  ///< how far neighbours of them stand apart [spacings]: closer than half the lag, they see the same waves;
+                ///< 0: they are independent
+    /// ln S2 at the steps given (rows) of resamples (columns), for the errors; may be empty. ln S2 in any unit.
     std::function<Eigen::Matrix<Accumulator<T>, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)>
         resample{};
 };
 
+/// D of a half of the window, or of a straight window beside it.
+template <Real T = double>
+struct NeighbourWindow {
+    LagWindow<T> window;   ///< [m]
+    T dimension{};         ///< D; of a half that is no self-affine profile it may lie outside (1, 2)
+    T difference{};        ///< from D of the fit
+    T difference_error{};  ///< what sampling lets expect of it, one standard deviation
+    bool half{};           ///< of the window itself
+    bool disagrees{};      ///< by more than 2.5 standard deviations and by 0.05
+};
+
 template <Real T = double>
 struct FractalFit {
-    Fractal<T> fractal;              ///< D and G [m]
-    T dimension_error{};             ///< standard deviation of D
-    T roughness_error{};             ///< standard deviation of G [m]: G times that of ln G
-    T log_roughness_error{};         ///< standard deviation of ln G; G is known to a factor exp of this
+    Fractal<T> fractal;                   ///< D and G [m]
+    T dimension_error{};                  ///< standard deviation of D: of sampling and of the choice of the window
+    T sampling_dimension_error{};         ///< its share of sampling
+    T window_dimension_error{};           ///< and of the window
+    T roughness_error{};                  ///< standard deviation of G [m]: G times that of ln G
+    T log_roughness_error{};              ///< standard deviation of ln G; G is known to a factor exp of this
+    T sampling_log_roughness_error{};     ///< its share of sampling
+    T window_log_roughness_error{};       ///< and of the window
+    T dimension_roughness_correlation{};  ///< of the errors of D and ln G
+    std::vector<NeighbourWindow<T>> neighbours;  ///< that the share of the window comes from
     T regression_dimension_error{};  ///< ordinary least-squares error of D, as if all lags were independent: too small
     T model_dimension_error{};       ///< from the covariance of a Gaussian self-affine profile
     T bootstrap_dimension_error{};   ///< from the moving-block bootstrap; 0 when left out
@@ -82,12 +106,13 @@ struct FractalFit {
     bool behind_plateau{};  ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
     T slope_tolerance{};    ///< that the automatic window took; 0 for a window given
     std::size_t lags{};     ///< lags used
-    bool finite_band{};     ///< whether these terms entered
+    bool finite_band{};     ///< whether the waves beyond the ends of the band show
     bool log_periodic{};    ///< whether these terms entered
-    bool curved{};       ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
-                         ///< to end of the window or from its ends to its middle, or the automatic window had to
-                         ///< allow more than 0.2
-    T slope_shortest{};  ///< local slope of ln S at the shortest lag used
+    bool curved{};  ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
+                    ///< to end of the window or from its ends to its middle, a half of the window or a window
+                    ///< beside it disagrees, the slope is below 0.2, or that of a part is, and less than that of the
+                    ///< whole by 0.3 and by 1.5 standard deviations, or the automatic window had to allow more than 0.2
+    T slope_shortest{};  ///< local slope of ln S2 at the shortest lag used
     T slope_longest{};   ///< and at the longest
     T min_slope{};       ///< least local slope over the lags used
     T max_slope{};       ///< and greatest
@@ -98,13 +123,13 @@ struct FractalFit {
     StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
 };
 
-/// D and G of a profile without its form. What the removal of the form took of the long lags is made up for.
+/// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
 /// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
 /// of lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {});
 
-/// D and G of \p profile as it is, of which nothing was removed. \throws domain_error as above.
+/// D and G of \p profile as it is. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {});
 
@@ -123,7 +148,9 @@ void check_options(const FractalFitOptions<T>& options) {
             "finite and greater than 1");
     require(options.resamples >= 0 && options.resamples <= 100000, "resamples", options.resamples,
             "between 0 and 100000");
-    for (const auto& [name, value] : {std::pair{"tip radius", options.tip_radius}, {"resolution", options.resolution}})
+    for (const auto& [name, value] : {std::pair{"tip radius", options.tip_radius},
+                                      {"resolution", options.resolution},
+                                      {"lambda_s", options.lambda_s}})
         require(value >= T(0) && value <= std::numeric_limits<T>::max(), name, value,
                 "finite and greater than 0, or 0 when it is not known");
 }
@@ -136,16 +163,43 @@ void check_window(const LagWindow<T>& window, T length) {
 }
 
 template <Real T>
-FractalFit<T> fit_profile(const Profile<T>& profile, Form removed, const FractalFitOptions<T>& options);
+FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>& options);
 
 template <Real T>
 FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
                            T tip_length);
 
+/// The covariance of log.value, of a Gaussian profile whose S grows as n^\p power.
+template <Real F>
+Matrix<F> covariance_of(const LogStructure<F>& log, F power) {
+    Matrix<F> covariance = log_covariance(log.step, log.pairs, std::clamp(power, F(0.05), F(1.95)));
+    const Vector<F> root = log.lag.unaryExpr([&](F lag) { return std::sqrt(log.independent(std::exp(lag))); });
+    for (Eigen::Index i = 0; i < root.size(); ++i)
+        for (Eigen::Index j = 0; j < root.size(); ++j) covariance(i, j) /= root[i] * root[j];
+    return covariance;
+}
+
+/// How the local slopes scatter.
+template <Real F>
+void set_slope_error(LogStructure<F>& log) {
+    Matrix<F> sampled = covariance_of(log, F(1));
+    sampled.diagonal().array() += F(1e-8);
+    const Matrix<F> root = cholesky(sampled);
+    log.slope_error = Vector<F>::Zero(log.lag.size());
+    for (Eigen::Index k = 0; k < root.cols(); ++k) {
+        const Vector<F> column = root.col(k);
+        for (Eigen::Index i = 0; i < column.size(); ++i) {
+            const F slope = local_slope(log.lag, column, i);
+            log.slope_error[i] += slope * slope;
+        }
+    }
+    log.slope_error = log.slope_error.cwiseSqrt().eval();
+}
+
 }  // namespace detail
 
 template <Real T>
-FractalFit<T> detail::fit_profile(const Profile<T>& profile, Form removed, const FractalFitOptions<T>& options) {
+FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOptions<T>& options) {
     using F = Accumulator<T>;
     profile.validate(16);
     detail::check_options(options);
@@ -160,9 +214,10 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, Form removed, const
     const std::vector<std::size_t> wanted = logarithmic_lags(longest);
     MeasuredStructureFunction<T> measured;
     measured.structure_function = structure_function(profile, std::span<const std::size_t>(wanted), options.divisor);
+    const std::vector<std::size_t> triples = logarithmic_lags(std::min(longest, (points - 1) / 2));
+    measured.second_differences = second_differences(profile, std::span<const std::size_t>(triples));
     measured.spacing = profile.spacing;
     measured.points = points;
-    measured.removed = removed;
     if (options.resamples > 1)
         measured.resample = [&](const std::vector<std::size_t>& steps) {
             const Profile<F> heights{std::vector<F>(profile.heights.begin(), profile.heights.end()),
@@ -178,31 +233,35 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, Form removed, const
 template <Real T>
 FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options) {
     FractalFitOptions<T> how = options;
+    how.lambda_s = std::max(how.lambda_s, levelled.lambda_s.value_or(T(0)));
     if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
         how.longest = *levelled.lambda_c;
-    return detail::fit_profile(levelled.of_structure(), levelled.mark(), how);
+    return detail::fit_profile(levelled.of_structure(), how);
 }
 
 template <Real T>
 FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options) {
-    return detail::fit_profile(profile, Form::none, options);
+    return detail::fit_profile(profile, options);
 }
 
 template <Real T>
 FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options) {
     detail::check_options(options);
     require_positive("spacing", measured.spacing);
-    require(measured.profiles > T(0) && measured.profiles <= std::numeric_limits<T>::max(), "profiles",
-            measured.profiles, "finite and greater than 0");
+    require(measured.profiles >= T(1) && measured.profiles <= std::numeric_limits<T>::max(), "profiles",
+            measured.profiles, "finite and at least 1");
+    require(measured.apart >= T(0) && measured.apart <= std::numeric_limits<T>::max(), "apart", measured.apart,
+            "finite and not negative");
     require(options.tip_radius == T(0), "tip radius", options.tip_radius,
             "left out for a structure function: a tip needs heights");
-    const StructureFunction<T>& s = measured.structure_function;
+    const StructureFunction<T>& s = measured.second_differences;
     if (s.step.size() != s.size() || s.value.size() != s.size() || s.pairs.size() != s.size())
         throw domain_error("structure function: its vectors must have one length");
     for (std::size_t k = 0; k < s.size(); ++k) {
-        if (s.step[k] < 1 || s.step[k] >= measured.points || (k > 0 && s.step[k] <= s.step[k - 1]) || s.pairs[k] < 1)
+        if (s.step[k] < 1 || 2 * s.step[k] >= measured.points || (k > 0 && s.step[k] <= s.step[k - 1]) ||
+            s.pairs[k] < 1)
             throw domain_error("structure function, lag = " + std::to_string(s.step[k]) +
-                               " samples: lags must rise between 1 and one less than the points, each with a pair");
+                               " samples: lags must rise between 1 and less than half the points, each with a triple");
         require(s.value[k] >= T(0) && s.value[k] <= std::numeric_limits<T>::max(), "structure function", s.value[k],
                 "finite and not negative");
     }
@@ -245,56 +304,172 @@ void set_window(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
     result.ends = why(range.last + 1, WindowEnd::length);
 }
 
-/// Whether ln S bends: its quadratic or its cubic term, each against its own sampling error.
+/// Whether ln S2 bends: its quadratic or its cubic term, each against its own sampling error.
 template <Real F>
-bool is_curved(const WindowFit<F>& window, const Matrix<F>& covariance) {
+bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const IndexRange& range) {
+    const Vector<F> x =
+        log.lag.segment(range.first, range.count()).array() - (log.lag[range.first] + log.lag[range.last]) / 2;
     const auto bends = [&](Eigen::Index degree, F change_of_slope) {  // that one of the term gives
-        Matrix<F> powers(window.x().size(), degree + 1);
-        for (Eigen::Index k = 0; k <= degree; ++k) powers.col(k) = window.x().array().pow(static_cast<F>(k)).matrix();
-        const Vector<F> row = PivotedQr<F>(powers).solver().row(degree).transpose();
-        const F bend = std::abs(row.dot(window.y()));
-        return bend * change_of_slope > F(0.2) && bend > 3 * expected_spread(row, covariance);
+        Matrix<F> powers(x.size(), degree + 1);
+        for (Eigen::Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
+        Vector<F> row = Vector<F>::Zero(log.lag.size());
+        row.segment(range.first, range.count()) = PivotedQr<F>(powers).solver().row(degree).transpose();
+        const F bend = std::abs(row.dot(fitter.y()));
+        return bend * change_of_slope > F(0.2) && bend > 3 * std::sqrt(fitter.covariance_of(row, row, range));
     };
-    const F width = window.width();
+    const F width = x[x.size() - 1] - x[0];
     return bends(2, 2 * width) || bends(3, 3 * width * width / 4);
 }
 
-/// G, and the errors of it and of D.
-template <Real T>
-void set_fractal(FractalFit<T>& result, const WindowFit<Accumulator<T>>& window, const LogFit<Accumulator<T>>& fit,
-                 const FitRows<Accumulator<T>>& rows, const Matrix<Accumulator<T>>& covariance,
-                 const Matrix<Accumulator<T>>& resampled, T spacing, const FractalFitOptions<T>& options) {
-    using F = Accumulator<T>;
-    const F dimension = 2 - fit.coefficients[1] / 2;
-    // ln(G/reference lag) of D and ln(S/lag^2) at the reference lag
-    const F level = fit.coefficients[0] - 2 * window.log_reference();
+/// Whether a part of the window is a plateau: a local slope below 0.2, less than \p slope of the fit by 0.3 and by more than
+/// chance.
+template <Real F>
+bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
+    for (Eigen::Index k = range.first; k <= range.last; ++k)
+        if (log.slope[k] < F(0.2) && slope - log.slope[k] > std::max(F(0.3), F(1.5) * log.slope_error[k])) return true;
+    return false;
+}
+
+/// D and ln G of a line, and how they move with the values of ln S2.
+template <Real F>
+struct FractalLine {
+    F dimension{}, log_g{};  // G in units of the spacing
+    Vector<F> dimension_row, log_g_row;
+};
+
+/// Of a line whose slope is between 0 and 2; else without G.
+template <Real F>
+FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention convention, F gamma) {
+    FractalLine<F> found;
+    found.dimension = 2 - line.slope / 2;
+    found.dimension_row = -line.slope_row / 2;
+    found.log_g_row = Vector<F>::Zero(line.slope_row.size());
+    if (!(found.dimension > F(1) && found.dimension < F(2))) return found;
+    // of D and ln(S2/lag^2) at the reference lag
+    const F level = line.level - 2 * line.reference;
     const auto log_g = [&](F d) {
-        return (level - std::log(structure_constant<F>(d, options.convention, static_cast<F>(options.gamma)))) /
+        return (level - std::log(4 - std::pow(F(2), 4 - 2 * d)) -
+                std::log(structure_constant<F>(d, convention, gamma))) /
                (2 * (d - 1));
     };
-    const F nearby = F(1e-4) * std::min(dimension - 1, 2 - dimension);
-    const F log_g_slope = (log_g(dimension + nearby) - log_g(dimension - nearby)) / (2 * nearby);
-    const Vector<F> roughness_row = rows.level / (2 * (dimension - 1)) + log_g_slope * rows.dimension;
-    F dimension_error = expected_spread(rows.dimension, covariance);
-    F roughness_error = expected_spread(roughness_row, covariance);
-    result.model_dimension_error = static_cast<T>(dimension_error);
-    if (resampled.size() > 0) {
-        const F bootstrap = sample_spread(rows.dimension, resampled);
-        result.bootstrap_dimension_error = static_cast<T>(bootstrap);
-        dimension_error = std::max(dimension_error, bootstrap);
-        roughness_error = std::max(roughness_error, sample_spread(roughness_row, resampled));
+    const F nearby = F(1e-4) * std::min(found.dimension - 1, 2 - found.dimension);
+    const F slope = (log_g(found.dimension + nearby) - log_g(found.dimension - nearby)) / (2 * nearby);
+    found.log_g = log_g(found.dimension) + line.reference;
+    found.log_g_row = line.level_row / (2 * (found.dimension - 1)) + slope * found.dimension_row;
+    return found;
+}
+
+/// The halves of \p range that hold enough lags, and the straight windows on either side of it.
+template <Real F>
+std::vector<IndexRange> neighbours_of(const LogStructure<F>& log, const IndexRange& range, bool automatic) {
+    std::vector<IndexRange> found;
+    const F middle = (log.lag[range.first] + log.lag[range.last]) / 2;
+    Eigen::Index centre = range.first;
+    while (centre < range.last && log.lag[centre] < middle) ++centre;
+    const auto enough = static_cast<Eigen::Index>(min_window_lags);
+    for (const IndexRange half : {IndexRange{range.first, centre}, {centre, range.last}})
+        if (half.count() >= enough) found.push_back(half);
+    if (!automatic) return found;
+    const Eigen::Index end = log.lag.size() - 1;
+    for (const IndexRange side : {IndexRange{0, range.first}, {range.last, end}})
+        for (const F tolerance : {F(0.2), F(0.3)}) {
+            std::optional<IndexRange> beside = straight_range(log, tolerance, false, side);
+            if (!beside) beside = straight_range(log, tolerance, true, side);
+            if (!beside) continue;
+            found.push_back(*beside);
+            break;
+        }
+    return found;
+}
+
+/// What the windows beside the one of \p main say of D and ln G: the shares of the window in their errors.
+template <Real T>
+void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& main, const IndexRange& range,
+                    const LogStructure<Accumulator<T>>& log, const LineFitter<Accumulator<T>>& fitter, T spacing,
+                    Accumulator<T> beyond_model, Accumulator<T>& product, const FractalFitOptions<T>& options) {
+    using F = Accumulator<T>;
+    F weights = log.lag[range.last] - log.lag[range.first], of_dimension = 0, of_log_g = 0;
+    product = 0;
+    const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
+    for (const IndexRange& beside : neighbours_of(log, range, result.automatic_window)) {
+        const FractalLine<F> other =
+            fractal_line<F>(fitter.fit(beside, range), options.convention, static_cast<F>(options.gamma));
+        NeighbourWindow<T> neighbour;
+        neighbour.window = {lag(beside.first), lag(beside.last)};
+        neighbour.half = beside.first >= range.first && beside.last <= range.last;
+        neighbour.dimension = static_cast<T>(other.dimension);
+        const bool fractal = other.dimension > F(1) && other.dimension < F(2);
+        if (!neighbour.half && !fractal) continue;  // no window of a self-affine profile
+        const F width = log.lag[beside.last] - log.lag[beside.first];
+        if (!neighbour.half) weights += width;
+        const auto excess = [&](const Vector<F>& row, F difference) {
+            const F expected = fitter.covariance_of(row, row, range) * beyond_model;
+            return std::pair{std::max(F(0), difference * difference - 2 * expected), std::sqrt(expected)};
+        };
+        const F off = other.dimension - main.dimension;
+        const auto [excess_d, expected] = excess(other.dimension_row - main.dimension_row, off);
+        neighbour.difference = static_cast<T>(off);
+        neighbour.difference_error = static_cast<T>(expected);
+        neighbour.disagrees = std::abs(off) > F(2.5) * expected && std::abs(off) > F(0.05);
+        of_dimension += width * excess_d;
+        if (fractal) {
+            const F off_g = other.log_g - main.log_g;
+            const F excess_g = excess(other.log_g_row - main.log_g_row, off_g).first;
+            of_log_g += width * excess_g;
+            product += width * std::copysign(std::sqrt(excess_d * excess_g), off * off_g);
+        }
+        result.neighbours.push_back(neighbour);
     }
-    result.fractal.dimension = static_cast<T>(dimension);
-    const F roughness = std::exp(log_g(dimension) + window.log_reference()) * static_cast<F>(spacing);
+    result.window_dimension_error = static_cast<T>(std::sqrt(of_dimension / weights));
+    result.window_log_roughness_error = static_cast<T>(std::sqrt(of_log_g / weights));
+    product /= weights;
+}
+
+/// D, G, and their errors.
+template <Real T>
+void set_fractal(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, const LogStructure<Accumulator<T>>& log,
+                 const LineFitter<Accumulator<T>>& fitter, const Matrix<Accumulator<T>>& resampled, T spacing,
+                 const FractalFitOptions<T>& options) {
+    using F = Accumulator<T>;
+    const IndexRange& range = line.range;
+    const FractalLine<F> main = fractal_line<F>(line, options.convention, static_cast<F>(options.gamma));
+    const auto expected = [&](const Vector<F>& row) { return std::sqrt(fitter.covariance_of(row, row, range)); };
+    // a profile that is not much longer than the longest lag knows its own scatter badly: the deviation of Student's t
+    const F longest = std::exp(log.lag[range.last]);
+    const F pieces = std::max(F(4), static_cast<F>(log.points) / longest * log.independent(longest));
+    const F few = std::sqrt(pieces / (pieces - 2));
+    F of_dimension = expected(main.dimension_row), of_log_g = expected(main.log_g_row);
+    F correlation = fitter.covariance_of(main.dimension_row, main.log_g_row, range) / of_dimension / of_log_g;
+    result.model_dimension_error = static_cast<T>(of_dimension);
+    F beyond_model = 1;  // how much more the variance is than that of a Gaussian profile
+    if (resampled.size() > 0) {
+        const auto part = [&](const Vector<F>& row) { return Vector<F>(row.segment(range.first, range.count())); };
+        const F bootstrap = sample_spread(part(main.dimension_row), resampled);
+        result.bootstrap_dimension_error = static_cast<T>(bootstrap);
+        beyond_model = std::max(F(1), bootstrap * bootstrap / (of_dimension * of_dimension));
+        of_dimension = std::max(of_dimension, bootstrap);
+        of_log_g = std::max(of_log_g, sample_spread(part(main.log_g_row), resampled));
+    }
+    of_dimension *= few, of_log_g *= few;
+    result.sampling_dimension_error = static_cast<T>(of_dimension);
+    result.sampling_log_roughness_error = static_cast<T>(of_log_g);
+    F product = 0;  // of the shares of the window
+    set_neighbours(result, main, range, log, fitter, spacing, beyond_model, product, options);
+    const F dimension_error = std::hypot(of_dimension, static_cast<F>(result.window_dimension_error));
+    const F log_g_error = std::hypot(of_log_g, static_cast<F>(result.window_log_roughness_error));
+    result.dimension_roughness_correlation = static_cast<T>(
+        std::clamp((correlation * of_dimension * of_log_g + product) / (dimension_error * log_g_error), F(-1), F(1)));
+    result.fractal.dimension = static_cast<T>(main.dimension);
+    const F roughness = std::exp(main.log_g) * static_cast<F>(spacing);
     result.fractal.roughness = static_cast<T>(roughness);
     require(result.fractal.roughness >= std::numeric_limits<T>::min() &&
                 result.fractal.roughness <= std::numeric_limits<T>::max(),
-            "fractal dimension of the window", dimension, "further from 1: G is beyond the range of numbers");
+            "fractal dimension of the window", main.dimension, "further from 1: G is beyond the range of numbers");
     result.dimension_error = static_cast<T>(dimension_error);
-    result.log_roughness_error = static_cast<T>(roughness_error);
-    const F absolute = roughness * roughness_error;
-    require(absolute <= static_cast<F>(std::numeric_limits<T>::max()), "fractal dimension of the window", dimension,
-            "further from 1: the error of G is beyond the range of numbers");
+    result.log_roughness_error = static_cast<T>(log_g_error);
+    const F absolute = roughness * log_g_error;
+    require(absolute <= static_cast<F>(std::numeric_limits<T>::max()), "fractal dimension of the window",
+            main.dimension, "further from 1: the error of G is beyond the range of numbers");
     result.roughness_error = static_cast<T>(absolute);
 }
 
@@ -308,9 +483,10 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     result.structure_function = measured.structure_function;
     result.automatic_window = !options.window;
     const T spacing = measured.spacing;
-    const ReliableLags<T> reliable{std::max(tip_length, options.resolution),
-                                   tip_length > options.resolution ? WindowEnd::tip : WindowEnd::resolution};
-    StructureFunction<T> searched = measured.structure_function;
+    ReliableLags<T> reliable{options.resolution, WindowEnd::resolution};
+    if (options.lambda_s > reliable.from) reliable = {options.lambda_s, WindowEnd::lambda_s};
+    if (tip_length > reliable.from) reliable = {tip_length, WindowEnd::tip};
+    StructureFunction<T> searched = measured.second_differences;
     if (!options.window && options.longest > T(0))
         while (searched.size() > 0 && searched.lag.back() > options.longest * T(1.0001)) {
             searched.step.pop_back();
@@ -318,44 +494,59 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
             searched.value.pop_back();
             searched.pairs.pop_back();
         }
-    const LogStructure<F> log = log_structure(searched, spacing, measured.points, reliable);
+    LogStructure<F> log = log_structure(searched, spacing, measured.points, reliable);
+    log.profiles = static_cast<F>(measured.profiles);
+    log.apart = static_cast<F>(measured.apart);
+    set_slope_error(log);
     const ChosenRange<F> chosen =
         options.window ? given_range(log, *options.window, spacing, reliable) : automatic_range(log, spacing, reliable);
     set_window(result, log, chosen, spacing, reliable);
 
-    const auto part = [&](const std::vector<std::size_t>& all) {
-        return std::vector<std::size_t>{all.begin() + chosen.range.first, all.begin() + chosen.range.last + 1};
-    };
-    const std::vector<std::size_t> step = part(log.step), pairs = part(log.pairs);
-    WindowFit<F> window(log, chosen.range, std::log(static_cast<F>(options.gamma)));
-    const LogFit<F>& ordinary = window.ordinary();
-    result.line_dimension = static_cast<T>(2 - ordinary.coefficients[1] / 2);
+    const IndexRange& range = chosen.range;
+    const Vector<F> x = log.lag.segment(range.first, range.count()), y = log.value.segment(range.first, range.count());
+    const F ordinary = regression_slope(x, y, 0, x.size() - 1);
+    const auto centred = (x.array() - x.mean()).eval();
+    const F squares = (y.array() - y.mean() - ordinary * centred).square().sum();
+    result.line_dimension = static_cast<T>(2 - ordinary / 2);
     result.regression_dimension_error =
-        static_cast<T>(std::sqrt(ordinary.residual / static_cast<F>(result.lags - 2) /
-                                 (window.x().array() - window.x().mean()).square().sum()) /
-                       2);
-    const bool has_no_form = measured.removed == Form::none || measured.removed == Form::mean;
-    const auto retained = [&](F power) {
-        return log_retained<F>(step, measured.points, std::clamp(power, F(0.02), F(1.98)), measured.removed);
-    };
-    const LogFit<F> fit = window.fit(retained, has_no_form);
-    result.finite_band = fit.finite_band;
-    result.log_periodic = fit.log_periodic;
-    const F power = fit.coefficients[1], dimension = 2 - power / 2;
+        static_cast<T>(std::sqrt(squares / static_cast<F>(result.lags - 2) / centred.square().sum()) / 2);
+
+    F power = std::clamp(ordinary, F(0.05), F(1.95));
+    const F log_gamma = std::log(static_cast<F>(options.gamma));
+    std::optional<LineFitter<F>> fitter;
+    LogFit<F> line;
+    for (int round = 0; round < 4; ++round) {  // covariance, filter and ends of the band hang on the slope, weakly
+        const bool band_ends = range.first > 0 && log.slope[0] > power + F(0.3);  // S2 is steeper at shorter lags
+        fitter.emplace(log, covariance_of(log, power), power, log_gamma, band_ends);
+        line = fitter->fit(range, range);
+        if (std::abs(line.slope - power) < F(0.01)) break;
+        power = std::clamp(line.slope, F(0.05), F(1.95));
+    }
+    result.finite_band = line.finite_band;
+    result.log_periodic = line.log_periodic;
+    const F dimension = 2 - line.slope / 2;
     require(dimension > F(1) && dimension < F(2), "fractal dimension of the window", dimension,
             "between 1 and 2, both excluded: this window holds no fractal profile");
-
-    const Matrix<F> covariance =
-        log_covariance(step, pairs, measured.points, power) / static_cast<F>(measured.profiles);
+    if (result.automatic_window && line.slope < F(0.2))
+        throw domain_error({.parameter = "fractal dimension of the window",
+                            .value = rounded_text(static_cast<T>(dimension), 4),
+                            .reason = "the slope goes from " + rounded_text(result.slope_shortest, 3) + " to " +
+                                      rounded_text(result.slope_longest, 3) + " between the lags " +
+                                      rounded_text(result.window.from, 3) + " m and " +
+                                      rounded_text(result.window.to, 3) +
+                                      " m: a plateau; must be at most 1.9 in a window that is found"});
     Matrix<F> resampled;
     if (measured.resample) {
-        resampled = measured.resample(step);
-        if (resampled.rows() != chosen.range.count() || resampled.cols() < 2 || !resampled.allFinite())
+        resampled = measured.resample({log.step.begin() + range.first, log.step.begin() + range.last + 1});
+        if (resampled.rows() != range.count() || resampled.cols() < 2 || !resampled.allFinite())
             refuse("resamples of the structure function", "",
                    "finite, a row for every lag asked for, two columns or more");
     }
-    set_fractal(result, window, fit, window.rows(fit, retained, has_no_form), covariance, resampled, spacing, options);
-    result.curved = is_curved(window, covariance) || result.slope_tolerance > T(0.21);
+    set_fractal(result, line, log, *fitter, resampled, spacing, options);
+    result.curved =
+        is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < F(0.2) ||
+        flattens(log, range, line.slope) ||
+        std::any_of(result.neighbours.begin(), result.neighbours.end(), [](const auto& one) { return one.disagrees; });
     return result;
 }
 

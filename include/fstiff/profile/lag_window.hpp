@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The range of lags over which a structure function is a power law: searched for, or given.
+/// The range of lags over which the structure function S2 of second differences is a power law: searched for, or given.
 ///
-/// Automatic window: the longest range of lags, half a decade at least, over which the local slope of ln S (over a
-/// factor of 2.25) keeps to the slope of the range within 0.2, or 1.5 sqrt(n/N) where that is more, and lies between
-/// 0.05 and 1.9: 2 is a profile that is smooth below its resolution, or tilted; 0 one that has saturated. When there is
-/// none, 0.2 becomes 0.3, 0.45, 0.6, and the fit is flagged as curved. Lags of 4 samples to a tenth of the points
-/// are searched; 1 sample to a quarter for a profile of fewer than 400 points. Lags below the resolution, or that may
-/// show the tip (profile/tip_cutoff.hpp), are left out of everything.
+/// Automatic window: the longest range of lags, half a decade at least, over which the local slope of ln S2 (over a
+/// factor of 3.4) keeps to the slope of the range within 0.2, or twice its sampling error where that is more, and which itself lies
+/// between 0.2 and 1.95, the local slopes between 0.1 and 1.95 but for their sampling error: a self-affine profile has a slope between 0 and 2, one that is smooth below its resolution 4, and one
+/// that has saturated 0. When there is none, 0.2 becomes 0.3, then 0.45, and the fit is flagged as curved. Lags of 4 samples
+/// to a tenth of the points are searched; 1 sample to an eighth for a profile of fewer than 400 points; to a fifth of those
+/// of the sections of a map, which hold more pieces of a lag. The window ends a
+/// factor of 1.5 before its power law would reach the highest value of S2: nearer to where
+/// the spectrum ends or turns flat S2 bends. Lags below the
+/// resolution, below lambda_s, or that may show the tip (profile/tip_cutoff.hpp), are left out of everything.
 /// A range behind a plateau is waviness over a roughness that has saturated: some shorter lag has a slope below 0.2,
 /// and the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
 /// tolerance above 0.2 only when there is none at all.
 ///
 /// Units       lags [m]; inside, in samples
-/// Valid       4 lags at least at which S > 0
+/// Valid       4 lags at least at which S2 > 0
 /// Accuracy    the ends of pieces of a power law (tests/profile/lag_window_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -44,10 +47,11 @@ enum class WindowEnd {
     given,       ///< by hand
     sampling,    ///< the first lag searched: shorter ones know only a few samples
     resolution,  ///< of the instrument
+    lambda_s,    ///< the cut-off of the filter that took the short waves
     tip,         ///< of the instrument, by its radius
-    smooth,      ///< beyond it S grows as the square of the lag: smooth, or tilted
-    saturated,   ///< beyond it S does not grow
-    bend,        ///< beyond it the slope of S is another one
+    smooth,      ///< beyond it S2 grows as the square of the lag or faster: no roughness of that size
+    saturated,   ///< beyond it S2 does not grow
+    bend,        ///< beyond it the slope of S2 is another one
     length,      ///< the longest lag searched: of longer ones the profile holds too few
 };
 
@@ -57,6 +61,7 @@ inline constexpr auto names<WindowEnd> = name_list<WindowEnd>({
     {WindowEnd::given, "as given"},
     {WindowEnd::sampling, "at the first lag searched"},
     {WindowEnd::resolution, "at the resolution"},
+    {WindowEnd::lambda_s, "at lambda_s"},
     {WindowEnd::tip, "where the tip no longer shows"},
     {WindowEnd::smooth, "where the profile becomes smooth"},
     {WindowEnd::saturated, "where the structure function saturates"},
@@ -82,7 +87,7 @@ inline constexpr std::size_t min_window_lags = 4;
 template <Real T>
 struct ReliableLags {
     T from{};           // [m]; 0: all are used
-    WindowEnd limit{};  // whether the tip or the resolution sets it
+    WindowEnd limit{};  // what sets it: the tip, the resolution or lambda_s
 
     /// A lag at the limit is in, whatever the rounding.
     bool holds(T lag) const { return lag >= from * T(0.9999); }
@@ -90,7 +95,10 @@ struct ReliableLags {
     std::string note(T length) const {
         if (from == T(0)) return "";
         return "; lags below " + (from * T(0.9999) <= length ? rounded_text(from, 4) + " m" : "any of this profile") +
-               " are left out for the " + (limit == WindowEnd::tip ? "tip radius" : "resolution");
+               " are left out for " +
+               (limit == WindowEnd::tip        ? "the tip radius"
+                : limit == WindowEnd::lambda_s ? "lambda_s"
+                                               : "the resolution");
     }
 };
 
@@ -102,29 +110,37 @@ T regression_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index first, E
     return (dx * y.segment(first, count).array()).sum() / dx.square().sum();
 }
 
-/// Slope about point k, over the lags within a factor 1.5 of it and its two neighbours at least.
+/// Slope about point k, over the lags within a factor 1.84 of it and its two neighbours at least.
 template <Real T>
 T local_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index k) {
-    const T reach = std::log(T(1.5)) * T(1.001);
+    const T reach = std::log(T(1.84)) * T(1.001);
     Eigen::Index first = k, last = k;
     while (first > 0 && (x[k] - x[first - 1] <= reach || first == k)) --first;
     while (last + 1 < x.size() && (x[last + 1] - x[k] <= reach || last == k)) ++last;
     return regression_slope(x, y, first, last);
 }
 
-/// ln S over ln n at the lags that are used: numbers without a unit.
+/// ln S2 over ln n at the lags that are used: numbers without a unit.
 template <Real F>
 struct LogStructure {
     std::vector<std::size_t> step, pairs;
-    Vector<F> lag, value, slope;  // ln n, ln(S/h^2), local slope
-    std::size_t points{};         // of the profile
+    Vector<F> lag, value, slope;  // ln n, ln(S2/h^2), local slope
+    Vector<F> slope_error;        // of the local slopes by sampling, one standard deviation; empty: none
+    std::size_t points{};         // of one profile
+    F profiles = 1, apart = 0;    // how many, and samples between neighbours; 0: nothing in common
+
+    /// How many profiles know something of their own at the lag \p n: neighbours see the same waves when they are
+    /// closer than half the lag.
+    F independent(F n) const { return apart > 0 ? std::clamp(2 * profiles * apart / n, F(1), profiles) : profiles; }
 
     /// Lags that are searched for a window, in samples.
     F shortest() const { return points < 400 ? F(1) : F(4); }
-    F longest() const { return static_cast<F>(points < 400 ? points / 4 : points / 10); }
+    F longest() const { return static_cast<F>(points / (apart > 0 ? 5u : points < 400 ? 8u : 10u)); }
+    /// ln of how far the end of a window stays from the lag at which its power law would reach the highest value of S2.
+    static F before_saturation() { return std::log(F(1.5)); }
 };
 
-/// Lags at which nothing differs (S = 0) have no logarithm, and are left out with those that are not reliable.
+/// Lags at which nothing differs (S2 = 0) have no logarithm, and are left out with those that are not reliable.
 template <Real T>
 LogStructure<Accumulator<T>> log_structure(const StructureFunction<T>& s, T spacing, std::size_t points,
                                            const ReliableLags<T>& reliable) {
@@ -168,23 +184,24 @@ bool is_behind_plateau(T flattest, T slope) {
     return flattest < T(0.2) && slope > flattest + T(0.3);
 }
 
-/// The longest straight range among the lags that are searched, where the local slopes may differ from that of the
-/// range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
+/// The longest straight range among the lags \p within that are searched, where the local slopes may differ from that of
+/// the range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
 template <Real T>
-std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool behind_plateau) {
+std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool behind_plateau,
+                                         const IndexRange& within) {
     const Vector<T>&x = log.lag, &y = log.value, &local = log.slope;
     const Eigen::Index size = x.size();
-    Vector<T> allowed(size);
-    for (Eigen::Index k = 0; k < size; ++k)
-        allowed[k] = std::max(tolerance, T(1.5) * std::sqrt(std::exp(x[k]) / static_cast<T>(log.points)));
+    const Vector<T> scatter = log.slope_error.size() == size ? Vector<T>(2 * log.slope_error) : Vector<T>::Zero(size);
     const T from = std::log(log.shortest()) - T(1e-9), to = std::log(log.longest()) + T(1e-9);
-    const T least = std::log(static_cast<T>(min_window_ratio));
+    const T least = std::log(static_cast<T>(min_window_ratio)), min_slope = T(0.2), max_slope = T(1.95);
+    const T top = y.maxCoeff() + T(0.05);  // its own scatter
     std::optional<IndexRange> best;
     T best_length = 0, flattest = std::numeric_limits<T>::infinity();
-    for (Eigen::Index a = 0; a < size; ++a) {
+    for (Eigen::Index a = 0; a <= within.last; ++a) {
         if (x[a] < from) continue;
         flattest = std::min(flattest, local[a]);
-        for (Eigen::Index b = size - 1; b > a; --b) {
+        if (a < within.first) continue;
+        for (Eigen::Index b = within.last; b > a; --b) {
             if (x[b] > to) continue;
             const T length = x[b] - x[a];
             if (length < least || length <= best_length || b - a + 1 < static_cast<Eigen::Index>(min_window_lags))
@@ -192,9 +209,12 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
             const T mean = regression_slope(x, y, a, b);
             const Eigen::Index count = b - a + 1;
             const auto slopes = local.segment(a, count).array();
-            const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && (slopes > T(0.05)).all() &&
-                                  (slopes < T(1.9)).all() &&
-                                  ((slopes - mean).abs() <= allowed.segment(a, count).array()).all();
+            const auto by_chance = scatter.segment(a, count).array();
+            const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && mean > min_slope &&
+                                  mean < max_slope && (slopes > min_slope / 2 - by_chance).all() &&
+                                  (slopes < max_slope + by_chance).all() &&
+                                  ((slopes - mean).abs() <= by_chance.max(tolerance)).all() &&
+                                  y[b] + mean * log.before_saturation() <= top;
             if (straight) {
                 best = IndexRange{a, b};
                 best_length = length;
@@ -246,24 +266,19 @@ template <Real T>
 ChosenRange<Accumulator<T>> automatic_range(const LogStructure<Accumulator<T>>& log, T spacing,
                                             const ReliableLags<T>& reliable) {
     using F = Accumulator<T>;
-    for (const auto& [tolerance, behind_plateau] : {std::pair{F(0.2), false},
-                                                    {F(0.2), true},
-                                                    {F(0.3), false},
-                                                    {F(0.45), false},
-                                                    {F(0.6), false},
-                                                    {F(0.3), true},
-                                                    {F(0.45), true},
-                                                    {F(0.6), true}})
-        if (const auto range = straight_range(log, tolerance, behind_plateau))
+    for (const auto& [tolerance, behind_plateau] :
+         {std::pair{F(0.2), false}, {F(0.2), true}, {F(0.3), false}, {F(0.45), false}, {F(0.3), true}, {F(0.45), true}})
+        if (const auto range = straight_range(log, tolerance, behind_plateau, {0, log.lag.size() - 1}))
             return {*range, tolerance, behind_plateau};
     const std::string first = rounded_text(log.slope[0], 4), last = rounded_text(log.slope[log.slope.size() - 1], 4);
-    throw domain_error({.parameter = "window",
-                        .value = "automatic",
-                        .reason = "no half decade of lags follows a power law (local slope of ln S " + first +
-                                  " at the shortest and " + last +
-                                  " at the longest lag); must be a profile whose slope stays between 0.05 and 1.9, "
-                                  "without tilt, or a window given by hand" +
-                                  reliable.note(static_cast<T>(log.points - 1) * spacing)});
+    throw domain_error(
+        {.parameter = "window",
+         .value = "automatic",
+         .reason = "no half decade of lags follows a power law (local slope of the second differences, " + first +
+                   " at the shortest and " + last +
+                   " at the longest lag); must be a profile whose slope keeps to one value between 0.2 and "
+                   "1.95 over half a decade, or a window given by hand" +
+                   reliable.note(static_cast<T>(log.points - 1) * spacing)});
 }
 
 /// Why a window that was found ends before lag \p next: \p outermost where the search does.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A profile without its form, which knows what was removed: what is measured of it can make up for the loss.
+/// A profile without its form, which knows what was removed: what is measured of it can take the profile before a filter.
 ///
 ///     const auto flat = fstiff::level(profile, fstiff::Form::line);
-///     const auto fit = fstiff::fit_fractal(flat);  // makes up for what the line took of the long waves
+///     const auto fit = fstiff::fit_fractal(flat);
 ///
 /// Units       heights, cut-off [m]
 /// Valid       as detrend(), gaussian_low_pass() and gaussian_roughness()
@@ -31,8 +31,6 @@ struct LevelledProfile {
     /// What the structure function is taken of: it compares points at a lag, and lags from lambda_s to lambda_c need no
     /// filter. lambda_s would lower it by what is shorter at every lag, and lambda_c bend it.
     [[nodiscard]] const Profile<T>& of_structure() const { return unfiltered ? *unfiltered : profile; }
-    /// The form whose mark the long lags of the structure function bear: none behind a filter, which took them itself.
-    [[nodiscard]] Form mark() const { return cutoff ? Form::none : removed; }
 };
 
 /// \p profile without the \p form, then, with \p lambda_s, without its short waves, and then, with a \p cutoff, without

@@ -1,65 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How the values of a structure function scatter, and with one another: as theory says, and as the profile shows.
+/// How the values of a structure function of second differences scatter, and with one another: as theory says, and as the
+/// profile shows.
 ///
-///     Cov(S_n, S_m) = 2/(N_n N_m) sum over pairs of Cov(increment n at i, increment m at j)^2,
-///     Cov = (|d+s|^p + |d-s|^p - |d+t|^p - |d-t|^p)/2,   d distance of the centres, s = (n+m)/2, t = (n-m)/2
+///     Cov(ln S2_n, ln S2_m) = 4 pi / sqrt(M_n M_m) int W_n W_m C^2 dq / (V_n V_m),  q from -pi to pi
+///     W_n(q) = 4 (1 - cos q n)^2,  V_n = int W_n C dq,  M_n triples of n
+///     C(q) = sum over all whole k of |q + 2 pi k|^-(1+p)                             the spectrum, sampled
 ///
-/// of a Gaussian profile whose S grows as n^p. The sum over d takes every sample where an increment is short, and strides
-/// of an eighth of it or of d elsewhere. What is not Gaussian is seen by resamples: a pair belongs to the cell in which it
-/// begins, and a resample is made of blocks of neighbouring cells.
+/// of a long Gaussian profile whose S grows as n^p. The integral is a sum over 48 wavenumbers an octave, which makes a
+/// covariance whatever the rounding: no eigenvalue is negative. What is not Gaussian is seen by resamples: a triple belongs to
+/// the cell in which its centre lies, and a resample is made of blocks of neighbouring cells.
 ///
-/// Units       ln S in any unit
+/// Units       ln S2 in any unit
 /// Valid       lags rising, 0 < p < 2
-/// Accuracy    0.2 % of the sum over all pairs where the shorter lag is below 16 samples; 6 % beyond, at p = 0.4, less the
-///             larger p (tests/profile/structure_errors_test.cpp)
+/// Accuracy    5 % of the sum over all pairs of a profile of 20 lags and more (tests/profile/structure_errors_test.cpp)
 
+#include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/lag_window.hpp>
 
 namespace fstiff::detail {
 
-/// Covariance of ln S at the lags \p step of a Gaussian profile of \p points whose S grows as n^\p power.
+/// Covariance of ln S2 at the lags \p step, \p triples of each, of a Gaussian profile whose S grows as n^\p power.
 template <Real T>
-Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector<std::size_t>& pairs,
-                         std::size_t points, T power) {
-    std::vector<T> powers(4 * points + 4);  // of half samples
-    for (std::size_t k = 0; k < powers.size(); ++k) powers[k] = std::pow(static_cast<T>(k) / 2, power);
-    const auto at = [&](std::size_t halves) { return powers[std::min(halves, powers.size() - 1)]; };
-    const auto distance = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector<std::size_t>& triples, T power) {
+    constexpr int per_octave = 48;
+    const T pi = numbers::pi_v<T>, turn = 2 * pi;
+    const auto longest = static_cast<T>(step.back());
+    const auto nodes = static_cast<Eigen::Index>(per_octave * std::log2(10 * pi * longest)) + 1;
     const auto size = static_cast<Eigen::Index>(step.size());
-    Matrix<T> covariance(size, size);
-    for (Eigen::Index row = 0; row < size; ++row)
-        for (Eigen::Index column = 0; column <= row; ++column) {
-            const auto i = static_cast<std::size_t>(row), j = static_cast<std::size_t>(column);
-            const std::size_t n = step[i], m = step[j];  // n >= m
-            const std::size_t all_n = points - n, all_m = points - m;
-            const std::size_t s = n + m, t = n - m;  // halves, like every distance below
-            T sum = 0;
-            for (std::size_t d = s % 2; d < 2 * points;) {
-                const std::size_t reach = std::max(m / 8, d > 4 * s ? d / 16 : 0);
-                const std::size_t stride = std::max<std::size_t>(1, reach);  // samples
-                const std::size_t centre = d + (stride - 1);                 // of the cell [d, d + 2 stride)
-                const T overlap =
-                    std::min(static_cast<T>(all_n), static_cast<T>(points) - static_cast<T>(s + centre) / 2);
-                if (overlap <= T(0)) break;
-                const T c = (at(centre + s) + at(distance(centre, s)) - at(centre + t) - at(distance(centre, t))) / 2;
-                // distances count on both sides, but zero counts once
-                const T count = 2 * static_cast<T>(stride) - (d == 0 ? T(1) : T(0));
-                sum += count * overlap * c * c;
-                d += 2 * stride;
-            }
-            const T missing = std::sqrt(static_cast<T>(all_n) / static_cast<T>(pairs[i]) * static_cast<T>(all_m) /
-                                        static_cast<T>(pairs[j]));
-            const T value = 2 * sum * missing / (static_cast<T>(all_n) * static_cast<T>(all_m) * at(2 * n) * at(2 * m));
-            covariance(row, column) = covariance(column, row) = value;
+    Matrix<T> shares(size, nodes);  // W_n C sqrt(dq)
+    Vector<T> means = Vector<T>::Zero(size);
+    for (Eigen::Index node = 0; node < nodes; ++node) {
+        const T q = pi * std::exp2(-(static_cast<T>(node) + T(0.5)) / per_octave);
+        const T width = q * std::log(T(2)) / per_octave;
+        T spectrum = std::pow(q, -1 - power) + 2 * std::pow(turn, -1 - power) * std::pow(T(3.5), -power) / power;
+        for (const int k : {1, 2, 3})
+            spectrum +=
+                std::pow(static_cast<T>(k) * turn - q, -1 - power) + std::pow(static_cast<T>(k) * turn + q, -1 - power);
+        for (Eigen::Index row = 0; row < size; ++row) {
+            const T wave = 1 - std::cos(q * static_cast<T>(step[static_cast<std::size_t>(row)]));
+            shares(row, node) = 4 * wave * wave * spectrum * std::sqrt(width);
+            means[row] += shares(row, node) * std::sqrt(width);
         }
+    }
+    for (Eigen::Index row = 0; row < size; ++row) {
+        const auto n = static_cast<std::size_t>(row);
+        // both halves of the spectrum: V twice, the integral twice; a lag of which little is there knows one value at least
+        const T triples_of_it = std::max(static_cast<T>(triples[n]), T(1));
+        shares.row(row) *= std::sqrt(turn / triples_of_it) / means[row];
+    }
+    Matrix<T> covariance(size, size);
+    const Matrix<T> columns = shares.transpose();
+    for (Eigen::Index i = 0; i < size; ++i)
+        for (Eigen::Index j = 0; j <= i; ++j) covariance(i, j) = covariance(j, i) = columns.col(i).dot(columns.col(j));
     return covariance;
 }
 
-/// ln S of moving-block resamples of the profile: steps by rows, resamples by columns.
+/// ln S2 of moving-block resamples of the profile: steps by rows, resamples by columns.
 template <Real T>
 Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<std::size_t>& step, int resamples,
                                   std::uint64_t seed, const ProgressHook& progress) {
@@ -67,10 +67,11 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
     const std::vector<T>& z = profile.heights;
     const std::size_t cell = std::max<std::size_t>(1, z.size() / cells_wanted);
     const std::size_t cells = (z.size() + cell - 1) / cell;
-    // twice the longest lag, so that what a block holds is nearly independent of its neighbours
-    const std::size_t block = std::min(cells - 1, 2 * step.back() / cell + 1);
+    // four times the longest lag, so that what a block holds is nearly independent of its neighbours
+    const std::size_t block =
+        std::clamp<std::size_t>(4 * step.back() / cell + 1, 1, std::max<std::size_t>(1, cells / 4));
     BlockBootstrap<T> bootstrap(cells, block, static_cast<std::size_t>(resamples), seed);
-    const T scale = height_scale(profile);
+    const T scale = 2 * height_scale(profile);
     Matrix<T> resampled(static_cast<Eigen::Index>(step.size()), resamples);
     for (std::size_t k = 0; k < step.size(); ++k) {
         if (progress) progress("bootstrap", k, step.size());
@@ -78,8 +79,8 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
         const std::vector<T>& means = bootstrap.means([&](std::size_t c) {
             T sum = 0, count = 0;
             const std::size_t end = std::min((c + 1) * cell, z.size() - n);
-            for (std::size_t i = c * cell; i < end; ++i) {
-                const T difference = (z[i + n] - z[i]) / scale;
+            for (std::size_t i = std::max(c * cell, n); i < end; ++i) {
+                const T difference = (z[i + n] - z[i]) / scale - (z[i] - z[i - n]) / scale;
                 if (std::isnan(difference)) continue;
                 sum += difference * difference;
                 ++count;

@@ -1,170 +1,190 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The weighted straight line through ln S over ln n, with the terms that a finite band and discrete waves add.
+/// The straight line through ln S2 over ln n, S2 of second differences, by generalised least squares.
 ///
-///     ln S(tau) = (4-2D) ln tau + ln C                                              eq. (2.5)
-///               + a tau^-(4-2D) + b tau^(2D-2)                                      finite band
-///               + harmonics 1, 2 of cos, sin(2 pi ln tau / ln gamma)                log-periodic
+///     ln S2(tau) = p ln tau + ln C + ln(4 - 2^p),  p = 4 - 2D                       eq. (2.5)
+///                + a tau^-p + b tau^(4-p)                                           ends of the band
+///                + harmonics 1, 2 of cos, sin(2 pi ln tau / ln gamma)               log-periodic
 ///
-/// Two kinds of terms are added where they matter:
-///  - finite band, in windows of two decades and more: a the waves below the resolution, or noise; b the waves longer
-///    than the profile, or removed with its form. Left out, they bias D of Weierstrass-Mandelbrot profiles by 0.02 or
-///    more;
-///  - log-periodic, where they explain more than half of the scatter about the line.
-/// The weights 1/(n/N + 0.0009) for a lag of n of N samples follow the sampling error, with a floor for what the model
-/// misses.
+///  - a: waves that are missing below the resolution, or noise. With no wave shorter than the first lag a is -a_max,
+///    a_max = 6 Gamma(1+p) sin(pi p/2)/(pi p (4-2^p) (2 pi)^p) of S2 there; before the fit taken for -0.45 a_max with a
+///    standard deviation of 0.6 a_max; for -0.75 a_max where
+///    S2 is steeper at shorter lags, so that the end of the band shows. In the sections of a map a_max is larger by
+///    sqrt(pi) Gamma(1+p/2)/Gamma((1+p)/2), as short waves run across them too, and -0.6 stands for -0.45;
+///  - b: where the spectrum ends or turns flat, before the fit taken for 0 with a standard deviation of 0.5 at the last lag;
+///  - log-periodic terms, where they explain more than half of the scatter about the line.
+/// The weights are those of the covariance of ln S2 (profile/structure_errors), with 0.03 added to each lag for what the
+/// model misses. What the data cannot tell of a and b is part of the error of D.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.5)
-/// Valid       4 lags at least
-/// Accuracy    1e-12 of data that are made of these terms, 1e-9 with those of a finite band
-///             (tests/profile/structure_fit_test.cpp)
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.5); Aitken, Proc. R. Soc. Edinburgh 55 (1935)
+///             42 (generalised least squares)
+/// Valid       4 lags at least, 0 < p < 2
+/// Accuracy    1e-10 of data that are a line (tests/profile/structure_fit_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/profile/lag_window.hpp>
+#include <fstiff/profile/structure_errors.hpp>
 
 namespace fstiff::detail {
 
-/// A weighted linear fit of ln S.
-template <Real T = double>
-struct LogFit {
-    Matrix<T> solver;  ///< coefficients = solver * y; row 0 gives ln S at the reference lag, row 1 the slope
-    Vector<T> coefficients;
-    T residual{};  ///< weighted sum of squares
-    bool finite_band{}, log_periodic{};
-};
-
-/// Fits \p y over \p x = ln(n / reference) with the columns that are asked for; \p power shapes those of the finite
-/// band.
+/// What is missing of S2 at the first lag when no wave is shorter than that, of S2.
 template <Real T>
-LogFit<T> log_fit(const Vector<T>& x, const Vector<T>& y, const Vector<T>& root_weight, T power, bool finite_band,
-                  bool log_periodic, T log_gamma) {
-    Matrix<T> columns(x.size(), 2 + (finite_band ? 2 : 0) + (log_periodic ? 4 : 0));
-    columns.col(0).setOnes();
-    columns.col(1) = x;
-    Eigen::Index next = 2;
-    if (finite_band) {  // each is 1 at its own end of the window
-        columns.col(next++) = (-power * (x.array() - x[0])).exp();
-        columns.col(next++) = ((2 - power) * (x.array() - x[x.size() - 1])).exp();
-    }
-    if (log_periodic)
-        for (const int harmonic : {1, 2}) {
-            const auto angle = (2 * static_cast<T>(harmonic) * numbers::pi_v<T> / log_gamma * x.array()).eval();
-            columns.col(next++) = angle.cos();
-            columns.col(next++) = angle.sin();
-        }
-    LogFit<T> fit;
-    const Matrix<T> weighted = root_weight.asDiagonal() * columns;
-    fit.solver = PivotedQr<T>(weighted).solver() * root_weight.asDiagonal();
-    fit.coefficients = fit.solver.lazyProduct(y);
-    fit.residual = (root_weight.array() * (y - columns.lazyProduct(fit.coefficients)).array()).square().sum();
-    fit.finite_band = finite_band;
-    fit.log_periodic = log_periodic;
-    return fit;
+T share_of_short_waves(T power) {
+    using std::pow;
+    const T pi = numbers::pi_v<T>;
+    return 6 * std::tgamma(1 + power) * std::sin(pi * power / 2) /
+           (pi * power * (4 - pow(T(2), power)) * pow(2 * pi, power));
 }
 
-/// How D and ln S at the reference lag move with ln S at each lag.
-template <Real F>
-struct FitRows {
-    Vector<F> dimension, level;
+/// How much more the short waves of an isotropic map are missed in its sections than those of a profile.
+template <Real T>
+T share_of_oblique_waves(T power) {
+    return std::sqrt(numbers::pi_v<T>) * std::tgamma(1 + power / 2) / std::tgamma((1 + power) / 2);
+}
+
+/// Lower triangular root L of a = L L^T, which must be positive definite.
+template <Real T>
+Matrix<T> cholesky(const Matrix<T>& a) {
+    Matrix<T> l = Matrix<T>::Zero(a.rows(), a.cols());
+    for (Eigen::Index j = 0; j < a.rows(); ++j) {
+        T left = a(j, j);
+        for (Eigen::Index k = 0; k < j; ++k) left -= l(j, k) * l(j, k);
+        l(j, j) = std::sqrt(std::max(left, a(j, j) * std::numeric_limits<T>::epsilon()));
+        for (Eigen::Index i = j + 1; i < a.rows(); ++i) {
+            T sum = a(i, j);
+            for (Eigen::Index k = 0; k < j; ++k) sum -= l(i, k) * l(j, k);
+            l(i, j) = sum / l(j, j);
+        }
+    }
+    return l;
+}
+
+/// L^-1 a.
+template <Real T>
+Matrix<T> forward_substituted(const Matrix<T>& l, Matrix<T> a) {
+    for (Eigen::Index column = 0; column < a.cols(); ++column)
+        for (Eigen::Index i = 0; i < l.rows(); ++i) {
+            T sum = a(i, column);
+            for (Eigen::Index k = 0; k < i; ++k) sum -= l(i, k) * a(k, column);
+            a(i, column) = sum / l(i, i);
+        }
+    return a;
+}
+
+/// A line through the values of ln S2 in one window. Rows are over all lags of the LogStructure, 0 beyond the window: what
+/// they give of the values, and of the columns a and b, tells how the line moves.
+template <Real T = double>
+struct LogFit {
+    IndexRange range;
+    T reference{};       ///< ln n of the middle of the window
+    T level{}, slope{};  ///< ln S2 there, without a and b, and p
+    Vector<T> level_row, slope_row;
+    T short_waves{}, long_waves{};  ///< a, b
+    T residual{};                   ///< weighted sum of squares
+    bool finite_band{};             ///< a or b differs from 0 by two of its standard deviations
+    bool log_periodic{};
 };
 
-/// The fits over one window, about its middle.
-template <Real F>
-class WindowFit {
+/// Fits lines to one structure function whose slope is near \p power.
+template <Real T>
+class LineFitter {
 public:
-    WindowFit(const LogStructure<F>& log, const IndexRange& range, F log_gamma)
-        : log_gamma_(log_gamma), log_reference_((log.lag[range.first] + log.lag[range.last]) / 2) {
-        const auto lags = log.lag.segment(range.first, range.count());
-        x_ = lags.array() - log_reference_;
-        measured_ = y_ = log.value.segment(range.first, range.count());
-        root_weight_ = (lags.array().exp() / static_cast<F>(log.points) + F(0.0009)).rsqrt();
-        const Vector<F> ones = Vector<F>::Ones(x_.size());
-        ordinary_ = log_fit(x_, y_, ones, F(1), false, false, log_gamma);
+    /// \p covariance of log.value; \p band_ends: no wave is much shorter than the window.
+    LineFitter(const LogStructure<T>& log, Matrix<T> covariance, T power, T log_gamma, bool band_ends)
+        : log_(log),
+          covariance_(std::move(covariance)),
+          power_(power),
+          log_gamma_(log_gamma),
+          short_sd_(T(0.6) * share_of_short_waves(power) * (log.apart > T(0) ? share_of_oblique_waves(power) : T(1))),
+          expected_short_(short_sd_ * (band_ends          ? T(-1.25)
+                                       : log.apart > T(0) ? T(-1)
+                                                          : T(-0.75))),
+          y_(log.value) {
+        for (Eigen::Index k = 0; k < y_.size(); ++k) {
+            // the logarithm of a mean of squares is low by half its variance
+            y_[k] += std::min(covariance_(k, k), T(0.5)) / 2;
+            covariance_(k, k) += T(0.0009);
+        }
     }
 
-    const Vector<F>& x() const { return x_; }
-    const Vector<F>& y() const { return y_; }                // without the loss by the form, after fit()
-    const LogFit<F>& ordinary() const { return ordinary_; }  // straight line, all lags of one weight
-    F log_reference() const { return log_reference_; }
-    F width() const { return x_[x_.size() - 1] - x_[0]; }
+    const Vector<T>& y() const { return y_; }
 
-    /// The fit with the terms that matter. \p log_retained(power) is what the removal of a form left of ln S;
-    /// \p has_no_form: all of it.
-    template <class LogRetained>
-    LogFit<F> fit(const LogRetained& log_retained, bool has_no_form) {
-        LogFit<F> fit;
-        F slope_of_correction = ordinary_.coefficients[1];
-        for (int round = 0; round < (has_no_form ? 1 : 6); ++round) {
-            y_ = measured_ - log_retained(slope_of_correction);
-            std::optional<LogFit<F>> chosen;
-            if (width() > std::log(F(100)) * F(0.999)) chosen = with_waves(true);
-            if (!chosen) chosen = with_waves(false);
-            fit = *chosen;
-            slope_of_correction = fit.coefficients[1];
-        }
-        return fit;
+    /// The line in \p range. The columns a and b are those of the window \p band.
+    LogFit<T> fit(const IndexRange& range, const IndexRange& band) const {
+        LogFit<T> line = fit_with(range, band, false);
+        const T width = log_.lag[range.last] - log_.lag[range.first];
+        if (width > 2 * log_gamma_ && range.count() >= 12)
+            if (LogFit<T> waves = fit_with(range, band, true); waves.residual < line.residual / 2) line = waves;
+        return line;
     }
 
-    /// Of the \p fit that was found: directly, and through what moves with D, the columns and the loss by the form.
-    template <class LogRetained>
-    FitRows<F> rows(const LogFit<F>& fit, const LogRetained& log_retained, bool has_no_form) const {
-        FitRows<F> rows{-fit.solver.row(1).transpose() / 2, fit.solver.row(0).transpose()};
-        const F power = fit.coefficients[1];
-        if (fit.finite_band) {
-            const F small = F(1e-4);
-            const LogFit<F> up = fit_at(power + small, true, fit.log_periodic);
-            const LogFit<F> down = fit_at(power - small, true, fit.log_periodic);
-            const F feedback = (up.coefficients[1] - down.coefficients[1]) / (2 * small);
-            const F level_feedback = (up.coefficients[0] - down.coefficients[0]) / (2 * small);
-            rows.dimension /= 1 - std::min(feedback, F(0.9));
-            rows.level += -2 * level_feedback * rows.dimension;
-        }
-        if (!has_no_form) {
-            const F small = F(1e-3);
-            const Vector<F> change = (log_retained(power + small) - log_retained(power - small)) / (2 * small);
-            const F feedback = 2 * rows.dimension.dot(change);  // of D on itself: d power = -2 dD
-            rows.dimension /= std::max(F(0.3), 1 - feedback);
-            rows.level += 2 * rows.level.dot(change) * rows.dimension;
-        }
-        return rows;
+    /// Covariance of row_a * ln S2 and row_b * ln S2 by sampling alone, and with what a and b of \p band may be.
+    T covariance_of(const Vector<T>& row_a, const Vector<T>& row_b, const IndexRange& band) const {
+        const Matrix<T> ends = band_columns(band);
+        const T a = row_a.dot(ends.col(0)) * row_b.dot(ends.col(0)) * short_sd_ * short_sd_;
+        const T b = row_a.dot(ends.col(1)) * row_b.dot(ends.col(1)) * long_sd * long_sd;
+        return row_a.dot(covariance_.lazyProduct(row_b)) + a + b;
     }
 
 private:
-    LogFit<F> fit_at(F power, bool finite_band, bool log_periodic) const {
-        return log_fit(x_, y_, root_weight_, power, finite_band, log_periodic, log_gamma_);
+    static constexpr T long_sd = T(0.5);
+
+    /// a and b at all lags: each is 1 at its own end of the band.
+    Matrix<T> band_columns(const IndexRange& band) const {
+        Matrix<T> columns(log_.lag.size(), 2);
+        columns.col(0) = (-power_ * (log_.lag.array() - log_.lag[band.first])).min(T(2)).exp();
+        columns.col(1) = ((4 - power_) * (log_.lag.array() - log_.lag[band.last])).min(T(2)).exp();
+        return columns;
     }
 
-    /// The columns of the finite band depend on the slope: repeated until it stays.
-    std::optional<LogFit<F>> settled(bool finite_band, bool log_periodic) const {
-        F power = std::clamp(ordinary_.coefficients[1], F(0.1), F(1.9));
-        LogFit<F> fit = fit_at(power, finite_band, log_periodic);
-        if (!finite_band) return fit;
-        for (int round = 0; round < 50; ++round) {
-            const F next = fit.coefficients[1];
-            if (!(next > F(0.02) && next < F(1.98))) return std::nullopt;
-            const bool stays = std::abs(next - power) < F(1e-10);
-            power = next;
-            fit = fit_at(power, finite_band, log_periodic);
-            // a correction, not the main thing: at its own end of the window each term stays below the power law
-            if (stays && std::abs(fit.coefficients[2]) < F(1) && std::abs(fit.coefficients[3]) < F(1)) return fit;
-            if (stays) return std::nullopt;
-        }
-        return std::nullopt;
+    LogFit<T> fit_with(const IndexRange& range, const IndexRange& band, bool log_periodic) const {
+        const Eigen::Index count = range.count(), terms = log_periodic ? 8 : 4;
+        LogFit<T> line;
+        line.range = range;
+        line.log_periodic = log_periodic;
+        line.reference = (log_.lag[range.first] + log_.lag[range.last]) / 2;
+        const Vector<T> x = log_.lag.segment(range.first, count).array() - line.reference;
+        Matrix<T> columns(count, terms);
+        columns.col(0).setOnes();
+        columns.col(1) = x;
+        columns.block(0, 2, count, 2) = band_columns(band).block(range.first, 0, count, 2);
+        if (log_periodic)
+            for (const Eigen::Index harmonic : {1, 2}) {
+                const auto angle = (2 * static_cast<T>(harmonic) * numbers::pi_v<T> / log_gamma_ * x.array()).eval();
+                columns.col(2 + 2 * harmonic) = angle.cos();
+                columns.col(3 + 2 * harmonic) = angle.sin();
+            }
+        const Matrix<T> root = cholesky<T>(covariance_.block(range.first, range.first, count, count));
+        // two more values, 0, for what a and b are before the fit
+        Matrix<T> weighted = Matrix<T>::Zero(count + 2, terms);
+        weighted.topRows(count) = forward_substituted<T>(root, columns);
+        weighted(count, 2) = 1 / short_sd_;
+        weighted(count + 1, 3) = 1 / long_sd;
+        const Matrix<T> inverse_root = forward_substituted<T>(root, Matrix<T>::Identity(count, count));
+        const Matrix<T> solver = PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
+        const Vector<T> y = y_.segment(range.first, count) - expected_short_ * columns.col(2);
+        const Vector<T> found = solver.lazyProduct(y);
+        const auto spread = [&](Eigen::Index term) {
+            const Vector<T> row = solver.row(term).transpose();
+            return std::sqrt(row.dot(covariance_.block(range.first, range.first, count, count).lazyProduct(row)));
+        };
+        line.level = found[0], line.slope = found[1], line.short_waves = found[2] + expected_short_,
+        line.long_waves = found[3];
+        line.finite_band = std::abs(found[2]) > 2 * spread(2) || std::abs(found[3]) > 2 * spread(3);
+        const Vector<T> left = inverse_root.lazyProduct(y - columns.lazyProduct(found));
+        line.residual = left.squaredNorm();
+        line.level_row = line.slope_row = Vector<T>::Zero(log_.lag.size());
+        line.level_row.segment(range.first, count) = solver.row(0).transpose();
+        line.slope_row.segment(range.first, count) = solver.row(1).transpose();
+        return line;
     }
 
-    std::optional<LogFit<F>> with_waves(bool finite_band) const {
-        auto fit = settled(finite_band, false);
-        const bool enough_lags = width() > 2 * log_gamma_ && x_.size() >= 12;
-        if (fit && enough_lags)
-            if (auto waves = settled(finite_band, true); waves && waves->residual < fit->residual / 2) fit = waves;
-        return fit;
-    }
-
-    F log_gamma_, log_reference_;
-    Vector<F> x_, measured_, y_, root_weight_;
-    LogFit<F> ordinary_;
+    const LogStructure<T>& log_;
+    Matrix<T> covariance_;
+    T power_, log_gamma_, short_sd_, expected_short_;
+    Vector<T> y_;
 };
 
 }  // namespace fstiff::detail

@@ -78,14 +78,17 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     ProfileResult result;
     result.levelled = level_profile(options.surface, input);
     const Profile<double>& profile = result.levelled.profile;
-    how.resolution = result.levelled.cut_offs.shortest_lag(how.resolution);
+    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
     attempt(result.spectrum, result.no_spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
         std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
         if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
             window = {*shortest, 2 * numbers::pi_v<double> / spectrum.step / 8};
-        return fit_spectrum(spectrum, window);
+        const SpectralFit<double> fit = fit_spectrum(spectrum, window);
+        require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
+                "between 1 and 2: over these wavelengths the profile is not self-affine");
+        return fit;
     });
     attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
     attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });
@@ -100,7 +103,7 @@ MapResult fit_map(const Options& options, SurfaceInput& input) {
     how.progress = progress_bar();
     MapResult result;
     result.levelled = level_map_of(options.surface, input);
-    how.resolution = result.levelled.cut_offs.shortest_lag(how.resolution);
+    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     about_file(options.surface.file, [&] {
         result.fit = fit_directions<double>(result.levelled, how);
         if (!result.fit.x && !result.fit.y)
@@ -112,13 +115,31 @@ MapResult fit_map(const Options& options, SurfaceInput& input) {
 
 bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.window.from && lag <= fit.window.to; }
 
+/// Why a fit is flagged as curved.
+std::string curved_sentence(const FractalFit<double>& fit) {
+    const std::string slopes =
+        "the local slope of the structure function " +
+        (fit.slope_longest < fit.slope_shortest - 0.3 ? "falls from " + rounded(fit.slope_shortest, 3) + " to " +
+                                                            rounded(fit.slope_longest, 3) + " over the window"
+                                                      : "varies between " + rounded(fit.min_slope, 3) + " and " +
+                                                            rounded(fit.max_slope, 3) + " over the window") +
+        (fit.min_slope < 0.2 ? ": a part of it is a plateau" : "");
+    for (const auto& beside : fit.neighbours)
+        if (beside.disagrees)
+            return slopes + "; " + (beside.half ? "its half" : "beside it the window") + " of " +
+                   shown_length(beside.window.from, 3) + " to " + shown_length(beside.window.to, 3) +
+                   " gives D = " + rounded(beside.dimension, 3) + ", which differs by " +
+                   rounded(std::abs(beside.difference), 2) + " where sampling explains " +
+                   rounded(beside.difference_error, 2) + ": this is no single power law, and D is a mean over it";
+    return slopes + ": this is no single power law, and D is a mean over it";
+}
+
 std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit) {
     switch (concern) {
         case MeasuredConcern::curved:
-            return "the local slope of S varies between " + rounded(fit.min_slope, 3) + " and " +
-                   rounded(fit.max_slope, 3) + " over the window: this is no single power law, and D is a mean over it";
+            return curved_sentence(fit);
         case MeasuredConcern::saturated:
-            return "S is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
+            return "the structure function is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
                    shown_length(fit.flattest_lag, 3) +
                    ", shorter than the window: the roughness has saturated there, and D is that of the waviness; "
                    "--window looks elsewhere";
@@ -190,6 +211,17 @@ std::string csv(const MapResult& result) {
 void put_fit(Json& document, const FractalFit<double>& fit) {
     document["fractal_dimension"] = fit.fractal.dimension;
     document["fractal_dimension_error"] = fit.dimension_error;
+    document["fractal_dimension_sampling_error"] = fit.sampling_dimension_error;
+    document["fractal_dimension_window_error"] = fit.window_dimension_error;
+    Json beside = Json::array();
+    for (const auto& one : fit.neighbours)
+        beside.push_back({{"window_m", Json(std::vector<double>{one.window.from, one.window.to})},
+                          {"half", one.half},
+                          {"fractal_dimension", one.dimension},
+                          {"difference", one.difference},
+                          {"difference_error", one.difference_error},
+                          {"disagrees", one.disagrees}});
+    document["windows_beside"] = std::move(beside);
     document["fractal_dimension_model_error"] = fit.model_dimension_error;
     document["fractal_dimension_bootstrap_error"] = fit.bootstrap_dimension_error;
     document["ordinary_least_squares"] = {{"fractal_dimension", fit.line_dimension},
@@ -226,7 +258,7 @@ Json json_start(const Options& options, const SurfaceInput& input, const std::st
                    {"convention", name_of(options.convention)}});
     document["inputs"] = inputs;
     document["equations"] = {{"structure_function", "(2.8)"},
-                             {"fit", "(2.5)"},
+                             {"fit", "(2.5), of second differences"},
                              {"constant", "(2.4), convention " + std::string(name_of(options.convention))},
                              {"peak_ratio", "(4.3)"}};
     return document;
@@ -316,8 +348,8 @@ std::string roughness_text(const FractalFit<double>& fit) {
 
 std::string window_line(const FractalFit<double>& fit) {
     return shown_length(fit.window.from) + " to " + shown_length(fit.window.to) + " (" +
-           (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) +
-           " lags; local slope of S " + rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) + ")";
+           (fit.automatic_window ? "automatic" : "given") + ", " + std::to_string(fit.lags) + " lags; local slope " +
+           rounded(fit.slope_shortest, 3) + " to " + rounded(fit.slope_longest, 3) + ")";
 }
 
 std::string window_reason(const FractalFit<double>& fit) {
@@ -326,7 +358,8 @@ std::string window_reason(const FractalFit<double>& fit) {
 }
 
 std::string errors_line(const Options& options, const FractalFit<double>& fit) {
-    return "errors of D: model " + rounded(fit.model_dimension_error, 2) +
+    return "errors of D: window " + rounded(fit.window_dimension_error, 2) + ", sampling " +
+           rounded(fit.sampling_dimension_error, 2) + "; of that model " + rounded(fit.model_dimension_error, 2) +
            (options.resamples > 0
                 ? ", block bootstrap " + rounded(fit.bootstrap_dimension_error, 2) + " (" +
                       std::to_string(options.resamples) + " resamples, seed " + std::to_string(options.seed) + ")"
