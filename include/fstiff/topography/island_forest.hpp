@@ -94,14 +94,16 @@ class IslandForest {
 public:
     using S = Accumulator<T>;
 
-    IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum)
+    /// \p datum is what mean heights are summed from. A point that changes no height leaves their sum alone where \p quick;
+    /// else it is taken out and put in again, with its rounding.
+    IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum, bool quick)
         : z_(map.heights.data()),
           columns_(static_cast<std::int32_t>(map.columns())),
           rows_(static_cast<std::int32_t>(map.rows())),
           eight_(options.connectivity == Connectivity::eight),
           drop_border_(options.border == BorderIslands::dropped),
           twice_mean_(options.height == IslandHeight::twice_mean),
-          all_count_(!drop_border_ && !twice_mean_ && options.min_points <= 1),
+          all_count_(quick && !drop_border_ && !twice_mean_ && options.min_points <= 1),
           min_points_(options.min_points),
           datum_(datum),
           parent_(static_cast<std::size_t>(map.size()), under_water),
@@ -208,7 +210,7 @@ private:
     const T* z_;
     std::int32_t columns_, rows_;
     bool eight_, drop_border_, twice_mean_;
-    bool all_count_;  // every island does, and its height is that of its root
+    bool all_count_;  // every island does, its height is that of its root, and that need not be summed anew
     std::size_t min_points_;
     S datum_;
     std::vector<std::int32_t> parent_;
