@@ -2,7 +2,9 @@
 # DOCUMENT shows SOURCE, without its first line, and then what PROGRAM prints.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${SOURCE} code)
-string(REGEX REPLACE "^[^\n]*\n" "" code "${code}")
+string(FIND "${code}" "\n" end)
+math(EXPR end "${end} + 1")
+string(SUBSTRING "${code}" ${end} -1 code)
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 file(READ ${DOCUMENT} text)
 string(FIND "${text}" "```c\n${code}```\n\n```text\n${printed}```\n" found)

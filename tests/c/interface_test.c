@@ -349,6 +349,16 @@ static void test_refusals(void) {
     points.size = 0;
     REFUSES(FSTIFF_BAD_ARGUMENT, "points->size = 0", fstiff_contact_at_separations(hertz, some, 7, &points));
 
+    fstiff_contact* persson;
+    fine.rms_gradient = 0.1, body = steel();
+    CHECK(fstiff_contact_make("persson", &fine, &body, &persson) == FSTIFF_OK);
+    points = points_of(&found);
+    REFUSES(FSTIFF_REFUSED, "law persson: gives no contact_density",
+            fstiff_contact_at_pressures(persson, some, 1, &points));
+    points.contact_density = NULL;
+    CHECK(fstiff_contact_at_pressures(persson, some, 1, &points) == FSTIFF_OK && found.of[2][0] > 0);
+    fstiff_contact_free(persson);
+
     fstiff_law *law = NULL, *no_law;
     REFUSES(FSTIFF_REFUSED, "max_pressure", fstiff_law_make(hertz, 1e6, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
     REFUSES(FSTIFF_REFUSED, "min_pressure", fstiff_law_make(hertz, -1, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
@@ -408,6 +418,11 @@ typedef struct task {
     int failures;
 } task;
 
+static const char small_scene[] =
+    "[surface]\nrms_height = '0.8 um'\npeak_radius = '40 um'\npeak_density = '500 /mm^2'\n"
+    "[material.upper]\nyoungs_modulus = '205 GPa'\npoisson_ratio = 0.3\n"
+    "[contact]\npressures = ['1 MPa']\nlaws = ['hertz']\npeaks = [{ theta = 1.0, r = 0.5 }]\n";
+
 static int work(void* argument) {
     task* const of = argument;
     const fstiff_roughness fine = fine_surface();
@@ -424,6 +439,16 @@ static int work(void* argument) {
         of->failures += fabs(kt / k - 1) > 1e-9;
         of->sum += k;
         of->failures += strstr(fstiff_last_message(), of->bad_law) == NULL;
+    }
+    for (int i = 0; i < 10; ++i) { /* what reads and what measures keeps no state either */
+        fstiff_contact* read;
+        of->failures += fstiff_contact_of_scene(small_scene, strlen(small_scene), NULL, 0, 0, &read) != FSTIFF_OK;
+        fstiff_contact_free(read);
+        double heights[400];
+        fstiff_surface surface = {.size = sizeof surface};
+        const fstiff_measure_options options = {.size = sizeof options, .resamples = 5};
+        for (int j = 0; j < 400; ++j) heights[j] = 1e-6 * sin(0.7 * j) + 1e-7 * (j * 7919 % 101);
+        of->failures += fstiff_measure_profile(heights, 400, 1e-6, &options, &surface) != FSTIFF_OK;
     }
     return 0;
 }
