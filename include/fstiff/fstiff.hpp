@@ -48,6 +48,7 @@
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/level.hpp>
@@ -65,6 +66,7 @@
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/profile/triples.hpp>
+#include <fstiff/profile/window_spread.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
 #include <fstiff/topography/areal_parameters.hpp>
 #include <fstiff/topography/areal_statistics.hpp>

@@ -5,6 +5,8 @@
 #include "scene/file.hpp"
 #include "scene/shown_unit.hpp"
 
+#include <fstiff/math/statistics.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -90,6 +92,19 @@ void widen(SampledBand<double>& band, BandParts& parts, double value, const std:
     band.high *= std::exp(std::hypot(parts.errors_high, parts.scale_high) - parts.errors_high);
 }
 
+/// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
+std::vector<std::vector<double>> behind_other_windows(const Scene& lean, double modulus) {
+    std::vector<std::vector<double>> both;
+    if (!lean.fractal_dimension || !(lean.dimension_window_error > 0)) return both;
+    for (const double sign : {-1.0, 1.0}) {
+        Scene other = lean;
+        const double moved = *lean.fractal_dimension + sign * normal_95<double>.value * lean.dimension_window_error;
+        other.fractal_dimension = std::clamp(moved, 1.001, 1.999);
+        both.push_back(stiffnesses(other, modulus));
+    }
+    return both;
+}
+
 /// Which part of the band of the first law is the wider one, at the middle point.
 std::string dominating(const Scene& scene, const Curve& curve) {
     const std::size_t i = curve.band_parts.size() / 2;
@@ -104,12 +119,17 @@ std::string dominating(const Scene& scene, const Curve& curve) {
     const auto [low, high] = std::minmax_element(scales.begin(), scales.end());
     if (scales.size() > 1) of = "lambda_s between " + shown_length(*low, 2) + " and " + shown_length(*high, 2);
     if (scales.size() == 1) of = "lambda_s up to " + shown_length(*high, 2);
+    if (curve.law->needs_dimension)
+        of += " and " + percent(parts.window_low, parts.window_high) + ", of the errors, the choice of the window of D";
     const bool scale = parts.scale_high - parts.scale_low > parts.errors_high - parts.errors_low;
     return "of the band of " + std::string(curve.law->name) +
            " at p = " + rounded(curve.states[i].pressure.value / 1e6, 3) + " MPa " +
            percent(parts.errors_low, parts.errors_high) + " are the errors of the measurement, " +
            percent(parts.scale_low, parts.scale_high) + " " + of + ": " +
-           (scale ? "the choice of lambda_s dominates" : "the errors dominate");
+           (scale ? "the choice of lambda_s dominates"
+            : parts.window_high - parts.window_low > 0.7 * (parts.errors_high - parts.errors_low)
+                ? "the choice of the window of D dominates"
+                : "the errors dominate");
 }
 
 }  // namespace
@@ -127,6 +147,7 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
         of_neighbours.push_back(stiffnesses(with_face(lean, face), results.modulus));
         if (of_neighbours.back().size() != quick.size()) of_neighbours.pop_back();  // no map, or no D: other curves
     }
+    const auto of_windows = behind_other_windows(lean, results.modulus);
     std::size_t failed = 0, next = 0;
     for (Curve& curve : results.curves) {
         if (!curve.law->varies) continue;
@@ -138,15 +159,26 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
             if (!of_neighbours.empty()) {
                 std::vector<double> others;
                 for (const auto& of : of_neighbours) others.push_back(of[next + i] * factor);
-                widen(band, curve.band_parts.emplace_back(), value, others);
+                BandParts& parts = curve.band_parts.emplace_back();
+                widen(band, parts, value, others);
+                for (const auto& of : of_windows) {
+                    const double change = std::log(of[next + i] * factor / value);
+                    if (!std::isfinite(change)) continue;
+                    parts.window_low = std::min(parts.window_low, change);
+                    parts.window_high = std::max(parts.window_high, change);
+                }
             }
             curve.band.push_back(band);
         }
         next += scene.points.size();
     }
-    const auto first = std::find_if(results.curves.begin(), results.curves.end(),
-                                    [](const Curve& curve) { return !curve.band_parts.empty(); });
-    if (first != results.curves.end()) results.about_band = dominating(scene, *first);
+    const Law* said = nullptr;  // of each kind of law once: those that take D, and those that do not
+    for (const Curve& curve : results.curves) {
+        if (curve.band_parts.empty() || (said && curve.law->needs_dimension == said->needs_dimension)) continue;
+        results.about_band.push_back(dominating(scene, curve));
+        said = curve.law;
+        if (results.about_band.size() == 2) break;
+    }
     if (failed > 0)
         results.warnings.push_back("up to " + std::to_string(failed) + " of " + std::to_string(scene.samples) +
                                    " sampled surfaces are beyond the reach of the model at a point: the band there is "

@@ -187,8 +187,8 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
         found = find_spikes(part, sure, false).removed;
     }
     if (found > 0)
-        hints.push_back(std::to_string(found) +
-                        " points stand more than 30 standard deviations from their neighbours, as "
+        hints.push_back((found == 1 ? "1 point stands" : std::to_string(found) + " points stand") +
+                        " more than 30 standard deviations from the neighbours, as "
                         "spikes do; " +
                         named(options, "spikes") + (options.prefix.empty() ? " = 20" : " 20") +
                         " takes such points out");

@@ -34,8 +34,6 @@ struct CutOffs {
 
     [[nodiscard]] bool any() const { return lambda_s || lambda_c; }
     [[nodiscard]] std::string sentence() const;
-    /// The shortest lag at which a surface still shows itself: \p resolution, or lambda_s where that is longer [m].
-    [[nodiscard]] double shortest_lag(double resolution) const { return std::max(resolution, lambda_s.value_or(0)); }
 };
 
 /// Whether \p text leaves the choice to the table.

@@ -93,6 +93,7 @@ Face face_of(const MeasuredSurface& measured) {
                     measured.max_peak_height.value};
     if (known(Parameter::fractal_dimension)) face.fractal_dimension = value(Parameter::fractal_dimension);
     if (measured.fractal_roughness) face.fractal_roughness = measured.fractal_roughness->value;
+    face.dimension_window_error = measured.dimension_window_error;
     face.heights = measured.heights;
     if (measured.heights) {
         face.rms_gradient = measured.heights->rms_gradient.value;
@@ -124,6 +125,11 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     if (upper.hurst || lower.hurst)
         face.hurst = (a.moments.m2 * hurst_exponent(upper) + b.moments.m2 * hurst_exponent(lower)) / sum.moments.m2;
     face.uncertain = uncertain_sum(a, upper.uncertain, b, lower.uncertain);
+    if (face.fractal_dimension) {
+        const double share = share_of_face(a, b);
+        face.dimension_window_error =
+            std::hypot(share * upper.dimension_window_error, (1 - share) * lower.dimension_window_error);
+    }
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
     for (std::size_t k = 0; k < std::max(upper.neighbours.size(), lower.neighbours.size()); ++k) {

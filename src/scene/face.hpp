@@ -30,6 +30,7 @@ struct Face {
     bool spectrum_of_map = true;                       ///< [persson] spectrum = "map", where there is one
     std::shared_ptr<const MapOfSurface> map;           ///< where the surface was measured as a map
     UncertainSurface<double> uncertain;                ///< the same with errors
+    double dimension_window_error = 0;                 ///< share of the window of lags in the error of D
     std::optional<HeightStatistics<double>> heights;   ///< where the surface was measured
     std::optional<MeasuredSurface> measured;           ///< where surface.from says, or --surface; none of a sum
 

@@ -62,6 +62,8 @@ MeasuredSurface values_of(const Parsed& document, const std::string& name) {
     }
     surface.max_peak_height = read("max_peak_height").value_or(Measurement<double>{});
     surface.fractal_roughness = read("fractal_roughness");
+    if (const auto window = document.find("fractal_dimension_window_error"); window != document.end())
+        surface.dimension_window_error = number_of(document, "fractal_dimension_window_error", name);
     if (const auto moments = document.find("moments"); moments != document.end() && moments->is_object()) {
         const auto moment = [&](const char* key) { return number_of(*moments, key, name + ": moments"); };
         surface.heights = HeightStatistics<double>{.skewness = read("skewness").value_or(Measurement<double>{}),

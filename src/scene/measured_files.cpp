@@ -182,6 +182,14 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
     whole.kind = first.kind;
     whole.cut_offs = first.cut_offs;
     whole.parameters = mean.uncertain;
+    double sizes_with_dimension = 0;
+    for (const MeasuredSurface& part : whole.parts)
+        if (part.parameters.known[index_of(Parameter::fractal_dimension)]) {
+            sizes_with_dimension += part.size();
+            whole.dimension_window_error =
+                std::hypot(whole.dimension_window_error, part.size() * part.dimension_window_error);
+        }
+    if (sizes_with_dimension > 0) whole.dimension_window_error /= sizes_with_dimension;
     whole.max_peak_height = {mean.face.roughness.max_peak_height, pooled_error(highest)};
     if (mean.face.fractal_roughness)
         whole.fractal_roughness = Measurement<double>{*mean.face.fractal_roughness,

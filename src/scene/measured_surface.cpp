@@ -194,6 +194,7 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
     surface.map_fit = std::move(found.map_fit);
     if (found.islands) surface.islands = std::move(found.islands->curve);
     surface.max_peak_height = found.max_peak_height;
+    surface.dimension_window_error = found.dimension_window_error;
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
     surface.fractal_refusal = found.why_no_dimension;
     surface.peaks_refusal = found.why_no_peaks;

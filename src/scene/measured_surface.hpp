@@ -39,6 +39,7 @@ struct MeasuredSurface {
     UncertainSurface<double> parameters;
     Measurement<double> max_peak_height;  ///< [m]; 0: not known
     std::optional<Measurement<double>> fractal_roughness;
+    double dimension_window_error = 0;                ///< share of the window of lags in the error of D
     std::optional<HeightStatistics<double>> heights;  ///< none: the JSON is of an older fstiff
     std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.

@@ -263,6 +263,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     if (face.r.has_value() != face.theta.has_value())
         throw domain_error(source.at(table) + ": " + surface.key(face.r ? "theta" : "r") + ": is missing; " +
                            surface.key("r") + " and " + surface.key("theta") + " stand side by side");
+    if (surface.find("fractal_dimension")) face.dimension_window_error = 0;
     for (Face& neighbour : face.neighbours) {  // what is written in place of what was measured holds for them too
         for (const ParameterRow& row : all)
             if (surface.find(row.key)) neighbour.uncertain.set(row.parameter, {*value(row.parameter), 0});

@@ -33,6 +33,7 @@ struct Column {
 struct BandParts {
     double errors_low = 0, errors_high = 0;  ///< of the surfaces drawn by their errors
     double scale_low = 0, scale_high = 0;    ///< of the neighbours behind another lambda_s
+    double window_low = 0, window_high = 0;  ///< of the errors, the share of the windows of D that can be defended
 };
 
 /// One law on one joint distribution of peaks, at every point of the scene.
@@ -57,9 +58,9 @@ struct Results {
     std::optional<double> plasticity_index;
     std::vector<Check<double>> surface_checks;
     std::vector<Curve> curves;
-    std::vector<std::string> warnings;  ///< sentences on the checks that do not hold, and on the scene
-    std::string about_band;             ///< which part of the band is the greater; empty: there is one part
-    std::vector<std::string> verdict;   ///< which law to believe, and to about what; the most important sentence first
+    std::vector<std::string> warnings;    ///< sentences on the checks that do not hold, and on the scene
+    std::vector<std::string> about_band;  ///< which part of the band is the greater; empty: there is one part
+    std::vector<std::string> verdict;  ///< which law to believe, and to about what; the most important sentence first
     /// A real area above the nominal one, integrals that did not converge, or a measured surface with unknown_parameters().
     bool doubtful = false;
 };

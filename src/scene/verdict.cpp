@@ -101,8 +101,9 @@ std::vector<std::string> verdict(const Scene& scene, const Results& results) {
     const auto [heights, far_from_gaussian] = about_heights(scene);
     for (std::string sentence :
          {heights, about_flow(scene, results), far_from_gaussian ? "" : about_pressures(scene, results),
-          about_contacts(scene, results), results.about_band})
+          about_contacts(scene, results)})
         if (!sentence.empty()) sentences.push_back(std::move(sentence));
+    sentences.insert(sentences.end(), results.about_band.begin(), results.about_band.end());
     return sentences;
 }
 

@@ -4,7 +4,8 @@
 /// Sums over the parts of a surface, what they estimate, and how that varies over resamples of the parts.
 ///
 /// A resample draws blocks of neighbouring parts, as many as make the whole. The standard deviation over the resamples,
-/// times sqrt(n/(n-1)) for n blocks, is the error of an estimate.
+/// times sqrt(n/(n-1)) t_(n-1)(0.95)/1.645 for n blocks (Student), is the error of an estimate: the scatter of a few blocks is badly
+/// known, and a band of 5 % to 95 % is made of it.
 ///
 /// Reference   Kunsch, Ann. Stat. 17 (1989) 1217; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4
 /// Units       heights in any unit, lengths in samples
@@ -118,7 +119,8 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
     Eigen::Matrix<S, 6, 6> covariance = Eigen::Matrix<S, 6, 6>::Zero();
     for (const auto& draw : draws) covariance += (draw - mean).matrix() * (draw - mean).matrix().transpose();
     const S blocks = static_cast<S>(spread.blocks);
-    covariance *= blocks / (blocks - 1) / static_cast<S>(draws.size() - 1);
+    const S few = student_quantile(normal_95<S>, static_cast<int>(blocks) - 1) / normal_95<S>.value;
+    covariance *= few * few * blocks / (blocks - 1) / static_cast<S>(draws.size() - 1);
     spread.error = covariance.diagonal().array().sqrt();
     spread.error = (spread.error > S(1e-12)).select(spread.error, S(0));  // the rounding of sums that do not vary
     for (Eigen::Index i = 0; i < 6; ++i)

@@ -17,7 +17,7 @@
 /// those of the spacing, and a step of h loses 1 % where the shortest wave has 16 samples. Of neighbours of equal
 /// height none is a peak: heights that were rounded coarsely lose peaks.
 ///
-/// Errors: standard deviations over resamples, times sqrt(n/(n-1)) for n blocks: moving blocks of a profile, each five
+/// Errors: standard deviations over resamples, times sqrt(n/(n-1)) and Student's factor for n blocks (measured/height_sums): moving blocks of a profile, each five
 /// times as long as the heights stay correlated (an eighth of the profile at most), tiles of a map. A surface that is
 /// not longer than its longest waves does not show how much they vary: there the errors of sigma and r are too small,
 /// those of R, D_p and theta are not. That of R_p is a lower bound: no resample is higher than the surface. D and G of
@@ -93,6 +93,7 @@ struct SurfaceParameters {
     std::optional<Measurement<T>> fractal_dimension;
     std::optional<Measurement<T>> fractal_roughness;  ///< G [m]
     T log_fractal_roughness_error{};                  ///< standard deviation of ln G
+    T dimension_window_error{};                       ///< share of the window of lags in the error of D
     std::optional<Measurement<T>> r, theta;           ///< theta [rad]
     std::string why_no_dimension, why_no_peaks;       ///< why there is no D, no r and theta; empty when there are
     /// Of the errors; those of different origin (D; the islands of a map) are taken for independent.
@@ -165,6 +166,7 @@ void store_fit(SurfaceParameters<T>& result, const FractalFit<T>& fit) {
     result.fractal_dimension = {fit.fractal.dimension, fit.dimension_error};
     result.fractal_roughness = {fit.fractal.roughness, fit.roughness_error};
     result.log_fractal_roughness_error = fit.log_roughness_error;
+    result.dimension_window_error = fit.window_dimension_error;
     result.window = fit.window;
     result.curved = fit.curved;
 }
@@ -186,6 +188,8 @@ void store_mean_of_directions(SurfaceParameters<T>& result, const DirectionalFit
     const T log_g = share * gx + (1 - share) * gy;
     result.fractal_dimension = {share * dx + (1 - share) * dy,
                                 std::max(std::hypot(share * ex, (1 - share) * ey), std::abs(dx - dy) / 2)};
+    result.dimension_window_error =
+        std::hypot(share * fit.x->window_dimension_error, (1 - share) * fit.y->window_dimension_error);
     result.log_fractal_roughness_error =
         std::max(std::hypot(share * fit.x->log_roughness_error, (1 - share) * fit.y->log_roughness_error),
                  std::abs(gx - gy) / 2);

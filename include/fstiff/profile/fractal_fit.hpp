@@ -27,101 +27,18 @@
 ///             within 0.02 and its own 3 sigma, G within a factor of 1.5 (tests/profile/fractal_fit_test.cpp). Coverage of D by 1.96 errors:
 ///             tests/profile/coverage_test.cpp, at every 1st to 16th point
 
-#include <fstiff/core/progress.hpp>
+#include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/level.hpp>
 #include <fstiff/profile/second_differences.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
-#include <fstiff/surface/structure_constant.hpp>
+#include <fstiff/profile/window_spread.hpp>
 
 #include <functional>
 
 namespace fstiff {
-
-template <Real T = double>
-struct FractalFitOptions {
-    std::optional<LagWindow<T>> window{};  ///< automatic when not given
-    StructureConvention convention = StructureConvention::exact;
-    T gamma = T(1.5);  ///< of the log-periodic terms and of the constant C
-    Divisor divisor = Divisor::pairs;
-    std::uint64_t seed = 2014;  ///< of the bootstrap
-    int resamples = 200;        ///< of the bootstrap; 0 leaves it out
-    T tip_radius{};             ///< of the stylus [m]: lags that may show it are left out; 0: not known
-    T resolution{};             ///< of the instrument [m]: shorter lags are left out; 0: not known
-    T lambda_s{};               ///< shortest wave of the roughness [m]: shorter lags are left out; 0: none
-    T longest{};                ///< lag that an automatic window may reach [m]; 0: not limited
-    ProgressHook progress{};    ///< of the bootstrap
-};
-
-/// S and S2 of one profile or the mean of several, for fit_fractal().
-template <Real T = double>
-struct MeasuredStructureFunction {
-    StructureFunction<T> structure_function;  ///< to be shown
-    StructureFunction<T>
-        second_differences;  ///< that is fitted, at some lags, rising; `pairs` are those of one profile
-    T spacing{};             ///< [m]
-    std::size_t points{};    ///< of one profile, missing ones included
-    T profiles = T(1);       ///< that the means are of
-    T apart{};  ///< how far neighbours of them stand apart [spacings]: closer than half the lag, they see the same waves;
-                ///< 0: they are independent
-    /// ln S2 at the steps given (rows) of resamples (columns), for the errors; may be empty. ln S2 in any unit.
-    std::function<Eigen::Matrix<Accumulator<T>, Eigen::Dynamic, Eigen::Dynamic>(const std::vector<std::size_t>&)>
-        resample{};
-};
-
-/// D of a half of the window, or of a straight window beside it.
-template <Real T = double>
-struct NeighbourWindow {
-    LagWindow<T> window;   ///< [m]
-    T dimension{};         ///< D; of a half that is no self-affine profile it may lie outside (1, 2)
-    T difference{};        ///< from D of the fit
-    T difference_error{};  ///< what sampling lets expect of it, one standard deviation
-    bool half{};           ///< of the window itself
-    bool disagrees{};      ///< by more than 2.5 standard deviations and by 0.05
-};
-
-template <Real T = double>
-struct FractalFit {
-    Fractal<T> fractal;                   ///< D and G [m]
-    T dimension_error{};                  ///< standard deviation of D: of sampling and of the choice of the window
-    T sampling_dimension_error{};         ///< its share of sampling
-    T window_dimension_error{};           ///< and of the window
-    T roughness_error{};                  ///< standard deviation of G [m]: G times that of ln G
-    T log_roughness_error{};              ///< standard deviation of ln G; G is known to a factor exp of this
-    T sampling_log_roughness_error{};     ///< its share of sampling
-    T window_log_roughness_error{};       ///< and of the window
-    T dimension_roughness_correlation{};  ///< of the errors of D and ln G
-    std::vector<NeighbourWindow<T>> neighbours;  ///< that the share of the window comes from
-    T regression_dimension_error{};  ///< ordinary least-squares error of D, as if all lags were independent: too small
-    T model_dimension_error{};       ///< from the covariance of a Gaussian self-affine profile
-    T bootstrap_dimension_error{};   ///< from the moving-block bootstrap; 0 when left out
-    T line_dimension{};              ///< D of the ordinary straight line over the same window
-    LagWindow<T> window;             ///< shortest and longest lag used [m]
-    bool automatic_window{};
-    WindowEnd begins{};     ///< why the window begins there
-    WindowEnd ends{};       ///< and ends there
-    T reliable_from{};      ///< shortest lag that resolution and tip allow [m]; 0: not restricted
-    bool behind_plateau{};  ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
-    T slope_tolerance{};    ///< that the automatic window took; 0 for a window given
-    std::size_t lags{};     ///< lags used
-    bool finite_band{};     ///< whether the waves beyond the ends of the band show
-    bool log_periodic{};    ///< whether these terms entered
-    bool curved{};  ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
-                    ///< to end of the window or from its ends to its middle, a half of the window or a window
-                    ///< beside it disagrees, the slope is below 0.2, or that of a part is, and less than that of the
-                    ///< whole by 0.3 and by 1.5 standard deviations, or the automatic window had to allow more than 0.2
-    T slope_shortest{};  ///< local slope of ln S2 at the shortest lag used
-    T slope_longest{};   ///< and at the longest
-    T min_slope{};       ///< least local slope over the lags used
-    T max_slope{};       ///< and greatest
-    T flattest_lag{};    ///< where the local slope is least among the lags searched that are shorter than the window
-                         ///< [m]; 0: there are none
-    T flattest_slope{};  ///< that slope: near 0, a roughness that has saturated below the waviness of the window
-    std::uint64_t seed{};
-    StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
-};
 
 /// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
 /// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
@@ -302,127 +219,6 @@ void set_window(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
     const bool limited = reliable.from > T(0) && range.first == 0;
     result.begins = limited ? reliable.limit : why(range.first - 1, WindowEnd::sampling);
     result.ends = why(range.last + 1, WindowEnd::length);
-}
-
-/// Whether ln S2 bends: its quadratic or its cubic term, each against its own sampling error.
-template <Real F>
-bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const IndexRange& range) {
-    const Vector<F> x =
-        log.lag.segment(range.first, range.count()).array() - (log.lag[range.first] + log.lag[range.last]) / 2;
-    const auto bends = [&](Eigen::Index degree, F change_of_slope) {  // that one of the term gives
-        Matrix<F> powers(x.size(), degree + 1);
-        for (Eigen::Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
-        Vector<F> row = Vector<F>::Zero(log.lag.size());
-        row.segment(range.first, range.count()) = PivotedQr<F>(powers).solver().row(degree).transpose();
-        const F bend = std::abs(row.dot(fitter.y()));
-        return bend * change_of_slope > F(0.2) && bend > 3 * std::sqrt(fitter.covariance_of(row, row, range));
-    };
-    const F width = x[x.size() - 1] - x[0];
-    return bends(2, 2 * width) || bends(3, 3 * width * width / 4);
-}
-
-/// Whether a part of the window is a plateau: a local slope below 0.2, less than \p slope of the fit by 0.3 and by more than
-/// chance.
-template <Real F>
-bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
-    for (Eigen::Index k = range.first; k <= range.last; ++k)
-        if (log.slope[k] < F(0.2) && slope - log.slope[k] > std::max(F(0.3), F(1.5) * log.slope_error[k])) return true;
-    return false;
-}
-
-/// D and ln G of a line, and how they move with the values of ln S2.
-template <Real F>
-struct FractalLine {
-    F dimension{}, log_g{};  // G in units of the spacing
-    Vector<F> dimension_row, log_g_row;
-};
-
-/// Of a line whose slope is between 0 and 2; else without G.
-template <Real F>
-FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention convention, F gamma) {
-    FractalLine<F> found;
-    found.dimension = 2 - line.slope / 2;
-    found.dimension_row = -line.slope_row / 2;
-    found.log_g_row = Vector<F>::Zero(line.slope_row.size());
-    if (!(found.dimension > F(1) && found.dimension < F(2))) return found;
-    // of D and ln(S2/lag^2) at the reference lag
-    const F level = line.level - 2 * line.reference;
-    const auto log_g = [&](F d) {
-        return (level - std::log(4 - std::pow(F(2), 4 - 2 * d)) -
-                std::log(structure_constant<F>(d, convention, gamma))) /
-               (2 * (d - 1));
-    };
-    const F nearby = F(1e-4) * std::min(found.dimension - 1, 2 - found.dimension);
-    const F slope = (log_g(found.dimension + nearby) - log_g(found.dimension - nearby)) / (2 * nearby);
-    found.log_g = log_g(found.dimension) + line.reference;
-    found.log_g_row = line.level_row / (2 * (found.dimension - 1)) + slope * found.dimension_row;
-    return found;
-}
-
-/// The halves of \p range that hold enough lags, and the straight windows on either side of it.
-template <Real F>
-std::vector<IndexRange> neighbours_of(const LogStructure<F>& log, const IndexRange& range, bool automatic) {
-    std::vector<IndexRange> found;
-    const F middle = (log.lag[range.first] + log.lag[range.last]) / 2;
-    Eigen::Index centre = range.first;
-    while (centre < range.last && log.lag[centre] < middle) ++centre;
-    const auto enough = static_cast<Eigen::Index>(min_window_lags);
-    for (const IndexRange half : {IndexRange{range.first, centre}, {centre, range.last}})
-        if (half.count() >= enough) found.push_back(half);
-    if (!automatic) return found;
-    const Eigen::Index end = log.lag.size() - 1;
-    for (const IndexRange side : {IndexRange{0, range.first}, {range.last, end}})
-        for (const F tolerance : {F(0.2), F(0.3)}) {
-            std::optional<IndexRange> beside = straight_range(log, tolerance, false, side);
-            if (!beside) beside = straight_range(log, tolerance, true, side);
-            if (!beside) continue;
-            found.push_back(*beside);
-            break;
-        }
-    return found;
-}
-
-/// What the windows beside the one of \p main say of D and ln G: the shares of the window in their errors.
-template <Real T>
-void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& main, const IndexRange& range,
-                    const LogStructure<Accumulator<T>>& log, const LineFitter<Accumulator<T>>& fitter, T spacing,
-                    Accumulator<T> beyond_model, Accumulator<T>& product, const FractalFitOptions<T>& options) {
-    using F = Accumulator<T>;
-    F weights = log.lag[range.last] - log.lag[range.first], of_dimension = 0, of_log_g = 0;
-    product = 0;
-    const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
-    for (const IndexRange& beside : neighbours_of(log, range, result.automatic_window)) {
-        const FractalLine<F> other =
-            fractal_line<F>(fitter.fit(beside, range), options.convention, static_cast<F>(options.gamma));
-        NeighbourWindow<T> neighbour;
-        neighbour.window = {lag(beside.first), lag(beside.last)};
-        neighbour.half = beside.first >= range.first && beside.last <= range.last;
-        neighbour.dimension = static_cast<T>(other.dimension);
-        const bool fractal = other.dimension > F(1) && other.dimension < F(2);
-        if (!neighbour.half && !fractal) continue;  // no window of a self-affine profile
-        const F width = log.lag[beside.last] - log.lag[beside.first];
-        if (!neighbour.half) weights += width;
-        const auto excess = [&](const Vector<F>& row, F difference) {
-            const F expected = fitter.covariance_of(row, row, range) * beyond_model;
-            return std::pair{std::max(F(0), difference * difference - 2 * expected), std::sqrt(expected)};
-        };
-        const F off = other.dimension - main.dimension;
-        const auto [excess_d, expected] = excess(other.dimension_row - main.dimension_row, off);
-        neighbour.difference = static_cast<T>(off);
-        neighbour.difference_error = static_cast<T>(expected);
-        neighbour.disagrees = std::abs(off) > F(2.5) * expected && std::abs(off) > F(0.05);
-        of_dimension += width * excess_d;
-        if (fractal) {
-            const F off_g = other.log_g - main.log_g;
-            const F excess_g = excess(other.log_g_row - main.log_g_row, off_g).first;
-            of_log_g += width * excess_g;
-            product += width * std::copysign(std::sqrt(excess_d * excess_g), off * off_g);
-        }
-        result.neighbours.push_back(neighbour);
-    }
-    result.window_dimension_error = static_cast<T>(std::sqrt(of_dimension / weights));
-    result.window_log_roughness_error = static_cast<T>(std::sqrt(of_log_g / weights));
-    product /= weights;
 }
 
 /// D, G, and their errors.

@@ -172,10 +172,12 @@ Strings warnings(const SurfaceInput& input, const MapResult& result) {
     if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.why_no_fit_x);
     if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.why_no_fit_y);
     if (result.fit.anisotropic())
-        all.push_back("the map is anisotropic: D along x less D along y is " +
-                      rounded(result.fit.dimension_difference, 3) + " +- " +
-                      rounded(result.fit.dimension_difference_error, 2) + ", ln S along x less ln S along y " +
-                      rounded(result.fit.log_level_difference, 3) + " +- " +
+        all.push_back("the map is anisotropic: " +
+                      (result.fit.x && result.fit.y
+                           ? "D along x less D along y is " + rounded(result.fit.dimension_difference, 3) + " +- " +
+                                 rounded(result.fit.dimension_difference_error, 2) + ", "
+                           : std::string()) +
+                      "ln S along x less ln S along y " + rounded(result.fit.log_level_difference, 3) + " +- " +
                       rounded(result.fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
     for (std::string& line : reading_warnings(input, "they enter no difference")) all.push_back(std::move(line));
     return all;

@@ -46,6 +46,8 @@ Json measured_document(const MeasuredSurface& surface) {
         if (!line.unit.empty()) entry["unit"] = line.unit;
         entry["how"] = line.how;
     }
+    if (surface.parameters.known[index_of(Parameter::fractal_dimension)])
+        document["fractal_dimension_window_error"] = surface.dimension_window_error;
     if (surface.heights)
         document["moments"] = {{"m0_m2", surface.heights->moments.m0},
                                {"m2", surface.heights->moments.m2},

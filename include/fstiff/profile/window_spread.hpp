@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// How much D and G hang on the window of lags: bends within it, its halves, and the straight windows beside it.
+///
+///     D = 2 - slope/2        ln G by (2.4) from ln S2 at the reference lag of the line
+///     window error^2 = mean of max(0, d^2 - 2 sampling^2) over halves and neighbours, weighted by their widths in ln tau
+///
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.4), (2.5); the rules are this project's.
+/// Units       ln of lags in samples; G in units of the spacing
+/// Valid       lines of profile/structure_fit; G for 1 < D < 2
+/// Accuracy    G of an exact power law 1e-12; the derivative of ln G by differences 1e-7 (tests/profile/window_spread_test.cpp)
+
+#include <fstiff/profile/fractal_result.hpp>
+#include <fstiff/profile/lag_window.hpp>
+#include <fstiff/profile/structure_fit.hpp>
+#include <fstiff/surface/structure_constant.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace fstiff::detail {
+
+/// Whether ln S2 bends: its quadratic or its cubic term, each against its own sampling error.
+template <Real F>
+bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const IndexRange& range) {
+    const Vector<F> x =
+        log.lag.segment(range.first, range.count()).array() - (log.lag[range.first] + log.lag[range.last]) / 2;
+    const auto bends = [&](Eigen::Index degree, F change_of_slope) {  // that one of the term gives
+        Matrix<F> powers(x.size(), degree + 1);
+        for (Eigen::Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
+        Vector<F> row = Vector<F>::Zero(log.lag.size());
+        row.segment(range.first, range.count()) = PivotedQr<F>(powers).solver().row(degree).transpose();
+        const F bend = std::abs(row.dot(fitter.y()));
+        return bend * change_of_slope > F(0.2) && bend > 3 * std::sqrt(fitter.covariance_of(row, row, range));
+    };
+    const F width = x[x.size() - 1] - x[0];
+    return bends(2, 2 * width) || bends(3, 3 * width * width / 4);
+}
+
+/// Whether a part of the window is a plateau: a local slope below 0.2, less than \p slope of the fit by 0.3 and by more than
+/// chance.
+template <Real F>
+bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
+    for (Eigen::Index k = range.first; k <= range.last; ++k)
+        if (log.slope[k] < F(0.2) && slope - log.slope[k] > std::max(F(0.3), F(1.5) * log.slope_error[k])) return true;
+    return false;
+}
+
+/// D and ln G of a line, and how they move with the values of ln S2.
+template <Real F>
+struct FractalLine {
+    F dimension{}, log_g{};  // G in units of the spacing
+    Vector<F> dimension_row, log_g_row;
+};
+
+/// Of a line whose slope is between 0 and 2; else without G.
+template <Real F>
+FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention convention, F gamma) {
+    FractalLine<F> found;
+    found.dimension = 2 - line.slope / 2;
+    found.dimension_row = -line.slope_row / 2;
+    found.log_g_row = Vector<F>::Zero(line.slope_row.size());
+    if (!(found.dimension > F(1) && found.dimension < F(2))) return found;
+    // of D and ln(S2/lag^2) at the reference lag
+    const F level = line.level - 2 * line.reference;
+    const auto log_g = [&](F d) {
+        return (level - std::log(4 - std::pow(F(2), 4 - 2 * d)) -
+                std::log(structure_constant<F>(d, convention, gamma))) /
+               (2 * (d - 1));
+    };
+    const F nearby = F(1e-4) * std::min(found.dimension - 1, 2 - found.dimension);
+    const F slope = (log_g(found.dimension + nearby) - log_g(found.dimension - nearby)) / (2 * nearby);
+    found.log_g = log_g(found.dimension) + line.reference;
+    found.log_g_row = line.level_row / (2 * (found.dimension - 1)) + slope * found.dimension_row;
+    return found;
+}
+
+/// The halves of \p range that hold enough lags, and the straight windows on either side of it.
+template <Real F>
+std::vector<IndexRange> neighbours_of(const LogStructure<F>& log, const IndexRange& range, bool automatic) {
+    std::vector<IndexRange> found;
+    const F middle = (log.lag[range.first] + log.lag[range.last]) / 2;
+    Eigen::Index centre = range.first;
+    while (centre < range.last && log.lag[centre] < middle) ++centre;
+    const auto enough = static_cast<Eigen::Index>(min_window_lags);
+    for (const IndexRange half : {IndexRange{range.first, centre}, {centre, range.last}})
+        if (half.count() >= enough) found.push_back(half);
+    if (!automatic) return found;
+    const Eigen::Index end = log.lag.size() - 1;
+    for (const IndexRange side : {IndexRange{0, range.first}, {range.last, end}})
+        for (const F tolerance : {F(0.2), F(0.3)}) {
+            std::optional<IndexRange> beside = straight_range(log, tolerance, false, side);
+            if (!beside) beside = straight_range(log, tolerance, true, side);
+            if (!beside) continue;
+            found.push_back(*beside);
+            break;
+        }
+    return found;
+}
+
+/// What the windows beside the one of \p main say of D and ln G: the shares of the window in their errors.
+template <Real T>
+void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& main, const IndexRange& range,
+                    const LogStructure<Accumulator<T>>& log, const LineFitter<Accumulator<T>>& fitter, T spacing,
+                    Accumulator<T> beyond_model, Accumulator<T>& product, const FractalFitOptions<T>& options) {
+    using F = Accumulator<T>;
+    F weights = log.lag[range.last] - log.lag[range.first], of_dimension = 0, of_log_g = 0;
+    product = 0;
+    const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
+    for (const IndexRange& beside : neighbours_of(log, range, result.automatic_window)) {
+        const FractalLine<F> other =
+            fractal_line<F>(fitter.fit(beside, range), options.convention, static_cast<F>(options.gamma));
+        NeighbourWindow<T> neighbour;
+        neighbour.window = {lag(beside.first), lag(beside.last)};
+        neighbour.half = beside.first >= range.first && beside.last <= range.last;
+        neighbour.dimension = static_cast<T>(other.dimension);
+        const bool fractal = other.dimension > F(1) && other.dimension < F(2);
+        if (!neighbour.half && !fractal) continue;  // no window of a self-affine profile
+        const F width = log.lag[beside.last] - log.lag[beside.first];
+        if (!neighbour.half) weights += width;
+        const auto excess = [&](const Vector<F>& row, F difference) {
+            const F expected = fitter.covariance_of(row, row, range) * beyond_model;
+            return std::pair{std::max(F(0), difference * difference - 2 * expected), std::sqrt(expected)};
+        };
+        const F off = other.dimension - main.dimension;
+        const auto [excess_d, expected] = excess(other.dimension_row - main.dimension_row, off);
+        neighbour.difference = static_cast<T>(off);
+        neighbour.difference_error = static_cast<T>(expected);
+        neighbour.disagrees = std::abs(off) > F(2.5) * expected && std::abs(off) > F(0.05);
+        of_dimension += width * excess_d;
+        if (fractal) {
+            const F off_g = other.log_g - main.log_g;
+            const F excess_g = excess(other.log_g_row - main.log_g_row, off_g).first;
+            of_log_g += width * excess_g;
+            product += width * std::copysign(std::sqrt(excess_d * excess_g), off * off_g);
+        }
+        result.neighbours.push_back(neighbour);
+    }
+    result.window_dimension_error = static_cast<T>(std::sqrt(of_dimension / weights));
+    result.window_log_roughness_error = static_cast<T>(std::sqrt(of_log_g / weights));
+    product /= weights;
+}
+
+}  // namespace fstiff::detail
