@@ -75,6 +75,7 @@
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/island_forest.hpp>
+#include <fstiff/topography/island_levels.hpp>
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>

@@ -120,9 +120,9 @@ std::vector<double> neighbouring_cut_offs(const std::optional<double>& lambda_s,
     return {*lambda_s / root, *lambda_s * root};
 }
 
-void add_neighbours(MeasuredSurface& surface, MeasureOptions options, const SurfaceInput& input) {
-    const double step =
-        surface.profile ? surface.profile->profile.spacing : std::max(surface.map->map.dx, surface.map->map.dy);
+/// Finds the neighbours of \p surface, whose cut-offs are known; \p measure_one(options) measures it behind others.
+template <class MeasureOne>
+void add_neighbours(MeasuredSurface& surface, MeasureOptions options, double step, const MeasureOne& measure_one) {
     options.neighbours = false;
     options.resamples = 2;                       // their errors are not asked
     if (options.input.detrend != gaussian_form)  // whatever chose lambda_c, it stays
@@ -130,64 +130,55 @@ void add_neighbours(MeasuredSurface& surface, MeasureOptions options, const Surf
     for (const double lambda_s : neighbouring_cut_offs(surface.cut_offs.lambda_s, step)) {
         options.input.lambda_s = exact(lambda_s) + " m";
         try {
-            surface.neighbours.push_back(measure_surface(options, input, {}));
+            surface.neighbours.push_back(measure_one(options));
+            if (!options.keep_maps) surface.neighbours.back().map.reset();
         } catch (const domain_error&) {  // too long a cut-off for the file, or too few peaks behind it
         }
     }
 }
 
-}  // namespace
-
-MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes, const ProgressHook& progress) {
-    return measure_surface(options, read_surface_input(options.input, std::move(bytes)), progress);
-}
-
-MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
-                                const ProgressHook& progress) {
+SurfaceParameterOptions<double> parameter_options(const MeasureOptions& options, const ProgressHook& progress) {
     SurfaceParameterOptions<double> how;
     how.fit = fit_options(options);
     how.fit.seed = how.seed = options.seed;
     how.resamples = static_cast<std::size_t>(options.resamples);
     how.progress = how.fit.progress = how.islands.progress = progress;
     how.peaks = options.peaks;
-    const bool profile = input.surface.is_profile();
+    return how;
+}
+
+void refuse_options_of_map(const MeasureOptions& options) {
+    if (fit_options(options).tip_radius > 0)
+        throw domain_error(display_name(options.input.file) +
+                           ": is a map, whose lags cannot be freed of the tip; must be told by the resolution instead");
+}
+
+/// What is known of a surface once it is read.
+MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInput& input) {
     MeasuredSurface surface;
     surface.file = display_name(options.input.file);
     surface.sha256 = input.sha256;
     surface.how = std::make_shared<const MeasureOptions>(options);
-    surface.kind = profile ? "profile" : "map";
+    surface.kind = input.surface.is_profile() ? "profile" : "map";
     surface.decisions = input.surface.record.sentences();
     surface.warnings = reading_warnings(input, "what needs them is left out");
-    if (!profile && how.fit.tip_radius > 0)
-        throw domain_error(surface.file +
-                           ": is a map, whose lags cannot be freed of the tip; must be told by the resolution instead");
-    SurfaceParameters<double> found;
-    if (profile) {
-        surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));
-        const PreparedProfile& levelled = *surface.profile;
-        surface.cut_offs = levelled.cut_offs;
-        how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
-        found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
-        surface.parameters = uncertain(found);
-        describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
-    } else {
-        surface.map = std::make_shared<PreparedMap>(level_map(options.input, input));
-        const PreparedMap& levelled = *surface.map;
-        surface.cut_offs = levelled.cut_offs;
-        how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
-        found = about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); });
-        surface.parameters = uncertain(found);
-        describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
-    }
-    const double before = profile ? surface.profile->rms_levelled : surface.map->rms_levelled,
-                 after = profile ? surface.profile->rms : surface.map->rms;
-    if (surface.cut_offs.lambda_c && !surface.cut_offs.why_c.empty() && after < before / 2)
+    return surface;
+}
+
+/// Into \p surface what was \p found of \p levelled, whose heights are those of \p heights.
+template <class Levelled, class Heights>
+void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Levelled& levelled, const Heights& heights,
+           const MeasureOptions& options) {
+    surface.parameters = uncertain(found);
+    describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
+    if (surface.cut_offs.lambda_c && !surface.cut_offs.why_c.empty() && levelled.rms < levelled.rms_levelled / 2)
         surface.warnings.push_back(
             "lambda_c " + shown_length(*surface.cut_offs.lambda_c) + ", chosen by the table, leaves " +
-            rounded(100 * after / before, 2) + " % of the rms height of " + shown_length(before) +
+            rounded(100 * levelled.rms / levelled.rms_levelled, 2) + " % of the rms height of " +
+            shown_length(levelled.rms_levelled) +
             ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
     try {
-        surface.heights = profile ? height_statistics(surface.profile->profile) : height_statistics(surface.map->map);
+        surface.heights = height_statistics(heights);
     } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
     }
     surface.profile_fit = std::move(found.profile_fit);
@@ -198,8 +189,66 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
     surface.fractal_refusal = found.why_no_dimension;
     surface.peaks_refusal = found.why_no_peaks;
-    if (options.neighbours) add_neighbours(surface, options, input);
+}
+
+MeasuredSurface measure_profile(const MeasureOptions& options, const SurfaceInput& input,
+                                const ProgressHook& progress) {
+    SurfaceParameterOptions<double> how = parameter_options(options, progress);
+    MeasuredSurface surface = surface_as_read(options, input);
+    surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));
+    const PreparedProfile& levelled = *surface.profile;
+    surface.cut_offs = levelled.cut_offs;
+    how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
+    store(surface, about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); }), levelled,
+          levelled.profile, options);
+    if (options.neighbours)
+        add_neighbours(surface, options, levelled.profile.spacing,
+                       [&](const MeasureOptions& other) { return measure_profile(other, input, {}); });
     return surface;
+}
+
+/// Of a map, which \p prepare(options) returns behind other cut-offs. The neighbours come first: what is found of the map
+/// itself needs no memory while they are.
+template <class Prepare>
+MeasuredSurface measure_map(const MeasureOptions& options, const SurfaceInput& input, const HeightMap<double>& steps,
+                            const Prepare& prepare, const ProgressHook& progress) {
+    SurfaceParameterOptions<double> how = parameter_options(options, progress);
+    MeasuredSurface surface = surface_as_read(options, input);
+    if (options.neighbours) {
+        surface.cut_offs = map_cut_offs(options.input, steps);
+        add_neighbours(surface, options, std::max(steps.dx, steps.dy),
+                       [&](const MeasureOptions& other) { return measure_map(other, input, steps, prepare, {}); });
+    }
+    const auto levelled = std::make_shared<PreparedMap>(prepare(options.input));
+    surface.cut_offs = levelled->cut_offs;
+    how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
+    SurfaceParameters<double> found =
+        about_file(options.input.file, [&] { return surface_parameters<double>(*levelled, how); });
+    levelled->unfiltered.reset();  // D is found
+    surface.map = levelled;
+    store(surface, std::move(found), *levelled, levelled->map, options);
+    return surface;
+}
+
+}  // namespace
+
+MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes, const ProgressHook& progress) {
+    SurfaceInput input = read_surface_input(options.input, std::move(bytes));
+    if (input.surface.is_profile()) return measure_profile(options, input, progress);
+    refuse_options_of_map(options);
+    const PreparedMap without_form = map_without_form(options.input, input);
+    return measure_map(
+        options, input, *without_form.unfiltered,
+        [&](const SurfaceOptions& other) { return with_cut_offs(other, without_form); }, progress);
+}
+
+MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
+                                const ProgressHook& progress) {
+    if (input.surface.is_profile()) return measure_profile(options, input, progress);
+    refuse_options_of_map(options);
+    return measure_map(
+        options, input, input.surface.map(), [&](const SurfaceOptions& other) { return level_map(other, input); },
+        progress);
 }
 
 double MeasuredSurface::size() const {

@@ -28,6 +28,7 @@ struct MeasureOptions {
     int resamples = 400;
     std::uint64_t seed = 2014;
     bool neighbours = true;  ///< measures behind a smaller and a greater lambda_s too
+    bool keep_maps = true;   ///< of the neighbours, with what a face takes of them
 };
 
 struct MeasuredSurface {

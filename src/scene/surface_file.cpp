@@ -59,6 +59,27 @@ LevelledProfile<double> without_waves_above(CutOffs& cut_offs, LevelledProfile<d
     return levelled;
 }
 
+/// Takes the waves beyond the cut-offs of \p result, which has some, out of its map; what it was stays as unfiltered.
+void apply_cut_offs(PreparedMap& result) {
+    CutOffs& cut_offs = result.cut_offs;
+    if (!result.unfiltered) result.unfiltered = std::make_shared<const HeightMap<double>>(std::move(result.map));
+    const HeightMap<double>& before = *result.unfiltered;
+    if (cut_offs.lambda_s)
+        result.map = gaussian_low_pass(before, *cut_offs.lambda_s);
+    else
+        result.map = before;
+    if (const auto longest = cut_offs.lambda_c) {
+        if (cut_offs.filter == CutOffFilter::robust) {
+            const RobustMapWaviness<double> robust = robust_waviness(result.map, *longest);
+            result.map.heights -= robust.waviness.heights;
+            cut_offs.left_out = left_out(robust, result.map.present());
+        } else {
+            result.map = gaussian_high_pass(result.map, *longest);
+        }
+        result.lambda_c = *longest;
+    }
+}
+
 }  // namespace
 
 double parse_length(const std::string& text, std::string_view name) {
@@ -75,12 +96,19 @@ LagWindow<double> parse_window(const std::string& text, std::string_view name) {
 }
 
 std::size_t SurfaceInput::points() const {
+    if (dropped) return dropped->points;
     return surface.is_profile() ? surface.profile().size() : static_cast<std::size_t>(surface.map().size());
 }
 
 std::size_t SurfaceInput::missing() const {
+    if (dropped) return dropped->missing;
     return points() -
            (surface.is_profile() ? surface.profile().present() : static_cast<std::size_t>(surface.map().present()));
+}
+
+void SurfaceInput::drop_map() {
+    dropped = Counts{points(), missing()};
+    std::get<1>(surface.data).heights.resize(0, 0);
 }
 
 SurfaceInput read_surface_input(const SurfaceOptions& options) {
@@ -157,41 +185,90 @@ PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
     return result;
 }
 
-PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) {
+CutOffs map_cut_offs(const SurfaceOptions& options, const HeightMap<double>& map) {
+    CutOffs cut_offs =
+        cut_offs_of(options, std::max(map.dx, map.dy),
+                    std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy));
+    if (is_automatic(options.lambda_c))
+        cut_offs.why_c = "an S-F surface of ISO 25178-2: the form alone bounds the long waves";
+    return cut_offs;
+}
+
+namespace {
+
+/// What is asked before anything is computed: that the surface is a map, and its form.
+MapForm form_of_map(const SurfaceOptions& options, const SurfaceInput& input, PreparedMap& result) {
     if (input.surface.is_profile())
         throw domain_error(display_name(options.file) + ": holds a profile (" +
                            std::to_string(input.surface.profile().size()) + " points); must be a map");
-    PreparedMap result;
     result.form = options.detrend.empty() ? "plane" : options.detrend;
     const MapForm form = form_of<MapForm>(options, result.form, "map");
     refuse_cutoff(options);
+    return form;
+}
+
+/// Takes the form out of the map of \p input into \p result.
+void take_form(const SurfaceInput& input, MapForm form, PreparedMap& result) {
     const HeightMap<double>& read = input.surface.map();
-    result.cut_offs = cut_offs_of(
-        options, std::max(read.dx, read.dy),
-        std::min(static_cast<double>(read.columns()) * read.dx, static_cast<double>(read.rows()) * read.dy));
-    if (is_automatic(options.lambda_c))
-        result.cut_offs.why_c = "an S-F surface of ISO 25178-2: the form alone bounds the long waves";
+    static_cast<LevelledMap<double>&>(result) = level(read, form, input.surface.record.resolution);
+    result.rms_as_read = rms_height(read);
+    result.rms_levelled = rms_height(result.map);
+}
+
+/// Takes out the waves beyond the cut-offs of \p result, and finds its statistics.
+void finish(PreparedMap& result) {
+    if (result.cut_offs.any()) apply_cut_offs(result);
+    result.areal = areal_statistics(result.map);
+    result.rms = result.areal.rms_height;
+}
+
+}  // namespace
+
+PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) {
+    PreparedMap result;
+    const MapForm form = form_of_map(options, input, result);
+    result.cut_offs = map_cut_offs(options, input.surface.map());
     about_file(options.file, [&] {
-        auto& levelled = static_cast<LevelledMap<double>&>(result);
-        levelled = level(read, form, input.surface.record.resolution);
-        result.rms_levelled = rms_height(levelled.map);
-        if (result.cut_offs.any()) levelled.unfiltered = levelled.map;
-        if (const auto shortest = result.cut_offs.lambda_s) levelled.map = gaussian_low_pass(levelled.map, *shortest);
-        if (const auto longest = result.cut_offs.lambda_c) {
-            if (options.filter == CutOffFilter::robust) {
-                const RobustMapWaviness<double> robust = robust_waviness(levelled.map, *longest);
-                levelled.map.heights -= robust.waviness.heights;
-                result.cut_offs.left_out = left_out(robust, levelled.map.present());
-            } else {
-                levelled.map = gaussian_high_pass(levelled.map, *longest);
-            }
-            levelled.lambda_c = *longest;
-        }
-        result.rms_as_read = rms_height(read);
-        result.areal = areal_statistics(result.map);
-        result.rms = result.areal.rms_height;
+        take_form(input, form, result);
+        finish(result);
     });
     return result;
+}
+
+PreparedMap level_map_of(const SurfaceOptions& options, SurfaceInput& input) {
+    PreparedMap result;
+    const MapForm form = form_of_map(options, input, result);
+    result.cut_offs = map_cut_offs(options, input.surface.map());
+    about_file(options.file, [&] {
+        take_form(input, form, result);
+        input.drop_map();
+        finish(result);
+    });
+    return result;
+}
+
+PreparedMap map_without_form(const SurfaceOptions& options, SurfaceInput& input) {
+    PreparedMap result;
+    const MapForm form = form_of_map(options, input, result);
+    (void)map_cut_offs(options, input.surface.map());  // what is wrong with them is said before anything is computed
+    about_file(options.file, [&] {
+        take_form(input, form, result);
+        input.drop_map();
+        result.unfiltered = std::make_shared<const HeightMap<double>>(std::move(result.map));
+    });
+    return result;
+}
+
+PreparedMap with_cut_offs(const SurfaceOptions& options, PreparedMap without_form) {
+    without_form.cut_offs = map_cut_offs(options, *without_form.unfiltered);
+    about_file(options.file, [&] {
+        if (!without_form.cut_offs.any()) {
+            without_form.map = *without_form.unfiltered;
+            without_form.unfiltered.reset();
+        }
+        finish(without_form);
+    });
+    return without_form;
 }
 
 std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence) {

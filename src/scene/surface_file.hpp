@@ -52,8 +52,15 @@ struct SurfaceInput {
     io::Surface surface;
     std::string sha256;
 
+    struct Counts {
+        std::size_t points, missing;
+    };
+    std::optional<Counts> dropped{};  ///< of the map whose heights were given up
+
     [[nodiscard]] std::size_t points() const;  ///< missing ones included
     [[nodiscard]] std::size_t missing() const;
+    /// Gives up the heights of the map, whose memory is needed, and keeps their counts.
+    void drop_map();
 };
 
 /// \throws domain_error in one sentence with the name of the file.
@@ -85,6 +92,15 @@ struct PreparedMap : LevelledMap<double> {
 [[nodiscard]] PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input);
 /// Removes none, mean, plane, quadratic or cubic, then the waves beyond the cut-offs. \throws as above.
 [[nodiscard]] PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input);
+/// The same of an \p input that is needed no more: it gives up its map on the way, so that no more than two are held at once.
+[[nodiscard]] PreparedMap level_map_of(const SurfaceOptions& options, SurfaceInput& input);
+/// The form alone removed, once for several cut-offs: it stands in `unfiltered`, which the maps behind them share. \p input gives
+/// up its map. \throws as level_map().
+[[nodiscard]] PreparedMap map_without_form(const SurfaceOptions& options, SurfaceInput& input);
+/// The map behind the cut-offs of \p options of what map_without_form() returned. \throws as level_map().
+[[nodiscard]] PreparedMap with_cut_offs(const SurfaceOptions& options, PreparedMap without_form);
+/// The cut-offs of \p map by \p options. \throws as cut_offs_of().
+[[nodiscard]] CutOffs map_cut_offs(const SurfaceOptions& options, const HeightMap<double>& map);
 
 /// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the reader.
 [[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The band of K of a measured surface: its errors, and the spread over lambda_s.
-#include "command.hpp"
-
-#include <nlohmann/json.hpp>
+#include "json.hpp"
 
 #include <cmath>
 
@@ -11,13 +9,6 @@ namespace {
 const std::string rest =
     "[material.upper]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n"
     "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\", \"greenwood_williamson\"]\n";
-
-nlohmann::json json_of(const std::string& arguments) {
-    const auto outcome = test::fstiff(arguments);
-    INFO("fstiff " << arguments << "\n" << outcome.err);
-    REQUIRE(outcome.status % 4 == 0);
-    return nlohmann::json::parse(outcome.out);
-}
 
 }  // namespace
 
@@ -32,16 +23,16 @@ TEST_CASE("the band holds K behind half and twice the root of two of lambda_s, a
         return folder.write(
             name, "[surface]\nfrom = \"trace.csv\"\nlambda_s = \"" + lambda_s + "\"\nlambda_c = \"none\"\n" + rest);
     };
-    const auto whole = json_of("run " + scene("whole.toml", "12 um") + " --format json");
-    const auto less = json_of("run " + scene("less.toml", "8.48528137423857 um") + " --format json"),
-               more = json_of("run " + scene("more.toml", "16.970562748477143 um") + " --format json");
+    const auto whole = test::json_of("run " + scene("whole.toml", "12 um") + " --format json");
+    const auto less = test::json_of("run " + scene("less.toml", "8.48528137423857 um") + " --format json"),
+               more = test::json_of("run " + scene("more.toml", "16.970562748477143 um") + " --format json");
     // without its neighbours the document of measure has the sampled band alone
-    auto document = json_of("measure " + folder / "trace.csv" + " --lambda-s '12 um' --lambda-c none");
+    auto document = test::json_of("measure " + folder / "trace.csv" + " --lambda-s '12 um' --lambda-c none");
     REQUIRE(document["neighbours"].size() == 2);
     const auto from_document = [&](const std::string& name) {
         folder.write(name + ".json", document.dump());
-        return json_of("run " + folder.write(name + ".toml", "[surface]\nfrom = \"" + name + ".json\"\n" + rest) +
-                       " --format json");
+        return test::json_of("run " + folder.write(name + ".toml", "[surface]\nfrom = \"" + name + ".json\"\n" + rest) +
+                             " --format json");
     };
     const auto all_of_document = from_document("all");
     document.erase("neighbours");
@@ -77,7 +68,7 @@ TEST_CASE("what a scene writes by hand holds behind every lambda_s") {
                                            "--shortest '2 um' --longest '200 um'")
                                   .out);
     const auto run = [&](const std::string& keys) {
-        return json_of(
+        return test::json_of(
             "run " +
             folder.write("scene.toml", "[surface]\nfrom = \"trace.csv\"\nlambda_s = \"12 um\"\n" + keys + rest) +
             " --format json");

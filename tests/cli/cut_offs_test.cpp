@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --lambda-s and --lambda-c of the commands that measure, and the same keys of a scene.
-#include "command.hpp"
+#include "json.hpp"
 
 #include "support/skip.hpp"
 
@@ -11,8 +11,6 @@
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/robust_gaussian_map_filter.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 
 namespace {
@@ -22,13 +20,6 @@ std::string map_text() {
                "generate map --points 160 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '4 um' --longest '48 "
                "um'")
         .out;
-}
-
-nlohmann::json json_of(const std::string& arguments, const std::string& input) {
-    const auto outcome = test::fstiff(arguments, input);
-    INFO("fstiff " << arguments << "\n" << outcome.err);
-    REQUIRE(outcome.status % 4 == 0);  // a doubtful parameter is no matter here
-    return nlohmann::json::parse(outcome.out);
 }
 
 bool decided(const nlohmann::json& document, const std::string& words) {
@@ -57,8 +48,8 @@ TEST_CASE("A trace at every 1st to 16th point has one R, D_p and gradient behind
     std::vector<nlohmann::json> found, as_measured;
     for (const std::size_t step : {1, 2, 4, 8, 16}) {
         const std::string part = decimated(text, step);
-        found.push_back(json_of("measure - --units m,m --lambda-s '1 um'", part)["surface"]);
-        as_measured.push_back(json_of("measure - --units m,m --lambda-s none", part)["surface"]);
+        found.push_back(test::json_of("measure - --units m,m --lambda-s '1 um'", part)["surface"]);
+        as_measured.push_back(test::json_of("measure - --units m,m --lambda-s none", part)["surface"]);
     }
     const auto apart = [](const nlohmann::json& a, const nlohmann::json& b) {  // in errors of their difference
         return std::abs(a["value"].get<double>() - b["value"].get<double>()) /
@@ -84,20 +75,20 @@ TEST_CASE("The map that is measured is the one that the library filters, first l
     const auto map = fstiff::io::read_surface(text, "map").map();
     const auto low = fstiff::gaussian_low_pass(fstiff::remove_form(map, fstiff::MapForm::plane), 8e-6);
     const auto both = fstiff::gaussian_high_pass(low, 40e-6);
-    const auto one = json_of("measure - --lambda-s '8 um'", text);
+    const auto one = test::json_of("measure - --lambda-s '8 um'", text);
     CHECK(same(one["surface"]["rms_height"]["value"], fstiff::rms_height(low)));
     CHECK(one["lambda_s_m"] == 8e-6);
     CHECK(one["lambda_c_m"].is_null());
     CHECK(decided(one, "lambda_s 8 µm (Gaussian, after the form was removed), lambda_c none"));
-    const auto two = json_of("measure - --lambda-s '8 um' --lambda-c '40 um'", text);
+    const auto two = test::json_of("measure - --lambda-s '8 um' --lambda-c '40 um'", text);
     CHECK(same(two["surface"]["rms_height"]["value"], fstiff::rms_height(both)));
     CHECK(two["lambda_c_m"] == 40e-6);
     CHECK(decided(two, "lambda_c 40 µm (Gaussian, after lambda_s)"));
-    const auto islands = json_of("islands - --format json --lambda-s '8 um' --lambda-c '40 um'", text);
+    const auto islands = test::json_of("islands - --format json --lambda-s '8 um' --lambda-c '40 um'", text);
     CHECK(same(islands["rms_height_m"], fstiff::rms_height(both)));
     CHECK(islands["lambda_c_m"] == 40e-6);
     // behind 8 um the roll-off at 48 um leaves no half decade for D
-    const auto fit = json_of("fit - --format json --lambda-s '3 um'", text);
+    const auto fit = test::json_of("fit - --format json --lambda-s '3 um'", text);
     const auto smoothed = fstiff::gaussian_low_pass(fstiff::remove_form(map, fstiff::MapForm::plane), 3e-6);
     CHECK(same(fit["rms_height_m"], fstiff::rms_height(smoothed)));
     CHECK(fit["lambda_s_m"] == 3e-6);
@@ -108,7 +99,7 @@ TEST_CASE("The map that is measured is the one that the library filters, first l
 TEST_CASE("With none nothing is filtered, and the output says so") {
     const std::string text = map_text();
     const auto map = fstiff::io::read_surface(text, "map").map();
-    const auto none = json_of("measure - --lambda-s none --lambda-c none", text);
+    const auto none = test::json_of("measure - --lambda-s none --lambda-c none", text);
     CHECK(same(none["surface"]["rms_height"]["value"],
                fstiff::rms_height(fstiff::remove_form(map, fstiff::MapForm::plane))));
     CHECK(none["lambda_s_m"].is_null());
@@ -121,15 +112,15 @@ TEST_CASE("With none nothing is filtered, and the output says so") {
 
 TEST_CASE("Without the options the table chooses lambda_s by the step, and the output says why") {
     const std::string text = map_text();  // steps of 1 um
-    const auto plain = json_of("measure -", text), given = json_of("measure - --lambda-s '5 um'", text);
+    const auto plain = test::json_of("measure -", text), given = test::json_of("measure - --lambda-s '5 um'", text);
     CHECK(plain["surface"] == given["surface"]);
     CHECK(plain["lambda_s_m"] == 5e-6);
     CHECK(plain["lambda_c_m"].is_null());
     CHECK(decided(plain,
                   "lambda_s 5 µm (by the table, the index of five steps of 1 µm; Gaussian, after the form was "
                   "removed), lambda_c none (an S-F surface of ISO 25178-2"));
-    CHECK(json_of("measure - --lambda-s auto --lambda-c auto", text)["surface"] == plain["surface"]);
-    const auto blurred = json_of("measure - --resolution '7 um'", text);
+    CHECK(test::json_of("measure - --lambda-s auto --lambda-c auto", text)["surface"] == plain["surface"]);
+    const auto blurred = test::json_of("measure - --resolution '7 um'", text);
     CHECK(blurred["lambda_s_m"] == 8e-6);
     CHECK(decided(blurred, "the index of the resolution"));
     for (const char* command : {"fit", "islands"})
@@ -140,43 +131,44 @@ TEST_CASE("The table chooses lambda_c of a profile by its Ra, and its D is that 
     const std::string made =
         test::fstiff("generate profile --points 16384 --spacing '0.5 um' --hurst 0.5 --rms '0.1 um' --longest '0.2 mm'")
             .out;
-    const auto measured = json_of("measure -", made);
+    const auto measured = test::json_of("measure -", made);
     CHECK(measured["lambda_s_m"] == 2.5e-6);
     CHECK(measured["lambda_c_m"] == 0.25e-3);  // Ra is between 20 nm and 0.1 um
     CHECK(decided(measured, "lambda_c 250 µm (by the table, of Ra "));
-    const auto whole = json_of("measure - --lambda-c none", made);
+    const auto whole = test::json_of("measure - --lambda-c none", made);
     CHECK(whole["lambda_c_m"].is_null());
     CHECK(measured["surface"]["rms_height"]["value"] < whole["surface"]["rms_height"]["value"]);
-    const auto fit = json_of("fit - --format json", made), open = json_of("fit - --lambda-c none --format json", made);
+    const auto fit = test::json_of("fit - --format json", made),
+               open = test::json_of("fit - --lambda-c none --format json", made);
     CHECK(fit["structure_function"]["value_m2"] == open["structure_function"]["value_m2"]);
     CHECK(fit["window_m"][0] >= 2.5e-6 * (1 - 1e-12));
     CHECK(fit["window_m"][1] <= 0.25e-3 * (1 + 1e-9));
     CHECK(measured["surface"]["fractal_dimension"]["value"] == fit["fractal_dimension"]);
-    const auto tip = json_of("measure - --tip-radius '5 um'", made);
+    const auto tip = test::json_of("measure - --tip-radius '5 um'", made);
     CHECK(tip["lambda_s_m"] == 8e-6);
     CHECK(decided(tip, "the index of a tip of 5 µm"));
-    const auto gaussian = json_of("measure - --detrend gaussian --cutoff '0.8 mm'", made);  // no other lambda_c
+    const auto gaussian = test::json_of("measure - --detrend gaussian --cutoff '0.8 mm'", made);  // no other lambda_c
     CHECK(gaussian["lambda_c_m"] == 0.8e-3);
 }
 
 TEST_CASE("A file that is too short or too coarse for a default has none, and the output says why") {
-    const auto few =
-        json_of("measure -", test::fstiff("generate map --points 40 --spacing '1 um' --hurst 0.8 --rms '1 um'").out);
+    const auto few = test::json_of(
+        "measure -", test::fstiff("generate map --points 40 --spacing '1 um' --hurst 0.8 --rms '1 um'").out);
     CHECK(few["lambda_s_m"].is_null());
     CHECK(decided(
         few,
         "lambda_s none (as measured; 10 of 5 µm, the index of five steps of 1 µm, do not fit the length of 40 µm)"));
-    const auto short_one = json_of(
+    const auto short_one = test::json_of(
         "measure -", test::fstiff("generate profile --points 700 --spacing '0.5 um' --hurst 0.5 --rms '1 um'").out);
     CHECK(short_one["lambda_s_m"] == 2.5e-6);
     CHECK(short_one["lambda_c_m"].is_null());
     CHECK(decided(short_one, "does not hold five of 80 µm"));
-    const auto coarse = json_of(
+    const auto coarse = test::json_of(
         "measure -", test::fstiff("generate profile --points 200 --spacing '10 um' --hurst 0.5 --rms '10 nm'").out);
     CHECK(coarse["lambda_s_m"] == 50e-6);
     CHECK(coarse["lambda_c_m"].is_null());
     CHECK(decided(coarse, "too short for the step"));
-    CHECK(json_of("measure - --lambda-c '5 um'", map_text())["lambda_s_m"].is_null());  // 5 um is not below 5 um
+    CHECK(test::json_of("measure - --lambda-c '5 um'", map_text())["lambda_s_m"].is_null());  // 5 um is not below 5 um
 }
 
 TEST_CASE("A scene takes lambda_s and lambda_c beside from, and measures as the command does") {
@@ -188,8 +180,9 @@ TEST_CASE("A scene takes lambda_s and lambda_c beside from, and measures as the 
                                               "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = "
                                               "0.3\n[contact]\npressures = [\"10 MPa\"]\n");
     };
-    const auto ran = json_of("run '" + scene("lambda_s = \"8 um\"\nlambda_c = \"40 um\"") + "' --format json", "");
-    const auto measured = json_of("measure - --lambda-s '8 um' --lambda-c '40 um'", text);
+    const auto ran =
+        test::json_of("run '" + scene("lambda_s = \"8 um\"\nlambda_c = \"40 um\"") + "' --format json", "");
+    const auto measured = test::json_of("measure - --lambda-s '8 um' --lambda-c '40 um'", text);
     CHECK(test::contains(ran.dump(), measured["surface"]["peak_radius"]["quantity"].get<std::string>().substr(0, 8)));
     CHECK(test::contains(ran.dump(), "\"lambda_s_m\":8e-06"));
     CHECK(test::contains(test::fstiff("run --surface -", measured.dump()).out, "lambda_s 8 µm"));
@@ -216,21 +209,22 @@ TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
     for (int i = 0; i < 400; ++i) profile += std::to_string(std::sin(i * i * 0.1)) + "\n";
     test::check_refused("fit - --units um --spacing '1 um' --detrend gaussian --cutoff '80 um' --lambda-c '40 um'", 2,
                         {"--cutoff", "another cut-off"}, profile);
-    const auto document = json_of("measure - --units um --spacing '1 um' --detrend gaussian --cutoff '80 um'", profile);
+    const auto document =
+        test::json_of("measure - --units um --spacing '1 um' --detrend gaussian --cutoff '80 um'", profile);
     CHECK(document["lambda_c_m"] == 80e-6);
 }
 
 TEST_CASE("The robust filter of lambda_c is that of the library, and says what it left out") {
     const std::string text = map_text();
     const auto map = fstiff::remove_form(fstiff::io::read_surface(text, "map").map(), fstiff::MapForm::plane);
-    const auto document = json_of("measure - --lambda-s none --lambda-c '40 um' --filter robust", text);
+    const auto document = test::json_of("measure - --lambda-s none --lambda-c '40 um' --filter robust", text);
     CHECK(same(document["surface"]["rms_height"]["value"], fstiff::rms_height(fstiff::robust_high_pass(map, 40e-6))));
     CHECK(decided(document, "lambda_c 40 µm (robust Gaussian, after the form was removed, "));
     CHECK(decided(document, " of 25600 points without weight, "));
     const std::string made =
         test::fstiff("generate profile --points 4096 --spacing '1 um' --hurst 0.5 --rms '1 um'").out;
     const auto flat = fstiff::level(fstiff::io::read_surface(made, "profile").profile(), fstiff::Form::line);
-    const auto profile = json_of("measure - --lambda-s none --lambda-c '80 um' --filter robust", made);
+    const auto profile = test::json_of("measure - --lambda-s none --lambda-c '80 um' --filter robust", made);
     CHECK(same(profile["surface"]["rms_height"]["value"],
                fstiff::rms_height(fstiff::robust_roughness(flat.profile, 80e-6))));
     CHECK(decided(profile, "robust Gaussian"));

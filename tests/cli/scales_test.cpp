@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff measure --scales: each row is the measurement with these cut-offs.
-#include "command.hpp"
-
-#include <nlohmann/json.hpp>
+#include "json.hpp"
 
 #include <cmath>
-
-namespace {
-
-nlohmann::json json_of(const std::string& arguments) {
-    const auto outcome = test::fstiff(arguments);
-    INFO("fstiff " << arguments << "\n" << outcome.err);
-    REQUIRE(outcome.status % 4 == 0);
-    return nlohmann::json::parse(outcome.out);
-}
-
-}  // namespace
 
 TEST_CASE("each row of --scales is the measurement and the K behind its cut-offs") {
     const test::Folder folder;
@@ -23,9 +10,10 @@ TEST_CASE("each row of --scales is the measurement and the K behind its cut-offs
         folder.write("trace.csv", test::fstiff("generate profile --points 4096 --spacing '1 um' --hurst 0.7 "
                                                "--rms '1 um' --shortest '4 um' --longest '400 um'")
                                       .out);
-    const auto document = json_of("measure " + trace +
-                                  " --lambda-s '10 um' --lambda-c '800 um' --scales --pressure '20 MPa' --modulus "
-                                  "'100 GPa'");
+    const auto document =
+        test::json_of("measure " + trace +
+                      " --lambda-s '10 um' --lambda-c '800 um' --scales --pressure '20 MPa' --modulus "
+                      "'100 GPa'");
     const auto& rows = document["scales"]["rows"];
     REQUIRE(rows.size() > 8);
     int checked = 0, chosen = 0;
@@ -39,7 +27,7 @@ TEST_CASE("each row of --scales is the measurement and the K behind its cut-offs
             text(row.value("lambda_c_m", nlohmann::json())) == "'0.0008 m'")
             ++chosen;
         if (!row.contains("stiffness_Pa_per_m") || row["stiffness_Pa_per_m"].is_null()) continue;
-        const auto measured = json_of("measure " + trace + cut_offs);
+        const auto measured = test::json_of("measure " + trace + cut_offs);
         for (const auto& [key, of] :
              {std::pair("rms_height_m", "rms_height"), std::pair("peak_radius_m", "peak_radius"),
               std::pair("peak_density_per_m2", "peak_density"), std::pair("rms_gradient", "rms_gradient")})
@@ -49,7 +37,7 @@ TEST_CASE("each row of --scales is the measurement and the K behind its cut-offs
                                         "[surface]\nfrom = \"surface.json\"\n[material.upper]\nyoungs_modulus = \"200 "
                                         "GPa\"\npoisson_ratio = 0.0\n[contact]\npressures = [\"20 MPa\"]\nlaws = [\"" +
                                             document["scales"]["law"].get<std::string>() + "\"]\n");
-        const auto run = json_of("run " + scene + " --format json");
+        const auto run = test::json_of("run " + scene + " --format json");
         CHECK(std::abs(row["stiffness_Pa_per_m"].get<double>() / run["rows"][0]["stiffness_Pa_per_m"].get<double>() -
                        1) < 1e-9);
         ++checked;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several files of one surface: fstiff measure a b, and from = ["a", "b"] of a scene.
-#include "command.hpp"
-
-#include <nlohmann/json.hpp>
+#include "json.hpp"
 
 #include <cctype>
 #include <cmath>
@@ -34,13 +32,6 @@ std::string text_of(const std::vector<std::string>& heights, std::size_t from, s
     return text;
 }
 
-nlohmann::json json_of(const std::string& arguments) {
-    const auto outcome = test::fstiff(arguments);
-    INFO("fstiff " << arguments << "\n" << outcome.err);
-    REQUIRE(outcome.status % 4 == 0);
-    return nlohmann::json::parse(outcome.out);
-}
-
 }  // namespace
 
 TEST_CASE("parts of one trace, pooled, are the trace within the errors") {
@@ -51,8 +42,8 @@ TEST_CASE("parts of one trace, pooled, are the trace within the errors") {
     for (std::size_t i = 0; i < 4; ++i)
         names += " " + folder.write("part" + std::to_string(i), text_of(all, 2048 * i, 2048 * (i + 1)));
     const std::string how = " --units m --lambda-s none --lambda-c none --detrend mean";
-    const auto pooled = json_of("measure" + names + how),
-               whole = json_of("measure " + folder.write("whole", text_of(all, 0, 8192)) + how);
+    const auto pooled = test::json_of("measure" + names + how),
+               whole = test::json_of("measure " + folder.write("whole", text_of(all, 0, 8192)) + how);
     for (const char* key : {"rms_height", "peak_radius", "peak_density", "fractal_dimension", "r", "theta",
                             "rms_gradient", "skewness", "kurtosis"}) {
         const auto &one = pooled["surface"][key], &truth = whole["surface"][key];
@@ -84,8 +75,8 @@ TEST_CASE("unlike files have the error of their scatter") {
     std::string same;
     for (const std::string& line : smooth)
         same += std::to_string(1e6 * std::stod(line.substr(line.find_last_of(" \t,") + 1))) + "\n";
-    const auto document =
-        json_of("measure " + folder.write("a", same) + " " + folder.write("b", rough) + " --units um --spacing '1 um'");
+    const auto document = test::json_of("measure " + folder.write("a", same) + " " + folder.write("b", rough) +
+                                        " --units um --spacing '1 um'");
     const auto& sigma = document["surface"]["rms_height"];
     CHECK(sigma["error"] > 0.5 * sigma["value"].get<double>());  // a factor of 3 between two: nothing is known
     CHECK(std::abs(sigma["value"].get<double>() /

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // [surface.upper] and [surface.lower]: two rough faces as one.
-#include "command.hpp"
+#include "json.hpp"
 
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -25,13 +23,6 @@ std::string map_text(int seed, const std::string& rms) {
         .out;
 }
 
-nlohmann::json json_of(const std::string& arguments) {
-    const auto outcome = test::fstiff(arguments);
-    INFO("fstiff " << arguments << "\n" << outcome.err);
-    REQUIRE(outcome.status % 4 == 0);
-    return nlohmann::json::parse(outcome.out);
-}
-
 }  // namespace
 
 TEST_CASE("a face beside a smooth one is [surface], and says so") {
@@ -42,8 +33,9 @@ TEST_CASE("a face beside a smooth one is [surface], and says so") {
                same = test::fstiff("run " + upper + " --format csv");
     REQUIRE(one.status == 0);
     CHECK(one.out == same.out);
-    CHECK(json_of("run " + alone + " --format json")["inputs"]["surface.lower"]["written"].get<std::string>().find(
-              "smooth") == 0);
+    CHECK(
+        test::json_of("run " + alone + " --format json")["inputs"]["surface.lower"]["written"].get<std::string>().find(
+            "smooth") == 0);
     CHECK(test::contains(test::fstiff("run " + alone).out, "the other face smooth"));
 }
 
@@ -80,14 +72,14 @@ TEST_CASE("two maps: what is measured of both adds up to what is measured of the
             text << static_cast<double>(i) * sum.dx << ' ' << static_cast<double>(j) * sum.dy << ' '
                  << sum.heights(j, i) << '\n';
     const auto measured =
-        json_of("measure " + folder.write("sum.txt", text.str()) + " --units m --peaks summits")["surface"];
+        test::json_of("measure " + folder.write("sum.txt", text.str()) + " --units m --peaks summits")["surface"];
     const auto scene = folder.write("scene.toml",
                                     "[surface.upper]\nfrom = \"upper.txt\"\npeaks = \"summits\"\n"
                                     "[surface.lower]\nfrom = \"lower.txt\"\npeaks = \"summits\"\n" +
                                         rest +
                                         "laws = [\"hertz\", \"persson\", \"hybrid\", \"summits\", "
                                         "\"boundary_elements\"]\n");
-    const auto document = json_of("run " + scene + " --format json");
+    const auto document = test::json_of("run " + scene + " --format json");
     for (const char* key : {"rms_height", "peak_radius", "peak_density", "r", "theta"}) {
         const double added = document["inputs"]["surface." + std::string(key) + " (of the sum)"]["value"];
         const double found = measured[key]["value"], error = measured[key]["error"];
@@ -98,7 +90,7 @@ TEST_CASE("two maps: what is measured of both adds up to what is measured of the
     // K of the added heights at random shifts against K of the one shift of 0 that was measured
     const auto whole = folder.write("whole.toml", "[surface]\nfrom = \"sum.txt\"\nunits = \"m\"\n" + rest +
                                                       "laws = [\"hybrid\", \"summits\", \"boundary_elements\"]\n");
-    const auto of_sum = json_of("run " + whole + " --format json")["rows"];
+    const auto of_sum = test::json_of("run " + whole + " --format json")["rows"];
     int compared = 0;
     for (const auto& row : document["rows"])
         for (const auto& truth : of_sum)

@@ -99,5 +99,9 @@ TEST_CASE("two equal faces, and one beside a face that is nearly smooth") {
     CHECK(test::relative_error(*one.r, 0.4) < 1e-8);
     CHECK(test::relative_error(*one.theta, 0.7) < 1e-8);
     CHECK(test::relative_error(*one.fractal_dimension, 1.3) < 1e-8);
+    RoughFace<double> near_one = a;
+    near_one.fractal_dimension = 1.002, near_one.fractal_roughness = 1e-300;  // G of half the heights is 1e-450
+    CHECK(!scaled(near_one, 0.5).fractal_roughness);
+    CHECK(sum_of_faces(scaled(near_one, 0.5), a).fractal_dimension);
     CHECK_THROWS_AS(sum_of_faces(a.roughness, Roughness<double>{1e-6, -1, 1e9}), domain_error);
 }

@@ -162,6 +162,33 @@ TEST_CASE("Every level of the sweep is what labelling that level alone gives") {
     CHECK(worst <= 1e-14);   // of the roughness: sums of at most 700 heights of size 1, offset 1e6 included
 }
 
+TEST_CASE("A sweep in the order of the map is the sweep in the order of the heights") {
+    const Kind kind = GENERATE(Kind::noise, Kind::ties, Kind::waves, Kind::holes, Kind::offset);
+    for (const Connectivity connectivity : {Connectivity::four, Connectivity::eight})
+        for (const BorderIslands border : {BorderIslands::kept, BorderIslands::dropped})
+            for (const std::size_t least : {1u, 3u}) {
+                const auto map = some_map(kind, 61, 47, least + 11);
+                IslandOptions<double> o{
+                    .connectivity = connectivity, .border = border, .min_points = least, .quantiles = 0};
+                const auto all = island_curve(map, o);  // more levels than a sweep in the order of the map takes
+                if (kind != Kind::ties) REQUIRE(all.size() > 254);
+                o.quantiles = 90;
+                const auto some = island_curve(map, o);
+                for (std::size_t k = 0; k < some.size(); ++k) {
+                    const auto at = static_cast<std::size_t>(
+                        std::find(all.level.begin(), all.level.end(), some.level[k]) - all.level.begin());
+                    REQUIRE(at < all.size());
+                    REQUIRE(some.islands[k] == all.islands[at]);
+                    REQUIRE(some.bearing_area[k] == all.bearing_area[at]);
+                    REQUIRE(some.mean_area[k] == all.mean_area[at]);
+                    REQUIRE(test::relative_error(some.mean_height[k], all.mean_height[at]) <= 3e-16);
+                    const Level truth = slow(map, some.level[k], o);
+                    REQUIRE(some.islands[k] == truth.islands);
+                    REQUIRE(std::abs(some.mean_height[k] - truth.mean_height) <= 1e-21);
+                }
+            }
+}
+
 TEST_CASE("Levels that are asked for are taken, in any order, between and beyond the heights") {
     const auto map = some_map(Kind::holes, 40, 30, 3);
     const IslandOptions<double> o{.levels = {0.3e-7, -1.0, 0.9e-7, 0.3e-7, 1.0, 0}};

@@ -109,29 +109,42 @@ SectionSums<Accumulator<T>> section_sums(const HeightMap<T>& map, Direction dire
                                          Accumulator<T> unit) {
     using F = Accumulator<T>;
     using Rows = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Rows z = (direction == Direction::x ? Rows(map.heights.template cast<F>())
-                                              : Rows(map.heights.transpose().template cast<F>())) /
-                   unit;
+    const bool x = direction == Direction::x;
+    const Eigen::Index sections = x ? map.rows() : map.columns(), points = x ? map.columns() : map.rows();
     SectionSums<F> sums;
-    sums.step = logarithmic_lags(static_cast<std::size_t>(z.cols()) / 4);
+    sums.step = logarithmic_lags(static_cast<std::size_t>(points) / 4);
     const auto lags = static_cast<Eigen::Index>(sums.step.size());
-    sums.sum.resize(z.rows(), lags);
-    sums.pairs.resize(z.rows(), lags);
+    sums.sum.resize(sections, lags);
+    sums.pairs.resize(sections, lags);
+    constexpr Eigen::Index together = 16;  // columns are fetched by so many, which share lines of the cache
+    Rows z;
     Eigen::Array<F, 1, Eigen::Dynamic> squares;
     sums.sum.setZero();
     sums.pairs.setZero();
-    for (Eigen::Index j = 0; j < z.rows(); ++j) {
-        const bool whole = !z.row(j).isNaN().any();
+    for (Eigen::Index j = 0; j < sections; ++j) {
+        const Eigen::Index at = j % together, many = std::min(together, sections - j);
+        if (at == 0 && x) z = map.heights.middleRows(j, many).template cast<F>() / unit;
+        if (at == 0 && !x) z = map.heights.middleCols(j, many).transpose().template cast<F>() / unit;
+        const bool whole = !z.row(at).isNaN().any();
         for (Eigen::Index k = 0; k < lags; ++k) {
             const auto n = static_cast<Eigen::Index>(sums.step[static_cast<std::size_t>(k)]);
             if (j % rows_apart(n) != 0) continue;
-            const Eigen::Index count = z.cols() - (second ? 2 * n : n);
+            const Eigen::Index count = points - (second ? 2 * n : n);
+            const auto add = [&](const auto& square) {
+                if (whole) {
+                    sums.pairs(j, k) = static_cast<F>(count);
+                    sums.sum(j, k) = square.sum();
+                } else {
+                    squares = square;
+                    sums.pairs(j, k) = static_cast<F>(count - squares.isNaN().count());
+                    sums.sum(j, k) = squares.isNaN().select(F(0), squares).sum();
+                }
+            };
+            const auto row = z.row(at);
             if (second)
-                squares = (z.row(j).tail(count) - 2 * z.row(j).segment(n, count) + z.row(j).head(count)).square();
+                add((row.tail(count) - 2 * row.segment(n, count) + row.head(count)).square());
             else
-                squares = (z.row(j).tail(count) - z.row(j).head(count)).square();
-            sums.pairs(j, k) = static_cast<F>(whole ? count : count - squares.isNaN().count());
-            sums.sum(j, k) = whole ? squares.sum() : squares.isNaN().select(F(0), squares).sum();
+                add((row.tail(count) - row.head(count)).square());
         }
     }
     return sums;

@@ -27,6 +27,7 @@
 #include <fstiff/surface/structure_constant.hpp>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace fstiff {
@@ -40,7 +41,18 @@ struct RoughFace {
     std::optional<T> r{}, theta{};                              ///< both or none [1, rad]
 };
 
-/// \p face with its heights multiplied by \p factor > 0: R/factor, and G such that S grows by factor^2.
+namespace detail {
+
+/// Whether G, which leaves every range of numbers as D -> 1, is one.
+template <Real T>
+[[nodiscard]] bool is_number(T roughness) {
+    return roughness >= std::numeric_limits<T>::min() && roughness <= std::numeric_limits<T>::max();
+}
+
+}  // namespace detail
+
+/// \p face with its heights multiplied by \p factor > 0: R/factor, and G such that S grows by factor^2, or none where G leaves the
+/// range of numbers.
 template <Real T>
 [[nodiscard]] RoughFace<T> scaled(RoughFace<T> face, T factor) {
     const T square = factor * factor;
@@ -48,8 +60,10 @@ template <Real T>
     face.roughness.max_peak_height *= factor;
     face.roughness.peak_radius /= factor;
     face.moments = {face.moments.m0 * square, face.moments.m2 * square, face.moments.m4 * square};
-    if (face.fractal_dimension && face.fractal_roughness)
+    if (face.fractal_dimension && face.fractal_roughness) {
         *face.fractal_roughness *= std::pow(factor, 1 / (*face.fractal_dimension - 1));
+        if (!detail::is_number(*face.fractal_roughness)) face.fractal_roughness.reset();
+    }
     return face;
 }
 
@@ -88,7 +102,7 @@ template <Real T>
     return s(a) / (s(a) + s(b));
 }
 
-/// The sum of two faces. What one of them does not know (D; r and theta) the sum does not know.
+/// The sum of two faces. What one of them does not know (D; r and theta) the sum does not know, nor a G beyond the range of numbers.
 /// \throws domain_error naming the parameter that is out of range.
 template <Real T>
 [[nodiscard]] RoughFace<T> sum_of_faces(const RoughFace<T>& a, const RoughFace<T>& b) {
@@ -101,7 +115,8 @@ template <Real T>
             const T lag = 1 / std::sqrt(sum.roughness.peak_density);
             const T s = structure_function_at(lag, Fractal<T>{*a.fractal_dimension, *a.fractal_roughness}) +
                         structure_function_at(lag, Fractal<T>{*b.fractal_dimension, *b.fractal_roughness});
-            sum.fractal_roughness = fractal_roughness(dimension, lag, s);
+            const T roughness = lag * std::exp(log_fractal_roughness(dimension, lag, s));
+            if (detail::is_number(roughness)) sum.fractal_roughness = roughness;
         }
     }
     if (a.r && a.theta && b.r && b.theta) {

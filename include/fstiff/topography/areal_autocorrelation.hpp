@@ -83,34 +83,37 @@ template <Real T>
 
 namespace detail {
 
-/// sum over the points of u(x) u(x + t) for the lags of \p into, of \p u(row, column) padded with zeros to \p width x \p height.
+/// sum over the points of u(x) u(x + t) for |i| <= \p reach_x and 0 <= j < \p lags, of \p u(row, column) padded with zeros to
+/// \p width x \p height.
 template <Real T, class Values>
 void correlate_map(const Values& u, Eigen::Index rows, Eigen::Index columns, std::size_t height, std::size_t width,
-                   Eigen::Index reach_x, typename HeightMap<T>::Array& into) {
+                   Eigen::Index reach_x, Eigen::Index lags, typename HeightMap<T>::Array& into) {
     using Complex = std::complex<T>;
     using Index = Eigen::Index;
-    const auto half = static_cast<Index>(width / 2), lags = into.rows();
+    const auto half = static_cast<Index>(width / 2);
     RealFft<T> along_x(width);
     ComplexFft<T> along_y(height);
-    Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic> waves(rows, half + 1);
+    Eigen::Array<Complex, Eigen::Dynamic, 1> waves(rows * (half + 1));  // one column of the map behind the other
     std::vector<T> line(static_cast<std::size_t>(columns));
     std::vector<Complex> in, out;
     for (Index j = 0; j < rows; ++j) {
         for (Index i = 0; i < columns; ++i) line[static_cast<std::size_t>(i)] = u(j, i);
         along_x.forward(line, out);
-        for (Index i = 0; i <= half; ++i) waves(j, i) = out[static_cast<std::size_t>(i)];
+        for (Index i = 0; i <= half; ++i) waves[i * rows + j] = out[static_cast<std::size_t>(i)];
     }
     for (Index i = 0; i <= half; ++i) {
         in.assign(height, Complex(0));
-        std::copy(waves.col(i).begin(), waves.col(i).end(), in.begin());
+        std::copy_n(waves.data() + i * rows, rows, in.begin());
         along_y.forward(in, out);
         for (Complex& wave : out) wave = std::norm(wave) / static_cast<T>(height);
         along_y.backward(out, in);
-        std::copy_n(in.begin(), lags, waves.col(i).begin());
+        std::copy_n(in.begin(), lags, waves.data() + i * lags);  // never beyond what was read
     }
+    waves.conservativeResize(lags * (half + 1));  // gives the rest back before the result is made
+    into.resize(lags, 2 * reach_x + 1);
     in.resize(static_cast<std::size_t>(half) + 1);
     for (Index j = 0; j < lags; ++j) {
-        for (Index i = 0; i <= half; ++i) in[static_cast<std::size_t>(i)] = waves(j, i);
+        for (Index i = 0; i <= half; ++i) in[static_cast<std::size_t>(i)] = waves[i * lags + j];
         along_x.inverse(in, line);
         for (Index i = -reach_x; i <= reach_x; ++i)
             into(j, i + reach_x) = line[i < 0 ? width - static_cast<std::size_t>(-i) : static_cast<std::size_t>(i)];
@@ -192,8 +195,7 @@ ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map, LagPairs 
     const std::size_t width = padded(columns, result.reach_x), height = padded(rows, result.reach_y);
     const detail::MapHeights<T> heights(map);
     const auto correlate = [&](const auto& u, typename HeightMap<T>::Array& into) {
-        into.resize(result.reach_y + 1, 2 * result.reach_x + 1);
-        detail::correlate_map<T>(u, rows, columns, height, width, result.reach_x, into);
+        detail::correlate_map<T>(u, rows, columns, height, width, result.reach_x, result.reach_y + 1, into);
     };
     const auto missing = [&](Index j, Index i) { return std::isnan(map.heights(j, i)); };
     correlate(

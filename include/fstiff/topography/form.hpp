@@ -22,7 +22,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <string>
 #include <type_traits>
 
@@ -47,8 +47,9 @@ template <Real T = double>
 struct LevelledMap {
     HeightMap<T> map;
     MapForm removed = MapForm::none;
-    std::optional<HeightMap<T>> unfiltered{};  ///< the map before lambda_s and lambda_c, where there is one
-    T lambda_c{};                              ///< of the filter that took the long waves [m]; 0: none
+    /// The map before lambda_s and lambda_c, where there is one; those behind several cut-offs may share it.
+    std::shared_ptr<const HeightMap<T>> unfiltered{};
+    T lambda_c{};  ///< of the filter that took the long waves [m]; 0: none
 
     /// What the structure functions are taken of.
     [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }

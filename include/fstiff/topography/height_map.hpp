@@ -11,9 +11,14 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 namespace fstiff {
 
@@ -52,12 +57,51 @@ template <Real T>
 
 namespace detail {
 
+/// Of the heights that exist; where none does, low is the largest number and high the lowest.
+template <Real T>
+struct HeightRange {
+    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+    Eigen::Index present{};
+};
+
+/// In one pass, in lanes that compilers turn into vectors.
+template <Real T>
+HeightRange<T> height_range(const HeightMap<T>& map) {
+    constexpr std::size_t lanes = 16;
+    using Count = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+    constexpr std::size_t run = std::size_t(1) << 24;  // after which the counts are emptied
+    std::array<T, lanes> low, high;
+    HeightRange<T> range;
+    low.fill(range.low);
+    high.fill(range.high);
+    const T* const z = map.heights.data();
+    const auto size = static_cast<std::size_t>(map.size()), whole = size - size % lanes;
+    for (std::size_t begin = 0; begin < whole; begin += run) {
+        std::array<Count, lanes> present{};
+        for (std::size_t k = begin; k < std::min(whole, begin + run); k += lanes)
+            for (std::size_t l = 0; l < lanes; ++l) {
+                const T height = z[k + l];
+                low[l] = height < low[l] ? height : low[l];
+                high[l] = height > high[l] ? height : high[l];
+                present[l] += height == height ? 1 : 0;  // NaN does not
+            }
+        for (const Count count : present) range.present += count;
+    }
+    for (std::size_t k = whole; k < size; ++k) {
+        if (z[k] < low[0]) low[0] = z[k];
+        if (z[k] > high[0]) high[0] = z[k];
+        range.present += std::isnan(z[k]) ? 0 : 1;
+    }
+    range.low = *std::min_element(low.begin(), low.end());
+    range.high = *std::max_element(high.begin(), high.end());
+    return range;
+}
+
 /// Power of two near the range of the heights: squares of scaled heights stay in range, and scaling is exact.
 template <Real T>
 T height_scale(const HeightMap<T>& map) {
-    const T low = map.heights.isNaN().select(std::numeric_limits<T>::max(), map.heights).minCoeff();
-    const T high = map.heights.isNaN().select(std::numeric_limits<T>::lowest(), map.heights).maxCoeff();
-    return low < high ? power_of_two_below(high / 2 - low / 2) : T(1);
+    const HeightRange<T> range = height_range(map);
+    return range.low < range.high ? power_of_two_below(range.high / 2 - range.low / 2) : T(1);
 }
 
 /// Mean of \p term(height) over the points that exist, a sum a row so that rounding does not add up.
@@ -82,8 +126,11 @@ struct MapHeights {
     S variance{};  // [unit^2]
 
     explicit MapHeights(const HeightMap<T>& map) : unit(height_scale(map)) {
-        for (Eigen::Index k = 0; k < map.size(); ++k)
-            if (!std::isnan(map.heights.data()[k])) datum = map.heights.data()[k];
+        for (Eigen::Index k = map.size(); k-- > 0;)
+            if (!std::isnan(map.heights.data()[k])) {
+                datum = map.heights.data()[k];
+                break;
+            }
         mean = mean_over_points(map, [&](T z) { return of(z); });
         variance = mean_over_points(map, [&](T z) { return (of(z) - mean) * (of(z) - mean); });
     }
@@ -121,13 +168,14 @@ void HeightMap<T>::validate(Eigen::Index least) const {
     if (rows() < least || columns() < least)
         throw domain_error("map of " + std::to_string(columns()) + " x " + std::to_string(rows()) +
                            " points: must have at least " + std::to_string(least) + " a side");
-    if (heights.isInf().any()) throw domain_error("map with an infinite height: must be finite, or NaN where missing");
-    if (present() < least)
-        throw domain_error("map of which " + std::to_string(present()) + " points exist: must be at least " +
+    const detail::HeightRange<T> range = detail::height_range(*this);
+    if (range.present > 0 &&
+        (range.low < std::numeric_limits<T>::lowest() || range.high > std::numeric_limits<T>::max()))
+        throw domain_error("map with an infinite height: must be finite, or NaN where missing");
+    if (range.present < least)
+        throw domain_error("map of which " + std::to_string(range.present) + " points exist: must be at least " +
                            std::to_string(least));
-    const T low = heights.isNaN().select(std::numeric_limits<T>::max(), heights).minCoeff();
-    const T high = heights.isNaN().select(std::numeric_limits<T>::lowest(), heights).maxCoeff();
-    require(high > low, "map of constant height", low, "of varying height");
+    require(range.high > range.low, "map of constant height", range.low, "of varying height");
 }
 
 }  // namespace fstiff

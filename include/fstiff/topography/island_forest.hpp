@@ -5,18 +5,18 @@
 /// height.
 ///
 /// Reference   Tarjan, J. ACM 22 (1975)
-/// Valid       maps of 2^31 - 1 points at most; the heights of a map in falling order
+/// Valid       maps of 2^31 - 1 points at most; points in any order, which moves the sums of twice_mean by their rounding
 /// Accuracy    counts and areas exact, heights as compensated sums (tests/topography/islands_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/topography/height_map.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace fstiff {
@@ -68,59 +68,83 @@ struct IslandTotal {
     S height_above(S level) const { return std::fma(-static_cast<S>(islands), level, height) + height_error; }
 };
 
-/// Islands that grow as points are raised.
+/// In which of \p tiles by \p tiles parts of a map a point lies.
+class TileGrid {
+public:
+    TileGrid(Eigen::Index rows, Eigen::Index columns, std::size_t tiles)
+        : columns_(static_cast<std::int32_t>(columns)),
+          of_column_(static_cast<std::size_t>(columns)),
+          of_row_(static_cast<std::size_t>(rows)) {
+        for (std::size_t i = 0; i < of_column_.size(); ++i) of_column_[i] = i * tiles / of_column_.size();
+        for (std::size_t j = 0; j < of_row_.size(); ++j) of_row_[j] = j * tiles / of_row_.size() * tiles;
+    }
+    std::size_t operator()(std::int32_t point) const {
+        const std::int32_t j = point / columns_;
+        return of_row_[static_cast<std::size_t>(j)] + of_column_[static_cast<std::size_t>(point - j * columns_)];
+    }
+
+private:
+    std::int32_t columns_;
+    std::vector<std::size_t> of_column_, of_row_;
+};
+
+/// Islands that grow as points are raised. The root of an island is its highest point; of equal ones the earlier in the map.
 template <Real T>
 class IslandForest {
 public:
     using S = Accumulator<T>;
 
-    IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum)
+    /// \p datum is what mean heights are summed from. A point that changes no height leaves their sum alone where \p quick;
+    /// else it is taken out and put in again, with its rounding.
+    IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum, bool quick)
         : z_(map.heights.data()),
           columns_(static_cast<std::int32_t>(map.columns())),
           rows_(static_cast<std::int32_t>(map.rows())),
           eight_(options.connectivity == Connectivity::eight),
           drop_border_(options.border == BorderIslands::dropped),
           twice_mean_(options.height == IslandHeight::twice_mean),
+          all_count_(quick && !drop_border_ && !twice_mean_ && options.min_points <= 1),
           min_points_(options.min_points),
           datum_(datum),
           parent_(static_cast<std::size_t>(map.size()), under_water),
-          peak_(parent_.size()),
           at_border_(drop_border_ ? parent_.size() : 0),
           sum_(twice_mean_ ? parent_.size() : 0),
-          tile_of_column_(static_cast<std::size_t>(columns_)),
-          tile_of_row_(static_cast<std::size_t>(rows_)),
-          tile_totals_(tiles * tiles) {
-        for (std::size_t i = 0; i < tile_of_column_.size(); ++i)
-            tile_of_column_[i] = i * tiles / tile_of_column_.size();
-        for (std::size_t j = 0; j < tile_of_row_.size(); ++j) tile_of_row_[j] = j * tiles / tile_of_row_.size() * tiles;
-    }
+          tile_(map.rows(), map.columns(), tiles),
+          tile_totals_(tiles * tiles) {}
 
     void raise(std::int32_t point) {
-        const std::int32_t j = point / columns_, i = point - j * columns_;
-        parent_[at(point)] = -1;
-        peak_[at(point)] = point;
-        if (drop_border_) at_border_[at(point)] = i == 0 || j == 0 || i + 1 == columns_ || j + 1 == rows_;
-        if (twice_mean_) sum_[at(point)] = static_cast<S>(z_[point]) - datum_;
-        std::int32_t root = point;
-        const bool left = i > 0, right = i + 1 < columns_, up = j > 0, down = j + 1 < rows_;
-        if (left) root = join(root, point - 1);
-        if (right) root = join(root, point + 1);
-        if (up) root = join(root, point - columns_);
-        if (down) root = join(root, point + columns_);
-        if (eight_) {
-            if (left && up) root = join(root, point - columns_ - 1);
-            if (right && up) root = join(root, point - columns_ + 1);
-            if (left && down) root = join(root, point + columns_ - 1);
-            if (right && down) root = join(root, point + columns_ + 1);
+        const Islands met = islands_beside(point);
+        if (all_count_ && met.count == 1 && !is_higher(point, met.root[0])) {  // most points: one more of an island
+            const std::int32_t root = met.root[0];
+            parent_[at(point)] = root;
+            --parent_[at(root)];
+            ++total_.points;
+            if (tile_totals_.size() > 1) ++tile_totals_[tile_(root)].points;
+            return;
         }
-        account(root, 1);
+        std::int32_t highest = point, points = 1;
+        for (std::size_t k = 0; k < met.count; ++k) {
+            account(met.root[k], -1);
+            points -= parent_[at(met.root[k])];
+            if (is_higher(met.root[k], highest)) highest = met.root[k];
+        }
+        const std::int32_t j = point / columns_, i = point - j * columns_;
+        unsigned char border = i == 0 || j == 0 || i + 1 == columns_ || j + 1 == rows_ ? 1 : 0;
+        S sum = twice_mean_ ? static_cast<S>(z_[point]) - datum_ : S(0);
+        for (std::size_t k = 0; k < met.count; ++k) {
+            if (drop_border_) border |= at_border_[at(met.root[k])];
+            if (twice_mean_) sum += sum_[at(met.root[k])];
+            parent_[at(met.root[k])] = highest;
+        }
+        parent_[at(point)] = highest;
+        parent_[at(highest)] = -points;
+        if (drop_border_) at_border_[at(highest)] = border;
+        if (twice_mean_) sum_[at(highest)] = sum;
+        account(highest, 1);
     }
 
     const IslandTotal<S>& total() const { return total_; }
     const std::vector<IslandTotal<S>>& tile_totals() const { return tile_totals_; }
-    std::size_t tile(std::int32_t point) const {
-        return tile_of_row_[at(point / columns_)] + tile_of_column_[at(point % columns_)];
-    }
     /// Of a level, what the sums of the totals count heights from.
     S reference(T level) const { return twice_mean_ ? 2 * (static_cast<S>(level) - datum_) : static_cast<S>(level); }
 
@@ -138,41 +162,61 @@ private:
         return point;
     }
 
-    /// \p root, not accounted for, with the island of \p neighbour, which is.
-    std::int32_t join(std::int32_t root, std::int32_t neighbour) {
-        if (parent_[at(neighbour)] == under_water) return root;
-        std::int32_t other = find(neighbour);
-        if (other == root) return root;
-        account(other, -1);
-        if (parent_[at(other)] < parent_[at(root)]) std::swap(root, other);  // the larger one stays
-        parent_[at(root)] += parent_[at(other)];
-        parent_[at(other)] = root;
-        // equal peaks: the earlier point, whatever the order of joining
-        const T here = z_[peak_[at(root)]], there = z_[peak_[at(other)]];
-        if (there > here || (there == here && peak_[at(other)] < peak_[at(root)])) peak_[at(root)] = peak_[at(other)];
-        if (drop_border_) at_border_[at(root)] |= at_border_[at(other)];
-        if (twice_mean_) sum_[at(root)] += sum_[at(other)];
-        return root;
+    bool is_higher(std::int32_t a, std::int32_t b) const { return z_[a] > z_[b] || (z_[a] == z_[b] && a < b); }
+
+    /// Of up to four islands.
+    struct Islands {
+        std::array<std::int32_t, 4> root;
+        std::size_t count = 0;
+    };
+
+    /// Those that \p point, which is under water, joins once it is raised. Of eight neighbours, two that touch belong to one
+    /// island already.
+    Islands islands_beside(std::int32_t point) {
+        const std::int32_t j = point / columns_, i = point - j * columns_;
+        const bool to_left = i > 0, to_right = i + 1 < columns_, up = j > 0, down = j + 1 < rows_;
+        const auto is_raised = [&](bool exists, std::int32_t other) {
+            return exists && parent_[at(other)] != under_water;
+        };
+        Islands met;
+        const auto meet = [&](std::int32_t neighbour) {
+            const std::int32_t root = find(neighbour);
+            for (std::size_t k = 0; k < met.count; ++k)
+                if (met.root[k] == root) return;
+            met.root[met.count++] = root;
+        };
+        const bool west = is_raised(to_left, point - 1), east = is_raised(to_right, point + 1);
+        const bool north = is_raised(up, point - columns_), south = is_raised(down, point + columns_);
+        if (west) meet(point - 1);
+        if (east && !(eight_ && west && (north || south))) meet(point + 1);
+        if (north && !(eight_ && (west || east))) meet(point - columns_);
+        if (south && !(eight_ && (west || east))) meet(point + columns_);
+        if (!eight_) return met;
+        if (!north && !west && is_raised(up && to_left, point - columns_ - 1)) meet(point - columns_ - 1);
+        if (!north && !east && is_raised(up && to_right, point - columns_ + 1)) meet(point - columns_ + 1);
+        if (!south && !west && is_raised(down && to_left, point + columns_ - 1)) meet(point + columns_ - 1);
+        if (!south && !east && is_raised(down && to_right, point + columns_ + 1)) meet(point + columns_ + 1);
+        return met;
     }
 
     void account(std::int32_t root, int sign) {
         const std::int64_t points = -static_cast<std::int64_t>(parent_[at(root)]);
         if (static_cast<std::size_t>(points) < min_points_ || (drop_border_ && at_border_[at(root)] != 0)) return;
-        const S height =
-            twice_mean_ ? 2 * sum_[at(root)] / static_cast<S>(points) : static_cast<S>(z_[peak_[at(root)]]);
+        const S height = twice_mean_ ? 2 * sum_[at(root)] / static_cast<S>(points) : static_cast<S>(z_[root]);
         total_.add(sign, points, height);
-        if (tile_totals_.size() > 1) tile_totals_[tile(peak_[at(root)])].add(sign, points, height);
+        if (tile_totals_.size() > 1) tile_totals_[tile_(root)].add(sign, points, height);
     }
 
     const T* z_;
     std::int32_t columns_, rows_;
     bool eight_, drop_border_, twice_mean_;
+    bool all_count_;  // every island does, its height is that of its root, and that need not be summed anew
     std::size_t min_points_;
     S datum_;
-    std::vector<std::int32_t> parent_, peak_;
+    std::vector<std::int32_t> parent_;
     std::vector<unsigned char> at_border_;
     std::vector<S> sum_;
-    std::vector<std::size_t> tile_of_column_, tile_of_row_;
+    TileGrid tile_;
     IslandTotal<S> total_;
     std::vector<IslandTotal<S>> tile_totals_;
 };

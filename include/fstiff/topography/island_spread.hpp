@@ -143,10 +143,10 @@ RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const I
             "greater than 0, with islands of some height: this border and this least size leave none");
     if (all_tiles == 1) return result;
 
-    const detail::IslandForest<T> grid(map, {}, spread.tiles, T(0));  // for its tiles
-    std::vector<S> area(all_tiles, S(0));                             // in points
+    const detail::TileGrid tile(map.rows(), map.columns(), spread.tiles);
+    std::vector<S> area(all_tiles, S(0));  // in points
     for (std::int32_t p = 0; p < static_cast<std::int32_t>(map.size()); ++p)
-        if (!std::isnan(map.heights.data()[p])) area[grid.tile(p)] += 1;
+        if (!std::isnan(map.heights.data()[p])) area[tile(p)] += 1;
     std::vector<std::size_t> held;  // tiles that hold points
     for (std::size_t t = 0; t < all_tiles; ++t)
         if (area[t] > S(0)) held.push_back(t);

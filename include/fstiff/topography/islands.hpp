@@ -6,9 +6,10 @@
 ///     density = islands / nominal area
 ///     R       = A_m / (2 pi h_m)      paraboloid of the mean island: area A_m at the level, height h_m above it
 ///
-/// The points are sorted by height and raised out of the water one by one; union-find keeps the islands, and their
-/// number, area and height are kept up to date, so that a level costs nothing but its own line. Of a cutting level, the
-/// points that stand strictly above it count. A missing point is part of no island and of no area; the nominal area is
+/// The points are raised out of the water from the highest level to the lowest; union-find keeps the islands, and their
+/// number, area and height are kept up to date, so that a level costs nothing but its own line. Between two levels the
+/// points come in the order of the map; with more than 254 levels, or mean heights, they are sorted by height. Of a cutting
+/// level, the points that stand strictly above it count. A missing point is part of no island and of no area; the nominal area is
 /// that of the points that exist.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4.
@@ -22,9 +23,11 @@
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/topography/island_forest.hpp>
+#include <fstiff/topography/island_levels.hpp>
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -90,6 +93,26 @@ void sort_from_the_highest(std::vector<IslandPoint<T>>& points) {
     }
 }
 
+/// The points of \p map that exist, from the highest.
+template <Real T>
+std::vector<IslandPoint<T>> sorted_points(const HeightMap<T>& map) {
+    std::vector<IslandPoint<T>> points;
+    points.reserve(static_cast<std::size_t>(map.present()));
+    for (std::int32_t p = 0; p < static_cast<std::int32_t>(map.size()); ++p)
+        if (const T z = map.heights.data()[p]; !std::isnan(z)) points.push_back({z, p});
+    sort_from_the_highest(points);
+    return points;
+}
+
+/// The places (k + 1/2) size/parts of a list of \p size.
+inline std::vector<std::size_t> middles_of_parts(std::size_t size, std::size_t parts) {
+    const long double step = static_cast<long double>(size) / static_cast<long double>(parts);
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < parts; ++k)
+        places.push_back(std::min(static_cast<std::size_t>((static_cast<long double>(k) + 0.5L) * step), size - 1));
+    return places;
+}
+
 /// The curve; the totals of every tile at every level go to \p record(level, forest).
 template <Real T, class Record>
 IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
@@ -101,41 +124,55 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     require(options.min_points >= 1, "least points of an island", options.min_points, "at least 1");
     for (const T level : options.levels)
         require(std::abs(level) <= std::numeric_limits<T>::max(), "cutting level", level, "finite");
-    const T* const z = map.heights.data();
-    std::vector<IslandPoint<T>> points;
-    points.reserve(static_cast<std::size_t>(map.present()));
-    for (std::int32_t p = 0; p < static_cast<std::int32_t>(map.size()); ++p)
-        if (!std::isnan(z[p])) points.push_back({z[p], p});
-    sort_from_the_highest(points);
+    const HeightRange<T> range = height_range(map);
+    const auto present = static_cast<std::size_t>(range.present);
     // sums of as many heights, and of their doubles, stay in range
-    const T largest = std::max(std::abs(points.front().height), std::abs(points.back().height));
+    const T largest = std::max(std::abs(range.high), std::abs(range.low));
     require(largest <= std::sqrt(std::numeric_limits<T>::max()), "largest height", largest,
             "at most the root of the largest number");
 
     std::vector<T> levels = options.levels;
-    if (levels.empty() && (options.quantiles == 0 || options.quantiles >= points.size()))
+    std::vector<IslandPoint<T>> points;  // from the highest, where they are sorted
+    if (levels.empty() && (options.quantiles == 0 || options.quantiles >= present)) {
+        points = sorted_points(map);
         for (const IslandPoint<T>& point : points) levels.push_back(point.height);
-    else if (levels.empty()) {
-        const long double step = static_cast<long double>(points.size()) / static_cast<long double>(options.quantiles);
-        for (std::size_t k = 0; k < options.quantiles; ++k) {
-            const auto index = static_cast<std::size_t>((static_cast<long double>(k) + 0.5L) * step);
-            levels.push_back(points[std::min(index, points.size() - 1)].height);
-        }
+    } else if (levels.empty()) {
+        levels = heights_of_ranks(map, range, middles_of_parts(present, options.quantiles));
     }
     std::sort(levels.begin(), levels.end(), std::greater<>());
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
 
-    IslandForest<T> forest(map, options, tiles, points[points.size() / 2].height);
+    // a mean height depends on the order of its sum, by its rounding: the order is that of the heights
+    const bool in_bands = levels.size() <= LevelBands::most_levels && options.height == IslandHeight::peak;
+    if (!in_bands && points.empty()) points = sorted_points(map);
+    if (in_bands) points = {};
+    const std::vector<std::uint8_t> bands = in_bands ? level_bands(map, range, levels) : std::vector<std::uint8_t>();
+    IslandForest<T> forest(map, options, tiles, in_bands ? T(0) : points[present / 2].height, in_bands);
+    std::size_t above = 0;
+    const auto raise_to = [&](std::size_t index) {  // the points above that level, and not above the one before
+        if (in_bands) {
+            const std::uint8_t *const begin = bands.data(), *const end = begin + bands.size();
+            const auto next = [&](const std::uint8_t* from) {
+                return static_cast<const std::uint8_t*>(
+                    std::memchr(from, static_cast<int>(index), static_cast<std::size_t>(end - from)));
+            };
+            for (const std::uint8_t* p = next(begin); p != nullptr; p = next(p + 1), ++above)
+                forest.raise(static_cast<std::int32_t>(p - begin));
+        } else {
+            for (; above < points.size() && points[above].height > levels[index]; ++above)
+                forest.raise(points[above].index);
+        }
+    };
     const T cell = map.dx * map.dy;
     IslandCurve<T> curve;
-    curve.nominal_area = static_cast<T>(points.size()) * cell;
+    curve.nominal_area = static_cast<T>(present) * cell;
     require(cell >= std::numeric_limits<T>::min() && curve.nominal_area <= std::numeric_limits<T>::max() &&
                 1 / cell <= std::numeric_limits<T>::max(),
             "dx dy", cell, "an area of normal size");
-    std::size_t above = 0;
-    for (const T level : levels) {
-        if (options.progress) options.progress("islands", above, points.size());
-        for (; above < points.size() && points[above].height > level; ++above) forest.raise(points[above].index);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        const T level = levels[k];
+        if (options.progress) options.progress("islands", above, present);
+        raise_to(k);
         const IslandTotal<S>& total = forest.total();
         T area = 0, height = 0, radius = 0;
         if (total.islands > 0) {
@@ -147,7 +184,7 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
                     "larger: the radius leaves the range of numbers");
         }
         curve.level.push_back(level);
-        curve.bearing_area.push_back(static_cast<T>(above) / static_cast<T>(points.size()));
+        curve.bearing_area.push_back(static_cast<T>(above) / static_cast<T>(present));
         curve.islands.push_back(static_cast<std::size_t>(total.islands));
         curve.density.push_back(static_cast<T>(total.islands) / curve.nominal_area);
         curve.mean_area.push_back(area);

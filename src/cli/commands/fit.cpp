@@ -97,12 +97,12 @@ ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
     return result;
 }
 
-MapResult fit_map(const Options& options, const SurfaceInput& input) {
+MapResult fit_map(const Options& options, SurfaceInput& input) {
     if (options.all_lags) throw Usage("--all-lags is for profiles; must not be given for a map");
     FractalFitOptions<double> how = fit_options(options);
     how.progress = progress_bar();
     MapResult result;
-    result.levelled = level_map(options.surface, input);
+    result.levelled = level_map_of(options.surface, input);
     how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     about_file(options.surface.file, [&] {
         result.fit = fit_directions<double>(result.levelled, how);
@@ -456,7 +456,7 @@ std::string summary(const FractalFit<double>& fit, const std::string& where = ""
 
 Report execute(const Options& options) {
     (void)fit_options(options);  // what is wrong with them is said before the file is read
-    const SurfaceInput input = read_surface_input(options.surface);
+    SurfaceInput input = read_surface_input(options.surface);
     if (input.surface.is_profile()) {
         const ProfileResult result = fit_profile(options, input);
         return report_of(options, input, result, {summary(result.fit)});

@@ -32,7 +32,7 @@ struct Result {
     RepresentativeIslands<double> islands;
 };
 
-Result sweep(const Options& options, const SurfaceInput& input) {
+Result sweep(const Options& options, SurfaceInput& input) {
     IslandOptions<double> how;
     how.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
     how.border = options.border;
@@ -42,7 +42,8 @@ Result sweep(const Options& options, const SurfaceInput& input) {
     IslandSpread spread = options.spread;
     how.progress = spread.progress = progress_bar();
     Result result;
-    result.levelled = level_map(options.surface, input);
+    result.levelled = level_map_of(options.surface, input);
+    result.levelled.unfiltered.reset();  // islands are those of the map behind the filter
     result.islands =
         about_file(options.surface.file, [&] { return representative_islands(result.levelled.map, how, spread); });
     return result;
@@ -155,7 +156,7 @@ std::string table(const Options& options, const SurfaceInput& input, const Resul
 }
 
 Report execute(const Options& options) {
-    const SurfaceInput input = read_surface_input(options.surface);
+    SurfaceInput input = read_surface_input(options.surface);
     const Result result = sweep(options, input);
     const RepresentativeIslands<double>& r = result.islands;
     const std::vector<MeasuredConcern> concerns = concerns_of(r);

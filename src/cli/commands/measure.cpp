@@ -197,7 +197,9 @@ Report execute_scales(const Options& options) {
 Report execute(const Options& options) {
     if (options.scales) return execute_scales(options);
     if (!options.picture.empty()) throw Usage("--plot draws what --scales computes; give both");
-    const MeasuredSurface surface = measure_files(options.measure, options.files, progress_bar());
+    MeasureOptions measure = options.measure;
+    measure.keep_maps = false;
+    const MeasuredSurface surface = measure_files(measure, options.files, progress_bar());
     return report({.table = [&] { return table(surface); },
                    .csv = [&] { return csv(surface); },
                    .json = [&] { return json(options.measure, surface); },
