@@ -5,6 +5,7 @@
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/asperity/laws.hpp>
+#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/load_means.hpp>
@@ -30,6 +31,12 @@ public:
     std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                      Quantity wanted) const override {
         return curve_at_separations(contact_, separations, wanted);
+    }
+    ContactLaw<double> tabulate(const LawRange<double>& range) const override {
+        if constexpr (fstiff::Contact<Contact, double>)
+            return ContactLaw<double>::tabulate(contact_, range);
+        else
+            return AnyContact::tabulate(range);
     }
 
 protected:
@@ -357,6 +364,10 @@ const std::array<Law, 11> table{{
 }};
 
 }  // namespace
+
+ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
+    throw domain_error("this law cannot be tabulated; must be one of joint or single peaks, such as hertz");
+}
 
 std::span<const Law> laws() { return table; }
 

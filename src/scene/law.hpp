@@ -8,6 +8,7 @@
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/progress.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/fit/identify.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/io/quantity.hpp>
@@ -24,6 +25,15 @@
 #include <string_view>
 #include <vector>
 
+namespace fstiff {
+
+template <ReadableReal T>
+class ContactLaw;
+template <ReadableReal T>
+struct LawRange;
+
+}  // namespace fstiff
+
 namespace fstiff::scene {
 
 /// A contact whose law is known by name only.
@@ -37,6 +47,9 @@ public:
                                                                            Quantity wanted) const = 0;
     /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range hangs on it.
     [[nodiscard]] virtual std::vector<LoadMeans<double>> means_at(std::span<const double> /*etas*/) const { return {}; }
+    /// The contact tabulated. \throws domain_error for a law that has no log p against the separation, and as
+    /// ContactLaw::tabulate.
+    [[nodiscard]] virtual ContactLaw<double> tabulate(const LawRange<double>& range) const;
 };
 
 /// Within which load means a law of plastic peaks holds.

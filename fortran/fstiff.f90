@@ -1,0 +1,294 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!
+! fstiff in Fortran 2003: the types and functions of fstiff.h, by iso_c_binding. Compile this file with your program and link
+! the library fstiff. What each thing is, its units and its range: fstiff.h. Differences:
+!
+!   - handles are type(c_ptr), c_null_ptr when there is none;
+!   - types set their size themselves;
+!   - fstiff_make_contact, fstiff_contact_from_scene and fstiff_law_from_text take Fortran strings;
+!   - arrays go by c_loc of a target, or c_null_ptr; entries of a scene are counted from 0, as in C.
+!
+!     type(c_ptr) :: contact
+!     type(fstiff_roughness) :: fine = fstiff_roughness(rms_height=0.832d-6, peak_radius=40d-6, peak_density=5d8, r=0.5d0, theta=1d0)
+!     type(fstiff_body) :: body = fstiff_body(effective_modulus=112.6d9)
+!     if (fstiff_make_contact("hertz", fine, body, contact) /= FSTIFF_OK) print *, fstiff_message()
+module fstiff
+    use, intrinsic :: iso_c_binding
+    implicit none
+    private :: c_strlen, text_of
+
+    integer, parameter, private :: size_ = c_size_t
+
+    enum, bind(c)
+        enumerator :: FSTIFF_OK = 0, FSTIFF_BAD_ARGUMENT, FSTIFF_REFUSED, FSTIFF_OUT_OF_REACH, FSTIFF_OUT_OF_NUMBERS, &
+            FSTIFF_FILE, FSTIFF_OUT_OF_MEMORY, FSTIFF_INTERNAL
+    end enum
+    enum, bind(c)
+        enumerator :: FSTIFF_NO_INTERACTION = 0, FSTIFF_EFFECTIVE_SEPARATION, FSTIFF_INTERACTION_AS_PRINTED
+    end enum
+    enum, bind(c)
+        enumerator :: FSTIFF_OUTSIDE_REFUSE = 0, FSTIFF_OUTSIDE_CLAMP, FSTIFF_OUTSIDE_EXACT, FSTIFF_OUTSIDE_EXTRAPOLATE
+    end enum
+    enum, bind(c)
+        enumerator :: FSTIFF_PEAKS_ISLANDS = 0, FSTIFF_PEAKS_SUMMITS
+    end enum
+    enum, bind(c)
+        enumerator :: FSTIFF_FILTER_GAUSSIAN = 0, FSTIFF_FILTER_ROBUST
+    end enum
+    real(c_double), parameter :: FSTIFF_NO_CUT_OFF = -1
+
+    ! The sizes are those of the C structs on every platform where a double, a pointer and a size_t have 8 bytes; the test of
+    ! this module compares them with c_sizeof.
+    type, bind(c) :: fstiff_roughness
+        integer(c_size_t) :: size = 72
+        real(c_double) :: rms_height = 0, peak_radius = 0, peak_density = 0, max_peak_height = 0, r = 0, theta = 0, &
+            fractal_dimension = 0, rms_gradient = 0
+    end type
+    type, bind(c) :: fstiff_body
+        integer(c_size_t) :: size = 56
+        real(c_double) :: effective_modulus = 0, yield_strength = 0, hardness = 0, poisson_ratio = 0, interaction_length = 0
+        integer(c_int) :: interaction = FSTIFF_NO_INTERACTION
+    end type
+    type, bind(c) :: fstiff_points
+        integer(c_size_t) :: size = 72
+        type(c_ptr) :: pressure = c_null_ptr, separation = c_null_ptr, stiffness = c_null_ptr, stiffness_error = c_null_ptr, &
+            loading_stiffness = c_null_ptr, real_area_fraction = c_null_ptr, contact_density = c_null_ptr, &
+            status = c_null_ptr
+    end type
+    type, bind(c) :: fstiff_law_facts
+        integer(c_size_t) :: size = 56
+        real(c_double) :: min_pressure = 0, max_pressure = 0, min_separation = 0, max_separation = 0, relative_error = 0
+        integer(c_int) :: tangent_is_exact = 0, outside = 0
+    end type
+    type, bind(c) :: fstiff_measure_options
+        integer(c_size_t) :: size = 80
+        type(c_ptr) :: detrend = c_null_ptr
+        real(c_double) :: lambda_s = 0, lambda_c = 0, tip_radius = 0, resolution = 0, shortest_lag = 0, longest_lag = 0
+        integer(c_int) :: filter = FSTIFF_FILTER_GAUSSIAN, peaks = FSTIFF_PEAKS_ISLANDS, resamples = 0, seed = 0
+    end type
+    type, bind(c) :: fstiff_measured
+        real(c_double) :: value = 0, error = 0
+        integer(c_int) :: known = 0
+    end type
+    type, bind(c) :: fstiff_surface
+        integer(c_size_t) :: size = 296, peaks = 0
+        real(c_double) :: lambda_s = 0, lambda_c = 0
+        type(fstiff_measured) :: rms_height, peak_radius, peak_density, max_peak_height, fractal_dimension, &
+            fractal_roughness, r, theta, rms_gradient, skewness, kurtosis
+    end type
+
+    interface
+        function fstiff_contact_make(law, surface, body, made) bind(c) result(status)
+            import
+            character(kind=c_char), intent(in) :: law(*)
+            type(fstiff_roughness), intent(in) :: surface
+            type(fstiff_body), intent(in) :: body
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_contact_of_scene(text, length, name, law, peaks, made) bind(c) result(status)
+            import
+            character(kind=c_char), intent(in) :: text(*), name(*)
+            integer(c_size_t), value :: length, law, peaks
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        subroutine fstiff_contact_free(contact) bind(c)
+            import
+            type(c_ptr), value :: contact
+        end subroutine
+        function fstiff_contact_at_pressures(contact, pressures, count, points) bind(c) result(status)
+            import
+            type(c_ptr), value :: contact
+            real(c_double), intent(in) :: pressures(*)
+            integer(c_size_t), value :: count
+            type(fstiff_points), intent(in) :: points
+            integer(c_int) :: status
+        end function
+        function fstiff_contact_at_separations(contact, separations, count, points) bind(c) result(status)
+            import
+            type(c_ptr), value :: contact
+            real(c_double), intent(in) :: separations(*)
+            integer(c_size_t), value :: count
+            type(fstiff_points), intent(in) :: points
+            integer(c_int) :: status
+        end function
+        function fstiff_law_make(contact, min_pressure, max_pressure, outside, made) bind(c) result(status)
+            import
+            type(c_ptr), value :: contact
+            real(c_double), value :: min_pressure, max_pressure
+            integer(c_int), value :: outside
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_law_of_text(text, length, made) bind(c) result(status)
+            import
+            character(kind=c_char), intent(in) :: text(*)
+            integer(c_size_t), value :: length
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_law_text(law, buffer, capacity, length) bind(c) result(status)
+            import
+            type(c_ptr), value :: law, buffer
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out) :: length
+            integer(c_int) :: status
+        end function
+        subroutine fstiff_law_free(law) bind(c)
+            import
+            type(c_ptr), value :: law
+        end subroutine
+        function fstiff_law_facts_of(law, facts) bind(c) result(status)
+            import
+            type(c_ptr), value :: law
+            type(fstiff_law_facts), intent(inout) :: facts
+            integer(c_int) :: status
+        end function
+        function fstiff_law_at_separation(law, separation, pressure, stiffness, slope) bind(c) result(status)
+            import
+            type(c_ptr), value :: law
+            real(c_double), value :: separation
+            real(c_double), intent(out) :: pressure, stiffness, slope
+            integer(c_int) :: status
+        end function
+        function fstiff_law_at_pressure(law, pressure, separation, stiffness, stiffness_slope) bind(c) result(status)
+            import
+            type(c_ptr), value :: law
+            real(c_double), value :: pressure
+            real(c_double), intent(out) :: separation, stiffness, stiffness_slope
+            integer(c_int) :: status
+        end function
+        function fstiff_law_at_separations(law, separations, count, pressures, stiffnesses, statuses) bind(c) result(status)
+            import
+            type(c_ptr), value :: law, statuses
+            real(c_double), intent(in) :: separations(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(out) :: pressures(*), stiffnesses(*)
+            integer(c_int) :: status
+        end function
+        function fstiff_law_at_pressures(law, pressures, count, separations, stiffnesses, statuses) bind(c) result(status)
+            import
+            type(c_ptr), value :: law, statuses
+            real(c_double), intent(in) :: pressures(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(out) :: separations(*), stiffnesses(*)
+            integer(c_int) :: status
+        end function
+        function fstiff_measure_profile(heights, count, spacing, options, surface) bind(c) result(status)
+            import
+            real(c_double), intent(in) :: heights(*)
+            integer(c_size_t), value :: count
+            real(c_double), value :: spacing
+            type(fstiff_measure_options), intent(in) :: options
+            type(fstiff_surface), intent(inout) :: surface
+            integer(c_int) :: status
+        end function
+        ! heights(columns, rows): Fortran's first index runs along x.
+        function fstiff_measure_map(heights, rows, columns, dx, dy, options, surface) bind(c) result(status)
+            import
+            real(c_double), intent(in) :: heights(*)
+            integer(c_size_t), value :: rows, columns
+            real(c_double), value :: dx, dy
+            type(fstiff_measure_options), intent(in) :: options
+            type(fstiff_surface), intent(inout) :: surface
+            integer(c_int) :: status
+        end function
+        function fstiff_measured_roughness(surface, roughness) bind(c) result(status)
+            import
+            type(fstiff_surface), intent(in) :: surface
+            type(fstiff_roughness), intent(inout) :: roughness
+            integer(c_int) :: status
+        end function
+        function fstiff_version_c() bind(c, name="fstiff_version") result(text)
+            import
+            type(c_ptr) :: text
+        end function
+        function fstiff_strerror_c(status) bind(c, name="fstiff_strerror") result(text)
+            import
+            integer(c_int), value :: status
+            type(c_ptr) :: text
+        end function
+        function fstiff_last_message_c() bind(c, name="fstiff_last_message") result(text)
+            import
+            type(c_ptr) :: text
+        end function
+        function c_strlen(text) bind(c, name="strlen") result(length)
+            import
+            type(c_ptr), value :: text
+            integer(c_size_t) :: length
+        end function
+    end interface
+
+contains
+
+    function fstiff_make_contact(law, surface, body, made) result(status)
+        character(*), intent(in) :: law
+        type(fstiff_roughness), intent(in) :: surface
+        type(fstiff_body), intent(in) :: body
+        type(c_ptr), intent(out) :: made
+        integer(c_int) :: status
+        status = fstiff_contact_make(trim(law)//c_null_char, surface, body, made)
+    end function
+
+    function fstiff_contact_from_scene(text, law, peaks, made) result(status)
+        character(*), intent(in) :: text
+        integer, intent(in) :: law, peaks
+        type(c_ptr), intent(out) :: made
+        integer(c_int) :: status
+        status = fstiff_contact_of_scene(text, len(text, size_), "scene"//c_null_char, int(law, size_), int(peaks, size_), made)
+    end function
+
+    function fstiff_law_from_text(text, made) result(status)
+        character(*), intent(in) :: text
+        type(c_ptr), intent(out) :: made
+        integer(c_int) :: status
+        status = fstiff_law_of_text(text, len(text, size_), made)
+    end function
+
+    ! The text of a law; empty where it has none, and fstiff_message() says why.
+    function fstiff_text_of_law(law) result(text)
+        type(c_ptr), intent(in) :: law
+        character(:), allocatable :: text
+        character(kind=c_char), allocatable, target :: buffer(:)
+        integer(c_size_t) :: length, i
+        text = ""
+        if (fstiff_law_text(law, c_null_ptr, 0_size_, length) /= FSTIFF_OK) return
+        allocate (buffer(length + 1))
+        if (fstiff_law_text(law, c_loc(buffer), length + 1, length) /= FSTIFF_OK) return
+        deallocate (text)
+        allocate (character(length) :: text)
+        do i = 1, length
+            text(i:i) = buffer(i)
+        end do
+    end function
+
+    function fstiff_message() result(text)
+        character(:), allocatable :: text
+        text = text_of(fstiff_last_message_c())
+    end function
+
+    function fstiff_error_text(status) result(text)
+        integer(c_int), intent(in) :: status
+        character(:), allocatable :: text
+        text = text_of(fstiff_strerror_c(status))
+    end function
+
+    function fstiff_version() result(text)
+        character(:), allocatable :: text
+        text = text_of(fstiff_version_c())
+    end function
+
+    function text_of(pointer) result(text)
+        type(c_ptr), intent(in) :: pointer
+        character(:), allocatable :: text
+        character(kind=c_char), pointer :: characters(:)
+        integer :: i, length
+        length = int(c_strlen(pointer))
+        call c_f_pointer(pointer, characters, [length])
+        allocate (character(length) :: text)
+        do i = 1, length
+            text(i:i) = characters(i)
+        end do
+    end function
+end module

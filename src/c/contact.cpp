@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contacts of numbers and of scenes, and their points.
+#include "c/contact.hpp"
+
+#include "scene/each_contact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fstiff::c {
+namespace {
+
+using scene::Scene;
+
+/// The contact of \p of with entry \p law of its laws on entry \p peaks of its distributions of peaks.
+fstiff_contact* contact_of(Scene of, double modulus, std::size_t law, std::size_t peaks) {
+    const auto kept = std::make_shared<const Scene>(std::move(of));
+    if (law >= kept->laws.size()) refuse_argument("law", static_cast<long long>(law), "an entry of contact.laws");
+    std::size_t wanted = peaks;
+    for (std::size_t i = 0; i <= law; ++i) {
+        const std::size_t curves = is_joint(*kept->laws[i].law, *kept) ? kept->peaks.size() : 1;
+        if (i < law)
+            wanted += curves;
+        else if (peaks >= curves)
+            refuse_argument("peaks", static_cast<long long>(peaks), "an entry of contact.peaks, 0 without joint peaks");
+    }
+    auto handle = std::make_unique<fstiff_contact>();
+    for_each_contact(*kept, modulus, {}, [&](const scene::Curve& curve, const auto& make) {
+        if (wanted-- == 0) handle->law = curve.law, handle->contact = make();
+    });
+    handle->scene = kept;
+    return handle.release();
+}
+
+/// Numbers as a scene with one law.
+Scene scene_of_numbers(const char* law, const fstiff_roughness& surface, const fstiff_body& body) {
+    const scene::Law* const found = scene::find_law(law);
+    if (!found) {
+        const auto names = scene::law_names();
+        throw domain_error("law = \"" + std::string(law).substr(0, 40) + "\": must be one of " + scene::list_of(names));
+    }
+    Scene of;
+    of.surface = {surface.rms_height, surface.peak_radius, surface.peak_density, surface.max_peak_height};
+    of.surface.validate();
+    const auto optional = [](const char* name, double value) {
+        if (value == 0) return std::optional<double>();
+        require_positive(name, value);
+        return std::optional(value);
+    };
+    of.fractal_dimension = optional("fractal_dimension", surface.fractal_dimension);
+    of.rms_gradient = optional("rms_gradient", surface.rms_gradient);
+    of.yield_strength = optional("yield_strength", body.yield_strength);
+    of.hardness = optional("hardness", body.hardness);
+    require(body.poisson_ratio > -1 && body.poisson_ratio <= 0.5, "poisson_ratio", body.poisson_ratio,
+            "greater than -1 and at most 0.5");
+    of.softer_poisson = body.poisson_ratio;
+    if (found->has_peaks) {
+        const PeakDistribution<double> peaks(surface.r, surface.theta);
+        of.r = peaks.r(), of.theta = peaks.theta();
+        of.peaks.push_back({.theta = *of.theta, .r = of.r});
+    }
+    if (found->needs_dimension && !of.fractal_dimension)
+        throw domain_error("law " + std::string(law) + ": needs fractal_dimension");
+    if (const std::string why = refusal_of(*found, of); !why.empty())
+        throw domain_error("law " + std::string(law) + ": " + why);
+    if (body.interaction < FSTIFF_NO_INTERACTION || body.interaction > FSTIFF_INTERACTION_AS_PRINTED)
+        refuse_argument("interaction", body.interaction, "FSTIFF_NO_INTERACTION or one of the two readings");
+    of.reading = static_cast<InteractionReading>(body.interaction);
+    of.length = scene::InteractionLength::given;
+    of.given_length = body.interaction_length;
+    scene::ChosenLaw chosen{found, {}};
+    for (const scene::LawOption& option : found->options) chosen.options.push_back(option.otherwise.value_or(0));
+    of.laws.push_back(std::move(chosen));
+    return of;
+}
+
+/// An array of the caller, and what goes into it.
+struct Output {
+    double* array;
+    const char* name;
+    Quantity quantity;
+    Estimate<double> ContactState<double>::*estimate;
+    double Estimate<double>::*number;
+};
+
+std::array<Output, 7> outputs_of(const fstiff_points& points) {
+    using State = ContactState<double>;
+    constexpr auto value = &Estimate<double>::value;
+    return {
+        {{points.pressure, "pressure", Quantity::pressure, &State::pressure, value},
+         {points.separation, "separation", Quantity::separation, &State::separation, value},
+         {points.stiffness, "stiffness", Quantity::stiffness, &State::stiffness, value},
+         {points.stiffness_error, "stiffness_error", Quantity::stiffness, &State::stiffness, &Estimate<double>::error},
+         {points.loading_stiffness, "loading_stiffness", Quantity::loading_stiffness, &State::loading_stiffness, value},
+         {points.real_area_fraction, "real_area_fraction", Quantity::real_area, &State::real_area_fraction, value},
+         {points.contact_density, "contact_density", Quantity::contacts, &State::contact_density, value}}};
+}
+
+int status_of(const ContactPoint<double>& point) {
+    if (point.ok()) return FSTIFF_OK;
+    set_message(point.status == PointStatus::out_of_reach ? point.reason : "a result is beyond the range of double");
+    return point.status == PointStatus::out_of_reach ? FSTIFF_OUT_OF_REACH : FSTIFF_OUT_OF_NUMBERS;
+}
+
+/// Evaluates \p x, \p part points at a time: a part with a number that is refused is computed point by point.
+template <class Call>
+int evaluate(const fstiff_contact* contact, const double* x, std::size_t count, const fstiff_points* points,
+             const char* name, const Call& call) {
+    not_null(contact, "contact");
+    require_array(x, count, name);
+    const auto outputs = outputs_of(sized(points, "points"));
+    Quantity wanted = Quantity::pressure | Quantity::separation;
+    for (const Output& output : outputs) {
+        if (!output.array) continue;
+        if (!has(contact->law->quantities, output.quantity))
+            throw domain_error("law " + std::string(contact->law->name) + ": gives no " + output.name);
+        wanted = wanted | output.quantity;
+    }
+    int first = FSTIFF_OK;
+    std::string message;
+    const auto put = [&](std::size_t i, int status, const ContactState<double>& state) {
+        for (const Output& output : outputs)
+            if (output.array) output.array[i] = status == FSTIFF_OK ? state.*output.estimate.*output.number : 0;
+        if (points->status) points->status[i] = status;
+        if (status != FSTIFF_OK && first == FSTIFF_OK) first = status, message = fstiff_last_message();
+    };
+    constexpr std::size_t part = 64;
+    std::array<double, part> numbers;  // the results may be written where the arguments were
+    for (std::size_t begin = 0; begin < count; begin += part) {
+        const std::size_t length = std::min(part, count - begin);
+        std::copy_n(x + begin, length, numbers.begin());
+        std::vector<ContactPoint<double>> computed;
+        try {
+            computed = call(std::span<const double>(numbers.data(), length), wanted);
+        } catch (const domain_error&) {
+        }
+        for (std::size_t i = 0; i < length; ++i) {
+            try {
+                const auto point = computed.size() == length
+                                       ? computed[i]
+                                       : call(std::span<const double>(&numbers[i], 1), wanted).front();
+                put(begin + i, status_of(point), point.state);
+            } catch (const domain_error&) {
+                put(begin + i, status_of_exception(), {});
+            }
+        }
+    }
+    if (first != FSTIFF_OK) set_message(message);
+    return first;
+}
+
+}  // namespace
+}  // namespace fstiff::c
+
+using namespace fstiff::c;
+
+int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
+                        fstiff_contact** made) {
+    return made_by(made, [&] {
+        not_null(law, "law");
+        sized(surface, "surface");
+        fstiff::require_positive("effective_modulus", sized(body, "body").effective_modulus);
+        return contact_of(scene_of_numbers(law, *surface, *body), body->effective_modulus, 0, 0);
+    });
+}
+
+int fstiff_contact_of_scene(const char* text, size_t length, const char* name, size_t law, size_t peaks,
+                            fstiff_contact** made) {
+    return made_by(made, [&] {
+        not_null(text, "text");
+        Scene of = fstiff::scene::read_scene(std::string(text, length), {.name = name ? name : "scene"});
+        const double modulus = effective_modulus(of.upper, of.lower);
+        return contact_of(std::move(of), modulus, law, peaks);
+    });
+}
+
+void fstiff_contact_free(fstiff_contact* contact) { delete contact; }
+
+int fstiff_contact_at_pressures(const fstiff_contact* contact, const double* pressures, size_t count,
+                                const fstiff_points* points) {
+    return guarded([&] {
+        return evaluate(contact, pressures, count, points, "pressures", [&](auto some, fstiff::Quantity wanted) {
+            return contact->contact->at_pressures(some, wanted);
+        });
+    });
+}
+
+int fstiff_contact_at_separations(const fstiff_contact* contact, const double* separations, size_t count,
+                                  const fstiff_points* points) {
+    return guarded([&] {
+        return evaluate(contact, separations, count, points, "separations", [&](auto some, fstiff::Quantity wanted) {
+            return contact->contact->at_separations(some, wanted);
+        });
+    });
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measurement of profiles and maps.
+#include "c/guard.hpp"
+
+#include "scene/measured_surface.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace fstiff::c {
+namespace {
+
+using scene::MeasuredSurface;
+using scene::MeasureOptions;
+
+/// A cut-off in the words of a scene.
+std::string cut_off(const char* name, double value) {
+    if (value == 0) return "auto";
+    if (value == FSTIFF_NO_CUT_OFF) return "none";
+    require_positive(name, value);
+    return scene::exact(value) + " m";
+}
+std::string length(const char* name, double value) {
+    if (value == 0) return "";
+    require_positive(name, value);
+    return scene::exact(value) + " m";
+}
+
+MeasureOptions options_of(const fstiff_measure_options* given) {
+    MeasureOptions options;
+    options.neighbours = false;  // for the band of K, which nobody asks here
+    options.input.file = "heights";
+    if (!given) return options;
+    const fstiff_measure_options& from = sized(given, "options");
+    if (from.detrend) options.input.detrend = std::string(from.detrend).substr(0, 40);
+    options.input.lambda_s = cut_off("lambda_s", from.lambda_s);
+    options.input.lambda_c = cut_off("lambda_c", from.lambda_c);
+    options.input.tip_radius = length("tip_radius", from.tip_radius);
+    options.input.resolution = length("resolution", from.resolution);
+    if (from.shortest_lag != 0 || from.longest_lag != 0) {
+        require_positive("shortest_lag", from.shortest_lag);
+        require_positive("longest_lag", from.longest_lag);
+        options.window = length("shortest_lag", from.shortest_lag) + "," + length("longest_lag", from.longest_lag);
+    }
+    if (from.filter != FSTIFF_FILTER_GAUSSIAN && from.filter != FSTIFF_FILTER_ROBUST)
+        refuse_argument("filter", from.filter, "FSTIFF_FILTER_GAUSSIAN or FSTIFF_FILTER_ROBUST");
+    options.input.filter =
+        from.filter == FSTIFF_FILTER_ROBUST ? scene::CutOffFilter::robust : scene::CutOffFilter::gaussian;
+    if (from.peaks != FSTIFF_PEAKS_ISLANDS && from.peaks != FSTIFF_PEAKS_SUMMITS)
+        refuse_argument("peaks", from.peaks, "FSTIFF_PEAKS_ISLANDS or FSTIFF_PEAKS_SUMMITS");
+    options.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? PeakSource::summits : PeakSource::islands;
+    if (from.resamples != 0) {
+        require(from.resamples >= 2 && from.resamples <= 100000, "resamples", from.resamples, "2 to 100000");
+        options.resamples = from.resamples;
+    }
+    if (from.seed != 0) options.seed = from.seed;
+    return options;
+}
+
+void put(fstiff_measured& to, const Measurement<double>& from) {
+    to = {from.value, from.error, std::isfinite(from.value) && std::isfinite(from.error)};
+    if (!to.known) to = {};
+}
+
+int write(const MeasuredSurface& from, fstiff_surface& to) {
+    to = {};
+    to.size = sizeof to;
+    to.peaks = from.peaks;
+    to.lambda_s = from.cut_offs.lambda_s.value_or(0);
+    to.lambda_c = from.cut_offs.lambda_c.value_or(0);
+    const auto parameter = [&](fstiff_measured& one, Parameter which) {
+        const std::size_t i = index_of(which);
+        if (from.parameters.known[i]) put(one, {from.parameters.value[i], from.parameters.error[i]});
+    };
+    parameter(to.rms_height, Parameter::rms_height);
+    parameter(to.peak_radius, Parameter::peak_radius);
+    parameter(to.peak_density, Parameter::peak_density);
+    parameter(to.fractal_dimension, Parameter::fractal_dimension);
+    parameter(to.r, Parameter::r);
+    parameter(to.theta, Parameter::theta);
+    if (from.max_peak_height.value > 0) put(to.max_peak_height, from.max_peak_height);
+    if (from.fractal_roughness) put(to.fractal_roughness, *from.fractal_roughness);
+    if (from.heights) {
+        put(to.rms_gradient, from.heights->rms_gradient);
+        put(to.skewness, from.heights->skewness);
+        put(to.kurtosis, from.heights->kurtosis);
+    }
+    std::string warnings;
+    for (const std::string& one : from.warnings) warnings += (warnings.empty() ? "" : "\n") + one;
+    set_message(warnings);
+    return FSTIFF_OK;
+}
+
+template <class Heights>
+int measure(Heights heights, const fstiff_measure_options* given, fstiff_surface& to) {
+    scene::SurfaceInput input;
+    input.surface.data = std::move(heights);
+    input.surface.record.name = "heights";
+    return write(measure_surface(options_of(given), input), to);
+}
+
+}  // namespace
+}  // namespace fstiff::c
+
+using namespace fstiff::c;
+
+int fstiff_measure_profile(const double* heights, size_t count, double spacing, const fstiff_measure_options* options,
+                           fstiff_surface* surface) {
+    return guarded([&] {
+        require_array(heights, count, "heights");
+        fstiff_surface& to = sized(surface, "surface");
+        fstiff::Profile<double> profile{{heights, heights + count}, spacing};
+        profile.validate();
+        return measure(std::move(profile), options, to);
+    });
+}
+
+int fstiff_measure_map(const double* heights, size_t rows, size_t columns, double dx, double dy,
+                       const fstiff_measure_options* options, fstiff_surface* surface) {
+    return guarded([&] {
+        if (rows != 0 && columns > static_cast<std::size_t>(-1) / rows)
+            throw argument_error("rows times columns: must not be longer than memory can be");
+        require_array(heights, rows * columns, "heights");
+        fstiff_surface& to = sized(surface, "surface");
+        using Array = fstiff::HeightMap<double>::Array;
+        fstiff::HeightMap<double> map{
+            Eigen::Map<const Array>(heights, static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns)), dx,
+            dy};
+        map.validate();
+        return measure(std::move(map), options, to);
+    });
+}
+
+int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* roughness) {
+    return guarded([&] {
+        const fstiff_surface& from = sized(surface, "surface");
+        fstiff_roughness& to = sized(roughness, "roughness");
+        to = {sizeof to,
+              from.rms_height.value,
+              from.peak_radius.value,
+              from.peak_density.value,
+              from.max_peak_height.value,
+              from.r.value,
+              from.theta.value,
+              from.fractal_dimension.value,
+              from.rms_gradient.value};
+        return FSTIFF_OK;
+    });
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Status, messages and the version.
+#include "c/guard.hpp"
+
+#include <fstiff/core/version.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+namespace fstiff::c {
+namespace {
+
+thread_local std::array<char, 4096> message{};  // no memory is needed to say that there is none
+
+}  // namespace
+
+void set_message(std::string_view text) noexcept {
+    const std::size_t length = std::min(text.size(), message.size() - 1);
+    std::copy_n(text.data(), length, message.data());
+    message[length] = '\0';
+}
+
+int status_of_exception() noexcept {
+    const auto is = [](int status, std::string_view text) {
+        set_message(text);
+        return status;
+    };
+    try {
+        throw;
+    } catch (const argument_error& error) {
+        return is(FSTIFF_BAD_ARGUMENT, error.what());
+    } catch (const domain_error& error) {
+        return is(FSTIFF_REFUSED, error.what());
+    } catch (const file_error& error) {
+        return is(FSTIFF_FILE, error.what());
+    } catch (const std::bad_alloc&) {
+        return is(FSTIFF_OUT_OF_MEMORY, "there is not enough memory");
+    } catch (const std::length_error&) {
+        return is(FSTIFF_OUT_OF_MEMORY, "an array is longer than memory can be");
+    } catch (const std::exception& error) {
+        return is(FSTIFF_INTERNAL, error.what());
+    } catch (...) {
+        return is(FSTIFF_INTERNAL, "an exception without a message");
+    }
+}
+
+void refuse_null(const char* name) { throw argument_error(std::string(name) + ": must not be NULL"); }
+
+void refuse_size(const char* name, std::size_t found, std::size_t expected) {
+    throw argument_error(std::string(name) + "->size = " + std::to_string(found) + ": must be " +
+                         std::to_string(expected) + ", its sizeof in the fstiff.h of version " FSTIFF_VERSION);
+}
+
+void refuse_argument(const char* name, long long value, const char* allowed) {
+    throw argument_error(std::string(name) + " = " + std::to_string(value) + ": must be " + allowed);
+}
+
+void require_array(const double* array, std::size_t count, const char* name) {
+    not_null(array, name);
+    if (count == 0) throw argument_error(std::string(name) + ": must have at least one number");
+    constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
+    if (count > most) throw argument_error(std::string(name) + ": must not be longer than memory can be");
+}
+
+}  // namespace fstiff::c
+
+const char* fstiff_version() { return FSTIFF_VERSION; }
+
+const char* fstiff_strerror(int status) {
+    switch (status) {
+        case FSTIFF_OK:
+            return "no error";
+        case FSTIFF_BAD_ARGUMENT:
+            return "an argument is null, empty or of the wrong size";
+        case FSTIFF_REFUSED:
+            return "a value or a text is not allowed";
+        case FSTIFF_OUT_OF_REACH:
+            return "the model has no state there";
+        case FSTIFF_OUT_OF_NUMBERS:
+            return "a result is beyond the range of double";
+        case FSTIFF_FILE:
+            return "a file cannot be read";
+        case FSTIFF_OUT_OF_MEMORY:
+            return "out of memory";
+        case FSTIFF_INTERNAL:
+            return "a mistake in fstiff";
+        default:
+            return "unknown status";
+    }
+}
+
+const char* fstiff_last_message() { return fstiff::c::message.data(); }

@@ -1,0 +1,130 @@
+! SPDX-License-Identifier: BSD-3-Clause
+! The Fortran module. Truth: numbers.cpp, bit for bit, whose file is the first argument; the second is that of a law.
+program fortran_test
+    use fstiff
+    implicit none
+    type(fstiff_roughness) :: fine, measured
+    type(fstiff_body) :: body
+    type(fstiff_points) :: points
+    type(fstiff_law_facts) :: facts
+    type(fstiff_measure_options) :: options
+    type(fstiff_surface) :: surface
+    type(c_ptr) :: contact, law, same
+    real(c_double), allocatable :: pressures(:), wanted(:), heights(:)
+    real(c_double), target :: stiffness(7), separation(7)
+    integer(c_int), target :: status(7)
+    real(c_double) :: p, k, slope, batch_p(1), batch_k(1)
+    character(1024) :: numbers, law_file
+    character(:), allocatable :: text
+    integer :: failures, i
+
+    failures = 0
+    call get_command_argument(1, numbers)
+    call get_command_argument(2, law_file)
+    call check(fine%size == c_sizeof(fine) .and. body%size == c_sizeof(body) .and. points%size == c_sizeof(points) .and. &
+        facts%size == c_sizeof(facts) .and. options%size == c_sizeof(options) .and. surface%size == c_sizeof(surface), "sizes")
+
+    fine = fstiff_roughness(rms_height=0.832d-6, peak_radius=40d-6, peak_density=500d6, r=0.5d0, theta=1d0)
+    body = fstiff_body(effective_modulus=112.6d9)
+    call check(fstiff_make_contact("hertz", fine, body, contact) == FSTIFF_OK, "contact")
+    points%stiffness = c_loc(stiffness)
+    points%separation = c_loc(separation)
+    points%status = c_loc(status)
+    call read_numbers("pressures", pressures)
+    call check(fstiff_contact_at_pressures(contact, pressures, 7_c_size_t, points) == FSTIFF_OK, "points")
+    do i = 1, 7
+        call read_numbers("hertz/p"//achar(iachar("0") + i - 1), wanted)
+        call check(bits(separation(i)) == bits(wanted(2)) .and. bits(stiffness(i)) == bits(wanted(3)) .and. &
+            status(i) == FSTIFF_OK, "point")
+    end do
+
+    call check(fstiff_law_make(contact, 1d5, 1d8, FSTIFF_OUTSIDE_EXTRAPOLATE, law) == FSTIFF_OK, "law")
+    text = fstiff_text_of_law(law)
+    call check(text == file_text(trim(law_file)), "text of the law")
+    call check(fstiff_law_from_text(text, same) == FSTIFF_OK, "law of text")
+    call read_numbers("law/3", wanted)
+    call check(fstiff_law_at_separation(same, wanted(2), p, k, slope) == FSTIFF_OK, "separation")
+    call check(all(bits([p, k, slope]) == bits(wanted(5:7))), "law at separation")
+    call check(fstiff_law_at_separations(same, wanted(2:2), 1_c_size_t, batch_p, batch_k, c_null_ptr) == FSTIFF_OK, "batch")
+    call check(abs(batch_p(1)/p - 1) < 1d-13 .and. abs(batch_k(1)/k - 1) < 1d-13, "batch is the scalar call")
+    call check(fstiff_law_facts_of(same, facts) == FSTIFF_OK .and. facts%max_pressure >= 1d8, "facts")
+    call fstiff_law_free(law)
+    call fstiff_law_free(same)
+    call fstiff_contact_free(contact)
+
+    text = file_text(trim(law_file)//".scene")
+    call check(fstiff_contact_from_scene(text, 1, 1, contact) == FSTIFF_OK, "scene")
+    call read_numbers("scene/p3", pressures)
+    call read_numbers("scene/k3", wanted)
+    call check(fstiff_contact_at_pressures(contact, pressures, 7_c_size_t, points) == FSTIFF_OK, "points of a scene")
+    call check(all([(bits(stiffness(i)) == bits(wanted(i)), i=1, 7)]), "K of a scene")
+    call fstiff_contact_free(contact)
+
+    call read_numbers("profile", heights)
+    call read_numbers("profile/measured", wanted)
+    options%lambda_s = FSTIFF_NO_CUT_OFF
+    options%lambda_c = FSTIFF_NO_CUT_OFF
+    call check(fstiff_measure_profile(heights, size(heights, kind=c_size_t), 1d-6, options, surface) == FSTIFF_OK, "profile")
+    call check(bits(surface%rms_height%value) == bits(wanted(1)) .and. bits(surface%theta%error) == bits(wanted(14)), "measured")
+    call check(fstiff_measured_roughness(surface, measured) == FSTIFF_OK .and. measured%rms_height > 0, "roughness")
+
+    fine%rms_height = -1
+    call check(fstiff_make_contact("hertz", fine, body, contact) == FSTIFF_REFUSED, "refusal")
+    call check(index(fstiff_message(), "rms_height = -1: must be") > 0 .and. .not. c_associated(contact), "message")
+    call check(fstiff_error_text(FSTIFF_OK) == "no error", "words of a status")
+    text = fstiff_version()
+    call check(len(text) >= 5, "version")
+    if (failures > 0) error stop 1
+    print *, "fortran: 0 failures"
+
+contains
+
+    subroutine check(good, what)
+        logical, intent(in) :: good
+        character(*), intent(in) :: what
+        if (good) return
+        failures = failures + 1
+        print *, "failed: ", what, "; message: ", fstiff_message()
+    end subroutine
+
+    elemental function bits(x)
+        real(c_double), intent(in) :: x
+        integer(c_int64_t) :: bits
+        bits = transfer(x, bits)
+    end function
+
+    function file_text(name) result(text)
+        character(*), intent(in) :: name
+        character(:), allocatable :: text
+        integer :: unit, length
+        open (newunit=unit, file=name, access="stream", form="unformatted", status="old", action="read")
+        inquire (unit=unit, size=length)
+        allocate (character(length) :: text)
+        read (unit) text
+        close (unit)
+    end function
+
+    ! The values of the line "key count values...", which are hexadecimal: by strtod of C.
+    subroutine read_numbers(key, values)
+        character(*), intent(in) :: key
+        real(c_double), allocatable, intent(out) :: values(:)
+        interface
+            function strtod(text, rest) bind(c) result(value)
+                import
+                character(kind=c_char), intent(in) :: text(*)
+                type(c_ptr), value :: rest
+                real(c_double) :: value
+            end function
+        end interface
+        character(:), allocatable :: all
+        integer :: at, count, i
+        all = achar(10)//file_text(trim(numbers))//achar(0)
+        at = index(all, achar(10)//key//" ") + len(key) + 2
+        read (all(at:at + index(all(at:), " ") - 2), *) count
+        allocate (values(count))
+        do i = 1, count
+            at = at + index(all(at:), " ")
+            values(i) = strtod(all(at:at + 40), c_null_ptr)
+        end do
+    end subroutine
+end program

@@ -1,0 +1,575 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The C interface from pure C11. Truth: numbers.cpp, bit for bit.
+ *
+ *     interface_test numbers NUMBERS LAW        the numbers of the C++ library come out
+ *     interface_test refusals                   bad input gives status and message
+ *     interface_test threads                    two threads have their own messages, and share handles
+ *     interface_test random SECONDS [SCENE]     random bytes as scenes and as laws; more on bytes of SCENE changed at random
+ */
+#include <fstiff.h>
+
+#include <math.h>
+#include <pthread.h> /* not <threads.h>: ThreadSanitizer does not know its threads */
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+static int failures = 0;
+#define CHECK(condition)                                                                                        \
+    do {                                                                                                        \
+        if (!(condition)) {                                                                                     \
+            ++failures;                                                                                         \
+            printf("%s:%d: failed: %s (message: %s)\n", __FILE__, __LINE__, #condition, fstiff_last_message()); \
+        }                                                                                                       \
+    } while (0)
+
+static char* read_file(const char* name, size_t* length) {
+    FILE* file = fopen(name, "rb");
+    char* text = NULL;
+    *length = 0;
+    if (!file) {
+        printf("cannot open %s\n", name);
+        exit(1);
+    }
+    for (size_t room = 0;;) {
+        if (*length + 1 >= room) text = realloc(text, room = 2 * room + 65536);
+        if (!text) exit(1);
+        const size_t got = fread(text + *length, 1, room - 1 - *length, file);
+        *length += got;
+        if (got == 0) break;
+    }
+    text[*length] = '\0';
+    fclose(file);
+    return text;
+}
+
+/* ---- Numbers ---- */
+
+static const char* all_numbers;
+
+/* The values of a line "key count values..." of the numbers; ends the test where there is none. */
+static double* numbers_of(const char* key, size_t* count) {
+    const size_t length = strlen(key);
+    for (const char* line = all_numbers; *line; line = strchr(line, '\n') + 1) {
+        if (strncmp(line, key, length) != 0 || line[length] != ' ') continue;
+        char* at;
+        *count = strtoul(line + length, &at, 10);
+        double* values = malloc(*count * sizeof *values);
+        if (!values) exit(1);
+        for (size_t i = 0; i < *count; ++i) values[i] = strtod(at, &at);
+        return values;
+    }
+    printf("no numbers of %s\n", key);
+    exit(1);
+}
+
+static fstiff_roughness fine_surface(void) {
+    fstiff_roughness fine = {sizeof fine, 0.832e-6, 40e-6, 500e6, 5.3e-6, 0.5, 1.0, 1.62, 0};
+    return fine;
+}
+static fstiff_body steel(void) {
+    fstiff_body body = {sizeof body, 112.6e9, 0, 0, 0, 0, FSTIFF_NO_INTERACTION};
+    return body;
+}
+static fstiff_contact* contact_of(const char* law) {
+    const fstiff_roughness fine = fine_surface();
+    const fstiff_body body = steel();
+    fstiff_contact* contact = NULL;
+    CHECK(fstiff_contact_make(law, &fine, &body, &contact) == FSTIFF_OK);
+    return contact;
+}
+
+enum { most = 512 };
+typedef struct results {
+    double of[7][most];
+    int status[most];
+} results;
+static fstiff_points points_of(results* to) {
+    fstiff_points points = {sizeof points, to->of[0], to->of[1], to->of[2], to->of[3],
+                            to->of[4],     to->of[5], to->of[6], to->status};
+    return points;
+}
+
+static void check_contact(const char* name, const fstiff_contact* contact) {
+    static results found;
+    const fstiff_points points = points_of(&found);
+    size_t count;
+    double* pressures = numbers_of("pressures", &count);
+    for (int at_separations = 0; at_separations < 2; ++at_separations) {
+        if (at_separations) memcpy(pressures, found.of[1], count * sizeof *pressures);
+        CHECK((at_separations ? fstiff_contact_at_separations : fstiff_contact_at_pressures)(contact, pressures, count,
+                                                                                             &points) == FSTIFF_OK);
+        for (size_t i = 0; i < count; ++i) {
+            char key[64];
+            size_t seven;
+            sprintf(key, "%s/%c%zu", name, at_separations ? 'd' : 'p', i);
+            double* wanted = numbers_of(key, &seven);
+            CHECK(seven == 7);
+            for (size_t j = 0; j < seven; ++j) CHECK(found.of[j][i] == wanted[j]);
+            CHECK(found.status[i] == FSTIFF_OK);
+            free(wanted);
+        }
+    }
+    free(pressures);
+}
+
+static void test_contacts(void) {
+    for (const char** name = (const char*[]){"hertz", "fractal", NULL}; *name; ++name) {
+        fstiff_contact* contact = contact_of(*name);
+        check_contact(*name, contact);
+        fstiff_contact_free(contact);
+    }
+    const fstiff_roughness fine = fine_surface();
+    fstiff_body body = steel();
+    body.interaction = FSTIFF_EFFECTIVE_SEPARATION, body.interaction_length = 1e-4;
+    fstiff_contact* contact;
+    CHECK(fstiff_contact_make("hertz", &fine, &body, &contact) == FSTIFF_OK);
+    check_contact("interacting", contact);
+    fstiff_contact_free(contact);
+
+    /* What is not asked for changes nothing, and results may be written where the arguments were, in more than one part. */
+    contact = contact_of("hertz");
+    static double alone[most], in_place[most];
+    static results all;
+    for (size_t i = 0; i < most; ++i) in_place[i] = 1e5 * (1 + (double)i);
+    const fstiff_points everything = points_of(&all);
+    CHECK(fstiff_contact_at_pressures(contact, in_place, most, &everything) == FSTIFF_OK);
+    fstiff_points one = {sizeof one, NULL, NULL, alone, NULL, NULL, NULL, NULL, NULL};
+    CHECK(fstiff_contact_at_pressures(contact, in_place, most, &one) == FSTIFF_OK);
+    CHECK(memcmp(alone, all.of[2], sizeof alone) == 0);
+    one.stiffness = in_place;
+    CHECK(fstiff_contact_at_pressures(contact, in_place, most, &one) == FSTIFF_OK);
+    CHECK(memcmp(alone, in_place, sizeof alone) == 0);
+    fstiff_contact_free(contact);
+}
+
+static void test_scene(const char* file) {
+    size_t length;
+    char* text = read_file(file, &length);
+    /* law 0 fractal and 1 hertz with two distributions each, 2 greenwood_williamson */
+    const size_t law[] = {0, 0, 1, 1, 2}, peaks[] = {0, 1, 0, 1, 0};
+    for (size_t curve = 0; curve < 5; ++curve) {
+        char key[64];
+        size_t count;
+        sprintf(key, "scene/p%zu", curve);
+        double* pressures = numbers_of(key, &count);
+        sprintf(key, "scene/k%zu", curve);
+        double* wanted = numbers_of(key, &count);
+        fstiff_contact* contact;
+        CHECK(fstiff_contact_of_scene(text, length, NULL, law[curve], peaks[curve], &contact) == FSTIFF_OK);
+        fstiff_points points = {sizeof points, NULL, NULL, pressures, NULL, NULL, NULL, NULL, NULL};
+        CHECK(fstiff_contact_at_pressures(contact, pressures, count, &points) == FSTIFF_OK);
+        CHECK(memcmp(pressures, wanted, count * sizeof *wanted) == 0);
+        fstiff_contact_free(contact);
+        free(pressures);
+        free(wanted);
+    }
+    fstiff_contact* contact;
+    CHECK(fstiff_contact_of_scene(text, length, "s.toml", 3, 0, &contact) == FSTIFF_BAD_ARGUMENT && !contact);
+    CHECK(fstiff_contact_of_scene(text, length, "s.toml", 2, 1, &contact) == FSTIFF_BAD_ARGUMENT && !contact);
+    free(text);
+}
+
+static void check_law(const fstiff_law* law) {
+    double p[7], d[7], k[7], in_place[7], stiffness[7];
+    int status[7];
+    for (size_t i = 0; i < 7; ++i) {
+        char key[64];
+        size_t seven;
+        sprintf(key, "law/%zu", i);
+        double *w = numbers_of(key, &seven), a = 0, b = 0, c = 0;
+        CHECK(fstiff_law_at_pressure(law, w[0], &a, &b, &c) == FSTIFF_OK);
+        CHECK(a == w[1] && b == w[2] && c == w[3]);
+        CHECK(fstiff_law_at_separation(law, w[1], &a, &b, &c) == FSTIFF_OK);
+        CHECK(a == w[4] && b == w[5] && c == w[6]);
+        CHECK(fstiff_law_at_separation(law, w[1], NULL, &b, NULL) == FSTIFF_OK && b == w[5]);
+        p[i] = w[4], d[i] = in_place[i] = w[1], k[i] = w[5];
+        free(w);
+    }
+    CHECK(fstiff_law_at_separations(law, in_place, 7, in_place, stiffness, status) == FSTIFF_OK);
+    for (size_t i = 0; i < 7; ++i) {
+        CHECK(fabs(in_place[i] / p[i] - 1) < 200 * 2.3e-16); /* the bound of contact/contact_law.hpp */
+        CHECK(fabs(stiffness[i] / k[i] - 1) < 200 * 2.3e-16);
+        CHECK(status[i] == FSTIFF_OK);
+    }
+    CHECK(fstiff_law_at_pressures(law, p, 7, in_place, stiffness, NULL) == FSTIFF_OK);
+    for (size_t i = 0; i < 7; ++i) CHECK(fabs(in_place[i] - d[i]) < 1e-9 * 0.832e-6);
+}
+
+static void test_law(const char* file) {
+    size_t length, written = 0;
+    char* text = read_file(file, &length);
+    fstiff_contact* contact = contact_of("hertz");
+    fstiff_law *made, *read;
+    CHECK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_EXTRAPOLATE, &made) == FSTIFF_OK);
+    fstiff_contact_free(contact);
+    check_law(made);
+    CHECK(fstiff_law_text(made, NULL, 0, &written) == FSTIFF_OK && written == length);
+    char* buffer = malloc(length + 1);
+    if (!buffer) exit(1);
+    CHECK(fstiff_law_text(made, buffer, length, &written) == FSTIFF_BAD_ARGUMENT && written == length);
+    CHECK(fstiff_law_text(made, buffer, length + 1, &written) == FSTIFF_OK);
+    CHECK(memcmp(buffer, text, length + 1) == 0);
+    CHECK(fstiff_law_of_text(text, length, &read) == FSTIFF_OK);
+    check_law(read);
+    fstiff_law_facts facts = {.size = sizeof facts};
+    CHECK(fstiff_law_facts_of(read, &facts) == FSTIFF_OK);
+    CHECK(facts.min_pressure == 1e5 && facts.max_pressure == 1e8 && facts.tangent_is_exact == 1);
+    CHECK(facts.outside == FSTIFF_OUTSIDE_EXTRAPOLATE && facts.relative_error > 0 && facts.relative_error < 1e-9);
+    /* an open contact bears nothing, and NaN is refused point by point */
+    const double some[] = {10, facts.max_separation, (double)NAN};
+    double p[3], k[3];
+    int status[3];
+    CHECK(fstiff_law_at_separations(read, some, 3, p, k, status) == FSTIFF_REFUSED);
+    CHECK(p[0] == 0 && k[0] == 0 && fabs(p[1] / 1e5 - 1) < 1e-9 && p[2] == 0 && k[2] == 0);
+    CHECK(status[0] == FSTIFF_OK && status[1] == FSTIFF_OK && status[2] == FSTIFF_REFUSED);
+    fstiff_law_free(made);
+    fstiff_law_free(read);
+    free(buffer);
+    free(text);
+}
+
+static void check_measured(const char* key, const fstiff_surface* found) {
+    size_t count;
+    double* wanted = numbers_of(key, &count);
+    const fstiff_measured all[] = {
+        found->rms_height,        found->peak_radius, found->peak_density, found->fractal_dimension,
+        found->fractal_roughness, found->r,           found->theta};
+    CHECK(count == 14);
+    for (size_t i = 0; i < 7; ++i) {
+        CHECK(all[i].value == wanted[2 * i]);
+        CHECK(all[i].error == wanted[2 * i + 1]);
+        CHECK(all[i].known == (wanted[2 * i] != 0));
+    }
+    free(wanted);
+}
+
+static void test_measurement(void) {
+    fstiff_measure_options options = {
+        .size = sizeof options, .lambda_s = FSTIFF_NO_CUT_OFF, .lambda_c = FSTIFF_NO_CUT_OFF};
+    fstiff_surface surface = {.size = sizeof surface};
+    size_t count;
+    double* heights = numbers_of("profile", &count);
+    CHECK(fstiff_measure_profile(heights, count, 1e-6, &options, &surface) == FSTIFF_OK);
+    check_measured("profile/measured", &surface);
+    CHECK(surface.lambda_s == 0 && surface.lambda_c == 0 && surface.peaks > 100 && surface.rms_gradient.known);
+    fstiff_roughness roughness = {.size = sizeof roughness};
+    const fstiff_body body = steel();
+    fstiff_contact* contact;
+    CHECK(fstiff_measured_roughness(&surface, &roughness) == FSTIFF_OK);
+    CHECK(fstiff_contact_make("hertz", &roughness, &body, &contact) == FSTIFF_OK);
+    fstiff_contact_free(contact);
+    /* by the table of the standards: five steps; the short waves are gone */
+    const double rough = surface.rms_gradient.value;
+    CHECK(fstiff_measure_profile(heights, count, 1e-6, NULL, &surface) == FSTIFF_OK);
+    CHECK(surface.lambda_s >= 5e-6 * 0.999 && surface.rms_gradient.value < rough);
+    options.lambda_s = 20e-6;
+    CHECK(fstiff_measure_profile(heights, count, 1e-6, &options, &surface) == FSTIFF_OK && surface.lambda_s == 20e-6);
+    options.lambda_s = FSTIFF_NO_CUT_OFF;
+    free(heights);
+
+    size_t four;
+    heights = numbers_of("map", &count);
+    double* sides = numbers_of("map/sides", &four);
+    const size_t rows = (size_t)sides[0], columns = (size_t)sides[1];
+    CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], &options, &surface) == FSTIFF_OK);
+    check_measured("map/measured", &surface);
+    options.detrend = "sphere";
+    CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], &options, &surface) == FSTIFF_REFUSED);
+    CHECK(strstr(fstiff_last_message(), "sphere"));
+    free(heights);
+    free(sides);
+}
+
+/* ---- Refusals ---- */
+
+#define REFUSES(wanted, words, call)                         \
+    do {                                                     \
+        CHECK((call) == (wanted));                           \
+        CHECK(strstr(fstiff_last_message(), words) != NULL); \
+    } while (0)
+
+static void test_refusals(void) {
+    fstiff_roughness fine = fine_surface();
+    fstiff_body body = steel();
+    fstiff_contact* none = (fstiff_contact*)&fine;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "law: must not be NULL", fstiff_contact_make(NULL, &fine, &body, &none));
+    CHECK(none == NULL);
+    REFUSES(FSTIFF_BAD_ARGUMENT, "made: must not be NULL", fstiff_contact_make("hertz", &fine, &body, NULL));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "surface", fstiff_contact_make("hertz", NULL, &body, &none));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "body", fstiff_contact_make("hertz", &fine, NULL, &none));
+    fine.size = 8;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "surface->size = 8", fstiff_contact_make("hertz", &fine, &body, &none));
+    fine.size = SIZE_MAX;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "surface->size", fstiff_contact_make("hertz", &fine, &body, &none));
+    fine = fine_surface();
+    REFUSES(FSTIFF_REFUSED, "must be one of", fstiff_contact_make("herz", &fine, &body, &none));
+    REFUSES(FSTIFF_REFUSED, "must be one of", fstiff_contact_make("", &fine, &body, &none));
+    REFUSES(FSTIFF_REFUSED, "needs a map", fstiff_contact_make("summits", &fine, &body, &none));
+    REFUSES(FSTIFF_REFUSED, "needs", fstiff_contact_make("plastic", &fine, &body, &none));
+    double* const fields[] = {&fine.rms_height, &fine.peak_radius,       &fine.peak_density, &fine.r,
+                              &fine.theta,      &fine.fractal_dimension, &fine.rms_gradient, &body.effective_modulus,
+                              &body.hardness};
+    const double bad[] = {(double)NAN, -1, (double)INFINITY, -(double)INFINITY};
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; ++i)
+        for (size_t j = 0; j < 4; ++j) {
+            const double good = *fields[i];
+            *fields[i] = bad[j];
+            REFUSES(FSTIFF_REFUSED, "must be", fstiff_contact_make("fractal", &fine, &body, &none));
+            CHECK(none == NULL);
+            *fields[i] = good;
+        }
+    body.interaction = 7;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "interaction = 7", fstiff_contact_make("hertz", &fine, &body, &none));
+    body.interaction = FSTIFF_EFFECTIVE_SEPARATION;
+    REFUSES(FSTIFF_REFUSED, "interaction length", fstiff_contact_make("hertz", &fine, &body, &none));
+
+    REFUSES(FSTIFF_BAD_ARGUMENT, "text", fstiff_contact_of_scene(NULL, 0, NULL, 0, 0, &none));
+    REFUSES(FSTIFF_REFUSED, "scene", fstiff_contact_of_scene("", 0, NULL, 0, 0, &none));
+    REFUSES(FSTIFF_REFUSED, "s.toml", fstiff_contact_of_scene("a = [", 5, "s.toml", 0, 0, &none));
+
+    static results found;
+    fstiff_points points = points_of(&found);
+    fstiff_contact* hertz = contact_of("hertz");
+    const double some[] = {1e6, (double)NAN, -1, 0, 1e-320, 1e300, 2e6};
+    REFUSES(FSTIFF_BAD_ARGUMENT, "contact", fstiff_contact_at_pressures(NULL, some, 7, &points));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_contact_at_pressures(hertz, NULL, 7, &points));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "at least one", fstiff_contact_at_pressures(hertz, some, 0, &points));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "longer than memory", fstiff_contact_at_pressures(hertz, some, SIZE_MAX / 2, &points));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "points", fstiff_contact_at_pressures(hertz, some, 7, NULL));
+    REFUSES(FSTIFF_REFUSED, "pressure = nan", fstiff_contact_at_pressures(hertz, some, 7, &points));
+    const int wanted[] = {FSTIFF_OK,           FSTIFF_REFUSED,      FSTIFF_REFUSED, FSTIFF_REFUSED,
+                          FSTIFF_OUT_OF_REACH, FSTIFF_OUT_OF_REACH, FSTIFF_OK};
+    for (size_t i = 0; i < 7; ++i) {
+        CHECK(found.status[i] == wanted[i]);
+        for (size_t j = 0; j < 7; ++j) CHECK(wanted[i] == FSTIFF_OK ? found.of[j][i] > 0 : found.of[j][i] == 0);
+    }
+    points.size = 0;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "points->size = 0", fstiff_contact_at_separations(hertz, some, 7, &points));
+
+    fstiff_contact* persson;
+    fine.rms_gradient = 0.1, body = steel();
+    CHECK(fstiff_contact_make("persson", &fine, &body, &persson) == FSTIFF_OK);
+    points = points_of(&found);
+    REFUSES(FSTIFF_REFUSED, "law persson: gives no contact_density",
+            fstiff_contact_at_pressures(persson, some, 1, &points));
+    points.contact_density = NULL;
+    CHECK(fstiff_contact_at_pressures(persson, some, 1, &points) == FSTIFF_OK && found.of[2][0] > 0);
+    fstiff_contact_free(persson);
+
+    fstiff_law *law = NULL, *no_law;
+    REFUSES(FSTIFF_REFUSED, "max_pressure", fstiff_law_make(hertz, 1e6, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
+    REFUSES(FSTIFF_REFUSED, "min_pressure", fstiff_law_make(hertz, -1, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "outside = 9", fstiff_law_make(hertz, 1e5, 1e6, 9, &no_law));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "contact", fstiff_law_make(NULL, 1e5, 1e6, 0, &no_law));
+    REFUSES(FSTIFF_REFUSED, "contact law text", fstiff_law_of_text("fstiff", 6, &no_law));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "text", fstiff_law_of_text(NULL, 6, &no_law));
+    CHECK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+    double p = -7, k = -7;
+    REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_at_separation(law, 1, &p, &k, NULL));
+    REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_at_pressure(law, (double)NAN, &p, &k, NULL));
+    CHECK(p == -7 && k == -7);
+    REFUSES(FSTIFF_BAD_ARGUMENT, "law", fstiff_law_at_separation(NULL, 1, &p, &k, NULL));
+    size_t length;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "length", fstiff_law_text(law, NULL, 0, NULL));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "buffer", fstiff_law_text(law, NULL, 10, &length));
+    fstiff_law_free(law);
+    CHECK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_EXACT, &law) == FSTIFF_OK);
+    REFUSES(FSTIFF_REFUSED, "outside", fstiff_law_text(law, NULL, 0, &length));
+    fstiff_law_free(law);
+    fstiff_contact_free(hertz);
+
+    double heights[400];
+    fstiff_surface surface = {.size = sizeof surface};
+    fstiff_measure_options options = {.size = sizeof options};
+    for (int i = 0; i < 400; ++i) heights[i] = 1e-6 * (i % 7) - 2e-7 * (i % 11);
+    REFUSES(FSTIFF_BAD_ARGUMENT, "heights", fstiff_measure_profile(NULL, 400, 1e-6, NULL, &surface));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "at least one", fstiff_measure_profile(heights, 0, 1e-6, NULL, &surface));
+    REFUSES(FSTIFF_REFUSED, "spacing", fstiff_measure_profile(heights, 400, (double)NAN, NULL, &surface));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "longer than memory", fstiff_measure_map(heights, SIZE_MAX, 2, 1, 1, NULL, &surface));
+    REFUSES(FSTIFF_REFUSED, "dx", fstiff_measure_map(heights, 20, 20, -1, 1, NULL, &surface));
+    options.resamples = -3;
+    REFUSES(FSTIFF_REFUSED, "resamples", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
+    options.resamples = 0, options.lambda_s = (double)NAN;
+    REFUSES(FSTIFF_REFUSED, "lambda_s", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
+    options.lambda_s = 0, options.shortest_lag = 1e-6;
+    REFUSES(FSTIFF_REFUSED, "longest_lag", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
+    surface.size = 1;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "surface->size = 1", fstiff_measure_profile(heights, 400, 1e-6, NULL, &surface));
+    heights[3] = (double)INFINITY, surface.size = sizeof surface;
+    REFUSES(FSTIFF_REFUSED, "height", fstiff_measure_profile(heights, 400, 1e-6, NULL, &surface));
+
+    fstiff_contact_free(NULL);
+    fstiff_law_free(NULL);
+    for (int status = -1; status < 12; ++status) CHECK(strlen(fstiff_strerror(status)) > 4);
+    CHECK(strcmp(fstiff_strerror(99), "unknown status") == 0);
+    CHECK(strcmp(fstiff_version(), FSTIFF_VERSION_WANTED) == 0);
+}
+
+/* ---- Threads ---- */
+
+typedef struct task {
+    const fstiff_contact* contact;
+    const fstiff_law* law;
+    const char* bad_law;
+    double sum;
+    int failures;
+} task;
+
+static const char small_scene[] =
+    "[surface]\nrms_height = '0.8 um'\npeak_radius = '40 um'\npeak_density = '500 /mm^2'\n"
+    "[material.upper]\nyoungs_modulus = '205 GPa'\npoisson_ratio = 0.3\n"
+    "[contact]\npressures = ['1 MPa']\nlaws = ['hertz']\npeaks = [{ theta = 1.0, r = 0.5 }]\n";
+
+static void* work(void* argument) {
+    task* const of = argument;
+    const fstiff_roughness fine = fine_surface();
+    const fstiff_body body = steel();
+    of->failures += strcmp(fstiff_last_message(), "") != 0; /* a new thread has no message */
+    for (int i = 0; i < 200; ++i) {
+        fstiff_contact* none;
+        of->failures += fstiff_contact_make(of->bad_law, &fine, &body, &none) != FSTIFF_REFUSED;
+        const double p = 1e5 * (1 + i);
+        double k, kt;
+        fstiff_points points = {.size = sizeof points, .stiffness = &k};
+        of->failures += fstiff_contact_at_pressures(of->contact, &p, 1, &points) != FSTIFF_OK;
+        of->failures += fstiff_law_at_pressure(of->law, p, NULL, &kt, NULL) != FSTIFF_OK;
+        of->failures += fabs(kt / k - 1) > 1e-9;
+        of->sum += k;
+        of->failures += strstr(fstiff_last_message(), of->bad_law) == NULL;
+    }
+    for (int i = 0; i < 10; ++i) { /* what reads and what measures keeps no state either */
+        fstiff_contact* read;
+        of->failures += fstiff_contact_of_scene(small_scene, strlen(small_scene), NULL, 0, 0, &read) != FSTIFF_OK;
+        fstiff_contact_free(read);
+        double heights[400];
+        fstiff_surface surface = {.size = sizeof surface};
+        const fstiff_measure_options options = {.size = sizeof options, .resamples = 5};
+        for (int j = 0; j < 400; ++j) heights[j] = 1e-6 * sin(0.7 * j) + 1e-7 * (j * 7919 % 101);
+        of->failures += fstiff_measure_profile(heights, 400, 1e-6, &options, &surface) != FSTIFF_OK;
+    }
+    return NULL;
+}
+
+static void test_threads(void) {
+    fstiff_contact* contact = contact_of("hertz");
+    fstiff_law* law;
+    CHECK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+    task tasks[2] = {{contact, law, "left", 0, 0}, {contact, law, "right", 0, 0}};
+    pthread_t threads[2];
+    for (int i = 0; i < 2; ++i) CHECK(pthread_create(&threads[i], NULL, work, &tasks[i]) == 0);
+    for (int i = 0; i < 2; ++i) CHECK(pthread_join(threads[i], NULL) == 0);
+    CHECK(tasks[0].failures == 0 && tasks[1].failures == 0);
+    CHECK(tasks[0].sum > 0 && tasks[0].sum == tasks[1].sum);
+    CHECK(strcmp(fstiff_last_message(), "") == 0);
+    fstiff_law_free(law);
+    fstiff_contact_free(contact);
+}
+
+/* ---- Random bytes ---- */
+
+static uint64_t state = 2014;
+static uint64_t random_number(void) {
+    state ^= state << 13, state ^= state >> 7, state ^= state << 17;
+    return state;
+}
+
+static void test_random(double seconds, const char* scene_file) {
+    size_t scene_length = 0, law_length = 0, accepted = 0, refused = 0;
+    char* scene = scene_file ? read_file(scene_file, &scene_length) : NULL;
+    fstiff_contact* hertz = contact_of("hertz");
+    fstiff_law* law;
+    CHECK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_CLAMP, &law) == FSTIFF_OK);
+    CHECK(fstiff_law_text(law, NULL, 0, &law_length) == FSTIFF_OK);
+    char* law_text = malloc(law_length + 1);
+    char* bytes = malloc(scene_length + law_length + 4096);
+    if (!law_text || !bytes) exit(1);
+    CHECK(fstiff_law_text(law, law_text, law_length + 1, &law_length) == FSTIFF_OK);
+    fstiff_law_free(law);
+    fstiff_contact_free(hertz);
+    const time_t end = time(NULL) + (time_t)seconds;
+    while (time(NULL) <= end) {
+        const uint64_t kind = random_number() % 4; /* 0: bytes alone, 1 and 2: a changed scene, 3: a changed law */
+        const char* base = kind == 3 ? law_text : scene;
+        size_t length = kind == 3 ? law_length : scene_length;
+        if (kind == 0 || !base) {
+            length = random_number() % 2000;
+            for (size_t i = 0; i < length; ++i) bytes[i] = (char)random_number();
+        } else {
+            memcpy(bytes, base, length);
+            for (uint64_t changes = 1 + random_number() % 6; changes > 0; --changes) {
+                const size_t at = random_number() % length;
+                if (random_number() % 8 == 0)
+                    length = at + 1;
+                else if (random_number() % 2 == 0)
+                    bytes[at] = (char)random_number();
+                else
+                    bytes[at] = "0123456789.eE-+[]{}=\"'# \nxnaif"[random_number() % 31];
+            }
+        }
+        const double x = pow(10, -10 + (double)(random_number() % 20));
+        int status;
+        if (kind == 3) {
+            double p = 0, k = 0, s = 0;
+            status = fstiff_law_of_text(bytes, length, &law);
+            if (status == FSTIFF_OK) {
+                if (fstiff_law_at_separation(law, x, &p, &k, &s) == FSTIFF_OK)
+                    CHECK(isfinite(p) && isfinite(k) && isfinite(s));
+                if (fstiff_law_at_pressure(law, x, &p, &k, &s) == FSTIFF_OK)
+                    CHECK(isfinite(p) && isfinite(k) && isfinite(s));
+                fstiff_law_free(law);
+            }
+        } else {
+            fstiff_contact* contact;
+            status = fstiff_contact_of_scene(bytes, length, NULL, 0, 0, &contact);
+            CHECK((status == FSTIFF_OK) == (contact != NULL));
+            if (contact) {
+                double k = -1;
+                const fstiff_points points = {.size = sizeof points, .stiffness = &k};
+                (void)fstiff_contact_at_pressures(contact, &x, 1, &points);
+                CHECK(isfinite(k));
+                fstiff_contact_free(contact);
+            }
+        }
+        CHECK(status != FSTIFF_INTERNAL);
+        if (status == FSTIFF_OK)
+            ++accepted;
+        else {
+            ++refused;
+            CHECK(strlen(fstiff_last_message()) > 0);
+        }
+        if (failures > 5) break;
+    }
+    printf("%zu texts: %zu refused, %zu accepted\n", accepted + refused, refused, accepted);
+    CHECK(refused > 0);
+    free(scene);
+    free(law_text);
+    free(bytes);
+}
+
+int main(int argc, char** argv) {
+    const char* const part = argc > 1 ? argv[1] : "";
+    if (strcmp(part, "numbers") == 0 && argc == 4) {
+        size_t length;
+        char* const text = read_file(argv[2], &length);
+        char scene[1024];
+        all_numbers = text;
+        snprintf(scene, sizeof scene, "%s.scene", argv[3]);
+        test_contacts();
+        test_scene(scene);
+        test_law(argv[3]);
+        test_measurement();
+        free(text);
+    } else if (strcmp(part, "refusals") == 0)
+        test_refusals();
+    else if (strcmp(part, "threads") == 0)
+        test_threads();
+    else if (strcmp(part, "random") == 0 && argc > 2)
+        test_random(atof(argv[2]), argc > 3 ? argv[3] : NULL);
+    else
+        return 2;
+    printf("%s: %d failures\n", part, failures);
+    return failures > 0;
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What interface_test.c compares with: numbers of the C++ library, made without the C interface and without scenes but for one.
+// Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
+#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/profile/level.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/topography/form.hpp>
+
+#include "scene/results.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+namespace {
+
+using namespace fstiff;
+
+std::FILE* out;
+
+void print(const char* key, const std::vector<double>& values) {
+    std::fprintf(out, "%s %zu", key, values.size());
+    for (const double value : values) std::fprintf(out, " %a", value);
+    std::fprintf(out, "\n");
+}
+
+std::vector<double> numbers_of(const ContactState<double>& s) {
+    return {s.pressure.value,          s.separation.value,         s.stiffness.value,      s.stiffness.error,
+            s.loading_stiffness.value, s.real_area_fraction.value, s.contact_density.value};
+}
+
+template <class Contact>
+void print_states(const std::string& key, const Contact& contact, const std::vector<double>& pressures) {
+    for (std::size_t i = 0; i < pressures.size(); ++i) {
+        const auto at = contact.at_pressure(pressures[i]);
+        print((key + "/p" + std::to_string(i)).c_str(), numbers_of(at));
+        print((key + "/d" + std::to_string(i)).c_str(), numbers_of(contact.at_separation(at.separation.value)));
+    }
+}
+
+void print_measured(const char* key, const SurfaceParameters<double>& found) {
+    std::vector<double> all;
+    for (const auto* one : {&found.rms_height, &found.peak_radius, &found.peak_density})
+        all.insert(all.end(), {one->value, one->error});
+    for (const auto* one : {&found.fractal_dimension, &found.fractal_roughness, &found.r, &found.theta}) {
+        const auto value = one->value_or(Measurement<double>{0, 0});
+        all.insert(all.end(), {value.value, value.error});
+    }
+    print(key, all);
+}
+
+}  // namespace
+
+int main(int, char** argv) {
+    out = std::fopen(argv[1], "w");
+    if (!out) return 1;
+    const std::vector<double> pressures{1e5, 3e5, 1e6, 3e6, 1e7, 3e7, 1e8};
+    print("pressures", pressures);
+    const Roughness<double> fine{0.832e-6, 40e-6, 500e6, 5.3e-6};
+    const PeakDistribution<double> peaks(0.5, 1.0);
+    const RoughContact hertz(fine, peaks, HertzLaw<double>{}, 112.6e9);
+    print_states("hertz", hertz, pressures);
+    print_states("fractal", RoughContact(fine, peaks, FractalLaw<double>(1.62), 112.6e9), pressures);
+    RoughContactOptions<double> options;
+    options.interaction = {InteractionReading::effective_separation, 1e-4};
+    print_states("interacting", RoughContact(fine, peaks, HertzLaw<double>{}, 112.6e9, options), pressures);
+
+    const auto law = ContactLaw<double>::tabulate(hertz, {1e5, 1e8, OutsideRange::extrapolate});
+    std::ofstream(argv[2], std::ios::binary) << law.to_text();
+    for (std::size_t i = 0; i < pressures.size(); ++i) {
+        const double p = pressures[i] * 1.5, d = law.separation(p);
+        const auto at = law.at_separation(d);
+        print(("law/" + std::to_string(i)).c_str(),
+              {p, d, law.stiffness(p), law.stiffness_slope(p), at.pressure, at.stiffness, law.slope_at_separation(d)});
+    }
+
+    const scene::Results scene = scene::compute(scene::read_scene(scene::builtin_scene, {.name = "builtin"}));
+    std::ofstream(std::string(argv[2]) + ".scene", std::ios::binary) << scene::builtin_scene;
+    for (std::size_t i = 0; i < 5; ++i) {
+        std::vector<double> at_pressures, stiffness;
+        for (const auto& state : scene.curves[i].states)
+            at_pressures.push_back(state.pressure.value), stiffness.push_back(state.stiffness.value);
+        print(("scene/p" + std::to_string(i)).c_str(), at_pressures);
+        print(("scene/k" + std::to_string(i)).c_str(), stiffness);
+    }
+
+    SelfAffineOptions<double> surface;
+    surface.hurst = 0.7, surface.rms = 1e-6;
+    const Profile<double> profile = self_affine_profile(surface, 4096, 1e-6);
+    print("profile", profile.heights);
+    print_measured("profile/measured", surface_parameters<double>(level(profile, Form::line), {}));
+    const HeightMap<double> map = self_affine_map(surface, 96, 64, 1e-6, 1.5e-6);
+    print("map", {map.heights.data(), map.heights.data() + map.size()});
+    print("map/sides", {static_cast<double>(map.rows()), static_cast<double>(map.columns()), map.dx, map.dy});
+    print_measured("map/measured", surface_parameters<double>(level(map, MapForm::plane), {}));
+    return std::fclose(out);
+}
