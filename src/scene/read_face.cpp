@@ -176,6 +176,42 @@ void read_spectrum(Source& source, const Section& surface, Face& face) {
     read("hurst", face.hurst, 0, 1, "must be greater than 0 and at most 1");
 }
 
+/// surface.errors: standard errors of parameters that are known.
+void read_errors(Source& source, const Section& surface, const toml::node& errors,
+                 UncertainSurface<double>& uncertain) {
+    if (!errors.is_table()) source.refuse(errors, surface.key("errors"), "must be a table of standard errors");
+    constexpr auto keys = choices<Parameter>();
+    const Section section(source, *errors.as_table(), surface.key("errors"),
+                          std::span(keys).first<surface_parameter_count>());
+    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) {
+        const std::size_t i = index_of(row.parameter);
+        const toml::node* node = section.find(row.key);
+        if (!node) continue;
+        const std::string key = section.key(row.key);
+        if (!uncertain.known[i])
+            source.refuse(*node, key, "has no value beside it; must stand beside " + surface.key(row.key));
+        uncertain.error[i] = read_parameter(source, section, row, *node, true);
+        if (!(uncertain.error[i] >= 0 && std::isfinite(uncertain.error[i])))
+            source.refuse(*node, key, "must be finite and not negative");
+    }
+}
+
+/// What is written in place of what was measured of \p face holds for its \p neighbour too.
+void keep_written(const Section& surface, const Face& face, Face& neighbour) {
+    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>())
+        if (surface.find(row.key))
+            neighbour.uncertain.set(row.parameter, {face.uncertain.value[index_of(row.parameter)], 0});
+    if (surface.find("rms_height")) neighbour.surface.rms_height = face.surface.rms_height;
+    if (surface.find("peak_radius")) neighbour.surface.peak_radius = face.surface.peak_radius;
+    if (surface.find("peak_density")) neighbour.surface.peak_density = face.surface.peak_density;
+    if (surface.find("fractal_dimension")) neighbour.fractal_dimension = face.fractal_dimension;
+    if (surface.find("r")) neighbour.r = face.r, neighbour.theta = face.theta;
+    if (surface.find("rms_gradient")) neighbour.rms_gradient = face.rms_gradient;
+    if (surface.find("alpha")) neighbour.alpha = face.alpha;
+    neighbour.hurst = face.hurst;
+    neighbour.spectrum_of_map = face.spectrum_of_map;
+}
+
 /// Reads the section \p path, a face.
 Face read_face(Source& source, const toml::table& table, const std::string& path, const ProgressHook& progress) {
     Face face;
@@ -229,23 +265,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
         for (std::size_t j = 0; j < surface_parameter_count; ++j)  // written by hand: independent of what was measured
             uncertain.correlation[i][j] = uncertain.correlation[j][i] = i == j ? 1 : 0;
     }
-    if (const auto* errors = surface.find("errors")) {
-        if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
-        constexpr auto keys = choices<Parameter>();
-        const Section section(source, *errors->as_table(), surface.key("errors"),
-                              std::span(keys).first<surface_parameter_count>());
-        for (const ParameterRow& row : all) {
-            const std::size_t i = index_of(row.parameter);
-            const toml::node* node = section.find(row.key);
-            if (!node) continue;
-            const std::string key = section.key(row.key);
-            if (!uncertain.known[i])
-                source.refuse(*node, key, "has no value beside it; must stand beside " + surface.key(row.key));
-            uncertain.error[i] = read_parameter(source, section, row, *node, true);
-            if (!(uncertain.error[i] >= 0 && std::isfinite(uncertain.error[i])))
-                source.refuse(*node, key, "must be finite and not negative");
-        }
-    }
+    if (const auto* errors = surface.find("errors")) read_errors(source, surface, *errors, uncertain);
     const auto value = [&](Parameter which) -> std::optional<double> {
         const std::size_t i = index_of(which);
         return uncertain.known[i] ? std::optional(uncertain.value[i]) : std::nullopt;
@@ -264,19 +284,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
         throw domain_error(source.at(table) + ": " + surface.key(face.r ? "theta" : "r") + ": is missing; " +
                            surface.key("r") + " and " + surface.key("theta") + " stand side by side");
     if (surface.find("fractal_dimension")) face.dimension_window_error = 0;
-    for (Face& neighbour : face.neighbours) {  // what is written in place of what was measured holds for them too
-        for (const ParameterRow& row : all)
-            if (surface.find(row.key)) neighbour.uncertain.set(row.parameter, {*value(row.parameter), 0});
-        if (surface.find("rms_height")) neighbour.surface.rms_height = face.surface.rms_height;
-        if (surface.find("peak_radius")) neighbour.surface.peak_radius = face.surface.peak_radius;
-        if (surface.find("peak_density")) neighbour.surface.peak_density = face.surface.peak_density;
-        if (surface.find("fractal_dimension")) neighbour.fractal_dimension = face.fractal_dimension;
-        if (surface.find("r")) neighbour.r = face.r, neighbour.theta = face.theta;
-        if (surface.find("rms_gradient")) neighbour.rms_gradient = face.rms_gradient;
-        if (surface.find("alpha")) neighbour.alpha = face.alpha;
-        neighbour.hurst = face.hurst;
-        neighbour.spectrum_of_map = face.spectrum_of_map;
-    }
+    for (Face& neighbour : face.neighbours) keep_written(surface, face, neighbour);
     return face;
 }
 
