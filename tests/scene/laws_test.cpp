@@ -7,6 +7,7 @@
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/io/write_csv.hpp>
 
+#include "cli/command.hpp"
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/half_space_maps.hpp"
@@ -37,22 +38,22 @@ const std::string moments = "rms_height = \"1.1 um\"\nrms_gradient = 0.1\nalpha 
 /// The Gaussian map of tests/data, in SI over (100 um)^2, in a file.
 class MapFile {
 public:
-    MapFile() : path_(std::filesystem::temp_directory_path() / "fstiff_laws_test_map.csv") {
+    MapFile() {
         map = test::half_space_map("gaussian");
         map.heights *= 1e-4;
         map.dx *= 1e-4;
         map.dy *= 1e-4;
-        std::ofstream file(path_);
+        std::ofstream file(path());
         io::write_csv(file, map);
     }
-    ~MapFile() { std::filesystem::remove(path_); }
     [[nodiscard]] std::string surface() const {
-        return "from = \"" + path_.string() + "\"\ndetrend = \"mean\"\nlambda_s = \"none\"";
+        return "from = \"" + path() + "\"\ndetrend = \"mean\"\nlambda_s = \"none\"";
     }
     HeightMap<double> map;
 
 private:
-    std::filesystem::path path_;
+    [[nodiscard]] std::string path() const { return folder_ / "map.csv"; }
+    test::Folder folder_;  // of this test alone: tests run side by side
 };
 
 }  // namespace
