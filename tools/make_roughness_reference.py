@@ -4,7 +4,7 @@
 tests/data, of rows of them, of both with points missing, and of measured files. Nothing of fstiff is used.
 
     tools/make_roughness_reference.py [FOLDER]             writes the table; FOLDER holds the measured files
-    tools/make_roughness_reference.py --check [FOLDER]     compares to 1e-11; rows of files that are not there are left out
+    tools/make_roughness_reference.py --check [FOLDER]     compares to 1e-9 (a density of 1e-12 of the greatest keeps 1e-16/1e-6 of its amplitude through an FFT); rows of files that are not there are left out
     tools/make_roughness_reference.py --others [FOLDER]    compares with surfalize and SurfaceTopography, where they are installed
 
     ISO 21920-2:2021, ISO 25178-2:2021; Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001 (spectra, whose
@@ -318,10 +318,10 @@ def check(folder):
             error = abs(found[parameter] - value) / (1.0 if parameter.startswith("acf") else abs(value) or 1.0)
             rows += 1
             worst = max(worst, error)
-            if error > 1e-11:
+            if error > 1e-9:
                 print(f"{source}, {parameter}: {value} in the table, {found[parameter]} now")
     print(f"{rows} of {len(expected)} rows, the worst off by {worst:.1e}")
-    return 1 if worst > 1e-11 else 0
+    return 1 if worst > 1e-9 else 0
 
 
 def others(folder):
