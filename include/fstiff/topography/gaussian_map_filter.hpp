@@ -38,10 +38,12 @@ template <Real T>
 
 namespace detail {
 
+template <Real F>
+using FilteredHeights = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// The weighted sums of every row of \p z, then of every column.
 template <Real F>
-void smooth_both_ways(Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& z, GaussianSmoother<F>& along_x,
-                      GaussianSmoother<F>& along_y) {
+void smooth_both_ways(FilteredHeights<F>& z, GaussianSmoother<F>& along_x, GaussianSmoother<F>& along_y) {
     std::vector<F> line;
     for (Eigen::Index j = 0; j < z.rows(); ++j) {
         line.assign(z.row(j).begin(), z.row(j).end());
@@ -49,7 +51,7 @@ void smooth_both_ways(Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
         std::copy(line.begin(), line.end(), z.row(j).begin());
     }
     constexpr Eigen::Index together = 16;  // columns are fetched by so many, which share lines of the cache
-    Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> columns;
+    FilteredHeights<F> columns;
     for (Eigen::Index i = 0; i < z.cols(); i += together) {
         const Eigen::Index many = std::min(together, z.cols() - i);
         columns = z.middleCols(i, many).transpose();
@@ -62,25 +64,47 @@ void smooth_both_ways(Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
     }
 }
 
+/// \throws domain_error for a map out of range, or a cut-off that it cannot hold.
+template <Real T>
+void require_cut_off(const HeightMap<T>& map, T cutoff) {
+    map.validate();
+    const T shorter = std::min(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
+    require(cutoff >= 2 * std::max(map.dx, map.dy) * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= shorter,
+            "cut-off", cutoff, "at least 2 steps and at most the shorter side of the map");
+}
+
+/// Along x and along y.
+template <Real T>
+[[nodiscard]] std::pair<GaussianSmoother<Accumulator<T>>, GaussianSmoother<Accumulator<T>>> smoothers(
+    const HeightMap<T>& map, T cutoff) {
+    using F = Accumulator<T>;
+    const auto along = [&](Eigen::Index points, T step) {
+        return GaussianSmoother<F>(static_cast<std::size_t>(points), static_cast<F>(cutoff) / static_cast<F>(step));
+    };
+    return {along(map.columns(), map.dx), along(map.rows(), map.dy)};
+}
+
+/// Heights about their mean; 0 where a point is missing.
+template <Real T>
+[[nodiscard]] FilteredHeights<Accumulator<T>> present_or_zero(const HeightMap<T>& map, const MapHeights<T>& heights) {
+    using F = Accumulator<T>;
+    FilteredHeights<F> z(map.rows(), map.columns());
+    for (Eigen::Index k = 0; k < map.size(); ++k) {
+        const T height = map.heights.data()[k];
+        z.data()[k] = std::isnan(height) ? F(0) : static_cast<F>(heights.of(height) - heights.mean);
+    }
+    return z;
+}
+
 }  // namespace detail
 
 template <Real T>
 HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
     using F = Accumulator<T>;
-    using Array = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    map.validate();
-    const T shorter = std::min(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
-    require(cutoff >= 2 * std::max(map.dx, map.dy) * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= shorter,
-            "cut-off", cutoff, "at least 2 steps and at most the shorter side of the map");
+    detail::require_cut_off(map, cutoff);
     const detail::MapHeights<T> heights(map);
-    GaussianSmoother<F> along_x(static_cast<std::size_t>(map.columns()),
-                                static_cast<F>(cutoff) / static_cast<F>(map.dx));
-    GaussianSmoother<F> along_y(static_cast<std::size_t>(map.rows()), static_cast<F>(cutoff) / static_cast<F>(map.dy));
-    Array z(map.rows(), map.columns());
-    for (Eigen::Index k = 0; k < map.size(); ++k) {
-        const T height = map.heights.data()[k];
-        z.data()[k] = std::isnan(height) ? F(0) : static_cast<F>(heights.of(height) - heights.mean);
-    }
+    auto [along_x, along_y] = detail::smoothers(map, cutoff);
+    detail::FilteredHeights<F> z = detail::present_or_zero(map, heights);
     detail::smooth_both_ways(z, along_x, along_y);
     if (map.present() == map.size()) {  // the weights are a product as well
         std::vector<F> of_x(static_cast<std::size_t>(map.columns()), F(1)),
@@ -91,7 +115,7 @@ HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 z(j, i) /= of_x[static_cast<std::size_t>(i)] * of_y[static_cast<std::size_t>(j)];
     } else {
-        Array weights =
+        detail::FilteredHeights<F> weights =
             map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<F>();
         detail::smooth_both_ways(weights, along_x, along_y);
         z /= weights;  // of a missing point it may be 0/0, and is not used

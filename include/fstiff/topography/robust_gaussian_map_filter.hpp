@@ -40,21 +40,13 @@ template <Real T>
 template <Real T>
 RobustMapWaviness<T> robust_waviness(const HeightMap<T>& map, T cutoff) {
     using F = Accumulator<T>;
-    using Array = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    map.validate();
-    const T shorter = std::min(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
-    require(cutoff >= 2 * std::max(map.dx, map.dy) * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= shorter,
-            "cut-off", cutoff, "at least 2 steps and at most the shorter side of the map");
+    using Array = detail::FilteredHeights<F>;
+    detail::require_cut_off(map, cutoff);
     const detail::MapHeights<T> scaled(map);
-    GaussianSmoother<F> along_x(static_cast<std::size_t>(map.columns()),
-                                static_cast<F>(cutoff) / static_cast<F>(map.dx));
-    GaussianSmoother<F> along_y(static_cast<std::size_t>(map.rows()), static_cast<F>(cutoff) / static_cast<F>(map.dy));
-    Array z(map.rows(), map.columns()), delta(map.rows(), map.columns());
-    for (Eigen::Index k = 0; k < map.size(); ++k) {
-        const T height = map.heights.data()[k];
-        z.data()[k] = std::isnan(height) ? F(0) : static_cast<F>(scaled.of(height) - scaled.mean);
-        delta.data()[k] = std::isnan(height) ? F(0) : F(1);
-    }
+    auto [along_x, along_y] = detail::smoothers(map, cutoff);
+    const Array z = detail::present_or_zero(map, scaled);
+    Array delta =
+        map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<F>();
     RobustMapWaviness<T> result;
     Array wave = Array::Zero(map.rows(), map.columns()), full;
     std::vector<F> residuals;
