@@ -46,6 +46,15 @@ const Law& law_for(const MeasuredSurface& surface) {
 
 std::string text_of(const std::optional<double>& cut_off) { return cut_off ? exact(*cut_off) + " m" : "none"; }
 
+/// The row of the cut-offs that \p surface has.
+Scale scale_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {
+    Scale scale{.cut_offs = surface.cut_offs, .chosen = true};
+    scale.surface = surface;
+    scale.stiffness = stiffness_of(surface, law, how);
+    if (!scale.stiffness) scale.refusal = "no K by " + std::string(law.name);
+    return scale;
+}
+
 Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs& cut_offs, const Law& law,
                const ScalesOptions& how) {
     options.neighbours = false;
@@ -54,9 +63,9 @@ Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs&
     options.input.lambda_c = text_of(cut_offs.lambda_c);
     Scale scale{.cut_offs = cut_offs};
     try {
-        scale.surface = measure_surface(options, input);
-        scale.stiffness = stiffness_of(*scale.surface, law, how);
-        if (!scale.stiffness) scale.refusal = "no K by " + std::string(law.name);
+        scale = scale_of(measure_surface(options, input), law, how);
+        scale.cut_offs = cut_offs;
+        scale.chosen = false;
     } catch (const domain_error& error) {
         scale.refusal = error.what();
     }
@@ -65,10 +74,7 @@ Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs&
 
 }  // namespace
 
-Scales scales_of(const MeasureOptions& options, const SurfaceInput& input, const ScalesOptions& how) {
-    MeasureOptions once = options;
-    once.neighbours = false;
-    const MeasuredSurface chosen = measure_surface(once, input);
+Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how) {
     const Law& law = law_for(chosen);
     double step = 0, length = 0;
     if (chosen.profile) {
@@ -95,14 +101,16 @@ Scales scales_of(const MeasureOptions& options, const SurfaceInput& input, const
     for (double cut = longest * std::exp2(std::floor(std::log2(length / 2 / longest) + 1e-9));
          cut >= std::max(10 * own.lambda_s.value_or(0), 20 * step) * (1 - 1e-9); cut /= 2)
         ask(false, own.lambda_s, cut);
+    const auto same = [](const std::optional<double>& a, const std::optional<double>& b) {
+        return a.has_value() == b.has_value() && (!a || std::abs(*a - *b) < 1e-9 * *b);
+    };
+    const Scale of_chosen = scale_of(chosen, law, how);
     Scales scales{.law = std::string(law.name), .length = length, .short_waves = {}, .long_waves = {}};
     for (std::size_t i = 0; i < asked.size(); ++i) {
         if (how.progress) how.progress("scales", i, asked.size());
-        Scale scale = scale_at(options, input, asked[i].second, law, how);
-        const auto same = [](const std::optional<double>& a, const std::optional<double>& b) {
-            return a.has_value() == b.has_value() && (!a || std::abs(*a - *b) < 1e-9 * *b);
-        };
-        scale.chosen = same(scale.cut_offs.lambda_s, own.lambda_s) && same(scale.cut_offs.lambda_c, own.lambda_c);
+        const CutOffs& cut_offs = asked[i].second;
+        const bool is_own = same(cut_offs.lambda_s, own.lambda_s) && same(cut_offs.lambda_c, own.lambda_c);
+        Scale scale = is_own ? of_chosen : scale_at(*chosen.how, input, cut_offs, law, how);
         (asked[i].first ? scales.short_waves : scales.long_waves).push_back(std::move(scale));
     }
     return scales;

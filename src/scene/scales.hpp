@@ -35,9 +35,9 @@ struct Scales {
     std::vector<Scale> long_waves;   ///< lambda_c from none by factors of two down to ten times lambda_s
 };
 
-/// Measures \p input behind each of the cut-offs, without errors.
-/// \throws as measure_surface() for the cut-offs of \p options; what others refuse stands in their rows.
-[[nodiscard]] Scales scales_of(const MeasureOptions& options, const SurfaceInput& input, const ScalesOptions& how);
+/// \p chosen, which was measured of \p input, and the same input behind each of the other cut-offs, without errors. What these
+/// refuse stands in their rows.
+[[nodiscard]] Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how);
 
 /// "halving or doubling lambda_s changes K by -3 % to +4 %: settled"; one sentence for either cut-off.
 [[nodiscard]] std::vector<std::string> what_is_settled(const Scales& scales);

@@ -165,7 +165,7 @@ Report execute_scales(const Options& options) {
     measure.input.file = options.files.front();
     const SurfaceInput input = read_surface_input(measure.input);
     const MeasuredSurface surface = measure_surface(measure, input, progress_bar());
-    const Scales scales = scales_of(measure, input, how);
+    const Scales scales = scales_of(surface, input, how);
     std::vector<std::string> files;
     if (!options.picture.empty()) {
         Figure figure{.title = surface.file + " behind other cut-offs", .panels = scales_panels(scales)};

@@ -511,7 +511,7 @@ void scales_section(Page& page, const Scene& scene, const Results& results, cons
     if (!surface.how || surface.how->input.file == "-" || scene.at_separations) return;
     const scene::ScalesOptions how{
         .pressure = scene.points[scene.points.size() / 2], .modulus = results.modulus, .progress = progress_bar()};
-    const scene::Scales scales = scales_of(*surface.how, read_surface_input(surface.how->input), how);
+    const scene::Scales scales = scales_of(surface, read_surface_input(surface.how->input), how);
     std::vector<Panel> panels = scales_panels(scales);
     if (panels.empty()) return;
     page.heading("What hangs on the cut-offs");
