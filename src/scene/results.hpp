@@ -77,5 +77,8 @@ struct Results {
 /// Everything the scene asks for. \p progress is called while a band is sampled.
 /// \throws domain_error where the model cannot give it, naming the place in the scene.
 [[nodiscard]] Results compute(const Scene& scene, const ProgressHook& progress = {});
+/// The curves of compute() with their states, bands and columns, but without checks, means and warnings: for many scenes.
+/// \throws domain_error as compute().
+[[nodiscard]] std::vector<Curve> curves_of(const Scene& scene);
 
 }  // namespace fstiff::scene

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff sweep: a grid of scenes to one line a row of results.
+#include "commands/commands.hpp"
+#include "document/output.hpp"
+#include "input/progress.hpp"
+#include "sweep/engine.hpp"
+#include "sweep/results_file.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+
+namespace fstiff::cli {
+namespace {
+
+struct Options {
+    OutputOptions output;  // of the summary
+    std::string grid, results, shard = "1/1";
+    int threads = 0;  ///< 0: as many as there are cores
+};
+
+/// {shard} in the name of the results is the number of the shard.
+std::string results_file(const Options& options, const sweep::Shard& shard) {
+    std::string file = options.results;
+    const std::string place = "{shard}";
+    for (std::size_t at = file.find(place); at != std::string::npos; at = file.find(place))
+        file.replace(at, place.size(), std::to_string(shard.number));
+    return file;
+}
+
+std::string counted(std::uint64_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string summary(const sweep::Grid& grid, const sweep::Description& of, const std::string& file) {
+    std::string text = "fstiff sweep: " + grid.file + ", " + counted(grid.size, "scene");
+    if (of.shard.of > 1)
+        text += ", of which shard " + of.shard.text() + " has " +
+                std::to_string(of.shard.end(grid.size) - of.shard.first(grid.size));
+    text += "; results in " + file + "\n";
+    for (const sweep::Axis& axis : grid.axes) {
+        text += "  " + axis.key;
+        if (!axis.unit.empty()) text += " [" + axis.unit + "]";
+        const auto shown = [](double value) { return rounded(value, 6); };
+        if (axis.range)
+            text += ": " + shown(axis.range->from) + " to " + shown(axis.range->to) + ", " +
+                    std::to_string(axis.range->count) + " values by " +
+                    (axis.range->log ? "equal factors" : "equal steps");
+        else if (axis.drawn)
+            text +=
+                axis.drawn->kind == sweep::Distribution::Kind::uniform
+                    ? ": between " + shown(axis.drawn->a) + " and " + shown(axis.drawn->b)
+                : axis.drawn->kind == sweep::Distribution::Kind::normal
+                    ? ": normal, " + shown(axis.drawn->a) + " +- " + shown(axis.drawn->b)
+                    : ": lognormal, median " + shown(axis.drawn->a) + ", " + shown(axis.drawn->b) + " of the logarithm";
+        else
+            text += ": " + counted(axis.count(), "listed value");
+        text += "\n";
+    }
+    if (grid.samples > 1)
+        text += "  " + counted(grid.samples, "draw") + " at each point of the grid, seed " + std::to_string(grid.seed) +
+                "\n";
+    return text;
+}
+
+Report execute(const Options& options) {
+    const sweep::Shard shard = sweep::parse_shard(options.shard);
+    const std::string file = results_file(options, shard);
+    require_writable(file);
+    keep_for_output(file);
+    const sweep::Grid grid = sweep::read_grid(read_all(options.grid), display_name(options.grid));
+    std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
+    if (!std::filesystem::exists(sweep::description_file(file))) maker.emplace(grid);
+    sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
+    Report report;
+    if (results.dropped() > 0)
+        report.diagnostics.push_back("the run before was interrupted: " + std::to_string(results.dropped()) +
+                                     " bytes at the end of " + file + " are computed again");
+    const std::uint64_t first = results.next(), end = shard.end(grid.size);
+    const auto begun = std::chrono::steady_clock::now();
+    if (!results.description().finished) {
+        if (!maker) maker.emplace(grid);
+        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+        sweep::run(grid, *maker, first, end,
+                   {.threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores,
+                    .progress = progress_bar(true)},
+                   [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
+                       results.append(lines, next, failed);
+                   });
+        results.finish();
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    report.diagnostics.push_back(first == end
+                                     ? "nothing is left to compute"
+                                     : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
+                                           rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
+    report.document = summary(grid, results.description(), file);
+    if (const std::uint64_t failed = results.description().failed; failed > 0) {
+        report.diagnostics.push_back("warning: " + counted(failed, "scene") +
+                                     " cannot be computed; their lines have the key \"error\" in place of results");
+        report.status = doubtful_result;
+    }
+    return report;
+}
+
+}  // namespace
+
+Command add_sweep(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    Arguments command(app, "sweep", "Many scenes: ranges, lists and distributions in one scene file");
+    command.option("grid", options->grid, "scene file (TOML) with swept quantities, as docs/sweep.md says").required();
+    command
+        .option(
+            "-o,--output", options->results,
+            "file of results, one JSON object a line; {shard} in its name is the number of the shard. A run that was "
+            "interrupted goes on with the same arguments")
+        .type_name("FILE")
+        .required();
+    command.option("--threads", options->threads, "threads that compute; the default is one for each core")
+        .between(1, 4096);
+    command.option("--shard", options->shard,
+                   "part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun");
+    command.footer(
+        "A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as "
+        "{ normal = [\"5 um\", \"0.2 um\"] }.\nExit code 4: some scenes cannot be computed, and their lines say why.\n"
+        "Example:\n  fstiff sweep grid.toml -o results.jsonl");
+    return {command.app(), &options->output, [options] { return execute(*options); }};
+}
+
+}  // namespace fstiff::cli
