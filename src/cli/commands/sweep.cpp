@@ -3,10 +3,16 @@
 #include "commands/commands.hpp"
 #include "document/output.hpp"
 #include "input/progress.hpp"
+#include "input/scene_options.hpp"
+#include "picture/panels.hpp"
+#include "picture/sweep_figure.hpp"
 #include "sweep/engine.hpp"
 #include "sweep/results_file.hpp"
+#include "sweep/sensitivity.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,7 +24,9 @@ namespace {
 struct Options {
     OutputOptions output;  // of the summary
     std::string grid, results, shard = "1/1";
-    int threads = 0;  ///< 0: as many as there are cores
+    int threads = 0;      ///< 0: as many as there are cores
+    std::string picture;  ///< file; empty: none
+    bool sensitivity = false;
 };
 
 /// {shard} in the name of the results is the number of the shard.
@@ -65,12 +73,63 @@ std::string summary(const sweep::Grid& grid, const sweep::Description& of, const
     return text;
 }
 
+/// The sensitivities of K to each distributed input.
+std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) {
+    std::vector<std::string> header{"K of"};
+    for (const sweep::Axis& axis : grid.axes)
+        if (axis.drawn) header.insert(header.end(), {"S " + shown_key(axis.key), "rank"});
+    header.emplace_back("rest");
+    TextTable table(std::move(header));
+    const auto rows = sweep::sensitivities(grid, file);
+    for (const sweep::SensitivityRow& row : rows) {
+        const bool one = row.places == 1;  // else of many pressures, or as many as the points
+        std::vector<std::string> cells{
+            legend_of(row.law, row.theta, row.r) +
+            (one ? ", p " + rounded(row.pressure / 1e6, 3) + " MPa" : ", point " + std::to_string(row.point + 1))};
+        double rest = 1;
+        for (const sweep::Sensitivity& one : row.of_inputs) {
+            cells.push_back(fixed_text(one.first_order, 3));
+            cells.push_back(fixed_text(one.rank_correlation, 3));
+            rest -= one.first_order;
+        }
+        cells.push_back(fixed_text(rest, 3));
+        table.add(std::move(cells));
+    }
+    return "\n" + table.str() +
+           "\nS is the share of the variance of K that an input has alone (Sobol', first order), rank its correlation "
+           "of "
+           "ranks\nwith K, rest what inputs have together; of " +
+           std::to_string(rows.front().draws) + " draws, S within " +
+           rounded(1 / std::sqrt(static_cast<double>(rows.front().draws)), 1) +
+           (rows.front().places > 1
+                ? " at each, means of " + std::to_string(rows.front().places) + " points of the grid\n"
+                : "\n");
+}
+
+/// What is computed of the results of the whole grid.
+void add_views(Report& report, const Options& options, const sweep::Grid& grid, const std::string& file) {
+    if (options.sensitivity) report.document += sensitivity_table(grid, file);
+    if (!options.picture.empty()) say_written(report, write_figure(sweep_figure(grid, file), options.picture));
+}
+
+/// \throws Usage for a view of a shard, or of no distribution.
+void require_views(const Options& options, const sweep::Shard& shard) {
+    if (shard.of > 1 && (options.sensitivity || !options.picture.empty()))
+        throw Usage("--plot and --sensitivity need the whole grid; merge the shards first, then run fstiff sweep " +
+                    options.grid + " -o with the merged file and without --shard");
+    if (!options.picture.empty()) keep_for_picture(options.picture);
+}
+
 Report execute(const Options& options) {
     const sweep::Shard shard = sweep::parse_shard(options.shard);
+    require_views(options, shard);
     const std::string file = results_file(options, shard);
     require_writable(file);
     keep_for_output(file);
     const sweep::Grid grid = sweep::read_grid(read_all(options.grid), display_name(options.grid));
+    if (options.sensitivity && std::none_of(grid.axes.begin(), grid.axes.end(),
+                                            [](const sweep::Axis& axis) { return axis.drawn.has_value(); }))
+        throw Usage("--sensitivity needs a distribution in the grid, such as { normal = [\"5 um\", \"0.2 um\"] }");
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
     if (!std::filesystem::exists(sweep::description_file(file))) maker.emplace(grid);
     sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
@@ -97,6 +156,7 @@ Report execute(const Options& options) {
                                      : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
                                            rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
     report.document = summary(grid, results.description(), file);
+    add_views(report, options, grid, file);
     if (const std::uint64_t failed = results.description().failed; failed > 0) {
         report.diagnostics.push_back("warning: " + counted(failed, "scene") +
                                      " cannot be computed; their lines have the key \"error\" in place of results");
@@ -122,6 +182,9 @@ Command add_sweep(CLI::App& app) {
         .between(1, 4096);
     command.option("--shard", options->shard,
                    "part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun");
+    add_picture_option(command, options->picture, "draw K against the swept quantities");
+    command.flag("--sensitivity", options->sensitivity,
+                 "print which share of the variance of K each distributed input has");
     command.footer(
         "A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as "
         "{ normal = [\"5 um\", \"0.2 um\"] }.\nExit code 4: some scenes cannot be computed, and their lines say why.\n"
