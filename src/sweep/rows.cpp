@@ -26,6 +26,26 @@ std::optional<double> number_of(std::string_view text) {
 
 }  // namespace
 
+void for_each_field(std::string_view line,
+                    const std::function<void(std::string_view key, std::string_view value)>& call) {
+    for (std::size_t at = 1; at < line.size() && line[at] == '"';) {
+        const std::size_t key_end = line.find('"', at + 1);
+        if (key_end == std::string_view::npos || key_end + 2 >= line.size()) return;
+        const std::size_t begin = key_end + 2;
+        std::size_t end = begin;
+        if (line[begin] == '"') {
+            for (end = begin + 1; end < line.size() && line[end] != '"'; ++end)
+                if (line[end] == '\\') ++end;
+            ++end;
+        } else {
+            end = line.find_first_of(",}", begin);
+        }
+        if (end >= line.size()) return;
+        call(line.substr(at + 1, key_end - at - 1), line.substr(begin, end - begin));
+        at = end + 1;
+    }
+}
+
 void for_each_row(const std::string& file, const std::function<bool(const Row&)>& call) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw file_error(file, "cannot be read");

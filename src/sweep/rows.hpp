@@ -21,6 +21,10 @@ struct Row {
     std::optional<double> stiffness{};  ///< [Pa/m]; none where the scene asks for none
 };
 
+/// Calls \p call with every key of a line of results and the characters of its value, a text in its quotation marks.
+void for_each_field(std::string_view line,
+                    const std::function<void(std::string_view key, std::string_view value)>& call);
+
 /// Calls \p call with every line of \p file that has results, in their order, until it returns false.
 /// \throws file_error where the file cannot be read or is no file of results.
 void for_each_row(const std::string& file, const std::function<bool(const Row&)>& call);

@@ -3,6 +3,7 @@
 #include "sweep/merge.hpp"
 #include "commands/commands.hpp"
 #include "document/output.hpp"
+#include "sweep/hdf5.hpp"
 
 #include <memory>
 
@@ -16,9 +17,12 @@ struct Options {
 };
 
 Report execute(const Options& options) {
+    const std::string lines = sweep::lines_file(options.merged);
+    sweep::require_form(options.merged);
     require_writable(options.merged);
-    const sweep::Merged merged = sweep::merge(options.files, options.merged);
+    const sweep::Merged merged = sweep::merge(options.files, lines);
     if (!merged.problems.empty()) return {"", merged.problems, doubtful_result};
+    if (lines != options.merged) sweep::write_hdf5(lines, options.merged);
     Report report;
     report.document = "fstiff merge: " + std::to_string(merged.scenes) + " scenes of " + std::to_string(merged.shards) +
                       " shards in " + options.merged + "\n";
@@ -38,7 +42,9 @@ Command add_merge(CLI::App& app) {
     Arguments command(app, "merge", "The shards of a sweep as one file");
     command.option("files", options->files, "files of results of fstiff sweep; names in .sweep are left out")
         .required();
-    command.option("-o,--output", options->merged, "file of all results").type_name("FILE").required();
+    command.option("-o,--output", options->merged, "file of all results, lines of JSON or .h5")
+        .type_name("FILE")
+        .required();
     command.footer(
         "Exit code 4: a shard is missing, double, not finished or of another grid, and nothing is written; each is "
         "named, "

@@ -7,6 +7,7 @@
 #include "picture/panels.hpp"
 #include "picture/sweep_figure.hpp"
 #include "sweep/engine.hpp"
+#include "sweep/hdf5.hpp"
 #include "sweep/results_file.hpp"
 #include "sweep/sensitivity.hpp"
 
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <thread>
 
 namespace fstiff::cli {
@@ -82,10 +84,10 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
     TextTable table(std::move(header));
     const auto rows = sweep::sensitivities(grid, file);
     for (const sweep::SensitivityRow& row : rows) {
-        const bool one = row.places == 1;  // else of many pressures, or as many as the points
+        const bool one_place = row.places == 1;  // else of many pressures, or as many as the points
         std::vector<std::string> cells{
             legend_of(row.law, row.theta, row.r) +
-            (one ? ", p " + rounded(row.pressure / 1e6, 3) + " MPa" : ", point " + std::to_string(row.point + 1))};
+            (one_place ? ", p " + rounded(row.pressure / 1e6, 3) + " MPa" : ", point " + std::to_string(row.point + 1))};
         double rest = 1;
         for (const sweep::Sensitivity& one : row.of_inputs) {
             cells.push_back(fixed_text(one.first_order, 3));
@@ -123,9 +125,12 @@ void require_views(const Options& options, const sweep::Shard& shard) {
 Report execute(const Options& options) {
     const sweep::Shard shard = sweep::parse_shard(options.shard);
     require_views(options, shard);
-    const std::string file = results_file(options, shard);
-    require_writable(file);
-    keep_for_output(file);
+    const std::string output = results_file(options, shard), file = sweep::lines_file(output);
+    sweep::require_form(output);
+    for (const std::string& one : std::set{output, file}) {
+        require_writable(one);
+        keep_for_output(one);
+    }
     const sweep::Grid grid = sweep::read_grid(read_all(options.grid), display_name(options.grid));
     if (options.sensitivity && std::none_of(grid.axes.begin(), grid.axes.end(),
                                             [](const sweep::Axis& axis) { return axis.drawn.has_value(); }))
@@ -150,12 +155,13 @@ Report execute(const Options& options) {
                    });
         results.finish();
     }
+    if (output != file && (first != end || !std::filesystem::exists(output))) sweep::write_hdf5(file, output);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     report.diagnostics.push_back(first == end
                                      ? "nothing is left to compute"
                                      : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
                                            rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
-    report.document = summary(grid, results.description(), file);
+    report.document = summary(grid, results.description(), output);
     add_views(report, options, grid, file);
     if (const std::uint64_t failed = results.description().failed; failed > 0) {
         report.diagnostics.push_back("warning: " + counted(failed, "scene") +
@@ -172,10 +178,10 @@ Command add_sweep(CLI::App& app) {
     Arguments command(app, "sweep", "Many scenes: ranges, lists and distributions in one scene file");
     command.option("grid", options->grid, "scene file (TOML) with swept quantities, as docs/sweep.md says").required();
     command
-        .option(
-            "-o,--output", options->results,
-            "file of results, one JSON object a line; {shard} in its name is the number of the shard. A run that was "
-            "interrupted goes on with the same arguments")
+        .option("-o,--output", options->results,
+                "file of results, one JSON object a line, or .h5; {shard} in its name is the number of the shard. A "
+                "run that was "
+                "interrupted goes on with the same arguments")
         .type_name("FILE")
         .required();
     command.option("--threads", options->threads, "threads that compute; the default is one for each core")

@@ -2,6 +2,7 @@
 #include "picture/sweep_figure.hpp"
 
 #include "picture/panels.hpp"
+#include "scene/shown_unit.hpp"
 #include "sweep/rows.hpp"
 
 #include <fstiff/core/error.hpp>
@@ -98,7 +99,11 @@ std::string value_text(const sweep::Grid& grid, const Dimension& dimension, cons
     const sweep::Axis& axis = grid.axes[dimension.axis];
     const sweep::Value& value = values[dimension.axis];
     if (axis.is_text()) return axis.texts[value.place];
-    return shown_key(axis.key) + " = " + rounded(value.number, 3) + (axis.unit.empty() ? "" : " " + axis.unit);
+    const double x = value.number;
+    return shown_key(axis.key) + " = " +
+           (axis.unit == "m"    ? shown_length(x, 3)
+            : axis.unit == "Pa" ? unit_of_pressure(x)(x, 3)
+                                : rounded(x, 3) + (axis.unit.empty() ? "" : " " + axis.unit));
 }
 
 /// K of the scenes that fall on one place of one line.
