@@ -83,11 +83,15 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
     header.emplace_back("rest");
     TextTable table(std::move(header));
     const auto rows = sweep::sensitivities(grid, file);
+    const bool several_points =
+        std::any_of(rows.begin(), rows.end(), [](const sweep::SensitivityRow& row) { return row.point > 0; });
     for (const sweep::SensitivityRow& row : rows) {
         const bool one_place = row.places == 1;  // else of many pressures, or as many as the points
         std::vector<std::string> cells{
             legend_of(row.law, row.theta, row.r) +
-            (one_place ? ", p " + rounded(row.pressure / 1e6, 3) + " MPa" : ", point " + std::to_string(row.point + 1))};
+            (one_place       ? ", p " + rounded(row.pressure / 1e6, 3) + " MPa"
+             : several_points ? ", point " + std::to_string(row.point + 1)
+                              : "")};
         double rest = 1;
         for (const sweep::Sensitivity& one : row.of_inputs) {
             cells.push_back(fixed_text(one.first_order, 3));
