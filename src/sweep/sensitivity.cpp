@@ -28,7 +28,7 @@ std::vector<std::size_t> order_of(std::span<const double> values) {
 struct Draws {
     std::vector<double> stiffness;
     std::vector<std::uint64_t> scenes;
-    double pressure = 0;
+    std::optional<double> pressure{};
 };
 
 using Key = std::tuple<std::string, std::optional<double>, std::optional<double>, std::size_t>;
@@ -46,7 +46,10 @@ public:
         if (!row.stiffness) return;
         const Key key{std::string(row.law), row.theta, row.r, row.point};
         auto [at, is_new] = draws_.try_emplace(key);
-        if (at->second.stiffness.empty()) at->second.pressure = row.pressure;
+        if (at->second.stiffness.empty())
+            at->second.pressure = row.pressure;
+        else if (at->second.pressure != row.pressure)
+            at->second.pressure.reset();
         if (at->second.stiffness.size() == most_draws) return;
         at->second.stiffness.push_back(*row.stiffness);
         at->second.scenes.push_back(row.index);
@@ -86,6 +89,7 @@ private:
                 row.pressure = draws.pressure;
                 row.draws = draws.stiffness.size();
             }
+            if (row.pressure != draws.pressure) row.pressure.reset();
             row.draws = std::min(row.draws, draws.stiffness.size());
             bool varies = true;
             for (std::size_t i = 0; i < drawn_.size(); ++i)

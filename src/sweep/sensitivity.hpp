@@ -36,7 +36,7 @@ struct SensitivityRow {
     std::string law;
     std::optional<double> theta{}, r{};
     std::size_t point = 0;
-    double pressure = 0;                 ///< of its first scene [Pa]
+    std::optional<double> pressure{};    ///< that all scenes have [Pa]; none where they differ
     std::size_t draws = 0, places = 0;   ///< draws that have a K at each point of the grid; points of the grid
     std::vector<Sensitivity> of_inputs;  ///< in the order of the distributed axes; means over the points of the grid
 };

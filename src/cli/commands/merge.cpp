@@ -49,7 +49,9 @@ Command add_merge(CLI::App& app) {
         "Exit code 4: a shard is missing, double, not finished or of another grid, and nothing is written; each is "
         "named, "
         "with the\ncommand that computes it. 4 too where some scenes cannot be computed.\n"
-        "Example:\n  fstiff merge part-*.jsonl -o all.jsonl");
+        "Example:\n  fstiff sweep --example > grid.toml; for i in 1 2; do fstiff sweep grid.toml --shard $i/2 -o "
+        "part-$i.jsonl; "
+        "done; fstiff merge part-*.jsonl -o all.jsonl");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 

@@ -21,6 +21,9 @@
 #include <thread>
 
 namespace fstiff::cli {
+
+extern const char* const example_grid;  // examples/sweeps/grid.toml
+
 namespace {
 
 struct Options {
@@ -28,7 +31,7 @@ struct Options {
     std::string grid, results, shard = "1/1";
     int threads = 0;      ///< 0: as many as there are cores
     std::string picture;  ///< file; empty: none
-    bool sensitivity = false;
+    bool sensitivity = false, example = false;
 };
 
 /// {shard} in the name of the results is the number of the shard.
@@ -86,12 +89,10 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
     const bool several_points =
         std::any_of(rows.begin(), rows.end(), [](const sweep::SensitivityRow& row) { return row.point > 0; });
     for (const sweep::SensitivityRow& row : rows) {
-        const bool one_place = row.places == 1;  // else of many pressures, or as many as the points
-        std::vector<std::string> cells{
-            legend_of(row.law, row.theta, row.r) +
-            (one_place       ? ", p " + rounded(row.pressure / 1e6, 3) + " MPa"
-             : several_points ? ", point " + std::to_string(row.point + 1)
-                              : "")};
+        std::vector<std::string> cells{legend_of(row.law, row.theta, row.r) +
+                                       (row.pressure     ? ", p " + rounded(*row.pressure / 1e6, 3) + " MPa"
+                                        : several_points ? ", point " + std::to_string(row.point + 1)
+                                                         : "")};
         double rest = 1;
         for (const sweep::Sensitivity& one : row.of_inputs) {
             cells.push_back(fixed_text(one.first_order, 3));
@@ -127,6 +128,13 @@ void require_views(const Options& options, const sweep::Shard& shard) {
 }
 
 Report execute(const Options& options) {
+    if (options.example) {
+        if (!options.grid.empty() || !options.results.empty())
+            throw Usage("--example prints a grid and computes nothing; give no grid and no -o with it");
+        return {example_grid, {}, success};
+    }
+    if (options.grid.empty() || options.results.empty())
+        throw Usage("a grid and -o FILE are needed; see fstiff sweep --help");
     const sweep::Shard shard = sweep::parse_shard(options.shard);
     require_views(options, shard);
     const std::string output = results_file(options, shard), file = sweep::lines_file(output);
@@ -180,14 +188,13 @@ Report execute(const Options& options) {
 Command add_sweep(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Arguments command(app, "sweep", "Many scenes: ranges, lists and distributions in one scene file");
-    command.option("grid", options->grid, "scene file (TOML) with swept quantities, as docs/sweep.md says").required();
+    command.option("grid", options->grid, "scene file (TOML) with swept quantities, as docs/sweep.md says");
     command
         .option("-o,--output", options->results,
                 "file of results, one JSON object a line, or .h5; {shard} in its name is the number of the shard. A "
                 "run that was "
                 "interrupted goes on with the same arguments")
-        .type_name("FILE")
-        .required();
+        .type_name("FILE");
     command.option("--threads", options->threads, "threads that compute; the default is one for each core")
         .between(1, 4096);
     command.option("--shard", options->shard,
@@ -195,10 +202,11 @@ Command add_sweep(CLI::App& app) {
     add_picture_option(command, options->picture, "draw K against the swept quantities");
     command.flag("--sensitivity", options->sensitivity,
                  "print which share of the variance of K each distributed input has");
+    command.flag("--example", options->example, "print a grid with comments, to begin one of your own");
     command.footer(
         "A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as "
         "{ normal = [\"5 um\", \"0.2 um\"] }.\nExit code 4: some scenes cannot be computed, and their lines say why.\n"
-        "Example:\n  fstiff sweep grid.toml -o results.jsonl");
+        "Example:\n  fstiff sweep --example > grid.toml; fstiff sweep grid.toml -o results.jsonl");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }
 
