@@ -24,14 +24,14 @@ peak_density = "500 /mm^2"
 fractal_dimension = 1.62
 [material.upper]
 youngs_modulus = {modulus}
-poisson_ratio = 0.3
+poisson_ratio = {poisson}
 [contact]
 laws = ["{law}"]
 peaks = [ {{ theta = "pi/3", r = 0.5 }} ]
 {points}
 {more}
 """
-PLAIN = {"rms": '"0.832 um"', "modulus": '"205 GPa"', "law": "hertz", "points": 'pressures = ["10 MPa"]', "more": ""}
+PLAIN = {"rms": '"0.832 um"', "modulus": '"205 GPa"', "poisson": "0.3", "law": "hertz", "points": 'pressures = ["10 MPa"]', "more": ""}
 RANGE = '{{ from = "{}", to = "{}", count = {} }}'
 CASES = {
     "four integrals, separations of one surface": lambda n: {
@@ -46,7 +46,10 @@ CASES = {
     },
     "cold inversions, a surface of its own for each": lambda n: {"rms": RANGE.format("0.5 um", "2 um", n)},
     "cold inversions of the law fractal": lambda n: {"rms": RANGE.format("0.5 um", "2 um", n), "law": "fractal"},
-    "cold inversions, four distributed inputs": lambda n: {
+    "cold inversions, a Poisson ratio for each (read anew)": lambda n: {
+        "poisson": f"{{ from = 0.2, to = 0.4, count = {n} }}"
+    },
+    "cold inversions, three distributed inputs": lambda n: {
         "rms": '{ lognormal = ["0.8 um", 0.1] }',
         "modulus": '{ normal = ["205 GPa", "5 GPa"] }',
         "points": 'pressures = [ { uniform = ["1 MPa", "20 MPa"] } ]',
@@ -81,6 +84,23 @@ def sweep(fstiff, file, out, threads):
     return wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, found
 
 
+def measure_merge(fstiff, folder, count, shards):
+    """Prints how quickly shards are checked and joined, and how quickly an interrupted run finds its place."""
+    file = grid(folder, count, CASES["four integrals, separations of one surface"](count))
+    parts = [folder / f"part-{i}" for i in range(1, shards + 1)]
+    for i, part in enumerate(parts, 1):
+        command = [fstiff, "sweep", file, "--shard", f"{i}/{shards}", "-o", part]
+        subprocess.run(command, check=True, capture_output=True)
+    begun = time.monotonic()
+    subprocess.run([fstiff, "merge", *parts, "-o", folder / "all"], check=True, capture_output=True)
+    seconds = time.monotonic() - begun
+    size = (folder / "all").stat().st_size
+    print(f"\nmerging {shards} shards: {size / 1e6 / seconds:.0f} MB/s of results")
+    for part in parts:
+        part.unlink()
+        pathlib.Path(f"{part}.sweep").unlink()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("fstiff")
@@ -90,8 +110,8 @@ def main():
     arguments = parser.parse_args()
     model = next((line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "")
     print(f"{platform.machine()}, {model}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the beginning\n")
-    print("| scenes | per core second | per second, 1 thread | per second, 2 threads | bytes a line | memory [MB] |")
-    print("|---|---|---|---|---|---|")
+    print("| scenes | per core second, 1 thread | 2 threads | per second, 1 thread | 2 threads | bytes a line | memory [MB] |")
+    print("|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory(dir=arguments.folder) as name:
         folder = pathlib.Path(name)
         for title, changes in CASES.items():
@@ -102,7 +122,10 @@ def main():
             if one[3] != two[3]:
                 raise SystemExit(f"{title}: two threads have other results than one")
             size = (folder / "one").stat().st_size / n
-            print(f"| {title} | {n / one[1]:.3g} | {n / one[0]:.3g} | {n / two[0]:.3g} | {size:.0f} | {two[2]:.0f} |")
+            rates = " | ".join(f"{n / seconds:.2g}" for seconds in (one[1], two[1], one[0], two[0]))
+            print(f"| {title} | {rates} | {size:.0f} | {two[2]:.0f} |", flush=True)
+        for shards in (1, 4):
+            measure_merge(arguments.fstiff, folder, arguments.scenes, shards)
         if arguments.memory:
             n = arguments.memory
             lean = {"more": '[output]\nquantities = ["stiffness"]'}

@@ -256,14 +256,22 @@ Interaction<double> interaction(const Scene& scene) {
     return result;
 }
 
-std::vector<Curve> curves_of(const Scene& scene) {
+std::vector<MadeContact> contacts_of(const Scene& scene) {
+    std::vector<MadeContact> contacts;
+    for_each_contact(scene, effective_modulus(scene.upper, scene.lower), {}, [&](Curve curve, const auto& contact) {
+        contacts.push_back({std::move(curve), contact()});
+    });
+    return contacts;
+}
+
+std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>& contacts) {
     Results results;
     results.modulus = effective_modulus(scene.upper, scene.lower);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
-    for_each_contact(scene, results.modulus, {}, [&](Curve curve, const auto& contact) {
-        curve.states = accepted(scene, *curve.law, points_of(scene, *contact(), wanted(scene, *curve.law)));
-        results.curves.push_back(std::move(curve));
-    });
+    for (const MadeContact& made : contacts) {
+        Curve& curve = results.curves.emplace_back(made.curve);
+        curve.states = accepted(scene, *curve.law, points_of(scene, *made.contact, wanted(scene, *curve.law)));
+    }
     finish(scene, results, {});
     return std::move(results.curves);
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -105,7 +106,7 @@ std::string lines_of_one(const Grid& grid, SceneMaker& maker, SceneMaker::Work& 
     };
     try {
         maker.make(values, work);
-        for (const Curve& curve : scene::curves_of(work.scene))
+        for (const Curve& curve : scene::curves_of(work.scene, work.contacts))
             for (std::size_t i = 0; i < curve.states.size(); ++i) append_row(text, begin, curve, i);
     } catch (const domain_error& error) {
         refuse(error);
@@ -114,6 +115,58 @@ std::string lines_of_one(const Grid& grid, SceneMaker& maker, SceneMaker::Work& 
     }
     return text;
 }
+
+/// Computes scenes that differ in their point alone as one scene with many points.
+struct Together {
+    const Grid& grid;
+    SceneMaker& maker;
+    SceneMaker::Work& work;
+    const Scenes& scenes;
+    std::vector<std::string> texts;  ///< of the scenes, in the order of the grid
+    std::uint64_t& failed;
+
+    /// Those from \p at up to \p end of scenes.order. Where a point cannot be computed, its scene alone has no result.
+    void compute(std::size_t at, std::size_t end) {
+        if (end - at == 1) {
+            const std::size_t place = scenes.order[at];
+            texts[place] = lines_of_one(grid, maker, work, scenes.first + place, scenes.values[place], failed);
+        } else if (!as_one(at, end)) {
+            const std::size_t middle = at + (end - at) / 2;
+            compute(at, middle);
+            compute(middle, end);
+        }
+    }
+
+private:
+    bool as_one(std::size_t at, std::size_t end) {
+        const std::size_t point = *maker.point_axis();
+        try {
+            maker.make(scenes.values[scenes.order[at]], work);
+            std::vector<double>& points = work.scene.points;
+            points.clear();
+            for (std::size_t i = at; i < end; ++i) points.push_back(scenes.values[scenes.order[i]][point].number);
+            const bool allowed = std::all_of(points.begin(), points.end(), [&](double x) {
+                return std::isfinite(x) && (work.scene.at_separations || x > 0);
+            });
+            const std::vector<Curve> curves =
+                allowed ? scene::curves_of(work.scene, work.contacts) : std::vector<Curve>();
+            points.resize(1);  // that of the next scene is put in its place
+            if (!allowed) return false;
+            for (const Curve& curve : curves)
+                if (curve.states.size() != end - at) return false;
+            for (std::size_t i = at; i < end; ++i) {
+                const std::size_t place = scenes.order[i];
+                const std::string begin = beginning(grid, scenes.first + place, scenes.values[place]);
+                for (const Curve& curve : curves) append_row(texts[place], begin, curve, i - at);
+            }
+            return true;
+        } catch (const domain_error&) {
+        } catch (const file_error&) {
+        }
+        work.scene.points.resize(1);
+        return false;
+    }
+};
 
 }  // namespace
 
@@ -139,44 +192,18 @@ Block lines_of(const Grid& grid, SceneMaker& maker, SceneMaker::Work& work, std:
     for (std::uint64_t i = 0; i < count; ++i) grid.values(first + i, scenes.values[i]);
     const std::size_t* point_axis = maker.point_axis();
     if (point_axis) sort_by_surface(grid, *point_axis, scenes);
-
     Block block;
-    std::vector<std::string> texts(count);
+    Together together{grid, maker, work, scenes, std::vector<std::string>(count), block.failed};
     for (std::size_t at = 0, end = 0; at < count; at = end) {
         end = at + 1;
         const auto& values = scenes.values[scenes.order[at]];
         while (point_axis && end < count && maker.alike(values, scenes.values[scenes.order[end]])) ++end;
-        bool whole = end > at + 1;
-        if (whole) try {
-                maker.make(values, work);
-                work.scene.points.clear();
-                for (std::size_t i = at; i < end; ++i) {
-                    const double point = scenes.values[scenes.order[i]][*point_axis].number;
-                    whole = whole && std::isfinite(point) && (work.scene.at_separations || point > 0);
-                    work.scene.points.push_back(point);
-                }
-                const std::vector<Curve> curves = whole ? scene::curves_of(work.scene) : std::vector<Curve>();
-                for (const Curve& curve : curves) whole = whole && curve.states.size() == end - at;
-                for (std::size_t i = at; whole && i < end; ++i) {
-                    const std::size_t place = scenes.order[i];
-                    const std::string begin = beginning(grid, first + place, scenes.values[place]);
-                    for (const Curve& curve : curves) append_row(texts[place], begin, curve, i - at);
-                }
-            } catch (const domain_error&) {  // one by one, so that the others have their results
-                whole = false;
-            } catch (const file_error&) {
-                whole = false;
-            }
-        work.read = end > at + 1 ? nullptr : work.read;  // its points are those of many
-        for (std::size_t i = at; !whole && i < end; ++i) {
-            const std::size_t place = scenes.order[i];
-            texts[place] = lines_of_one(grid, maker, work, first + place, scenes.values[place], block.failed);
-        }
+        together.compute(at, end);
     }
     std::size_t size = 0;
-    for (const std::string& text : texts) size += text.size();
+    for (const std::string& text : together.texts) size += text.size();
     block.text.reserve(size);
-    for (const std::string& text : texts) block.text += text;
+    for (const std::string& text : together.texts) block.text += text;
     return block;
 }
 

@@ -91,19 +91,6 @@ std::vector<std::string> problems_of(const std::vector<Part>& parts) {
     return problems;
 }
 
-/// Appends all bytes of \p from. \throws file_error.
-void copy(const Descriptor& from, const std::string& name, const Descriptor& to, const std::string& output) {
-    std::vector<char> buffer(std::size_t(1) << 20);
-    if (lseek(from.number(), 0, SEEK_SET) < 0) throw file_error(name, "cannot be read");
-    while (true) {
-        const ssize_t got = read(from.number(), buffer.data(), buffer.size());
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw file_error(name, "cannot be read: " + std::generic_category().message(errno));
-        if (got == 0) return;
-        write_all(to.number(), {buffer.data(), static_cast<std::size_t>(got)}, output);
-    }
-}
-
 }  // namespace
 
 Merged merge(std::vector<std::string> files, const std::string& output) {
@@ -120,6 +107,7 @@ Merged merge(std::vector<std::string> files, const std::string& output) {
     std::sort(parts.begin(), parts.end(),
               [](const Part& a, const Part& b) { return a.description.shard.number < b.description.shard.number; });
 
+    // copied while it is looked at; what turns out to be wrong is thrown away
     const std::string partial = output + ".partial";
     Description whole = parts.front().description;
     whole.shard = {};
@@ -131,7 +119,9 @@ Merged merge(std::vector<std::string> files, const std::string& output) {
                 const Descriptor from(part.file, O_RDONLY, "cannot be read");
                 const Description& of = part.description;
                 const std::uint64_t first = of.shard.first(of.scenes), end = of.shard.end(of.scenes);
-                const Scan scan = scan_results(from.number(), part.file, first, true);
+                const Scan scan = scan_results(from.number(), part.file, first, true, [&](std::string_view bytes) {
+                    if (merged.problems.empty()) write_all(to.number(), bytes, output);
+                });
                 if (scan.next != end || scan.kept != scan.bytes || scan.bytes != of.bytes) {
                     merged.problems.push_back(part.file + " was changed since it was finished: whole up to scene " +
                                               std::to_string(scan.next) + " of " + std::to_string(end) +
@@ -139,7 +129,6 @@ Merged merge(std::vector<std::string> files, const std::string& output) {
                                               ", and run: " + command(part, of.shard.number, part.file));
                     continue;
                 }
-                if (merged.problems.empty()) copy(from, part.file, to, output);
                 whole.bytes += scan.bytes;
                 whole.failed += scan.failed;
             }

@@ -158,7 +158,8 @@ void write_description(const std::string& results, const Description& descriptio
     sync_folder(std::filesystem::path(file).parent_path());
 }
 
-Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished) {
+Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished,
+                  const std::function<void(std::string_view)>& call) {
     Scanner scanner(first, finished);
     std::vector<char> buffer(std::size_t(1) << 20);
     std::string rest;  // of a line that goes on in the next piece
@@ -172,6 +173,7 @@ Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, 
         if (got == 0) break;
         bytes += static_cast<std::uint64_t>(got);
         std::string_view piece(buffer.data(), static_cast<std::size_t>(got));
+        if (call) call(piece);
         while (whole) {
             const std::size_t end = piece.find('\n');
             if (end == std::string_view::npos) break;

@@ -42,8 +42,9 @@ struct Scan {
     std::uint64_t failed = 0;  ///< scenes without result among the whole ones
 };
 /// Reads all of \p descriptor from its beginning; the first scene must be \p first. Of a file that is not \p finished the
-/// last scene does not count as whole: lines of it may be missing.
-[[nodiscard]] Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished);
+/// last scene does not count as whole: lines of it may be missing. \p piece is called with all bytes that are read.
+[[nodiscard]] Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished,
+                                const std::function<void(std::string_view)>& piece = {});
 
 /// The results of one shard, open and locked for this process alone.
 class ResultsFile {

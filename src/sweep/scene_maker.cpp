@@ -91,7 +91,8 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
     }
 
     folds_ = first->points.size() == 1;
-    for (const scene::ChosenLaw& chosen : first->laws) folds_ = folds_ && !chosen.law->needs_map && !chosen.law->ends;
+    for (const scene::ChosenLaw& chosen : first->laws)  // boundary elements begin with the solution of the point before
+        folds_ = folds_ && chosen.law->varies;
     bool found = false;
     for (std::size_t i = 0; i < setters_.size(); ++i) {
         if (setters_[i].put == put_point) point_axis_ = i, found = true;
@@ -134,6 +135,17 @@ std::shared_ptr<const Scene> SceneMaker::cached(const std::vector<Value>& values
 }
 
 void SceneMaker::make(const std::vector<Value>& values, Work& work) {
+    const bool same = folds_ && !work.made_for.empty() && alike(values, work.made_for);
+    work.made_for.clear();
+    put(values, work);
+    if (!same) {
+        work.contacts.clear();  // before what they were made of
+        work.contacts = scene::contacts_of(work.scene);
+    }
+    work.made_for = values;
+}
+
+void SceneMaker::put(const std::vector<Value>& values, Work& work) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Setter& setter = setters_[i];
         if (setter.put && !(values[i].number > setter.least && values[i].number < setter.most)) {

@@ -6,7 +6,7 @@
 // Reference   the slow twin is table_of and read_table: both give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
 
-#include "scene/scene.hpp"
+#include "scene/results.hpp"
 #include "sweep/grid.hpp"
 
 #include <list>
@@ -23,12 +23,15 @@ public:
     /// \throws domain_error where the scene cannot be read with the first or the last values of an axis.
     explicit SceneMaker(const Grid& grid);
 
-    /// A scene that one thread changes from one to the next.
+    /// A scene that one thread changes from one to the next, and its contacts.
     struct Work {
         std::shared_ptr<const scene::Scene> read;  ///< what `scene` was copied from
         scene::Scene scene;
+        std::vector<scene::MadeContact> contacts;
+        std::vector<Value> made_for{};  ///< whose contacts these are; empty: nobody's
     };
-    /// The scene with \p values in work.scene. \throws domain_error, file_error as read_scene.
+    /// The scene with \p values in work.scene, and its contacts, which stay where only the point is another.
+    /// \throws domain_error, file_error as read_scene and contacts_of.
     void make(const std::vector<Value>& values, Work& work);
 
     /// The axis of the only point of a scene, so that scenes that differ in it alone are one scene with many points; none
@@ -46,6 +49,7 @@ private:
     };
     using Key = std::vector<std::pair<std::uint64_t, double>>;
 
+    void put(const std::vector<Value>& values, Work& work);
     [[nodiscard]] std::shared_ptr<const scene::Scene> read(const std::vector<Value>& values) const;
     [[nodiscard]] std::shared_ptr<const scene::Scene> cached(const std::vector<Value>& values);
     [[nodiscard]] Setter setter_of(std::size_t axis) const;

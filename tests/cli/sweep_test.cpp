@@ -172,6 +172,32 @@ TEST_CASE("Measured files may be swept") {
         contains(scene("[\"trace1.csv\", \"trace2.csv\"]", "\"1 MPa\""), value(fields(all[2]), "stiffness_Pa_per_m")));
 }
 
+TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their points are computed together or not") {
+    const Folder folder;
+    REQUIRE(fstiff("generate map --hurst 0.8 --rms '0.3 um' --points 48 --spacing '1 um' --format sdf -o '" +
+                   folder / "map.sdf" + "'")
+                .status == 0);
+    for (const char* laws : {"\"summits\", \"hybrid\", \"persson\"", "\"hybrid\", \"boundary_elements\""}) {
+        const std::string text =
+            "[surface]\nfrom = \"" + folder / "map.sdf" +
+            "\"\n[material.upper]\nyoungs_modulus = [\"100 GPa\", \"205 GPa\"]\npoisson_ratio = 0.3\n"
+            "[contact]\nlaws = [" +
+            laws +
+            "]\npeaks = [ { theta = 1, r = 0.5 } ]\npressures = [ { values = [\"1 MPa\", \"3 MPa\", \"9 "
+            "MPa\"] } ]\n[boundary_elements]\npoints = 32\n[uncertainty]\nsamples = 0\n";
+        const std::string file = folder.write("grid.toml", text), out = folder / "out";
+        const Outcome outcome = fstiff("sweep '" + file + "' -o '" + out + "'");
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        check_as_run(read(out), [&](const Line& line) {
+            return replaced(replaced(text, "[\"100 GPa\", \"205 GPa\"]", "\"" + line.at(1).second + " Pa\""),
+                            "{ values = [\"1 MPa\", \"3 MPa\", \"9 MPa\"] }", "\"" + line.at(2).second + " Pa\"");
+        });
+        std::filesystem::remove(out);
+        std::filesystem::remove(out + ".sweep");
+    }
+}
+
 TEST_CASE("The merged shards are the sweep itself, byte for byte, for any number of shards and threads") {
     const Folder folder;
     for (const std::string& text : {grid, replaced(grid, "[\"20 um\", \"40 um\"]", "{ lognormal = [\"40 um\", 0.2] }") +

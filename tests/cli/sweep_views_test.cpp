@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What people look at: pictures of a sweep and the sensitivities of K.
 #include "cli/command.hpp"
+#include "support/skip.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +85,23 @@ TEST_CASE("Draws alone are drawn as the share of scenes below K") {
     CHECK(rows.number(0, "y") == 0.005);
     CHECK(rows.number(99, "y") == 0.995);
     for (std::size_t i = 1; i < 100; ++i) CHECK(rows.number(i, "x") > rows.number(i - 1, "x"));
+}
+
+TEST_CASE("A sweep shows a bar with its rate and the time left on a terminal") {
+    if (shell("script -qec true /dev/null").status != 0)
+        SKIP_CASE("`script` makes no terminal here: the bar is not tested");
+    const Folder folder;
+    const std::string file = folder.write(
+        "grid.toml",
+        grid("\"0.8 um\"", "\"40 um\"", "pressures = [ { from = \"1 MPa\", to = \"100 MPa\", count = 20000 } ]"));
+    const Outcome shown =
+        shell("export TERM=vt100 FSTIFF_PROGRESS_DELAY=0; script -qec \"'" FSTIFF_COMMAND "' sweep '" + file +
+              "' -o '" + folder / "out" + "'\" /dev/null");
+    INFO(shown.out);
+    CHECK(shown.status == 0);
+    CHECK(contains(shown.out, "scenes ["));
+    CHECK(contains(shown.out, "/s, "));
+    CHECK(contains(shown.out, " s left"));
 }
 
 TEST_CASE("Sensitivities are those of the draws, and a shard or a grid without draws has none") {
