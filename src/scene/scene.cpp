@@ -471,7 +471,11 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
         scene.name = source.text(*name, "name");
     else
         scene.name = std::filesystem::path(file).stem().string();
-    if (surface.empty()) {
+    if (from.surface_of) {
+        static_cast<Face&>(scene) = *from.surface_of;
+        scene.faces = from.surface_of->faces;
+        scene.shifts = from.surface_of->shifts;
+    } else if (surface.empty()) {
         read_surface(source, top.subtable("surface"), scene, from.progress);
     } else {
         static_cast<Face&>(scene) = face_of_file(source, surface, from.progress);

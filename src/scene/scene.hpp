@@ -135,6 +135,8 @@ struct SceneSource {
     std::string
         surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
     ProgressHook progress{};  ///< called while a surface is measured
+    const Scene* surface_of =
+        nullptr;  ///< not null: a scene with the very [surface] of this one, which is not read again
 };
 
 /// \throws domain_error "<name>:<line>: <key> = <value>: must be ...".

@@ -5,6 +5,7 @@
 #include "sweep/template.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <string_view>
 
@@ -70,6 +71,8 @@ SceneMaker::Setter SceneMaker::setter_of(std::size_t axis) const {
 SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
     for (std::size_t i = 0; i < grid.axes.size(); ++i) setters_.push_back(setter_of(i));
 
+    for (const char* key : {"from", "upper", "lower"}) measured_ = measured_ || has(grid.form->root, "surface", key);
+
     // what is wrong with a value is told before anything is computed: the ends of every axis are read
     std::vector<Value> values(grid.axes.size());
     const auto put = [&](std::size_t i, bool last) {
@@ -107,31 +110,57 @@ bool SceneMaker::alike(const std::vector<Value>& a, const std::vector<Value>& b)
     return true;
 }
 
-std::shared_ptr<const Scene> SceneMaker::read(const std::vector<Value>& values) const {
-    auto made = std::make_shared<Scene>(scene::read_table(table_of(grid_, values), {.name = grid_.file}, false));
+RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>& read) {
+    std::promise<Read> promise;
+    std::shared_future<Read> result = promise.get_future().share();
+    bool is_new = false;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto at = std::find_if(all_.begin(), all_.end(), [&](const auto& one) { return one.first == key; });
+        is_new = at == all_.end();
+        if (is_new) {
+            all_.emplace_front(key, result);
+            if (all_.size() > most_scenes_read) all_.pop_back();
+        } else {
+            result = at->second;
+            all_.splice(all_.begin(), all_, at);
+        }
+    }
+    if (is_new) try {
+            promise.set_value(read());
+        } catch (...) {
+            promise.set_exception(std::current_exception());
+        }
+    return result.get();
+}
+
+std::shared_ptr<const Scene> SceneMaker::read_with(const std::vector<Value>& values, const Scene* surface) const {
+    auto made = std::make_shared<Scene>(
+        scene::read_table(table_of(grid_, values), {.name = grid_.file, .surface_of = surface}));
     made->inputs.clear();
     made->warnings.clear();
     return made;
 }
 
+std::shared_ptr<const Scene> SceneMaker::read(const std::vector<Value>& values) {
+    if (!measured_) return read_with(values, nullptr);
+    RecentScenes::Key surface;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (grid_.axes[i].key.starts_with("surface.")) surface.emplace_back(values[i].place, values[i].number);
+    std::shared_ptr<const Scene> made;
+    const auto first = surfaces_.get(surface, [&] { return made = read_with(values, nullptr); });
+    return made ? made : read_with(values, first.get());
+}
+
 std::shared_ptr<const Scene> SceneMaker::cached(const std::vector<Value>& values) {
-    Key key;
+    RecentScenes::Key key;
     bool once = false;  // of a draw, which no other scene has
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!setters_[i].put) {
             key.emplace_back(values[i].place, values[i].number);
             once = once || grid_.axes[i].drawn;
         }
-    if (once) return read(values);
-    const std::lock_guard lock(mutex_);  // others wait: they want the same scene
-    const auto found = std::find_if(cache_.begin(), cache_.end(), [&](const auto& one) { return one.first == key; });
-    if (found != cache_.end()) {
-        cache_.splice(cache_.begin(), cache_, found);
-        return cache_.front().second;
-    }
-    cache_.emplace_front(std::move(key), read(values));
-    if (cache_.size() > most_scenes_read) cache_.pop_back();
-    return cache_.front().second;
+    return once ? read(values) : scenes_.get(key, [&] { return read(values); });
 }
 
 void SceneMaker::make(const std::vector<Value>& values, Work& work) {

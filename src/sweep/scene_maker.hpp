@@ -9,6 +9,8 @@
 #include "scene/results.hpp"
 #include "sweep/grid.hpp"
 
+#include <functional>
+#include <future>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -16,6 +18,22 @@
 #include <vector>
 
 namespace fstiff::sweep {
+
+/// The scenes that were read last, for all threads.
+class RecentScenes {
+public:
+    /// Of each value that distinguishes them, its place and number.
+    using Key = std::vector<std::pair<std::uint64_t, double>>;
+    using Read = std::shared_ptr<const scene::Scene>;
+
+    /// The scene of \p key; where it is not there, what \p read gives. A thread that wants what another one reads waits for
+    /// it. \throws what \p read throws.
+    [[nodiscard]] Read get(const Key& key, const std::function<Read()>& read);
+
+private:
+    std::mutex mutex_;
+    std::list<std::pair<Key, std::shared_future<Read>>> all_;  ///< the last one used stands first
+};
 
 /// Shared by all threads. The grid must live as long.
 class SceneMaker {
@@ -47,10 +65,10 @@ private:
         std::size_t place = 0;
         double least = 0, most = 0;  ///< both excluded: outside, reading tells what is wrong
     };
-    using Key = std::vector<std::pair<std::uint64_t, double>>;
-
     void put(const std::vector<Value>& values, Work& work);
-    [[nodiscard]] std::shared_ptr<const scene::Scene> read(const std::vector<Value>& values) const;
+    [[nodiscard]] std::shared_ptr<const scene::Scene> read(const std::vector<Value>& values);
+    [[nodiscard]] std::shared_ptr<const scene::Scene> read_with(const std::vector<Value>& values,
+                                                                const scene::Scene* surface) const;
     [[nodiscard]] std::shared_ptr<const scene::Scene> cached(const std::vector<Value>& values);
     [[nodiscard]] Setter setter_of(std::size_t axis) const;
 
@@ -58,8 +76,8 @@ private:
     std::vector<Setter> setters_;
     std::size_t point_axis_ = 0;
     bool folds_ = false;
-    std::mutex mutex_;
-    std::list<std::pair<Key, std::shared_ptr<const scene::Scene>>> cache_;  ///< the last one used stands first
+    bool measured_ = false;  ///< the scenes have files of surfaces
+    RecentScenes scenes_, surfaces_;
 };
 
 }  // namespace fstiff::sweep

@@ -180,7 +180,7 @@ TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their p
     for (const char* laws : {"\"summits\", \"hybrid\", \"persson\"", "\"hybrid\", \"boundary_elements\""}) {
         const std::string text =
             "[surface]\nfrom = \"" + folder / "map.sdf" +
-            "\"\n[material.upper]\nyoungs_modulus = [\"100 GPa\", \"205 GPa\"]\npoisson_ratio = 0.3\n"
+            "\"\n[material.upper]\nyoungs_modulus = [\"100 GPa\", \"205 GPa\"]\npoisson_ratio = [0.3, 0.2]\n"
             "[contact]\nlaws = [" +
             laws +
             "]\npeaks = [ { theta = 1, r = 0.5 } ]\npressures = [ { values = [\"1 MPa\", \"3 MPa\", \"9 "
@@ -190,8 +190,10 @@ TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their p
         INFO(outcome.err);
         REQUIRE(outcome.status == 0);
         check_as_run(read(out), [&](const Line& line) {
-            return replaced(replaced(text, "[\"100 GPa\", \"205 GPa\"]", "\"" + line.at(1).second + " Pa\""),
-                            "{ values = [\"1 MPa\", \"3 MPa\", \"9 MPa\"] }", "\"" + line.at(2).second + " Pa\"");
+            const std::string of_modulus =
+                replaced(text, "[\"100 GPa\", \"205 GPa\"]", "\"" + line.at(1).second + " Pa\"");
+            return replaced(replaced(of_modulus, "[0.3, 0.2]", line.at(2).second),
+                            "{ values = [\"1 MPa\", \"3 MPa\", \"9 MPa\"] }", "\"" + line.at(3).second + " Pa\"");
         });
         std::filesystem::remove(out);
         std::filesystem::remove(out + ".sweep");
