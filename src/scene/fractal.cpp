@@ -47,15 +47,15 @@ std::string curved_sentence(const FractalFit<double>& fit) {
     return slopes + ": this is no single power law, and D is a mean over it";
 }
 
-std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit) {
+std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit, std::string_view prefix) {
     switch (concern) {
         case MeasuredConcern::curved:
             return curved_sentence(fit);
         case MeasuredConcern::saturated:
             return "the structure function is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
                    shown_length(fit.flattest_lag, 3) +
-                   ", shorter than the window: the roughness has saturated there, and D is that of the waviness; "
-                   "--window looks elsewhere";
+                   ", shorter than the window: the roughness has saturated there, and D is that of the waviness; " +
+                   std::string(prefix) + "window looks elsewhere";
         case MeasuredConcern::roughness_uncertain:
             return "G is known to no better than a factor of 10: D is close to 1, where G hardly matters";
         default:
@@ -63,8 +63,9 @@ std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit) {
     }
 }
 
-void warn_of_fit(Strings& all, const FractalFit<double>& fit, const std::string& where) {
-    for (const MeasuredConcern concern : concerns_of(fit)) all.push_back(where + sentence(concern, fit));
+void warn_of_fit(Strings& all, const FractalOptions& options, const FractalFit<double>& fit, const std::string& where) {
+    for (const MeasuredConcern concern : concerns_of(fit))
+        all.push_back(where + sentence(concern, fit, options.surface.prefix));
 }
 
 void put_fit(Json& document, const FractalFit<double>& fit) {
@@ -184,21 +185,21 @@ MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input) {
     return result;
 }
 
-Strings warnings_of(const SurfaceInput& input, const ProfileFractal& result) {
+Strings warnings_of(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result) {
     Strings all;
     for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
         all.push_back(concern == MeasuredConcern::spectrum_differs
                           ? "D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
                                 ", is another one: over its wavelengths the profile follows another law"
-                          : sentence(concern, result.fit));
+                          : sentence(concern, result.fit, options.surface.prefix));
     for (std::string& line : reading_warnings(input, "their pairs are left out")) all.push_back(std::move(line));
     return all;
 }
 
-Strings warnings_of(const SurfaceInput& input, const MapFractal& result) {
+Strings warnings_of(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result) {
     Strings all;
-    if (result.fit.x) warn_of_fit(all, *result.fit.x, "along x: ");
-    if (result.fit.y) warn_of_fit(all, *result.fit.y, "along y: ");
+    if (result.fit.x) warn_of_fit(all, options, *result.fit.x, "along x: ");
+    if (result.fit.y) warn_of_fit(all, options, *result.fit.y, "along y: ");
     if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.why_no_fit_x);
     if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.why_no_fit_y);
     if (result.fit.anisotropic())

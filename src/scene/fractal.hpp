@@ -56,8 +56,10 @@ struct MapFractal {
 [[nodiscard]] MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input);
 
 /// What there is to doubt, in sentences.
-[[nodiscard]] std::vector<std::string> warnings_of(const SurfaceInput& input, const ProfileFractal& result);
-[[nodiscard]] std::vector<std::string> warnings_of(const SurfaceInput& input, const MapFractal& result);
+[[nodiscard]] std::vector<std::string> warnings_of(const FractalOptions& options, const SurfaceInput& input,
+                                                   const ProfileFractal& result);
+[[nodiscard]] std::vector<std::string> warnings_of(const FractalOptions& options, const SurfaceInput& input,
+                                                   const MapFractal& result);
 
 /// The structure function \p s; \p direction of a map, else empty.
 [[nodiscard]] Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,

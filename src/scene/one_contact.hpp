@@ -34,10 +34,13 @@ struct OneContact {
     std::unique_ptr<const AnyContact> contact;
 };
 
-/// The contact of \p numbers with the law called \p law. \throws domain_error naming the number or the law.
-[[nodiscard]] OneContact contact_of(const std::string& law, const ContactNumbers& numbers);
+/// The contact of \p numbers with the law called \p law; the surface, r, theta, fractal dimension and gradient are those of
+/// \p measured where it is given. \p progress is called while the law is prepared, where that takes long.
+/// \throws domain_error naming the number or the law.
+[[nodiscard]] OneContact contact_of(const std::string& law, const ContactNumbers& numbers,
+                                    const MeasuredSurface* measured = nullptr, const ProgressHook& progress = {});
 /// The contact of entry \p law of the laws of \p of on entry \p peaks of its distributions of peaks, both from 0.
 /// \throws no_such_entry, domain_error as the law.
-[[nodiscard]] OneContact contact_of(Scene of, std::size_t law, std::size_t peaks);
+[[nodiscard]] OneContact contact_of(Scene of, std::size_t law, std::size_t peaks, const ProgressHook& progress = {});
 
 }  // namespace fstiff::scene

@@ -27,6 +27,7 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     TruthOfMap solved;
     solved.file = display_name(options.surface.file);
     solved.form = map.form + (map.cut_offs.any() ? ", " + map.cut_offs.sentence() : "");
+    solved.points_option = std::string(options.surface.prefix) + "points";
     solved.modulus = options.modulus;
     solved.rms_height = map.rms;
     solved.rms_gradient = map.areal.rms_gradient;
@@ -43,7 +44,8 @@ std::vector<std::string> warnings_of(const TruthOfMap& solved) {
     if (const std::size_t unresolved = solved.unresolved())
         warnings.push_back("K changes by more than a fifth from the grid half as fine at " +
                            std::to_string(unresolved) + " of " + std::to_string(solved.at.size()) +
-                           " pressures: the contacts there are a few points wide (--points, or a finer map)");
+                           " pressures: the contacts there are a few points wide (" + solved.points_option +
+                           ", or a finer map)");
     if (const std::size_t failed = solved.failed())
         warnings.push_back(std::to_string(failed) + " solutions did not converge");
     return warnings;

@@ -26,6 +26,7 @@ struct TruthRequest {
 
 struct TruthOfMap {
     std::string file, form;
+    std::string points_option;  ///< what messages call TruthRequest::points
     double modulus = 0, rms_height = 0, rms_gradient = 0;
     Eigen::Index points = 0;  ///< along the longer side, after coarsening
     Edges edges = Edges::mirrored;

@@ -134,7 +134,7 @@ Report report_of(const Options& options, const SurfaceInput& input, const Result
     return report({.table = [&] { return table(options.fractal, input, result); },
                    .csv = [&] { return csv(result); },
                    .json = [&] { return fractal_json(options.fractal, input, result); },
-                   .warnings = warnings_of(input, result),
+                   .warnings = warnings_of(options.fractal, input, result),
                    .csv_notes = std::move(summaries)},
                   options.output.format);
 }
