@@ -15,8 +15,8 @@ an argument is said in one sentence by a ValueError; FileError, a ValueError and
 from __future__ import annotations
 
 from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names
-from ._core import FileError
 from ._core import version as __version__
+from ._errors import FileError
 from ._scenes import Curves, Scene, run
 from ._surfaces import Fit, Islands, Measurement, Surface, Truth, fit, islands, measure, open_surface, truth
 

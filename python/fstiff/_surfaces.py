@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
 
 from . import _core
+from ._errors import FileError
 from ._results import Table, axes, frame, lines_of, shown, text_table
 
 if TYPE_CHECKING:
@@ -103,7 +104,10 @@ class Surface:
     ) -> None:
         import numpy as np
 
-        array = heights.astype(np.float64).filled(np.nan) if isinstance(heights, np.ma.MaskedArray) else np.asarray(heights)
+        array: Any = heights
+        if isinstance(array, np.ma.MaskedArray):
+            array = np.ma.filled(array.astype(np.float64), np.nan)
+        array = np.asarray(array)
         if array.dtype.kind not in "fiu":
             raise ValueError(f"heights: must be real numbers, not {array.dtype}")
         self.heights: Numbers = np.asarray(array, dtype=np.float64, order="C")
@@ -198,7 +202,7 @@ def open_surface(file: str | os.PathLike[str], channel: str | int | None = None,
         options["channel"] = channel
     try:
         heights, dx, dy, decisions, warnings = _core.read(_options(options, {"file": path}))
-    except _core.FileError:
+    except FileError:
         raise
     except ValueError as refused:
         topography = _by_surface_topography(path, channel)

@@ -21,16 +21,12 @@ NB_MODULE(_core, m) {
     m.doc() = "Compiled part of fstiff; use the package.";
     m.attr("version") = FSTIFF_VERSION;
     // fstiff::domain_error is a std::domain_error, which nanobind raises as ValueError.
-    const nb::object bases = nb::make_tuple(nb::handle(PyExc_ValueError), nb::handle(PyExc_OSError));
-    static nb::object file_error = nb::steal(PyErr_NewExceptionWithDoc(
-        "fstiff.FileError", "A file that cannot be opened or read: a ValueError and an OSError.", bases.ptr(),
-        nullptr));
-    m.attr("FileError") = file_error;
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
         try {
             std::rethrow_exception(thrown);
         } catch (const fstiff::file_error& error) {
-            PyErr_SetString(file_error.ptr(), error.what());
+            const nb::object type = nb::module_::import_("fstiff._errors").attr("FileError");
+            PyErr_SetString(type.ptr(), error.what());
         }
     });
     add_contacts(m);

@@ -6,12 +6,11 @@
 #include "scene/result_rows.hpp"
 
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 
 #include <limits>
-#include <map>
 #include <optional>
+#include <stdexcept>
 
 namespace fstiff::python {
 namespace {
@@ -33,27 +32,34 @@ Scene scene_of_file(const std::string& file, const std::string& surface, const M
 
 /// The columns of the CSV, of all curves one below the other: numbers as an array, texts as a list.
 nb::list columns_of(const Results& results) {
-    std::vector<Rows> curves;
-    for (const Curve& curve : results.curves) curves.push_back(rows_of(results, curve));
-    nb::list columns;
-    if (curves.empty()) return columns;
-    for (std::size_t k = 0; k < curves.front().columns().size(); ++k) {
-        const Heading& heading = curves.front().columns()[k].heading;
-        if (!heading.csv || heading.key.empty()) continue;
+    struct Column {
+        std::string key;
         std::vector<std::string> words;
         std::vector<double> numbers;
-        for (const Rows& rows : curves)
-            for (const Cell& cell : rows.columns()[k].cells) {
-                if (cell.kind == Cell::Kind::text) words.push_back(cell.words);
-                numbers.push_back(cell.kind == Cell::Kind::real    ? cell.number
-                                  : cell.kind == Cell::Kind::count ? static_cast<double>(cell.whole)
-                                                                   : std::numeric_limits<double>::quiet_NaN());
+    };
+    std::vector<Column> all;
+    for (const Curve& curve : results.curves) {
+        const Rows rows = rows_of(results, curve);
+        std::size_t place = 0;
+        for (const Rows::Column& column : rows.columns()) {
+            if (!column.heading.csv || column.heading.key.empty()) continue;
+            if (place == all.size()) all.push_back({column.heading.key, {}, {}});
+            Column& to = all[place++];
+            if (to.key != column.heading.key) throw std::logic_error("curves of unlike columns");
+            for (const Cell& cell : column.cells) {
+                if (cell.kind == Cell::Kind::text) to.words.push_back(cell.words);
+                to.numbers.push_back(cell.kind == Cell::Kind::real    ? cell.number
+                                     : cell.kind == Cell::Kind::count ? static_cast<double>(cell.whole)
+                                                                      : std::numeric_limits<double>::quiet_NaN());
             }
-        if (words.empty())
-            columns.append(nb::make_tuple(heading.key, NewArray(numbers).take()));
-        else
-            columns.append(nb::make_tuple(heading.key, words));
+        }
     }
+    nb::list columns;
+    for (const Column& column : all)
+        if (column.words.empty())
+            columns.append(nb::make_tuple(column.key, NewArray(column.numbers).take()));
+        else
+            columns.append(nb::make_tuple(column.key, column.words));
     return columns;
 }
 
@@ -105,7 +111,8 @@ void add_scenes(nb::module_& m) {
                          return names;
                      })
         .def_prop_ro("at_separations", [](const Scene& scene) { return scene.at_separations; })
-        .def_prop_ro("points", [](const Scene& scene) { return NewArray(scene.points).take(); });
+        .def_prop_ro(
+            "points", [](const Scene& scene) { return NewArray(scene.points).take(); }, nb::rv_policy::automatic);
     m.attr("builtin_scene") = std::string(builtin_scene);
 }
 
