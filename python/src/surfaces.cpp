@@ -126,7 +126,8 @@ Found found(Json document, const std::vector<std::string>& warnings, bool doubtf
 
 Found measure(const nb::dict& options, const std::vector<std::string>& files, const Heights& heights) {
     const Given given(options);
-    MeasureOptions how{.input = surface_options(given)};
+    MeasureOptions how;
+    how.input = surface_options(given);
     given.word("peaks", how.peaks);
     given.take("window", how.window);
     given.whole("resamples", how.resamples, 2, 100000, "from 2 to 100000");
@@ -141,7 +142,8 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
 
 Found fit(const nb::dict& options, const Heights& heights) {
     const Given given(options);
-    FractalOptions how{.surface = surface_options(given)};
+    FractalOptions how;
+    how.surface = surface_options(given);
     given.take("window", how.window);
     given.word("convention", how.convention);
     given.whole("seed", how.seed, 0, most_seed, "from 0 to 2^53 - 1");
@@ -159,7 +161,8 @@ Found fit(const nb::dict& options, const Heights& heights) {
 
 Found islands(const nb::dict& options, const Heights& heights) {
     const Given given(options);
-    IslandsRequest how{.surface = surface_options(given)};
+    IslandsRequest how;
+    how.surface = surface_options(given);
     given.take("neighbours", how.neighbours);
     require(how.neighbours == 4 || how.neighbours == 8, "neighbours", how.neighbours, "4 or 8");
     given.word("border", how.border);
@@ -179,7 +182,8 @@ Found islands(const nb::dict& options, const Heights& heights) {
 
 Found truth(const nb::dict& options, const Heights& heights, const In& pressures, double modulus) {
     const Given given(options);
-    TruthRequest how{.surface = surface_options(given), .modulus = modulus};
+    TruthRequest how;
+    how.surface = surface_options(given), how.modulus = modulus;
     how.pressures.assign(numbers_of(pressures).begin(), numbers_of(pressures).end());
     given.take("hardness", how.hardness);
     given.whole("points", how.points, 16, 4096, "from 16 to 4096");
