@@ -208,7 +208,10 @@ def open_surface(file: str | os.PathLike[str], channel: str | int | None = None,
         topography = _by_surface_topography(path, channel)
         if topography is None or set(options) - {"channel"}:
             raise
-        surface = surface_of_topography(topography, os.path.basename(path))
+        try:
+            surface = surface_of_topography(topography, os.path.basename(path))
+        except ValueError:  # a text whose units fstiff asked for
+            raise refused from None
         surface.decisions = [f"format: {type(topography).__name__}, by SurfaceTopography, since {refused}"]
         return surface
     surface = Surface(heights, dx, name=path) if heights.ndim == 1 else Surface(heights, dx=dx, dy=dy, name=path)

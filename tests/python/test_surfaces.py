@@ -218,6 +218,13 @@ def test_files_are_opened_and_unknown_ones_go_to_surface_topography(rough_map, t
     assert fstiff.measure(open_topography(path).topography())["surface"] == fstiff.measure(opened)["surface"]
 
 
+def test_a_text_without_units_is_asked_for_them(tmp_path):
+    (tmp_path / "heights.txt").write_text("".join(f"{i * 7 % 11}\n" for i in range(40)))
+    with pytest.raises(ValueError, match="units"):
+        fstiff.open_surface(tmp_path / "heights.txt")
+    assert fstiff.open_surface(tmp_path / "heights.txt", units="um", spacing="1 um").spacing == 1e-6
+
+
 def test_reprs_frames_and_plots(rough_map, trace):
     measured = fstiff.measure(trace, spacing=0.5e-6)
     assert "rms_height" in repr(measured) and "profile" in repr(measured)
