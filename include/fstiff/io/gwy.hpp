@@ -51,6 +51,7 @@ struct GwyRecord {
     [[nodiscard]] std::vector<std::string> warnings() const;
 };
 
+/// What one channel of a Gwyddion file holds.
 struct GwySurface {
     HeightMap<double> map;  ///< of one row when yres is 1
     GwyRecord record;

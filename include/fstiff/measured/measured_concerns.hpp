@@ -28,6 +28,7 @@
 
 namespace fstiff {
 
+/// What may be wrong about a measured surface.
 enum class MeasuredConcern {
     curved,
     saturated,
