@@ -43,9 +43,9 @@ extern "C" {
 
 enum {
     FSTIFF_OK = 0,
-    FSTIFF_BAD_ARGUMENT = 1, /**< a null pointer, a struct of another size, an empty array, an index out of range */
-    FSTIFF_REFUSED = 2,      /**< a value or a text that the model does not allow; the message names it and its range */
-    FSTIFF_OUT_OF_REACH = 3, /**< the model has no state at this pressure or separation */
+    FSTIFF_BAD_ARGUMENT = 1,   /**< a null pointer, a struct of another size, an empty array, an index out of range */
+    FSTIFF_REFUSED = 2,        /**< a value or a text that the model does not allow; the message has its range */
+    FSTIFF_OUT_OF_REACH = 3,   /**< the model has no state at this pressure or separation */
     FSTIFF_OUT_OF_NUMBERS = 4, /**< a result is beyond the range of double */
     FSTIFF_FILE = 5,           /**< a file that a scene names cannot be read */
     FSTIFF_OUT_OF_MEMORY = 6,
