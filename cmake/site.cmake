@@ -4,6 +4,14 @@
 find_program(FSTIFF_DOXYGEN doxygen)
 set(fstiff_site ${PROJECT_BINARY_DIR}/site)
 if(FSTIFF_DOXYGEN)
+    set(fstiff_pages ${PROJECT_SOURCE_DIR}/docs/README.md)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${fstiff_pages})
+    file(READ ${fstiff_pages} fstiff_links)
+    string(REGEX MATCHALL "\\([a-z_-]+\\.md\\)" fstiff_links "${fstiff_links}")
+    foreach(link IN LISTS fstiff_links)
+        string(REGEX REPLACE "[()]" "" link ${link})
+        string(APPEND fstiff_pages " \\\n    ${PROJECT_SOURCE_DIR}/docs/${link}")
+    endforeach()
     configure_file(${CMAKE_CURRENT_LIST_DIR}/Doxyfile.in ${fstiff_site}/Doxyfile @ONLY)
     add_custom_target(
         site
