@@ -4,7 +4,8 @@
 ! no friction. The interface is a surface interaction of the model with these properties, in consistent units of the model,
 ! such as mm, N, MPa:
 !
-!     *SURFACE INTERACTION, NAME=ROUGH, USER, PROPERTIES=13, DEPVAR=1, UNSYMM=NO
+!     *SURFACE INTERACTION, NAME=ROUGH, USER, PROPERTIES=13, DEPVAR=1
+!     1.0                                      (Abaqus: the thickness in plane models, else a blank line)
 !     1, 0.832e-3, 40e-3, 500, 0.5, 1, 1.62, 0
 !     112.6e3, 0, 0.1, 100, 2.2e-3
 !
