@@ -29,12 +29,14 @@ def main():
     profiles = [str(file) for file in build.glob("profile/*.profraw")]
     subprocess.run([tool("llvm-profdata"), "merge", "-sparse", *profiles, "-o", str(merged)], check=True)
     first, *others = programs(build)
-    sources = [first, *(word for file in others for word in ("-object", file)), f"-instr-profile={merged}", str(ROOT / "include")]
-    subprocess.run([tool("llvm-cov"), "show", "-format=html", f"-output-dir={build / 'report'}", *sources], check=True,
+    sources = [first, *(word for file in others for word in ("-object", file)), f"-instr-profile={merged}"]
+    elsewhere = rf"-ignore-filename-regex=^/usr/|^{re.escape(str(ROOT))}/(build/coverage/\.\./\.\./)?(tests|src|examples|build/coverage/[a-z])"
+    subprocess.run([tool("llvm-cov"), "show", "-format=html", f"-output-dir={build / 'report'}", elsewhere, *sources], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     export = subprocess.run([tool("llvm-cov"), "export", "-summary-only", *sources], check=True, capture_output=True, text=True).stdout
-    lines = {pathlib.Path(file["filename"]).relative_to(ROOT / "include/fstiff"): file["summary"]["lines"]
-             for file in json.loads(export)["data"][0]["files"]}
+    library = ROOT / "include/fstiff"
+    files = [(pathlib.Path(file["filename"]).resolve(), file["summary"]["lines"]) for file in json.loads(export)["data"][0]["files"]]
+    lines = {path.relative_to(library): of for path, of in files if path.is_relative_to(library)}
 
     folders = {}
     for name, of in lines.items():
