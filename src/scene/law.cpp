@@ -373,7 +373,6 @@ std::span<const Law> laws() { return table; }
 
 std::vector<std::string_view> law_names() {
     std::vector<std::string_view> names;
-    names.reserve(table.size());
     for (const Law& law : table) names.push_back(law.name);
     return names;
 }
