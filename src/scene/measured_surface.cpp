@@ -65,6 +65,10 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     surface.concerns = concerns_of(found);
     if (has(surface.concerns, MeasuredConcern::anisotropic))
         warned.push_back("the map differs along x and y; the models take it for isotropic");
+    if (has(surface.concerns, MeasuredConcern::long_waves))
+        warned.push_back(rounded(100 * found.long_wave_share, 2) +
+                         " % of the mean square height are waves longer than an eighth of the " + surface.kind +
+                         ": sigma is that of this length, and a longer one may have more; K goes about as 1/sigma");
     for (std::string& line : peak_warnings(surface.concerns, found.peaks_counted, surface.parameters))
         warned.push_back(std::move(line));
 }
@@ -88,9 +92,11 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
             "the islands are densest at the highest or the lowest level: this is no maximum, and the pair R, D_p "
             "represents nothing");
     if (has(concerns, MeasuredConcern::parameter_unknown)) {
+        const bool long_waves = has(concerns, MeasuredConcern::long_waves);
         std::string names;
         for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>())
-            if (values.known[index_of(row.parameter)] && !is_known(of(values, row.parameter)))
+            if (values.known[index_of(row.parameter)] && !is_known(of(values, row.parameter)) &&
+                !(long_waves && (row.parameter == Parameter::rms_height || row.parameter == Parameter::r)))
                 names += (names.empty() ? "" : ", ") + std::string(row.symbol);
         lines.push_back(names + ": not known to a factor of two; a result that rests on it, and its band, is in doubt");
     }
@@ -99,10 +105,12 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
 
 std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const UncertainSurface<double>& used) {
     const bool no_pair = has(surface.concerns, MeasuredConcern::no_densest_level);
+    const bool long_waves = has(surface.concerns, MeasuredConcern::long_waves);
     std::vector<Parameter> all;
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         const Parameter which = parameter_table[i].parameter;
         const bool of_pair = which == Parameter::peak_radius || which == Parameter::peak_density;
+        if (long_waves && (which == Parameter::rms_height || which == Parameter::r)) continue;  // said by itself
         if (used.known[i] &&
             (!is_known(of(used, which)) || (no_pair && of_pair && used.value[i] == surface.parameters.value[i])))
             all.push_back(which);

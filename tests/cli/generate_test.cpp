@@ -82,7 +82,7 @@ TEST_CASE("What is generated is what the fit finds") {
     check(wm, 1.5);
     // G within a factor of two: its error is that of D times a long lever
     CHECK(std::abs(std::log(wm["fractal_roughness_m"].get<double>() / 10e-9)) < std::log(2.0));
-    const auto map = fit_of("map --points 256 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --seed 6");
+    const auto map = fit_of("map --points 512 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --seed 6");
     check(map["x"], 1.5);
     check(map["y"], 1.5);
     CHECK(map["anisotropic"] == false);

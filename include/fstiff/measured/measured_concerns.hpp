@@ -11,12 +11,14 @@
 ///                          a lag shows waves up to some ten times as long
 ///     spectrum_differs     D of the power spectrum differs by 0.1 and three standard deviations
 ///     anisotropic          a map differs along x and y: the models take it for isotropic
+///     long_waves           three quarters of the mean square height and more are in waves longer than an eighth of the
+///                          surface: sigma is that of this length
 ///     few_peaks            R and D_p come from fewer than 30 peaks: their errors are rough
 ///     radius_uncertain, density_uncertain     the error of R, of D_p is above 30 %
 ///     no_densest_level     the islands of a map are densest at the lowest or the highest level: this is no maximum, and
 ///                          the pair R, D_p represents nothing
 ///     parameter_unknown    of sigma, R, D_p, D, r or theta the standard error is above half the value: not known to a
-///                          factor of two
+///                          factor of two; of sigma and r only without long_waves, which says so itself
 ///
 /// Reference   profile/fractal_fit.hpp, profile/power_spectrum.hpp, measured/surface_parameters.hpp; the limits are
 ///             this project's.
@@ -35,6 +37,7 @@ enum class MeasuredConcern {
     filtered,
     spectrum_differs,
     anisotropic,
+    long_waves,
     few_peaks,
     radius_uncertain,
     density_uncertain,
@@ -50,6 +53,7 @@ inline constexpr auto names<MeasuredConcern> = name_list<MeasuredConcern>({
     {MeasuredConcern::filtered, "filtered"},
     {MeasuredConcern::spectrum_differs, "spectrum_differs"},
     {MeasuredConcern::anisotropic, "anisotropic"},
+    {MeasuredConcern::long_waves, "long_waves"},
     {MeasuredConcern::few_peaks, "few_peaks"},
     {MeasuredConcern::radius_uncertain, "radius_uncertain"},
     {MeasuredConcern::density_uncertain, "density_uncertain"},
@@ -119,17 +123,19 @@ template <Real T>
     return found;
 }
 
-/// Of curved, anisotropic, few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
+/// Of curved, anisotropic, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface) {
     std::vector<MeasuredConcern> found;
     if (surface.curved) found.push_back(MeasuredConcern::curved);
     if (surface.anisotropic) found.push_back(MeasuredConcern::anisotropic);
+    if (surface.long_wave_share > T(0.75)) found.push_back(MeasuredConcern::long_waves);
     detail::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);
     if (surface.islands && is_densest_at_end(*surface.islands)) found.push_back(MeasuredConcern::no_densest_level);
     const auto known = [](const std::optional<Measurement<T>>& one) { return !one || is_known(*one); };
-    if (!is_known(surface.rms_height) || !is_known(surface.peak_radius) || !is_known(surface.peak_density) ||
-        !known(surface.fractal_dimension) || !known(surface.r) || !known(surface.theta))
+    const bool heights = surface.long_wave_share > T(0.75) || (is_known(surface.rms_height) && known(surface.r));
+    if (!heights || !is_known(surface.peak_radius) || !is_known(surface.peak_density) ||
+        !known(surface.fractal_dimension) || !known(surface.theta))
         found.push_back(MeasuredConcern::parameter_unknown);
     return found;
 }

@@ -256,6 +256,7 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
 
     MeasuredStructureFunction<T> measured;
     measured.spacing = x ? map.dx : map.dy;
+    measured.rms_height = rms_height(map);
     measured.points = static_cast<std::size_t>(x ? map.columns() : map.rows());
     const auto sections = static_cast<F>(sums.sum.rows());
     const auto means = [&](StructureFunction<T>& s, const detail::SectionSums<F>& of) {

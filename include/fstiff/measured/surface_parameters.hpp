@@ -18,9 +18,9 @@
 /// height none is a peak: heights that were rounded coarsely lose peaks.
 ///
 /// Errors: standard deviations over resamples, times sqrt(n/(n-1)) and Student's factor for n blocks (measured/height_sums): moving blocks of a profile, each five
-/// times as long as the heights stay correlated (an eighth of the profile at most), tiles of a map. A surface that is
-/// not longer than its longest waves does not show how much they vary: there the errors of sigma and r are too small,
-/// those of R, D_p and theta are not. That of R_p is a lower bound: no resample is higher than the surface. D and G of
+/// times as long as the heights stay correlated (an eighth of the profile at most), tiles of a map. The parts of a
+/// surface that is not longer than its longest waves do not show how much they vary: the errors of sigma and r, which goes as
+/// 1/sigma, are those of measured/long_waves where these are the greater. That of R_p is a lower bound: no resample is higher than the surface. D and G of
 /// the two directions are averaged by weight, and the error of D is half their difference at least.
 ///
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Kunsch,
@@ -31,12 +31,13 @@
 ///             theta) is left out, with the reason.
 /// Accuracy    1e-12 of plain sums. Errors over the scatter of 60 surfaces, itself known to 9 %: 0.7 to 1.4; D_p of
 ///             islands to 1.9, R of islands to 1.7 on maps shorter than twice their longest wave; sigma and r of
-///             surfaces as long as their longest wave 0.5 to 0.9, or shorter 0.4 to 0.7; R_p 0.5 to 0.7
+///             surfaces shorter than their longest wave 1 to 3, for the long side of chi^2 (measured/long_waves); R_p 0.5 to 0.7
 ///             (tests/measured/surface_parameters_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/height_sums.hpp>
+#include <fstiff/measured/long_waves.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
@@ -99,6 +100,7 @@ struct SurfaceParameters {
     /// Of the errors; those of different origin (D; the islands of a map) are taken for independent.
     ParameterCorrelation<T> correlation = uncorrelated<T>();
     LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
+    T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
     bool anisotropic{};           ///< of a map
     bool curved{};                ///< no clean power law in the window
     std::size_t peaks_counted{};  ///< behind R and D_p
@@ -128,6 +130,34 @@ template <Real T>
                                                       const SurfaceParameterOptions<T>& options = {});
 
 namespace detail {
+
+/// Adds to \p spread what the long waves leave open of sigma, and of r, which goes as 1/sigma. \p height(j, i) is that of a point,
+/// from the mean; NaN: missing.
+template <Real T, Real S, class Height>
+void add_long_waves(SurfaceParameters<T>& result, EstimateSpread<S>& spread, const Estimates<S>& whole,
+                    Eigen::Index rows, Eigen::Index columns, const Height& height) {
+    constexpr Eigen::Index most = 64;  // parts a side
+    const Eigen::Index down = std::min(rows, most), across = std::min(columns, most);
+    Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic> parts = decltype(parts)::Zero(down, across);
+    for (Eigen::Index j = 0; j < rows; ++j)
+        for (Eigen::Index i = 0; i < columns; ++i)
+            if (const S z = height(j, i); !std::isnan(z)) parts(j * down / rows, i * across / columns) += z;
+    parts *= static_cast<S>(parts.size()) / static_cast<S>(rows) / static_cast<S>(columns);
+    const LongWaveShare<S> waves = long_waves(parts, whole[0] * whole[0]);
+    result.long_wave_share = static_cast<T>(waves.share);
+    const S more = std::expm1(waves.error * waves.error) - spread.error[0] * spread.error[0], r = whole[4];
+    if (!(more > S(0) && std::isfinite(r))) return;
+    Eigen::Matrix<S, 6, 6> covariance =
+        (spread.error.matrix() * spread.error.matrix().transpose()).cwiseProduct(spread.correlation);
+    covariance(0, 0) += more;
+    covariance(4, 4) += r * r * more;
+    covariance(0, 4) -= r * more, covariance(4, 0) -= r * more;
+    spread.error = covariance.diagonal().array().sqrt();
+    for (Eigen::Index i = 0; i < 6; ++i)
+        for (Eigen::Index j = 0; j < 6; ++j)
+            if (const S both = spread.error[i] * spread.error[j]; i != j && both > S(0))
+                spread.correlation(i, j) = std::clamp(covariance(i, j) / both, S(-1), S(1));
+}
 
 /// What the sums have: heights in \p unit, lengths in samples of \p dx by \p dy.
 template <Real T>
@@ -253,9 +283,11 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
 
     SurfaceParameters<T> result;
     constexpr auto count = detail::PeakCount::profile;
-    detail::store_sums(result, detail::estimates(all, count),
-                       detail::resample_cells(sums, block, count, options.resamples, options.seed, options.progress),
-                       unit, step, step);
+    const auto whole = detail::estimates(all, count);
+    auto spread = detail::resample_cells(sums, block, count, options.resamples, options.seed, options.progress);
+    detail::add_long_waves(result, spread, whole, 1, static_cast<Eigen::Index>(size),
+                           [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
+    detail::store_sums(result, whole, spread, unit, step, step);
     detail::require_numbers(result);
     result.peaks_counted = all.triples.peaks;
     result.block_length = static_cast<T>(block * length) * profile.spacing;
@@ -315,9 +347,10 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
 
     SurfaceParameters<T> result;
     const auto count = summits ? detail::PeakCount::summits : detail::PeakCount::none;
-    detail::store_sums(result, detail::estimates(all, count),
-                       detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress), unit,
-                       static_cast<S>(map.dx), static_cast<S>(map.dy));
+    const auto whole = detail::estimates(all, count);
+    auto spread = detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress);
+    detail::add_long_waves(result, spread, whole, map.rows(), map.columns(), height);
+    detail::store_sums(result, whole, spread, unit, static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) {
         result.islands = representative_islands(map, options.islands,

@@ -16,7 +16,8 @@
 ///  - window: how far D and ln G of the two halves of the window, and of the longest straight windows below and above it,
 ///    differ from those of the window, beyond what their sampling explains (d^2 less twice its expectation), averaged by their
 ///    widths on the scale of ln tau. A half or a neighbour that differs by more than 2.5 standard deviations and by 0.05
-///    disagrees, and the fit is flagged as curved.
+///    disagrees, and the fit is flagged as curved. What the halves of a short window are too uncertain to show of a
+///    bend, and the search allows, is part of it.
 /// The textbook regression error, many times too small because S2 at neighbouring lags is correlated, stands beside them.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8); Kunsch, Ann. Stat. 17 (1989)
@@ -134,6 +135,7 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOpt
     const std::vector<std::size_t> triples = logarithmic_lags(std::min(longest, (points - 1) / 2));
     measured.second_differences = second_differences(profile, std::span<const std::size_t>(triples));
     measured.spacing = profile.spacing;
+    measured.rms_height = rms_height(profile);
     measured.points = points;
     if (options.resamples > 1)
         measured.resample = [&](const std::vector<std::size_t>& steps) {
@@ -167,6 +169,8 @@ FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const Fr
     require_positive("spacing", measured.spacing);
     require(measured.profiles >= T(1) && measured.profiles <= std::numeric_limits<T>::max(), "profiles",
             measured.profiles, "finite and at least 1");
+    require(measured.rms_height >= T(0) && measured.rms_height <= std::numeric_limits<T>::max(), "rms height",
+            measured.rms_height, "finite and not negative");
     require(measured.apart >= T(0) && measured.apart <= std::numeric_limits<T>::max(), "apart", measured.apart,
             "finite and not negative");
     require(options.tip_radius == T(0), "tip radius", options.tip_radius,
@@ -293,6 +297,8 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     LogStructure<F> log = log_structure(searched, spacing, measured.points, reliable);
     log.profiles = static_cast<F>(measured.profiles);
     log.apart = static_cast<F>(measured.apart);
+    if (measured.rms_height > T(0))  // the variance of z - 2 z' + z'' where the three have nothing in common
+        log.saturated = std::log(F(6)) + 2 * std::log(static_cast<F>(measured.rms_height / spacing));
     set_slope_error(log);
     const ChosenRange<F> chosen =
         options.window ? given_range(log, *options.window, spacing, reliable) : automatic_range(log, spacing, reliable);

@@ -43,6 +43,7 @@ struct MeasuredStructureFunction {
     StructureFunction<T>
         second_differences;  ///< that is fitted, at some lags, rising; `pairs` are those of one profile
     T spacing{};             ///< [m]
+    T rms_height{};          ///< of the profiles [m], which tells where S2 saturates; 0: not known
     std::size_t points{};    ///< of one profile, missing ones included
     T profiles = T(1);       ///< that the means are of
     T apart{};  ///< how far neighbours of them stand apart [spacings]: closer than half the lag, they see the same waves;

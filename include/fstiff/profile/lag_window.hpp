@@ -8,9 +8,10 @@
 /// between 0.2 and 1.95, the local slopes between 0.1 and 1.95 but for their sampling error: a self-affine profile has a slope between 0 and 2, one that is smooth below its resolution 4, and one
 /// that has saturated 0. When there is none, 0.2 becomes 0.3, then 0.45, and the fit is flagged as curved. Lags of 4 samples
 /// to a tenth of the points are searched; 1 sample to an eighth for a profile of fewer than 400 points; to a fifth of those
-/// of the sections of a map, which hold more pieces of a lag. The window ends a
-/// factor of 1.5 before its power law would reach the highest value of S2: nearer to where
-/// the spectrum ends or turns flat S2 bends. Lags below the
+/// of the sections of a map, which hold more pieces of a lag. The window ends where S2 is three quarters of what it
+/// saturates at, 6 times the mean square of the heights, or of its highest value where that is less: nearer to where
+/// the spectrum ends or turns flat S2 bends. (A limit that hangs on the slope of the window itself would choose the flat ones among the
+/// short windows.) Lags below the
 /// resolution, below lambda_s, or that may show the tip (profile/tip_cutoff.hpp), are left out of everything.
 /// A range behind a plateau is waviness over a roughness that has saturated: some shorter lag has a slope below 0.2,
 /// and the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
@@ -127,7 +128,8 @@ struct LogStructure {
     Vector<F> lag, value, slope;  // ln n, ln(S2/h^2), local slope
     Vector<F> slope_error;        // of the local slopes by sampling, one standard deviation; empty: none
     std::size_t points{};         // of one profile
-    F profiles = 1, apart = 0;    // how many, and samples between neighbours; 0: nothing in common
+    F saturated = std::numeric_limits<F>::infinity();  // ln of what S2/h^2 ends at; infinite: not known
+    F profiles = 1, apart = 0;                         // how many, and samples between neighbours; 0: nothing in common
 
     /// How many profiles know something of their own at the lag \p n: neighbours see the same waves when they are
     /// closer than half the lag.
@@ -136,8 +138,8 @@ struct LogStructure {
     /// Lags that are searched for a window, in samples.
     F shortest() const { return points < 400 ? F(1) : F(4); }
     F longest() const { return static_cast<F>(points / (apart > 0 ? 5u : points < 400 ? 8u : 10u)); }
-    /// ln of how far the end of a window stays from the lag at which its power law would reach the highest value of S2.
-    static F before_saturation() { return std::log(F(1.5)); }
+    /// The highest ln S2 of a window: three quarters of where S2 ends, but for 5 % of scatter.
+    F highest() const { return std::min(value.maxCoeff(), saturated) + F(0.05) - F(0.3); }
 };
 
 /// Lags at which nothing differs (S2 = 0) have no logarithm, and are left out with those that are not reliable.
@@ -193,8 +195,8 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
     const Eigen::Index size = x.size();
     const Vector<T> scatter = log.slope_error.size() == size ? Vector<T>(2 * log.slope_error) : Vector<T>::Zero(size);
     const T from = std::log(log.shortest()) - T(1e-9), to = std::log(log.longest()) + T(1e-9);
-    const T least = std::log(static_cast<T>(min_window_ratio)), min_slope = T(0.2), max_slope = T(1.95);
-    const T top = y.maxCoeff() + T(0.05);  // its own scatter
+    const T least = std::log(static_cast<T>(min_window_ratio)), min_slope = T(0.2), max_slope = T(1.95),
+            highest = log.highest();
     std::optional<IndexRange> best;
     T best_length = 0, flattest = std::numeric_limits<T>::infinity();
     for (Eigen::Index a = 0; a <= within.last; ++a) {
@@ -213,8 +215,7 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
             const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && mean > min_slope &&
                                   mean < max_slope && (slopes > min_slope / 2 - by_chance).all() &&
                                   (slopes < max_slope + by_chance).all() &&
-                                  ((slopes - mean).abs() <= by_chance.max(tolerance)).all() &&
-                                  y[b] + mean * log.before_saturation() <= top;
+                                  ((slopes - mean).abs() <= by_chance.max(tolerance)).all() && y[b] <= highest;
             if (straight) {
                 best = IndexRange{a, b};
                 best_length = length;

@@ -5,6 +5,8 @@
 ///
 ///     D = 2 - slope/2        ln G by (2.4) from ln S2 at the reference lag of the line
 ///     window error^2 = mean of max(0, d^2 - 2 sampling^2) over halves and neighbours, weighted by their widths in ln tau
+///                      + t^2 s^2/(t^2 + s^2), t = tolerance/sqrt(12), s error of the difference of the halves, of a window
+///                        that is found and shorter than two half decades
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.4), (2.5); the rules are this project's.
 /// Units       ln of lags in samples; G in units of the spacing
@@ -54,6 +56,7 @@ bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
 template <Real F>
 struct FractalLine {
     F dimension{}, log_g{};  // G in units of the spacing
+    F log_g_of_dimension{};  // how ln G changes with D, at one level of S2
     Vector<F> dimension_row, log_g_row;
 };
 
@@ -74,6 +77,7 @@ FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention conventio
     };
     const F nearby = F(1e-4) * std::min(found.dimension - 1, 2 - found.dimension);
     const F slope = (log_g(found.dimension + nearby) - log_g(found.dimension - nearby)) / (2 * nearby);
+    found.log_g_of_dimension = slope;
     found.log_g = log_g(found.dimension) + line.reference;
     found.log_g_row = line.level_row / (2 * (found.dimension - 1)) + slope * found.dimension_row;
     return found;
@@ -140,9 +144,21 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& ma
         }
         result.neighbours.push_back(neighbour);
     }
-    result.window_dimension_error = static_cast<T>(std::sqrt(of_dimension / weights));
-    result.window_log_roughness_error = static_cast<T>(std::sqrt(of_log_g / weights));
-    product /= weights;
+    of_dimension /= weights, of_log_g /= weights, product /= weights;
+    if (result.automatic_window &&
+        log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<F>(min_window_ratio))) {
+        // In so short a window the search allows a bend that moves D by up to half the tolerance, of the standard deviation t.
+        // What the difference of the halves, with the error s, shows of it is in their share; t^2 s^2/(t^2 + s^2) is not.
+        const F t = static_cast<F>(result.slope_tolerance) / std::sqrt(F(12));
+        F s = 0;  // the halves depart from the whole in opposite directions
+        int halves = 0;
+        for (const auto& one : result.neighbours)
+            if (one.half) s += static_cast<F>(one.difference_error), ++halves;
+        const F unseen = halves == 2 ? t * t * s * s / (t * t + s * s) : t * t, moved = main.log_g_of_dimension;
+        of_dimension += unseen, of_log_g += unseen * moved * moved, product += unseen * moved;
+    }
+    result.window_dimension_error = static_cast<T>(std::sqrt(of_dimension));
+    result.window_log_roughness_error = static_cast<T>(std::sqrt(of_log_g));
 }
 
 }  // namespace fstiff::detail

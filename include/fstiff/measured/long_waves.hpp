@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// What the waves that are about as long as a measured piece have of its mean square height, and what that leaves unknown.
+///
+///     w_k      mean square height of cos(pi k x/L), of a map cos(pi kx x/Lx) cos(pi ky y/Ly), |k| < 16
+///     share    sum w_k / sigma^2
+///     V        relative variance of sigma^2 of a Gaussian process, the greater of
+///              e/(1 - e), e = 2/3 sum w_k^2 / sigma^4, and
+///              2 sum c_k^2 / (sum c_k)^2 of c_k = k^-b, of a map k^-(b+1), |k| > 1, that has the same share; four times
+///              the first at most
+///     error    (ln of v over the 5 % point of chi^2 with v degrees of freedom)/(2 1.645), v = 2/V, of ln sigma
+///
+/// The waves of a piece of a Gaussian surface have random amplitudes, each of one degree of freedom, and w_k is their square.
+/// Cosines of half periods fit a piece that ends anywhere, as they do the principal components of a random walk. Where few of
+/// them make most of the height, sigma of one piece is a matter of luck, and no resample of its parts shows that.
+/// e is divided by 1 - e because the same waves make sigma; v is taken for 2 where it is less. The few w_k scatter themselves: a
+/// piece that misses its longest waves by chance looks as if it had many of one strength. What shorter waves have does not
+/// scatter, and the power law (of a piece without its tilt) goes by that. Of a map, which has many more waves, the geometric mean
+/// of the two stands for the second: a spectrum that turns flat is then not taken for a steep one.
+/// chi^2 has a long tail: the surface may be much rougher than the piece, and not as much smoother. The error is that of the long
+/// side, so that a band of 5 % to 95 % reaches as far.
+///
+/// Reference   Wilson, Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684 (chi^2)
+/// Units       heights in any unit
+/// Valid       pieces of 16 parts a side or more; one row for a profile
+/// Accuracy    the quantile 1 % of ln sigma from v = 4 on, 9 % at 2; waves of 15 half periods are low by 4 % for the width of
+///             64 parts (tests/measured/long_waves_test.cpp)
+
+#include <fstiff/core/numbers.hpp>
+#include <fstiff/math/statistics.hpp>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fstiff {
+
+template <Real T = double>
+struct LongWaveShare {
+    T share{};  ///< of the mean square height that waves of fewer than 16 half periods have
+    T error{};  ///< of ln sigma that comes from them, one standard deviation
+};
+
+namespace detail {
+
+inline constexpr int long_half_periods = 16;
+
+/// Whether a wave of so many half periods, beside the tilt, is a long one.
+constexpr bool is_long_wave(int x, int y) {
+    const int square = x * x + y * y;
+    return square > 1 && square < long_half_periods * long_half_periods;
+}
+
+/// V of the power law that has \p share of its mean square in long waves.
+template <Real T>
+T variance_of_power_law(T share, bool map) {
+    const T edge = long_half_periods - T(0.5);
+    T low = T(1.02), high = 8, variance = 0;
+    for (int step = 0; step < 40; ++step) {
+        const T b = (low + high) / 2;
+        T sum = 0, squares = 0;
+        for (int y = 0; y < (map ? long_half_periods : 1); ++y)
+            for (int x = 0; x < long_half_periods; ++x) {
+                if (!is_long_wave(x, y)) continue;
+                const T c = std::pow(static_cast<T>(x * x + y * y), -(map ? b + 1 : b) / 2);
+                sum += c, squares += c * c;
+            }
+        const T all = sum + std::pow(edge, 1 - b) / (b - 1) * (map ? numbers::pi_v<T> / 2 : T(1));
+        variance = 2 * squares / (all * all);
+        (sum / all < share ? low : high) = b;
+    }
+    return variance;
+}
+
+/// Of the mean heights of equal \p parts of a piece, from its mean, 0 where nothing was measured; \p mean_square height.
+template <Real T>
+LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>& parts, T mean_square) {
+    using Waves = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>;
+    constexpr int most = long_half_periods;
+    const auto cosines = [](Eigen::Index points) {
+        return Waves::NullaryExpr(points, most,
+                                  [points](Eigen::Index j, Eigen::Index k) {
+                                      const T angle = numbers::pi_v<T> * static_cast<T>(k * (2 * j + 1)) /
+                                                      static_cast<T>(2 * points);
+                                      return k < points ? std::cos(angle) * (k > 0 ? numbers::sqrt2_v<T> : T(1)) : T(0);
+                                  })
+            .eval();
+    };
+    const Waves amplitude = cosines(parts.rows())
+                                .matrix()
+                                .transpose()
+                                .lazyProduct(parts.matrix())
+                                .lazyProduct(cosines(parts.cols()).matrix()) /
+                            static_cast<T>(parts.size());
+    T heights = 0, squares = 0;
+    for (int y = 0; y < most; ++y)
+        for (int x = 0; x < most; ++x) {
+            if (x * x + y * y == 0 || x * x + y * y >= most * most) continue;
+            const T w = amplitude(y, x) * amplitude(y, x) / mean_square;
+            heights += w, squares += w * w;
+        }
+    LongWaveShare<T> found;
+    found.share = std::min(heights, T(1));
+    const T e = 2 * squares / 3, of_waves = e < T(0.5) ? e / (1 - e) : T(1);
+    const bool map = parts.rows() > 1;
+    const T of_share = std::min(variance_of_power_law(found.share, map), 4 * of_waves);
+    const T variance = std::min(T(1), std::max(of_waves, map ? std::sqrt(of_waves * of_share) : of_share));
+    const T z = normal_95<T>.value, ninth = variance / 9;  // 2/(9 v)
+    found.error = -3 * std::log(1 - ninth - z * std::sqrt(ninth)) / (2 * z);
+    return found;
+}
+
+}  // namespace detail
+}  // namespace fstiff
