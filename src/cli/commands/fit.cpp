@@ -440,6 +440,7 @@ std::string table(const Options& options, const SurfaceInput& input, const MapRe
 }
 
 template <class Result>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): moved below, where clang-tidy 14 does not look
 Report report_of(const Options& options, const SurfaceInput& input, const Result& result, Strings summaries) {
     return report({.table = [&] { return table(options, input, result); },
                    .csv = [&] { return csv(result); },
