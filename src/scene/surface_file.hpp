@@ -41,7 +41,7 @@ struct SurfaceOptions {
     CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
     std::string tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
-    std::string_view prefix = "";
+    std::string_view prefix{};
     std::string_view format_name = "format";
 };
 

@@ -290,8 +290,7 @@ private:
         refuse_line(name_, table_.row_lines[row],
                     {"position ", x[row], " ", record_.position_unit, " is a step of ", *odd, " ",
                      record_.position_unit, " where the usual one is ", usual, " ", record_.position_unit,
-                     "; positions must be equally spaced to their printed digits, or be "
-                     "resampled by ",
+                     "; positions must be equally spaced to their printed digits, or be resampled by ",
                      options_.names.switched_on("resample")});
     }
 

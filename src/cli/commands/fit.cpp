@@ -130,6 +130,7 @@ std::string table(const FractalOptions& options, const SurfaceInput& input, cons
 }
 
 template <class Result>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): moved below, where clang-tidy 14 does not look
 Report report_of(const Options& options, const SurfaceInput& input, const Result& result, Strings summaries) {
     return report({.table = [&] { return table(options.fractal, input, result); },
                    .csv = [&] { return csv(result); },
