@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Component dev: headers, the licence, and the package files for find_package(fstiff). Component cli: the command and its
-# scenes (src/cli). Read where FSTIFF_INSTALL is on.
+# What is installed, by component; read where FSTIFF_INSTALL is on.
+#     dev    headers of C++, the licence, the package files for find_package(fstiff) and pkg-config fstiff (here)
+#     cli    the command and its scenes (src/cli)
+#     c      the C interface with its header, its package files and the Fortran module (src/c)
 include(CMakePackageConfigHelpers)
 
 set(fstiff_package_dir ${CMAKE_INSTALL_DATADIR}/cmake/fstiff)
@@ -18,3 +20,9 @@ install(
     DESTINATION ${fstiff_package_dir}
     COMPONENT dev)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/fstiff COMPONENT dev)
+
+# For pkg-config, beside nothing that depends on a processor. It finds the headers from where it lies itself.
+set(fstiff_pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+file(RELATIVE_PATH fstiff_pc_prefix ${CMAKE_INSTALL_PREFIX}/${fstiff_pc_dir} ${CMAKE_INSTALL_PREFIX})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/fstiff.pc.in ${PROJECT_BINARY_DIR}/fstiff.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/fstiff.pc DESTINATION ${fstiff_pc_dir} COMPONENT dev)

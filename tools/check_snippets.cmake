@@ -7,7 +7,7 @@
 #                         of three dots stands for any lines, three dots after a blank at the end of a line for the rest of
 #                         it; "check fails": the commands must fail
 #
-# A command that reads ../shared is passed over where that folder is absent.
+# A command that reads ../shared is passed over where that folder is absent. PREFIX is an empty folder for what is installed.
 #
 #   cmake -D DOCUMENT=README.md -D COMPILER=g++ -D FLAGS= -D EIGEN=<include folder> -D COMMAND=<bin/fstiff> -D WORK=<folder>
 #         -P tools/check_snippets.cmake
@@ -16,6 +16,8 @@ cmake_minimum_required(VERSION 3.25)
 cmake_path(SET root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/..)
 cmake_path(GET COMMAND PARENT_PATH command_dir)
 file(MAKE_DIRECTORY ${WORK})
+set(ENV{PREFIX} ${WORK}/prefix)
+file(REMOVE_RECURSE $ENV{PREFIX})
 separate_arguments(flags UNIX_COMMAND "-std=c++20 ${FLAGS}")
 set(flags ${flags} -I${root}/include)
 foreach(folder IN LISTS EIGEN)

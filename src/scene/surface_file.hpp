@@ -41,7 +41,7 @@ struct SurfaceOptions {
     CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
     std::string tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
     /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
-    std::string_view prefix = "";
+    std::string_view prefix{};
     std::string_view format_name = "format";
 };
 
@@ -67,6 +67,11 @@ struct SurfaceInput {
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options);
 /// The same from bytes that were read already.
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
+
+/// Heights that no file holds, cleaned as \p options say; options.file stands for them in messages, and \p origin says where
+/// they come from. \throws domain_error for heights or steps that are no surface.
+[[nodiscard]] SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights,
+                                              const std::string& origin);
 
 /// A profile without its form and, with cut-offs, without its short and its long waves.
 struct PreparedProfile : LevelledProfile<double> {

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs component dev of BUILD under PREFIX and checks that it holds the headers of SOURCE, the licence and the package
-# files, nothing else.
+# Installs component dev of BUILD, moves it to PREFIX, and checks that it holds the headers of SOURCE, the licence and the
+# package files, nothing else. Whoever uses PREFIX then shows that what is installed may be moved.
 cmake_minimum_required(VERSION 3.25)
 
-file(REMOVE_RECURSE ${PREFIX})
-execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --component dev
+file(REMOVE_RECURSE ${PREFIX} ${PREFIX}-first)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX}-first --component dev
                 COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${PREFIX}-first ${PREFIX})
 
 file(GLOB_RECURSE headers RELATIVE ${SOURCE} ${SOURCE}/include/fstiff/*.hpp)
 file(GLOB_RECURSE installed RELATIVE ${PREFIX} ${PREFIX}/*)
@@ -23,7 +24,11 @@ endforeach()
 if(NOT "share/doc/fstiff/LICENSE" IN_LIST package)
     message(FATAL_ERROR "the licence is not installed")
 endif()
-list(FILTER package EXCLUDE REGEX "^share/cmake/fstiff/fstiff-[a-z0-9-]+\\.cmake$|^share/doc/fstiff/LICENSE$")
+if(NOT "share/pkgconfig/fstiff.pc" IN_LIST package)
+    message(FATAL_ERROR "fstiff.pc is not installed")
+endif()
+list(FILTER package EXCLUDE REGEX
+     "^share/cmake/fstiff/fstiff-[a-z0-9-]+\\.cmake$|^share/doc/fstiff/LICENSE$|^share/pkgconfig/fstiff\\.pc$")
 if(package)
     message(FATAL_ERROR "installed beside the library: ${package}")
 endif()

@@ -83,7 +83,8 @@ TEST_CASE("run --plot draws the numbers of run, their band, the reference line a
     for (const char* label : {"nominal pressure p [MPa]", "K/A₀ [GPa/µm]", "|R|"}) CHECK(contains(picture, label));
 
     if (shell("command -v gnuplot").status != 0) SKIP_CASE("there is no gnuplot: its script is not run");
-    const Outcome gnuplot = shell("cd '" + folder / "" + "' && gnuplot out.plot.gp");
+    // the labels are UTF-8, which gnuplot warns of where no locale is set, as in a new system
+    const Outcome gnuplot = shell("cd '" + folder / "" + "' && LC_ALL=C.UTF-8 gnuplot out.plot.gp");
     CHECK(gnuplot.status == 0);
     CHECK(gnuplot.err.empty());
     CHECK(contains(read(folder / "out-gnuplot.svg"), "<path"));

@@ -702,7 +702,7 @@ TEST_CASE("a law goes to text and back bit for bit; other text is refused") {
     CHECK(refused(longer).find("contradicts itself") != std::string::npos);
 }
 
-TEST_CASE("threads may share a law") {
+TEST_CASE("threads may share a law", "[threads]") {
     const Law law = Law::tabulate(hertz(), {1e5, 1e8});
     std::array<double, 4> sums{};
     std::vector<std::thread> threads;

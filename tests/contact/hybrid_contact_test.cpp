@@ -9,6 +9,7 @@
 #include "support/table.hpp"
 
 #include <map>
+#include <thread>
 
 using namespace fstiff;
 
@@ -41,6 +42,18 @@ TEST_CASE("K of the hybrid law: the table to 1e-11") {
                                    table.input(row, "stiffness_hertz")) < 1e-11);
         CHECK(test::relative_error(contact.crowded().stiffness(p), table.input(row, "stiffness_persson")) < 1e-11);
     }
+}
+
+TEST_CASE("threads may share a hybrid contact, whose separations the first of them tabulates", "[threads]") {
+    const Hybrid contact = hybrid_at(test::Table("hybrid.csv"), 0), apart = hybrid_at(test::Table("hybrid.csv"), 0);
+    const double p = 2e-3 * apart.crowded().effective_modulus() * apart.crowded().rms_gradient();
+    const double truth = apart.at_pressure(p).separation.value;
+    std::array<double, 4> separations{};
+    std::vector<std::thread> threads;
+    for (double& separation : separations)
+        threads.emplace_back([&, p] { separation = contact.at_pressure(p).separation.value; });
+    for (std::thread& thread : threads) thread.join();
+    for (const double separation : separations) CHECK(separation == truth);
 }
 
 TEST_CASE("the separation of the hybrid law is the integral of 1/K, and is undone") {

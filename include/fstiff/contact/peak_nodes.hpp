@@ -34,9 +34,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::detail {
 
 /// One evaluation: the parameters that all nodes share.
 template <Real T>
@@ -310,5 +308,4 @@ T visit_nodes(const PeakProblem<T>& p, T log_accuracy, Sink& sink) {
                                                           : visit_graded(p, graded_step, sink);
 }
 
-}  // namespace detail
-}  // namespace fstiff
+}  // namespace fstiff::detail

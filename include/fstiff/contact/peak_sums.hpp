@@ -19,9 +19,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace fstiff {
-
-namespace detail {
+namespace fstiff::detail {
 
 /// J of up to four powers a = 0, 1/2, 1, 3/2 at once, without the factor c^a/(2 theta) exp(-floor^2/2), by a trapezoidal rule
 /// of step h, and the relative error that its nodes tell of.
@@ -177,5 +175,4 @@ private:
     alignas(64) T erf_[PeakNodes<T>::capacity];
 };
 
-}  // namespace detail
-}  // namespace fstiff
+}  // namespace fstiff::detail

@@ -25,6 +25,7 @@
 
 namespace fstiff::io {
 
+/// What the text of a profile does not say itself.
 struct ProfileTextOptions {
     std::optional<double> spacing{};  ///< [m]; replaces the positions of the file
     std::string units{};              ///< "um,nm" (positions, heights) or "um" (both); replaces those of the header
@@ -49,6 +50,7 @@ struct ProfileTextRecord : TextRecord {
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// A profile, and how its text was taken.
 struct ProfileFromText {
     Profile<double> profile;
     ProfileTextRecord record;
@@ -288,8 +290,7 @@ private:
         refuse_line(name_, table_.row_lines[row],
                     {"position ", x[row], " ", record_.position_unit, " is a step of ", *odd, " ",
                      record_.position_unit, " where the usual one is ", usual, " ", record_.position_unit,
-                     "; positions must be equally spaced to their printed digits, or be "
-                     "resampled by ",
+                     "; positions must be equally spaced to their printed digits, or be resampled by ",
                      options_.names.switched_on("resample")});
     }
 

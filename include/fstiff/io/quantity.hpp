@@ -106,12 +106,8 @@ inline double parse_angle(std::string_view text, std::string_view name) {
         rest.remove_prefix(1);
         skip_blanks();
     }
-    if (rest.starts_with("pi"))
-        rest.remove_prefix(2);
-    else if (rest.starts_with("\xCF\x80"))
-        rest.remove_prefix(2);
-    else
-        return refuse();
+    if (!rest.starts_with("pi") && !rest.starts_with("\xCF\x80")) return refuse();
+    rest.remove_prefix(2);
     value *= std::numbers::pi;
     skip_blanks();
     if (rest.empty()) return detail::finite(value, name, text);

@@ -53,6 +53,7 @@ struct WavelengthWindow {
     T from{}, to{};
 };
 
+/// D of a power spectrum.
 template <Real T = double>
 struct SpectralFit {
     T dimension{};               ///< D; outside (1, 2) the window holds no self-affine profile
@@ -64,7 +65,7 @@ struct SpectralFit {
 /// Spectrum of \p profile as it is: remove its form first, with detrend().
 /// \throws domain_error for a profile out of range.
 template <Real T>
-[[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow window = SpectrumWindow::hann);
+[[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape = SpectrumWindow::hann);
 
 /// D from the slope of \p spectrum over \p window, by default from 16 spacings to an eighth of the length.
 /// \throws domain_error for a window that holds fewer than four bins or less than half a decade.

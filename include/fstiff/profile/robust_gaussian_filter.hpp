@@ -29,6 +29,7 @@
 
 namespace fstiff {
 
+/// What the robust filter says are the long waves of a profile.
 template <Real T = double>
 struct RobustWaviness {
     Profile<T> waviness;
@@ -65,7 +66,7 @@ public:
           reach_(reach(size, width * robust_width<F>[order / 2])),
           fft_(fast_fft_size(size + reach_)) {
         const F unit = width * robust_width<F>[order / 2];
-        shapes_.resize(static_cast<std::size_t>(2 * order + 1));
+        shapes_.resize(2 * static_cast<std::size_t>(order) + 1);
         std::vector<F> kernel(fft_.size());
         for (std::size_t n = 0; n < shapes_.size(); ++n) {
             for (std::size_t k = 0; k <= reach_; ++k) {

@@ -17,6 +17,7 @@
 
 #include <fstiff/profile/profile.hpp>
 
+#include <cmath>
 #include <span>
 
 namespace fstiff {
@@ -32,6 +33,7 @@ struct StructureFunction {
     [[nodiscard]] std::size_t size() const { return lag.size(); }
 };
 
+/// What the sum of (2.8) is divided by.
 enum class Divisor { pairs, paper };
 
 /// 1, 2, 3, ... \p longest, thinned to \p per_octave steps an octave where they are denser.
@@ -54,7 +56,7 @@ inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_
     for (std::size_t k = 0;; ++k) {
         const double exact = std::exp2(static_cast<double>(k) / octave);
         if (!(exact < static_cast<double>(longest) + 0.5)) break;
-        const auto lag = static_cast<std::size_t>(exact + 0.5);
+        const auto lag = static_cast<std::size_t>(std::lround(exact));
         if (lag <= longest && (lags.empty() || lag > lags.back())) lags.push_back(lag);
     }
     return lags;

@@ -167,7 +167,7 @@ inline std::string ParameterRow::range() const {
 inline std::string ParameterRow::starting_range() const {
     ParameterRow open = *this;
     open.low_included = false;
-    const std::string text = open.range();
+    std::string text = open.range();
     if (variation == Variation::as_it_is) return text;
     return text + (variation == Variation::between ? ", to start a fit from" : " to start a fit from");
 }

@@ -4,6 +4,7 @@
 #include "document/document.hpp"
 #include "input/scene_options.hpp"
 #include "picture/panels.hpp"
+#include "scene/documents.hpp"
 #include "scene/identification.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -353,7 +354,8 @@ Figure picture(const Work& work) {
     int colour = 0;
     for (const Fit& fit : work.found.fits) {
         if (fit.found.status == FitStatus::singular) continue;
-        PlotLine model = model_line(work, fit, y.factor), residual{.label = model.label, .x = {}, .y = {}};
+        PlotLine model = model_line(work, fit, y.factor);
+        PlotLine residual{.label = model.label, .x = {}, .y = {}};
         residual.colour = model.colour = colour;
         residual.stroke = Stroke::none;
         residual.marker = markers[static_cast<std::size_t>(colour) % markers.size()];

@@ -37,7 +37,7 @@ struct Entry {
 };
 
 struct Drawing {
-    explicit Drawing(const Panel& panel);
+    explicit Drawing(const Panel& drawn);
     double place_x(double x) const { return panel.width * x_scale(x); }
     double place_y(double y) const { return panel.height * (1 - y_scale(y)); }
     std::vector<Entry> legend() const;

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The headers of fstiff as a Conan 2 package, made of the clone that this file lies in:
+
+    conan create packaging/conan                                  Eigen from the Conan remote
+    conan create packaging/conan -o "fstiff/*:system_eigen=True"  Eigen from the system's packages
+"""
+import pathlib
+import re
+
+from conan import ConanFile
+from conan.tools.cmake import CMake, CMakeToolchain
+from conan.tools.build import check_min_cppstd
+from conan.tools.files import copy
+from conan.tools.system.package_manager import Apt, Brew, Dnf, PacMan
+
+required_conan_version = ">=2.0"
+
+
+class FstiffConan(ConanFile):
+    name = "fstiff"
+    description = "Normal contact stiffness of rough surfaces"
+    license = "BSD-3-Clause"
+    topics = ("tribology", "contact mechanics", "header-only")
+    package_type = "header-library"
+    settings = "os", "arch", "compiler", "build_type"
+    options = {"system_eigen": [True, False]}
+    default_options = {"system_eigen": False}
+    no_copy_source = True
+
+    @property
+    def _clone(self):
+        return pathlib.Path(self.recipe_folder).parent.parent
+
+    def set_version(self):
+        text = (self._clone / "include/fstiff/core/version.hpp").read_text(encoding="utf-8")
+        self.version = re.search(r'define FSTIFF_VERSION "(.+)"', text)[1]
+
+    def export_sources(self):
+        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "include/*"):
+            copy(self, pattern, str(self._clone), self.export_sources_folder)
+
+    def requirements(self):
+        if not self.options.system_eigen:
+            self.requires("eigen/3.4.0", transitive_headers=True)
+
+    def system_requirements(self):
+        if self.options.system_eigen:
+            Apt(self).install(["libeigen3-dev"])
+            Dnf(self).install(["eigen3-devel"])
+            PacMan(self).install(["eigen"])
+            Brew(self).install(["eigen"])
+
+    def validate(self):
+        check_min_cppstd(self, 20)
+
+    def generate(self):
+        toolchain = CMakeToolchain(self)
+        for part in ("CLI", "C", "TESTS", "BENCH"):
+            toolchain.cache_variables[f"FSTIFF_BUILD_{part}"] = False
+        toolchain.generate()
+        if not self.options.system_eigen:
+            from conan.tools.cmake import CMakeDeps
+
+            CMakeDeps(self).generate()
+
+    def build(self):
+        CMake(self).configure()
+
+    def package(self):
+        CMake(self).install()
+
+    def package_id(self):
+        self.info.clear()
+
+    def package_info(self):
+        # The package's own files are what find_package(fstiff) finds, so that one target serves with Conan and without.
+        self.cpp_info.set_property("cmake_find_mode", "none")
+        self.cpp_info.builddirs = ["share/cmake/fstiff"]
+        self.cpp_info.bindirs = []
+        self.cpp_info.libdirs = []

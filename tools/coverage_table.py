@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lines of include/ reached by the tests, from the profiles in the build folder of tools/check-coverage."""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def tool(name):
+    """llvm-profdata or llvm-cov of the version of clang++, because their files change with the version."""
+    version = re.search(r"version (\d+)", subprocess.run(["clang++", "--version"], capture_output=True, text=True, check=True).stdout)[1]
+    return shutil.which(f"{name}-{version}") or name
+
+
+def programs(build):
+    """Programs and shared libraries that were compiled for coverage."""
+    found = [*build.glob("bin/*"), *build.rglob("lib*.so")]
+    return sorted(str(file) for file in {file.resolve() for file in found} if file.is_file())
+
+
+def main():
+    build = pathlib.Path(sys.argv[1])
+    merged = build / "coverage.profdata"
+    profiles = [str(file) for file in build.glob("profile/*.profraw")]
+    subprocess.run([tool("llvm-profdata"), "merge", "-sparse", *profiles, "-o", str(merged)], check=True)
+    first, *others = programs(build)
+    sources = [first, *(word for file in others for word in ("-object", file)), f"-instr-profile={merged}"]
+    elsewhere = rf"-ignore-filename-regex=^/usr/|^{re.escape(str(ROOT))}/(build/coverage/\.\./\.\./)?(tests|src|examples|build/coverage/[a-z])"
+    subprocess.run([tool("llvm-cov"), "show", "-format=html", f"-output-dir={build / 'report'}", elsewhere, *sources], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    export = subprocess.run([tool("llvm-cov"), "export", "-summary-only", *sources], check=True, capture_output=True, text=True).stdout
+    library = ROOT / "include/fstiff"
+    files = [(pathlib.Path(file["filename"]).resolve(), file["summary"]["lines"]) for file in json.loads(export)["data"][0]["files"]]
+    lines = {path.relative_to(library): of for path, of in files if path.is_relative_to(library)}
+
+    folders = {}
+    for name, of in lines.items():
+        reached, all_lines = folders.get(name.parent, (0, 0))
+        folders[name.parent] = reached + of["covered"], all_lines + of["count"]
+    for folder, (reached, count) in sorted(folders.items()):
+        print(f"{str(folder):12} {reached:6} of {count:6} lines  {100 * reached / count:6.2f} %")
+    reached, count = map(sum, zip(*folders.values()))
+    print(f"{'include':12} {reached:6} of {count:6} lines  {100 * reached / count:6.2f} %")
+    print("\nleast:")
+    for name, of in sorted(lines.items(), key=lambda item: item[1]["percent"])[:10]:
+        print(f"  {of['percent']:6.2f} %  {of['count'] - of['covered']:4} lines not reached  {name}")
+    headers = {file.relative_to(ROOT / "include/fstiff") for file in (ROOT / "include/fstiff").rglob("*.hpp")}
+    absent = sorted(str(name) for name in headers - lines.keys())
+    print(f"\nwithout a line of code in any program ({len(absent)}): {', '.join(absent)}")
+
+
+if __name__ == "__main__":
+    main()
