@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a sweep by an engine and compares its results with those of one process, byte for byte.
 
-    python3 check_engine.py ENGINE --fstiff COMMAND [--work FOLDER]     ENGINE: parallel, mpi, snakemake, dask
+    python3 check_engine.py ENGINE --fstiff COMMAND [--python PYTHON]     ENGINE: parallel, mpi, snakemake, dask
 
+PYTHON, where it exists, is one that has the package fstiff and Dask; the default is the one that runs this.
 Ends with exit code 1 where they differ, and says SKIPPED: where the engine is missing.
 """
 import argparse
@@ -62,8 +63,8 @@ def check_snakemake(fstiff, work):
         sys.exit("snakemake: k.svg is no picture")
 
 
-def check_dask(fstiff, work):
-    done = subprocess.run([sys.executable, HERE / "dask_sweep.py"], capture_output=True, text=True, cwd=work)
+def check_dask(fstiff, work, python):
+    done = subprocess.run([python, HERE / "dask_sweep.py"], capture_output=True, text=True, cwd=work)
     if "SKIPPED:" in done.stderr:
         print(done.stderr)
         return
@@ -90,6 +91,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("engine", choices=NEEDS)
     parser.add_argument("--fstiff", required=True)
+    parser.add_argument("--python", default=sys.executable)
     arguments = parser.parse_args()
     if NEEDS[arguments.engine] and not shutil.which(NEEDS[arguments.engine]):
         print(f"SKIPPED: {NEEDS[arguments.engine]} is not here")
@@ -99,7 +101,8 @@ def main():
         if arguments.engine == "snakemake":
             check_snakemake(fstiff, work)
         elif arguments.engine == "dask":
-            check_dask(fstiff, work)
+            python = arguments.python if pathlib.Path(arguments.python).exists() else sys.executable
+            check_dask(fstiff, work, python)
         else:
             check_shards(arguments.engine, fstiff, work)
 

@@ -28,9 +28,7 @@ std::string lines_file(const std::string& output) { return is_hdf5(output) ? out
 
 void require_form(const std::string& output) {
     if (output.ends_with(".parquet"))
-        throw domain_error(output +
-                           ": Parquet is not written; write .jsonl and convert it with pyarrow, as docs/sweep.md says, "
-                           "or write .h5");
+        throw domain_error(output + ": Parquet is not written; write .jsonl and convert it with pyarrow, or write .h5");
 #ifndef FSTIFF_HAS_HDF5
     if (is_hdf5(output)) throw domain_error(output + ": this fstiff was built without HDF5; write .jsonl");
 #endif

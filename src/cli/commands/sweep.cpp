@@ -188,7 +188,7 @@ Report execute(const Options& options) {
 Command add_sweep(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Arguments command(app, "sweep", "Many scenes: ranges, lists and distributions in one scene file");
-    command.option("grid", options->grid, "scene file (TOML) with swept quantities, as docs/sweep.md says");
+    command.option("grid", options->grid, "scene file (TOML) with swept quantities; - is standard input");
     command
         .option("-o,--output", options->results,
                 "file of results, one JSON object a line, or .h5; {shard} in its name is the number of the shard. A "
