@@ -12,6 +12,7 @@
 #include <zip.h>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace fstiff::io {
 
