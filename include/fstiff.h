@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/*
+/**
+ * \file
  * The C interface of fstiff: normal contact stiffness of rough surfaces, for C, Fortran and whatever else calls C.
  *
  *     fstiff_roughness fine = {sizeof fine};
@@ -42,20 +43,20 @@ extern "C" {
 
 enum {
     FSTIFF_OK = 0,
-    FSTIFF_BAD_ARGUMENT = 1,   /* a null pointer, a struct of another size, an empty array, an index out of range */
-    FSTIFF_REFUSED = 2,        /* a value or a text that the model does not allow; the message names it and its range */
-    FSTIFF_OUT_OF_REACH = 3,   /* the model has no state at this pressure or separation */
-    FSTIFF_OUT_OF_NUMBERS = 4, /* a result is beyond the range of double */
-    FSTIFF_FILE = 5,           /* a file that a scene names cannot be read */
+    FSTIFF_BAD_ARGUMENT = 1,   /**< a null pointer, a struct of another size, an empty array, an index out of range */
+    FSTIFF_REFUSED = 2,        /**< a value or a text that the model does not allow; the message has its range */
+    FSTIFF_OUT_OF_REACH = 3,   /**< the model has no state at this pressure or separation */
+    FSTIFF_OUT_OF_NUMBERS = 4, /**< a result is beyond the range of double */
+    FSTIFF_FILE = 5,           /**< a file that a scene names cannot be read */
     FSTIFF_OUT_OF_MEMORY = 6,
-    FSTIFF_INTERNAL = 7 /* a mistake in fstiff: please report the message */
+    FSTIFF_INTERNAL = 7 /**< a mistake in fstiff: please report the message */
 };
 
-/* The version of the library that is linked, such as "0.1.0". */
+/** The version of the library that is linked, such as "0.1.0". */
 FSTIFF_API const char* fstiff_version(void);
-/* A status in words; of a number that is none "unknown status". Never NULL. */
+/** A status in words; of a number that is none "unknown status". Never NULL. */
 FSTIFF_API const char* fstiff_strerror(int status);
-/* Why the last call of this thread that failed did so, in one sentence; or, where a measurement succeeded after it, what that
+/** Why the last call of this thread that failed did so, in one sentence; or, where a measurement succeeded after it, what that
  * warns of, a sentence a line. Never NULL; valid until the next call of this thread. */
 FSTIFF_API const char* fstiff_last_message(void);
 
@@ -63,39 +64,39 @@ FSTIFF_API const char* fstiff_last_message(void);
 
 typedef struct fstiff_contact fstiff_contact;
 
-/* A rough surface in numbers. fstiff_measured_roughness() makes it of a measurement. */
+/** A rough surface in numbers. fstiff_measured_roughness() makes it of a measurement. */
 typedef struct fstiff_roughness {
-    size_t size;              /* sizeof(fstiff_roughness) */
-    double rms_height;        /* sigma [m], > 0 */
-    double peak_radius;       /* R [m], > 0 */
-    double peak_density;      /* D_p [1/m^2], > 0 */
-    double max_peak_height;   /* R_p [m]; 0: not known */
-    double r;                 /* correlation of heights and curvatures of the peaks, 0 <= r < 1 */
-    double theta;             /* sampling angle [rad], 0 < theta < pi/2; 0: not known, for laws without joint peaks */
-    double fractal_dimension; /* D, 1 < D < 2; 0: not known, for laws that do not take it */
-    double rms_gradient;      /* > 0; 0: not known. Persson's theory and the hybrid law take it */
+    size_t size;              /**< sizeof(fstiff_roughness) */
+    double rms_height;        /**< sigma [m], > 0 */
+    double peak_radius;       /**< R [m], > 0 */
+    double peak_density;      /**< D_p [1/m^2], > 0 */
+    double max_peak_height;   /**< R_p [m]; 0: not known */
+    double r;                 /**< correlation of heights and curvatures of the peaks, 0 <= r < 1 */
+    double theta;             /**< sampling angle [rad], 0 < theta < pi/2; 0: not known, for laws without joint peaks */
+    double fractal_dimension; /**< D, 1 < D < 2; 0: not known, for laws that do not take it */
+    double rms_gradient;      /**< > 0; 0: not known. Persson's theory and the hybrid law take it */
 } fstiff_roughness;
 
-/* How peaks feel one another: equation (4.11) of the paper, read in two ways. */
+/** How peaks feel one another: equation (4.11) of the paper, read in two ways. */
 enum { FSTIFF_NO_INTERACTION = 0, FSTIFF_EFFECTIVE_SEPARATION = 1, FSTIFF_INTERACTION_AS_PRINTED = 2 };
 
-/* The two bodies as the contact sees them. */
+/** The two bodies as the contact sees them. */
 typedef struct fstiff_body {
-    size_t size;               /* sizeof(fstiff_body) */
-    double effective_modulus;  /* 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [Pa], > 0 */
-    double yield_strength;     /* of the softer body [Pa]; 0: not known */
-    double hardness;           /* of the softer body [Pa]; 0: 2.8 times the yield strength where a law needs it */
-    double poisson_ratio;      /* of the softer body, for laws that yield; 0 is a value */
-    double interaction_length; /* [m], of an interaction: square root of the nominal area, or 1/sqrt(D_p) */
-    int interaction;           /* FSTIFF_NO_INTERACTION ... */
+    size_t size;               /**< sizeof(fstiff_body) */
+    double effective_modulus;  /**< 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [Pa], > 0 */
+    double yield_strength;     /**< of the softer body [Pa]; 0: not known */
+    double hardness;           /**< of the softer body [Pa]; 0: 2.8 times the yield strength where a law needs it */
+    double poisson_ratio;      /**< of the softer body, for laws that yield; 0 is a value */
+    double interaction_length; /**< [m], of an interaction: square root of the nominal area, or 1/sqrt(D_p) */
+    int interaction;           /**< FSTIFF_NO_INTERACTION ... */
 } fstiff_body;
 
-/* A contact of numbers. law: "hertz", "fractal", "fractal_consistent", "greenwood_williamson", "hybrid", "persson", "plastic",
+/** A contact of numbers. law: "hertz", "fractal", "fractal_consistent", "greenwood_williamson", "hybrid", "persson", "plastic",
  * "jackson_green", "kogut_etsion"; laws that need a measured map come from a scene. */
 FSTIFF_API int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
                                    fstiff_contact** made);
 
-/* A contact of the text of a scene (docs/scene.md), length bytes of TOML: entry `law` of contact.laws and entry `peaks` of the
+/** A contact of the text of a scene (docs/scene.md), length bytes of TOML: entry `law` of contact.laws and entry `peaks` of the
  * distributions of peaks, both counted from 0; `peaks` is 0 for a law without joint peaks. name is what messages call the text,
  * and files that it names are searched beside it; NULL stands for "scene" in the current folder. The points of the scene are not
  * used. */
@@ -103,20 +104,20 @@ FSTIFF_API int fstiff_contact_of_scene(const char* text, size_t length, const ch
                                        fstiff_contact** made);
 FSTIFF_API void fstiff_contact_free(fstiff_contact* contact);
 
-/* Where the results go: arrays of `count` of the call. One that is NULL is not written, and its quantity is not computed. */
+/** Where the results go: arrays of `count` of the call. One that is NULL is not written, and its quantity is not computed. */
 typedef struct fstiff_points {
-    size_t size;                /* sizeof(fstiff_points) */
-    double* pressure;           /* [Pa] */
-    double* separation;         /* of the mean planes [m] */
-    double* stiffness;          /* K [Pa/m] */
-    double* stiffness_error;    /* a bound of the error of K for exact inputs [Pa/m]; of a map more (docs/scene.md) */
-    double* loading_stiffness;  /* -dp/dd [Pa/m] */
-    double* real_area_fraction; /* A/A0 */
-    double* contact_density;    /* [1/m^2] */
-    int* status;                /* of each point */
+    size_t size;                /**< sizeof(fstiff_points) */
+    double* pressure;           /**< [Pa] */
+    double* separation;         /**< of the mean planes [m] */
+    double* stiffness;          /**< K [Pa/m] */
+    double* stiffness_error;    /**< a bound of the error of K for exact inputs [Pa/m]; of a map more (docs/scene.md) */
+    double* loading_stiffness;  /**< -dp/dd [Pa/m] */
+    double* real_area_fraction; /**< A/A0 */
+    double* contact_density;    /**< [1/m^2] */
+    int* status;                /**< of each point */
 } fstiff_points;
 
-/* The states under pressures [Pa], > 0, and at separations [m]. A point without a state has its status, and 0 in every array;
+/** The states under pressures [Pa], > 0, and at separations [m]. A point without a state has its status, and 0 in every array;
  * the other points are computed. Returns FSTIFF_OK, or the status of the first point without a state, with its message. Results
  * may be written where the arguments were. FSTIFF_REFUSED with no array written for a quantity that the law does not give. */
 FSTIFF_API int fstiff_contact_at_pressures(const fstiff_contact* contact, const double* pressures, size_t count,
@@ -128,39 +129,40 @@ FSTIFF_API int fstiff_contact_at_separations(const fstiff_contact* contact, cons
 
 typedef struct fstiff_law fstiff_law;
 
-/* What a law does outside its range (contact/contact_law.hpp). */
+/** What a law does outside its range (contact/contact_law.hpp). */
 enum { FSTIFF_OUTSIDE_REFUSE = 0, FSTIFF_OUTSIDE_CLAMP = 1, FSTIFF_OUTSIDE_EXACT = 2, FSTIFF_OUTSIDE_EXTRAPOLATE = 3 };
 
-/* contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact again. */
+/** contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact again. */
 FSTIFF_API int fstiff_law_make(const fstiff_contact* contact, double min_pressure, double max_pressure, int outside,
                                fstiff_law** made);
-/* The law that fstiff_law_text wrote (or ContactLaw::to_text), bit for bit; length bytes. */
+/** The law that fstiff_law_text wrote (or ContactLaw::to_text), bit for bit; length bytes. */
 FSTIFF_API int fstiff_law_of_text(const char* text, size_t length, fstiff_law** made);
-/* The law as text. *length becomes its length without the closing 0. buffer of `capacity` bytes takes text and closing 0; where
+/** The law as text. *length becomes its length without the closing 0. buffer of `capacity` bytes takes text and closing 0; where
  * they do not fit, nothing is written and FSTIFF_BAD_ARGUMENT returned; buffer NULL with capacity 0 asks for *length alone. A
  * law with FSTIFF_OUTSIDE_EXACT has no text. */
 FSTIFF_API int fstiff_law_text(const fstiff_law* law, char* buffer, size_t capacity, size_t* length);
 FSTIFF_API void fstiff_law_free(fstiff_law* law);
 
+/** The range of a law, and what it is worth. */
 typedef struct fstiff_law_facts {
-    size_t size;                           /* sizeof(fstiff_law_facts) */
-    double min_pressure, max_pressure;     /* [Pa] */
-    double min_separation, max_separation; /* [m] */
-    double relative_error;                 /* the largest of p, K and d over the rms height, measured */
-    int tangent_is_exact;                  /* 1 where K is -dp/dd of the returned p */
-    int outside;                           /* FSTIFF_OUTSIDE_... */
+    size_t size;                           /**< sizeof(fstiff_law_facts) */
+    double min_pressure, max_pressure;     /**< [Pa] */
+    double min_separation, max_separation; /**< [m] */
+    double relative_error;                 /**< the largest of p, K and d over the rms height, measured */
+    int tangent_is_exact;                  /**< 1 where K is -dp/dd of the returned p */
+    int outside;                           /**< FSTIFF_OUTSIDE_... */
 } fstiff_law_facts;
-/* facts->size must be set. */
+/** facts->size must be set. */
 FSTIFF_API int fstiff_law_facts_of(const fstiff_law* law, fstiff_law_facts* facts);
 
-/* At one separation [m]: p [Pa], K [Pa/m], -dp/dd [Pa/m], the tangent for Newton's method; at one pressure [Pa]: separation
+/** At one separation [m]: p [Pa], K [Pa/m], -dp/dd [Pa/m], the tangent for Newton's method; at one pressure [Pa]: separation
  * [m], K [Pa/m], dK/dp [1/m]. Results that are not wanted may be NULL; a call that fails leaves all of them alone. */
 FSTIFF_API int fstiff_law_at_separation(const fstiff_law* law, double separation, double* pressure, double* stiffness,
                                         double* slope);
 FSTIFF_API int fstiff_law_at_pressure(const fstiff_law* law, double pressure, double* separation, double* stiffness,
                                       double* stiffness_slope);
 
-/* The same of arrays: four points at a time, equal to the calls above within rounding. pressures or stiffnesses, and status, may be
+/** The same of arrays: four points at a time, equal to the calls above within rounding. pressures or stiffnesses, and status, may be
  * NULL. A point that fails has its status and 0 in both arrays; the others are computed. Returns the first status that is not
  * FSTIFF_OK. Results may be written where the arguments were. */
 FSTIFF_API int fstiff_law_at_separations(const fstiff_law* law, const double* separations, size_t count,
@@ -170,58 +172,59 @@ FSTIFF_API int fstiff_law_at_pressures(const fstiff_law* law, const double* pres
 
 /* ---- Measurement of profiles and maps ---- */
 
-/* Cut-off: none. 0 leaves it to the table of the standards. */
+/** Cut-off: none. 0 leaves it to the table of the standards. */
 #define FSTIFF_NO_CUT_OFF (-1.0)
 enum { FSTIFF_PEAKS_ISLANDS = 0, FSTIFF_PEAKS_SUMMITS = 1 };
 enum { FSTIFF_FILTER_GAUSSIAN = 0, FSTIFF_FILTER_ROBUST = 1 };
 
-/* All 0 but the size: as `fstiff measure` does it. */
+/** All 0 but the size: as `fstiff measure` does it. */
 typedef struct fstiff_measure_options {
-    size_t size; /* sizeof(fstiff_measure_options) */
+    size_t size; /**< sizeof(fstiff_measure_options) */
     const char*
-        detrend; /* of a profile none, mean, line, parabola; of a map none, mean, plane, quadratic, cubic; NULL: line, plane */
-    double lambda_s;     /* cut-off of short waves [m], or FSTIFF_NO_CUT_OFF, or 0: by the table */
-    double lambda_c;     /* cut-off of long waves, likewise */
-    double tip_radius;   /* of a stylus [m], for profiles; 0: not known */
-    double resolution;   /* of the instrument, lateral [m]; 0: not known */
-    double shortest_lag; /* the window of D [m], both or none: 0 leaves it to fstiff */
+        detrend; /**< of a profile none, mean, line, parabola; of a map none, mean, plane, quadratic, cubic; NULL: line, plane */
+    double lambda_s;     /**< cut-off of short waves [m], or FSTIFF_NO_CUT_OFF, or 0: by the table */
+    double lambda_c;     /**< cut-off of long waves, likewise */
+    double tip_radius;   /**< of a stylus [m], for profiles; 0: not known */
+    double resolution;   /**< of the instrument, lateral [m]; 0: not known */
+    double shortest_lag; /**< the window of D [m], both or none: 0 leaves it to fstiff */
     double longest_lag;
-    int filter;        /* of lambda_c: FSTIFF_FILTER_... */
-    int peaks;         /* R and D_p of a map: FSTIFF_PEAKS_... */
-    int resamples;     /* behind the errors, 2 to 100000; 0: 400 */
-    unsigned int seed; /* of the resamples; 0: 2014 */
+    int filter;        /**< of lambda_c: FSTIFF_FILTER_... */
+    int peaks;         /**< R and D_p of a map: FSTIFF_PEAKS_... */
+    int resamples;     /**< behind the errors, 2 to 100000; 0: 400 */
+    unsigned int seed; /**< of the resamples; 0: 2014 */
 } fstiff_measure_options;
 
-/* A value with its standard error; all 0 where it is not known. */
+/** A value with its standard error; all 0 where it is not known. */
 typedef struct fstiff_measured {
     double value, error;
-    int known; /* 1 or 0 */
+    int known; /**< 1 or 0 */
 } fstiff_measured;
 
+/** What a measurement gives. */
 typedef struct fstiff_surface {
-    size_t size;                       /* sizeof(fstiff_surface) */
-    size_t peaks;                      /* counted, behind R and D_p */
-    double lambda_s, lambda_c;         /* the cut-offs that were applied [m]; 0: none */
-    fstiff_measured rms_height;        /* sigma [m] */
-    fstiff_measured peak_radius;       /* R [m] */
-    fstiff_measured peak_density;      /* D_p [1/m^2] */
-    fstiff_measured max_peak_height;   /* [m] */
-    fstiff_measured fractal_dimension; /* D */
-    fstiff_measured fractal_roughness; /* G [m] */
+    size_t size;                       /**< sizeof(fstiff_surface) */
+    size_t peaks;                      /**< counted, behind R and D_p */
+    double lambda_s, lambda_c;         /**< the cut-offs that were applied [m]; 0: none */
+    fstiff_measured rms_height;        /**< sigma [m] */
+    fstiff_measured peak_radius;       /**< R [m] */
+    fstiff_measured peak_density;      /**< D_p [1/m^2] */
+    fstiff_measured max_peak_height;   /**< [m] */
+    fstiff_measured fractal_dimension; /**< D */
+    fstiff_measured fractal_roughness; /**< G [m] */
     fstiff_measured r;
-    fstiff_measured theta; /* [rad] */
+    fstiff_measured theta; /**< [rad] */
     fstiff_measured rms_gradient;
     fstiff_measured skewness;
     fstiff_measured kurtosis;
 } fstiff_surface;
 
-/* Heights [m] at equal spacing [m]; NaN marks a missing point. options NULL: the defaults. surface->size must be set. */
+/** Heights [m] at equal spacing [m]; NaN marks a missing point. options NULL: the defaults. surface->size must be set. */
 FSTIFF_API int fstiff_measure_profile(const double* heights, size_t count, double spacing,
                                       const fstiff_measure_options* options, fstiff_surface* surface);
-/* Heights [m] row after row, each of `columns` points along x, dx apart; rows dy apart. */
+/** Heights [m] row after row, each of `columns` points along x, dx apart; rows dy apart. */
 FSTIFF_API int fstiff_measure_map(const double* heights, size_t rows, size_t columns, double dx, double dy,
                                   const fstiff_measure_options* options, fstiff_surface* surface);
-/* What fstiff_contact_make takes of a measurement. Both sizes must be set. */
+/** What fstiff_contact_make takes of a measurement. Both sizes must be set. */
 FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* roughness);
 
 #ifdef __cplusplus

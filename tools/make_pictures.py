@@ -31,10 +31,10 @@ def drawn(command, name, arguments):
         return picture.read_text(encoding="utf-8")
 
 
-def same(one, two):
+def same(one, two, tolerance=TOLERANCE):
     if NUMBER.split(one) != NUMBER.split(two):
         return False
-    return all(abs(float(a) - float(b)) <= TOLERANCE for a, b in zip(NUMBER.findall(one), NUMBER.findall(two)))
+    return all(abs(float(a) - float(b)) <= tolerance for a, b in zip(NUMBER.findall(one), NUMBER.findall(two)))
 
 
 def main():

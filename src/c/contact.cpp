@@ -2,8 +2,6 @@
 // Contacts of numbers and of scenes, and their points.
 #include "c/contact.hpp"
 
-#include "scene/each_contact.hpp"
-
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -16,68 +14,20 @@
 namespace fstiff::c {
 namespace {
 
-using scene::Scene;
-
-/// The contact of \p of with entry \p law of its laws on entry \p peaks of its distributions of peaks.
-fstiff_contact* contact_of(Scene of, double modulus, std::size_t law, std::size_t peaks) {
-    const auto kept = std::make_shared<const Scene>(std::move(of));
-    if (law >= kept->laws.size()) refuse_argument("law", static_cast<long long>(law), "an entry of contact.laws");
-    std::size_t wanted = peaks;
-    for (std::size_t i = 0; i <= law; ++i) {
-        const std::size_t curves = is_joint(*kept->laws[i].law, *kept) ? kept->peaks.size() : 1;
-        if (i < law)
-            wanted += curves;
-        else if (peaks >= curves)
-            refuse_argument("peaks", static_cast<long long>(peaks), "an entry of contact.peaks, 0 without joint peaks");
-    }
-    auto handle = std::make_unique<fstiff_contact>();
-    for_each_contact(*kept, modulus, {}, [&](const scene::Curve& curve, const auto& make) {
-        if (wanted-- == 0) handle->law = curve.law, handle->contact = make();
-    });
-    handle->scene = kept;
-    return handle.release();
-}
-
-/// Numbers as a scene with one law.
-Scene scene_of_numbers(const char* law, const fstiff_roughness& surface, const fstiff_body& body) {
-    const scene::Law* const found = scene::find_law(law);
-    if (!found) {
-        const auto names = scene::law_names();
-        throw domain_error("law = \"" + std::string(law).substr(0, 40) + "\": must be one of " + scene::list_of(names));
-    }
-    Scene of;
-    of.surface = {surface.rms_height, surface.peak_radius, surface.peak_density, surface.max_peak_height};
-    of.surface.validate();
-    const auto optional = [](const char* name, double value) {
-        if (value == 0) return std::optional<double>();
-        require_positive(name, value);
-        return std::optional(value);
-    };
-    of.fractal_dimension = optional("fractal_dimension", surface.fractal_dimension);
-    of.rms_gradient = optional("rms_gradient", surface.rms_gradient);
-    of.yield_strength = optional("yield_strength", body.yield_strength);
-    of.hardness = optional("hardness", body.hardness);
-    require(body.poisson_ratio > -1 && body.poisson_ratio <= 0.5, "poisson_ratio", body.poisson_ratio,
-            "greater than -1 and at most 0.5");
-    of.softer_poisson = body.poisson_ratio;
-    if (found->has_peaks) {
-        const PeakDistribution<double> peaks(surface.r, surface.theta);
-        of.r = peaks.r(), of.theta = peaks.theta();
-        of.peaks.push_back({.theta = *of.theta, .r = of.r});
-    }
-    if (found->needs_dimension && !of.fractal_dimension)
-        throw domain_error("law " + std::string(law) + ": needs fractal_dimension");
-    if (const std::string why = refusal_of(*found, of); !why.empty())
-        throw domain_error("law " + std::string(law) + ": " + why);
+scene::ContactNumbers numbers_of(const fstiff_roughness& surface, const fstiff_body& body) {
     if (body.interaction < FSTIFF_NO_INTERACTION || body.interaction > FSTIFF_INTERACTION_AS_PRINTED)
         refuse_argument("interaction", body.interaction, "FSTIFF_NO_INTERACTION or one of the two readings");
-    of.reading = static_cast<InteractionReading>(body.interaction);
-    of.length = scene::InteractionLength::given;
-    of.given_length = body.interaction_length;
-    scene::ChosenLaw chosen{found, {}};
-    for (const scene::LawOption& option : found->options) chosen.options.push_back(option.otherwise.value_or(0));
-    of.laws.push_back(std::move(chosen));
-    return of;
+    return {.surface = {surface.rms_height, surface.peak_radius, surface.peak_density, surface.max_peak_height},
+            .r = surface.r,
+            .theta = surface.theta,
+            .fractal_dimension = surface.fractal_dimension,
+            .rms_gradient = surface.rms_gradient,
+            .effective_modulus = body.effective_modulus,
+            .poisson_ratio = body.poisson_ratio,
+            .yield_strength = body.yield_strength,
+            .hardness = body.hardness,
+            .reading = static_cast<InteractionReading>(body.interaction),
+            .interaction_length = body.interaction_length};
 }
 
 /// An array of the caller, and what goes into it.
@@ -165,8 +115,7 @@ int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const 
     return made_by(made, [&] {
         not_null(law, "law");
         sized(surface, "surface");
-        fstiff::require_positive("effective_modulus", sized(body, "body").effective_modulus);
-        return contact_of(scene_of_numbers(law, *surface, *body), body->effective_modulus, 0, 0);
+        return new fstiff_contact(fstiff::scene::contact_of(law, numbers_of(*surface, sized(body, "body"))));
     });
 }
 
@@ -174,9 +123,8 @@ int fstiff_contact_of_scene(const char* text, size_t length, const char* name, s
                             fstiff_contact** made) {
     return made_by(made, [&] {
         not_null(text, "text");
-        Scene of = fstiff::scene::read_scene(std::string(text, length), {.name = name ? name : "scene"});
-        const double modulus = effective_modulus(of.upper, of.lower);
-        return contact_of(std::move(of), modulus, law, peaks);
+        return new fstiff_contact(fstiff::scene::contact_of(
+            fstiff::scene::read_scene(std::string(text, length), {.name = name ? name : "scene"}), law, peaks));
     });
 }
 

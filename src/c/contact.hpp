@@ -3,12 +3,6 @@
 // What the handle of a contact holds.
 
 #include "c/guard.hpp"
-#include "scene/scene.hpp"
+#include "scene/one_contact.hpp"
 
-#include <memory>
-
-struct fstiff_contact {
-    std::shared_ptr<const fstiff::scene::Scene> scene;  // what the contact was made of lives as long as it
-    const fstiff::scene::Law* law = nullptr;
-    std::unique_ptr<const fstiff::scene::AnyContact> contact;
-};
+struct fstiff_contact : fstiff::scene::OneContact {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Status, messages and the version.
 #include "c/guard.hpp"
+#include "scene/one_contact.hpp"
 
 #include <fstiff/core/version.hpp>
 
@@ -31,6 +32,8 @@ int status_of_exception() noexcept {
     try {
         throw;
     } catch (const argument_error& error) {
+        return is(FSTIFF_BAD_ARGUMENT, error.what());
+    } catch (const scene::no_such_entry& error) {
         return is(FSTIFF_BAD_ARGUMENT, error.what());
     } catch (const domain_error& error) {
         return is(FSTIFF_REFUSED, error.what());

@@ -313,6 +313,13 @@ Face face_of_file(Source& source, const std::string& file, const ProgressHook& p
     return face;
 }
 
+Face face_in_place(Source& source, const MeasuredSurface& measured) {
+    Face face = face_of(measured);
+    source.record("surface.from", measured.file + " (measured before)");
+    record_measured(source, measured, "surface");
+    return face;
+}
+
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {
     const auto put = [&](Face face) { static_cast<Face&>(scene) = std::move(face); };
     if (!table.contains("upper") && !table.contains("lower")) {

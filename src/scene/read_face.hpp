@@ -13,6 +13,8 @@ namespace fstiff::scene {
 
 /// Measures the file that --surface names, or reads what fstiff measure made of it.
 [[nodiscard]] Face face_of_file(Source& source, const std::string& file, const ProgressHook& progress);
+/// \p measured in place of [surface].
+[[nodiscard]] Face face_in_place(Source& source, const MeasuredSurface& measured);
 /// Reads [surface] into \p scene, or its two faces.
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress);
 /// An angle with its unit, or a number of radians.

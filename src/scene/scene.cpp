@@ -471,10 +471,12 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
         scene.name = source.text(*name, "name");
     else
         scene.name = std::filesystem::path(file).stem().string();
-    if (surface.empty()) {
+    const bool replaced = from.measured || !surface.empty();
+    if (!replaced) {
         read_surface(source, top.subtable("surface"), scene, from.progress);
     } else {
-        static_cast<Face&>(scene) = face_of_file(source, surface, from.progress);
+        static_cast<Face&>(scene) =
+            from.measured ? face_in_place(source, *from.measured) : face_of_file(source, surface, from.progress);
         // no longer what the scene was named for
         const std::string& measured = scene.measured->file;
         scene.name =
@@ -487,7 +489,7 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
     read_materials(source, top.subtable("material"), scene);
     if (top.find("persson")) read_persson(source, top.subtable("persson"), scene);
     if (top.find("boundary_elements")) read_elements(source, top.subtable("boundary_elements"), scene);
-    read_contact(source, top.subtable("contact"), scene, !surface.empty());
+    read_contact(source, top.subtable("contact"), scene, replaced);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs = std::move(source.inputs);

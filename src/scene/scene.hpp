@@ -134,7 +134,8 @@ struct SceneSource {
     std::string name;  ///< how messages call the text; files of the scene are searched beside it
     std::string
         surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
-    ProgressHook progress{};  ///< called while a surface is measured
+    ProgressHook progress{};                    ///< called while a surface is measured
+    const MeasuredSurface* measured = nullptr;  ///< in place of a file of the surface, where it was measured already
 };
 
 /// \throws domain_error "<name>:<line>: <key> = <value>: must be ...".

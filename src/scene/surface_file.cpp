@@ -111,6 +111,32 @@ void SurfaceInput::drop_map() {
     std::get<1>(surface.data).heights.resize(0, 0);
 }
 
+namespace {
+
+void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
+    about_file(options.file, [&] {
+        clean(options, input.surface);
+        for (std::string& hint : cleaning_hints(options, input.surface))
+            input.surface.record.warnings.push_back(std::move(hint));
+    });
+}
+
+}  // namespace
+
+SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights, const std::string& origin) {
+    SurfaceInput input;
+    std::visit([&](const auto& surface) { about_file(options.file, [&] { surface.validate(); }); }, heights);
+    const double* const first =
+        heights.index() == 0 ? std::get<0>(heights).heights.data() : std::get<1>(heights).heights.data();
+    input.surface.data = std::move(heights);
+    input.sha256 = sha256({reinterpret_cast<const char*>(first), input.points() * sizeof(double)});
+    input.surface.record.name = display_name(options.file);
+    input.surface.record.format = io::SurfaceFormat::npy;
+    input.surface.record.format_from = origin;
+    clean_input(options, input);
+    return input;
+}
+
 SurfaceInput read_surface_input(const SurfaceOptions& options) {
     return read_surface_input(options, read_all(options.file));
 }
@@ -145,11 +171,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     SurfaceInput input;
     input.sha256 = sha256(bytes);
     input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
-    about_file(options.file, [&] {
-        clean(options, input.surface);
-        for (std::string& hint : cleaning_hints(options, input.surface))
-            input.surface.record.warnings.push_back(std::move(hint));
-    });
+    clean_input(options, input);
     return input;
 }
 

@@ -68,6 +68,11 @@ struct SurfaceInput {
 /// The same from bytes that were read already.
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
 
+/// Heights that no file holds, cleaned as \p options say; options.file stands for them in messages, and \p origin says where
+/// they come from. \throws domain_error for heights or steps that are no surface.
+[[nodiscard]] SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights,
+                                              const std::string& origin);
+
 /// A profile without its form and, with cut-offs, without its short and its long waves.
 struct PreparedProfile : LevelledProfile<double> {
     double rms_as_read{}, rms{};  ///< Rq before and after [m]

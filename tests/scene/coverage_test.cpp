@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The band of K of one trace, against K of the mean spectrum of 200 traces of one process.
+// The band of K of one trace, against K of the mean spectrum of 100 traces of one process and its D.
 #include "scene/measured_surface.hpp"
 #include "scene/results.hpp"
 
@@ -7,7 +7,10 @@
 
 #include <fstiff/synthetic/self_affine.hpp>
 
+#include <array>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace scene = fstiff::scene;
 
@@ -15,13 +18,13 @@ namespace {
 
 const std::string rest =
     "[material.upper]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n"
-    "[contact]\npressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n";
+    "[contact]\npressures = [\"10 MPa\"]\nlaws = [\"fractal\", \"hertz\"]\n";
 
 /// Half a period of a Gaussian process whose rms is 1 um in the mean over all seeds, at every \p step th point.
-std::string trace(std::uint64_t seed, std::size_t step) {
-    const auto whole = fstiff::self_affine_profile<double>({.hurst = 0.8,
+std::string trace(double hurst, double longest, std::uint64_t seed, std::size_t step) {
+    const auto whole = fstiff::self_affine_profile<double>({.hurst = hurst,
                                                             .rms = 1e-6,
-                                                            .longest_wavelength = 1e-3,
+                                                            .longest_wavelength = longest,
                                                             .shortest_wavelength = 2e-6,
                                                             .exact_rms = false,
                                                             .seed = seed},
@@ -33,42 +36,63 @@ std::string trace(std::uint64_t seed, std::size_t step) {
     return text.str();
 }
 
+/// [surface] with the numbers of the mean spectrum of \p files and the D of the process.
+std::string process(double hurst, const std::vector<std::string>& files) {
+    scene::MeasureOptions how;
+    how.input.units = "m";
+    how.input.lambda_s = "40 um", how.input.lambda_c = "none";
+    how.neighbours = false;
+    how.resamples = 2;
+    std::ostringstream numbers;
+    numbers.precision(17);
+    numbers << "[surface]\nfractal_dimension = " << 2 - hurst << '\n';
+    for (const auto& line : parameter_lines(scene::measure_files(how, files)))
+        if (line.name == "r" || line.name == "theta")
+            numbers << line.name << " = " << line.measured.value << '\n';
+        else if (line.name == "rms_height" || line.name == "peak_radius" || line.name == "peak_density")
+            numbers << line.name << " = \"" << line.measured.value << ' ' << line.unit << "\"\n";
+    return numbers.str();
+}
+
 }  // namespace
 
-TEST_CASE("The band of 5 to 95 % holds K(10 MPa) of the process in 80 % of 200 traces and more", "[long]") {
-    // 90 % are asked for. K goes as 1/sigma, which a trace of eight longest waves knows by some ten independent parts only.
+TEST_CASE("The band of 5 to 95 % holds K(10 MPa) of the process in 80 % of traces and more, at every decimation",
+          "[long]") {
+    // 90 % are asked for; 83 to 98 were found. 100 traces tell the share to 3 %.
+    struct Case {
+        double hurst, longest;  // where the spectrum turns flat: an eighth of the trace, or twice its length
+    };
+    const auto [hurst, longest] = GENERATE(Case{0.8, 1e-3}, Case{0.5, 1e-3}, Case{0.8, 0}, Case{0.5, 0});
     for (const std::size_t step : {1, 4, 16}) {
         const test::Folder folder;
         std::vector<std::string> files;
-        for (std::uint64_t seed = 1; seed <= 200; ++seed)
-            files.push_back(folder.write(std::to_string(seed) + ".csv", trace(seed, step)));
-        scene::MeasureOptions how;
-        how.input.units = "m";
-        how.input.lambda_s = "40 um", how.input.lambda_c = "none";
-        how.neighbours = false;
-        how.resamples = 2;
-        const scene::MeasuredSurface process = scene::measure_files(how, files);
-        std::ostringstream numbers;
-        numbers.precision(17);
-        for (const auto& line : parameter_lines(process))
-            if (line.name == "r" || line.name == "theta")
-                numbers << line.name << " = " << line.measured.value << '\n';
-            else if (line.name == "rms_height" || line.name == "peak_radius" || line.name == "peak_density")
-                numbers << line.name << " = \"" << line.measured.value << ' ' << line.unit << "\"\n";
-        const auto truth = compute(scene::read_scene("[surface]\n" + numbers.str() + rest, {.name = "truth"}));
-        const double K = truth.curves.at(0).states.at(0).stiffness.value;
-        int covered = 0;
+        for (std::uint64_t seed = 1; seed <= 100; ++seed)
+            files.push_back(folder.write(std::to_string(seed) + ".csv", trace(hurst, longest, seed, step)));
+        const auto truth = compute(scene::read_scene(process(hurst, files) + rest, {.name = "truth"}));
+        std::array<int, 2> covered{};
+        int computed = 0;
         for (const std::string& file : files) {
-            const auto found = compute(scene::read_scene("[surface]\nfrom = \"" + file +
-                                                             "\"\nunits = \"m\"\nlambda_s = \"40 um\"\nlambda_c = "
-                                                             "\"none\"\n" +
-                                                             rest,
-                                                         {.name = "trace"}));
-            const auto& band = found.curves.at(0).band.at(0);
-            covered += band.low <= K && K <= band.high;
+            scene::Results found;
+            try {
+                found = compute(scene::read_scene("[surface]\nfrom = \"" + file +
+                                                      "\"\nunits = \"m\"\nlambda_s = \"40 um\"\nlambda_c = "
+                                                      "\"none\"\n" +
+                                                      rest,
+                                                  {.name = "trace"}));
+            } catch (const fstiff::domain_error&) {  // no half decade of lags is a power law: no D
+                continue;
+            }
+            ++computed;
+            for (const std::size_t law : {0u, 1u}) {
+                const auto& band = found.curves.at(law).band.at(0);
+                const double K = truth.curves.at(law).states.at(0).stiffness.value;
+                covered[law] += band.low <= K && K <= band.high;
+            }
         }
-        INFO("every " << step << ". point: " << covered << " of 200");
-        CHECK(covered >= 160);
-        CHECK(covered <= 198);
+        WARN("H = " << hurst << ", flat from " << longest << " m, every " << step << ". point: fractal " << covered[0]
+                    << ", hertz " << covered[1] << " of " << computed);
+        CHECK(computed >= 50);
+        CHECK(covered[0] >= 0.8 * computed);
+        CHECK(covered[1] >= 0.8 * computed);
     }
 }

@@ -14,6 +14,7 @@
 
 namespace fstiff {
 
+/// Elastic constants of one body.
 template <Real T = double>
 struct Material {
     T youngs_modulus{};  ///< E_i [Pa], > 0

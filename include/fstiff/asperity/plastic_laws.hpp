@@ -148,6 +148,7 @@ template <>
 inline constexpr auto names<HardnessLaw> = name_list<HardnessLaw>({{HardnessLaw::cosine, "cosine"},
                                                                    {HardnessLaw::exponent, "2005"}});
 
+/// One asperity by Jackson and Green: elastic, then elastic-plastic, with a hardness that falls as the contact grows.
 template <Real T = double>
 class JacksonGreenLaw : public detail::UnloadsElastically<JacksonGreenLaw<T>> {
 public:
@@ -193,6 +194,7 @@ private:
     T critical_strain_{}, hardness_factor_{}, exponent_{};
 };
 
+/// One asperity by Kogut and Etsion: elastic, two elastic-plastic ranges, then fully plastic.
 template <Real T = double>
 class KogutEtsionLaw : public detail::UnloadsElastically<KogutEtsionLaw<T>> {
 public:

@@ -33,6 +33,7 @@
 
 namespace fstiff {
 
+/// How exact the contact integrals are to be.
 template <Real T = double>
 struct IntegralOptions {
     /// Relative error to aim at, between 100 epsilon and 0.1.

@@ -73,6 +73,7 @@
 
 namespace fstiff {
 
+/// p(d), K(d) and d(p), K(p) of a contact from tables, in nanoseconds. Threads may share one.
 template <ReadableReal T = double>
 class ContactLaw {
 public:
@@ -206,8 +207,7 @@ public:
     /// Lines may end in LF or CRLF. \throws domain_error for text that to_text did not write.
     [[nodiscard]] static ContactLaw from_text(std::string_view text);
 
-    /// Whether all tables and the policy are the same; of two laws with OutsideRange::exact the models are not
-    /// compared.
+    /// Whether tables and policy are the same; of two laws with OutsideRange::exact the models are not compared.
     [[nodiscard]] bool operator==(const ContactLaw& other) const { return tables_ == other.tables_; }
 
 private:

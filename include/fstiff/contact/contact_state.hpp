@@ -46,6 +46,7 @@ template <Real T>
     return true;
 }
 
+/// Whether a point has a state, and if not, why.
 enum class PointStatus {
     ok,
     out_of_reach,   ///< the model has no state there; ContactPoint::reason tells what it has

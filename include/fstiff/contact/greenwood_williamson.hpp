@@ -18,6 +18,7 @@
 
 namespace fstiff {
 
+/// The contact of peaks of one radius, which Hertz pressed: RoughContact with SingleRadius.
 template <Real T = double>
 struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, SingleRadius<T>> {
     /// \throws domain_error naming the parameter that is out of range.

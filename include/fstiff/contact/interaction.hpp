@@ -24,6 +24,7 @@
 
 namespace fstiff {
 
+/// How (4.11) is read.
 enum class InteractionReading {
     none,                  ///< asperities do not feel one another: the stiffness of the interface alone
     effective_separation,  ///< the integrals at eta_effective; separation and stiffness those of the nominal planes
@@ -50,6 +51,7 @@ template <Real T>
     return 1 / std::sqrt(peak_density);
 }
 
+/// How peaks feel one another by (4.11), and over which length.
 template <Real T = double>
 struct Interaction {
     InteractionReading reading = InteractionReading::none;

@@ -5,7 +5,7 @@
 ///
 ///     p = E D_p <load>,  K = E D_p <stiffness>,  A = D_p <area>,  n = D_p <1>,  -dp/dd
 ///
-/// <f> is the mean over all peaks, those below the separation counting 0. With omega = sigma (zeta - eta), R =
+/// Angle brackets are means over all peaks, those below the separation counting 0. With omega = sigma (zeta - eta), R =
 /// 1/(sigma_kappa t):
 ///
 ///     power law       <omega^x R^y> = sigma^x sigma_kappa^-y J[x,-y],  d/deta J[a,b] = -a J[a-1,b]     one dimension

@@ -22,6 +22,7 @@
 
 namespace fstiff {
 
+/// What a law does outside the range that it was tabulated for.
 enum class OutsideRange {
     refuse,      ///< throw domain_error
     clamp,       ///< the values at the nearer end of the range; with derivatives 0
@@ -29,6 +30,7 @@ enum class OutsideRange {
     extrapolate  ///< continue the law smoothly: an opening contact ends with p = K = 0
 };
 
+/// What a law is tabulated for.
 template <ReadableReal T = double>
 struct LawRange {
     T min_pressure{};  ///< [Pa]

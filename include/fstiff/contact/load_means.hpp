@@ -26,6 +26,7 @@
 
 namespace fstiff {
 
+/// How deep the peaks are pressed in, as means over the load that they carry.
 template <Real T = double>
 struct LoadMeans {
     Estimate<T> interference;  ///< of omega/omega_c

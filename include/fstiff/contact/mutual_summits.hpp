@@ -38,6 +38,7 @@
 
 namespace fstiff {
 
+/// The contact of the summits of one map, each of which sinks under the loads of all others.
 template <Real T = double>
 class MutualSummits : public SlopeContact<MutualSummits<T>, T> {
     using Values = Eigen::Array<T, Eigen::Dynamic, 1>;

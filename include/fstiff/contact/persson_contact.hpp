@@ -75,6 +75,7 @@ struct PerssonStiffness {
     T slope;      ///< dK/dp [1/m]
 };
 
+/// Persson's theory: the contact of a surface of which the spectrum is known.
 template <Real T = double>
 class PerssonContact : public SlopeContact<PerssonContact<T>, T> {
     using S = detail::Tabulated<T>;

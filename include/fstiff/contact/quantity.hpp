@@ -7,6 +7,7 @@
 
 namespace fstiff {
 
+/// What is to be computed; join several by |.
 enum class Quantity : unsigned {
     none = 0,
     contacts = 1,
@@ -14,10 +15,12 @@ enum class Quantity : unsigned {
     stiffness = 4,
     real_area = 8,
     loading_stiffness = 16,  ///< -dp/dd, the slope of the load
-    separation = 32,  ///< known without asking, but where it is an integral over pressures (HybridContact, PerssonContact)
+    separation =
+        32,  ///< known without asking, but where it is an integral over pressures (HybridContact, PerssonContact)
     all = 63
 };
 
+/// Both.
 [[nodiscard]] constexpr Quantity operator|(Quantity a, Quantity b) {
     return static_cast<Quantity>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }

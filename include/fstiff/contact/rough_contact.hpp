@@ -52,6 +52,7 @@ template <>
 inline constexpr auto names<CurvatureScale> = name_list<CurvatureScale>(
     {{CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"}, {CurvatureScale::consistent, "consistent"}});
 
+/// The choices of a RoughContact.
 template <Real T = double>
 struct RoughContactOptions {
     Interaction<T> interaction{};
@@ -74,6 +75,7 @@ template <Real T>
     return 1 / surface.peak_radius;
 }
 
+/// The contact of a distribution of peaks, each of which obeys one law: load, stiffness, area and number.
 template <Real T, class Law, class Peaks = PeakDistribution<T>>
 class RoughContact {
     using Approaches = Eigen::Array<T, 8, 1>;

@@ -31,6 +31,7 @@
 
 namespace fstiff {
 
+/// The contact of the summits of one map, each by itself.
 template <Real T = double>
 class SummitContact : public SlopeContact<SummitContact<T>, T> {
     using Values = Eigen::Array<T, Eigen::Dynamic, 1>;

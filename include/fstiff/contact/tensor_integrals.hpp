@@ -67,6 +67,7 @@ concept KinkedLaw = requires(const F& f, T t) {
     { f.critical(t) } -> std::convertible_to<T>;
 };
 
+/// How exact the integrals in two dimensions are to be, and what they may cost.
 template <Real T = double>
 struct TensorOptions {
     T relative_tolerance = T(1e4) * std::numeric_limits<T>::epsilon();

@@ -88,6 +88,7 @@ enum class Concern {
     not_converged            ///< the error of K is above 1e-6 K
 };
 
+/// The word of \p concern, as JSON has it.
 [[nodiscard]] constexpr std::string_view name_of(Concern concern) {
     constexpr std::array<std::string_view, 9> names{
         "plasticity",   "gaussian_surface",   "interacting_asperities", "mean_planes_crossed", "above_highest_peak",

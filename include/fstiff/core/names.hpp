@@ -88,7 +88,7 @@ template <NamedEnum Enum>
 }
 
 /// The value whose word is \p text.
-/// \throws domain_error "<parameter> = "<text>": must be one of <choices>".
+/// \throws domain_error with \p parameter, \p text and the words that are allowed.
 template <NamedEnum Enum>
 [[nodiscard]] Enum parse(std::string_view text, std::string_view parameter) {
     if (const auto found = find_named<Enum>(text)) return *found;

@@ -33,6 +33,7 @@
 
 namespace fstiff {
 
+/// What may be wrong about a fit.
 enum class FitConcern {
     singular,
     not_converged,
@@ -72,6 +73,7 @@ inline constexpr auto names<FitConcern> = name_list<FitConcern>({
            concern == FitConcern::far_from_start;
 }
 
+/// One doubt about a fit, with the numbers behind it.
 template <Real T = double>
 struct FitFinding {
     FitConcern concern{};

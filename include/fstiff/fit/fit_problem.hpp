@@ -56,6 +56,7 @@ private:
     }
 };
 
+/// One measured point of K(p) or R(p).
 template <Real T = double>
 struct Observation {
     T pressure{};  ///< nominal [Pa]

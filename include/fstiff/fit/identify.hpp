@@ -41,6 +41,7 @@
 
 namespace fstiff {
 
+/// What was measured, and how the fit is done.
 template <Real T = double>
 struct IdentifyOptions {
     std::optional<Wave<T>> wave{};
@@ -48,6 +49,7 @@ struct IdentifyOptions {
     LeastSquaresOptions<T> search{};
 };
 
+/// One fitted parameter.
 template <Real T = double>
 struct IdentifiedParameter {
     Parameter parameter{};
@@ -57,6 +59,7 @@ struct IdentifiedParameter {
     bool at_bound = false;  ///< came to the end of its range
 };
 
+/// The outcome of identify().
 template <Real T = double>
 struct Identification {
     FitStatus status{};

@@ -35,6 +35,7 @@
 
 namespace fstiff {
 
+/// How the half space is solved.
 template <Real T = double>
 struct BoundaryElementOptions {
     Edges edges = Edges::mirrored;
@@ -58,6 +59,7 @@ struct BoundaryElementState {
     bool converged = false;  ///< residual and that of the stiffness are below the tolerance
 };
 
+/// The elastic half space under one map, solved at one pressure after another.
 template <Real T = double>
 class BoundaryElements {
     using Field = GridField<T>;

@@ -101,6 +101,7 @@ private:
 template <Real T>
 using GridField = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Displacement of the surface of an elastic half space under pressures on a grid.
 template <Real T = double>
 class SurfaceCompliance {
 public:

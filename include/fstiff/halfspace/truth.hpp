@@ -23,6 +23,7 @@
 
 namespace fstiff {
 
+/// How the truth of a map is computed.
 template <Real T = double>
 struct TruthOptions {
     Eigen::Index points = 256;  ///< along the longer side; a map that has no more is taken as it is

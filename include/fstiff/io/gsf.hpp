@@ -35,6 +35,7 @@ struct GsfRecord {
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// What a simple field of Gwyddion holds.
 struct GsfSurface {
     HeightMap<double> map;  ///< of one row when YRes is 1
     GsfRecord record;

@@ -51,6 +51,7 @@ struct GwyRecord {
     [[nodiscard]] std::vector<std::string> warnings() const;
 };
 
+/// What one channel of a Gwyddion file holds.
 struct GwySurface {
     HeightMap<double> map;  ///< of one row when yres is 1
     GwyRecord record;
@@ -59,7 +60,8 @@ struct GwySurface {
 /// Whether \p bytes begin as a file of Gwyddion 2 does.
 [[nodiscard]] inline bool is_gwy(std::string_view bytes) { return bytes.starts_with("GWYP"); }
 
-/// \param channel  its number ("1") or its title ("Height"); empty: the lowest whose units are lengths
+/// The channel \p channel, its number ("1") or its title ("Height"), of the file in \p bytes, which messages call \p name;
+/// empty: the lowest whose units are lengths.
 /// \throws domain_error naming file, component, value and what is allowed.
 [[nodiscard]] inline GwySurface read_gwy(std::string_view bytes, std::string_view name, std::string_view channel = {});
 

@@ -11,6 +11,7 @@
 
 namespace fstiff::io {
 
+/// How the text of a map is laid out.
 enum class MapForm { automatic, triples, matrix };
 
 }  // namespace fstiff::io

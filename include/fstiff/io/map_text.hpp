@@ -28,6 +28,7 @@
 
 namespace fstiff::io {
 
+/// What the text of a map does not say itself.
 struct MapTextOptions {
     MapForm form = MapForm::automatic;
     std::optional<double> dx{}, dy{};         ///< of a matrix, between points [m]; replace the header's
@@ -49,6 +50,7 @@ struct MapTextRecord : TextRecord {
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// A map, and how its text was taken.
 struct MapFromText {
     HeightMap<double> map;
     MapTextRecord record;

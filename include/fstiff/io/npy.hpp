@@ -21,6 +21,7 @@
 
 namespace fstiff::io {
 
+/// What an array of NumPy does not say itself.
 struct NpyOptions {
     std::optional<double> spacing{};          ///< of one row [m]
     std::optional<double> dx{}, dy{};         ///< of a map, between points [m]
@@ -47,6 +48,7 @@ struct NpyRecord {
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// What an array of NumPy holds.
 struct NpySurface {
     HeightMap<double> map;  ///< of one row when the array has one
     NpyRecord record;

@@ -25,6 +25,7 @@
 
 namespace fstiff::io {
 
+/// What the text of a profile does not say itself.
 struct ProfileTextOptions {
     std::optional<double> spacing{};  ///< [m]; replaces the positions of the file
     std::string units{};              ///< "um,nm" (positions, heights) or "um" (both); replaces those of the header
@@ -49,6 +50,7 @@ struct ProfileTextRecord : TextRecord {
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// A profile, and how its text was taken.
 struct ProfileFromText {
     Profile<double> profile;
     ProfileTextRecord record;

@@ -46,6 +46,7 @@ struct SdfRecord {
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// What a surface data file holds.
 struct SdfSurface {
     HeightMap<double> map;  ///< of one row when the file holds a profile
     SdfRecord record;

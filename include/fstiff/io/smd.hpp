@@ -47,6 +47,7 @@ struct SmdRecord {
     [[nodiscard]] std::vector<std::string> warnings() const;
 };
 
+/// What a file of ISO 5436-2, or its elder form, holds.
 struct SmdProfile {
     Profile<double> profile;
     SmdRecord record;

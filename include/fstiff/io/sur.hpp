@@ -62,6 +62,7 @@ struct SurRecord {
     [[nodiscard]] std::vector<std::string> warnings() const;
 };
 
+/// What a file of Digital Surf holds.
 struct SurSurface {
     HeightMap<double> map;  ///< of one row when the file holds a profile
     SurRecord record;

@@ -30,6 +30,7 @@
 
 namespace fstiff::io {
 
+/// The forms of files that are read.
 enum class SurfaceFormat { automatic, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd };
 
 /// Heights of X3P that are numbers of floating point are times the increment of the z axis, as ISO 25178-72 says; some
@@ -64,6 +65,7 @@ namespace fstiff::io {
 
 /// "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "gwy", "sur", "smd" or "auto". \throws domain_error listing them.
 [[nodiscard]] inline SurfaceFormat surface_format(std::string_view name);
+/// The word of \p format, as surface_format() takes it.
 [[nodiscard]] inline std::string_view surface_format_name(SurfaceFormat format);
 
 /// A map and how it was read.
@@ -93,6 +95,7 @@ struct SurfaceOptions {
     std::function<DescribedMap(std::string_view bytes, std::string_view name, const SurfaceOptions& options)> x3p{};
 };
 
+/// How a file was taken.
 struct SurfaceRecord {
     std::string name;
     SurfaceFormat format{};
@@ -105,6 +108,7 @@ struct SurfaceRecord {
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// A profile or a map of any file, and how it was taken.
 struct Surface {
     ProfileOrMap data;
     SurfaceRecord record;

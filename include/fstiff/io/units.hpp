@@ -21,6 +21,7 @@
 
 namespace fstiff::io {
 
+/// The kinds of quantities that have units.
 enum class Dimension {
     length,
     area,

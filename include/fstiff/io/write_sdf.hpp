@@ -18,6 +18,7 @@
 
 namespace fstiff::io {
 
+/// What the header of a surface data file says beside the map.
 struct SdfOptions {
     bool binary = true;
     std::string manufacturer = "fstiff";  ///< at most 10 printable ASCII characters

@@ -46,6 +46,7 @@ struct X3pRecord {
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// What an X3P file holds.
 struct X3pSurface {
     HeightMap<double> map;  ///< of one row when the file holds a profile
     X3pRecord record;

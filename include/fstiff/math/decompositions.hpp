@@ -59,6 +59,7 @@ struct SingularVectors {
     Eigen::Matrix<T, Eigen::Dynamic, 1> values;
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> vectors;
 };
+/// The singular values of \p a, and the vectors on its right.
 template <Real T>
 [[nodiscard]] SingularVectors<T> singular_vectors(Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> a);
 
@@ -68,6 +69,7 @@ struct SymmetricEigen {
     Eigen::Matrix<T, Eigen::Dynamic, 1> values;
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> vectors;
 };
+/// Eigenvalues and eigenvectors of the symmetric matrix \p a.
 template <Real T>
 [[nodiscard]] SymmetricEigen<T> symmetric_eigen(Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> a);
 

@@ -18,6 +18,7 @@
 
 namespace fstiff {
 
+/// Nodes and weights of Gauss and Legendre's rule of N points on (-1, 1).
 template <Real T, std::size_t N>
 struct GaussLegendre {
     std::array<T, N> node;    ///< ascending

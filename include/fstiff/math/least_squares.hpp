@@ -31,6 +31,7 @@
 
 namespace fstiff {
 
+/// When the search for least squares ends.
 template <Real T = double>
 struct LeastSquaresOptions {
     int max_iterations = 200;
@@ -41,6 +42,7 @@ struct LeastSquaresOptions {
     T singular_value = std::max(T(1e-7), T(1e4) * std::numeric_limits<T>::epsilon());
 };
 
+/// How a search for least squares ended.
 enum class FitStatus {
     converged,
     singular,  ///< a combination of the parameters leaves the residuals as they are: no covariance
@@ -55,6 +57,7 @@ inline constexpr auto names<FitStatus> = name_list<FitStatus>({
     {FitStatus::at_bound, "at_bound"},
 });
 
+/// The outcome of a fit by least squares.
 template <Real T = double>
 struct LeastSquaresFit {
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;

@@ -25,12 +25,14 @@
 
 namespace fstiff {
 
+/// How a search for a root ended.
 enum class RootStatus {
     converged,
     no_bracket,    ///< f has one sign on [lower, upper], or the bounds are not finite and in order
     not_converged  ///< max_iterations spent, or f returned NaN
 };
 
+/// The outcome of the search for a root.
 template <Real T = double>
 struct RootResult {
     T root{};          ///< the best estimate, also when not converged

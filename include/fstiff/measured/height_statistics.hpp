@@ -27,6 +27,7 @@
 
 namespace fstiff {
 
+/// Skewness, kurtosis, gradient and moments of a surface, the first three with standard errors.
 template <Real T = double>
 struct HeightStatistics {
     Measurement<T> skewness, kurtosis, rms_gradient;

@@ -30,6 +30,7 @@
 
 namespace fstiff {
 
+/// What may be wrong about a measured surface.
 enum class MeasuredConcern {
     curved,
     saturated,

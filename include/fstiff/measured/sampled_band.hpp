@@ -40,6 +40,7 @@ struct SampledBand {
     std::size_t failed = 0;           ///< surfaces that give no value
 };
 
+/// How many surfaces a band is drawn of.
 struct BandOptions {
     std::size_t samples = 400;
     std::uint64_t seed = 2014;

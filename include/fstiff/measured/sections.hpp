@@ -83,6 +83,7 @@ struct DirectionalFit {
 /// need the heights of one profile: give the resolution.
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {});
+/// The same of a map whose form and cut-offs are known.
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const LevelledMap<T>& levelled,
                                                const FractalFitOptions<T>& options = {}) {

@@ -63,6 +63,7 @@ template <>
 inline constexpr auto names<PeakSource> = name_list<PeakSource>({{PeakSource::islands, "islands"},
                                                                  {PeakSource::summits, "summits"}});
 
+/// How the parameters of a surface and their errors are found.
 template <Real T = double>
 struct SurfaceParameterOptions {
     PeakSource peaks = PeakSource::islands;  ///< of a map
@@ -78,6 +79,7 @@ struct SurfaceParameterOptions {
 template <Real T>
 using ParameterCorrelation = std::array<std::array<T, surface_parameter_count>, surface_parameter_count>;
 
+/// No parameter hangs on another: the unit matrix.
 template <Real T>
 [[nodiscard]] constexpr ParameterCorrelation<T> uncorrelated() {
     ParameterCorrelation<T> one{};
@@ -85,6 +87,7 @@ template <Real T>
     return one;
 }
 
+/// The parameters of a measured surface, each with its standard error.
 template <Real T = double>
 struct SurfaceParameters {
     Measurement<T> rms_height;       ///< sigma [m]

@@ -23,6 +23,7 @@
 
 namespace fstiff {
 
+/// How the heights of the peaks are distributed.
 enum class Heights { gaussian, exponential };
 template <>
 inline constexpr auto names<Heights> = name_list<Heights>({{Heights::gaussian, "gaussian"},

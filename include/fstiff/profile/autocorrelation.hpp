@@ -21,6 +21,7 @@
 
 namespace fstiff {
 
+/// The autocorrelation of a profile at every lag.
 template <Real T = double>
 struct Autocorrelation {
     std::vector<T> lag;              ///< 0, h, 2h ... to half the length [m]

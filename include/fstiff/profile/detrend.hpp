@@ -19,6 +19,7 @@
 
 namespace fstiff {
 
+/// Form that is removed from a profile.
 enum class Form { none, mean, line, parabola };
 template <>
 inline constexpr auto names<Form> =

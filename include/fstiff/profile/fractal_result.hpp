@@ -21,6 +21,7 @@
 
 namespace fstiff {
 
+/// How D and G are fitted.
 template <Real T = double>
 struct FractalFitOptions {
     std::optional<LagWindow<T>> window{};  ///< automatic when not given
@@ -64,6 +65,7 @@ struct NeighbourWindow {
     bool disagrees{};      ///< by more than 2.5 standard deviations and by 0.05
 };
 
+/// D and G of a structure function, with their errors and what they rest on.
 template <Real T = double>
 struct FractalFit {
     Fractal<T> fractal;                   ///< D and G [m]

@@ -19,6 +19,7 @@
 
 namespace fstiff {
 
+/// A profile without its form, and behind which cut-offs.
 template <Real T = double>
 struct LevelledProfile {
     Profile<T> profile;

@@ -23,6 +23,7 @@
 
 namespace fstiff {
 
+/// What neighbours and triples of a profile say of its peaks.
 template <Real T = double>
 struct PeakStatistics {
     T rms_height{};          ///< sigma [m]

@@ -53,6 +53,7 @@ struct WavelengthWindow {
     T from{}, to{};
 };
 
+/// D of a power spectrum.
 template <Real T = double>
 struct SpectralFit {
     T dimension{};               ///< D; outside (1, 2) the window holds no self-affine profile

@@ -29,6 +29,7 @@
 
 namespace fstiff {
 
+/// What the robust filter says are the long waves of a profile.
 template <Real T = double>
 struct RobustWaviness {
     Profile<T> waviness;

@@ -30,6 +30,7 @@ enum class CutOffReason {
     too_coarse  ///< none: what fits the length is too short for the step or lambda_s
 };
 
+/// The cut-off of the standards for one profile, and why.
 template <Real T = double>
 struct RoughnessCutOff {
     std::optional<T> lambda_c{};  ///< [m]

@@ -25,6 +25,7 @@
 
 namespace fstiff {
 
+/// Roughness parameters of a profile, ISO 21920-2.
 template <Real T = double>
 struct RoughnessParameters {
     T mean_deviation{};            ///< Ra [m]

@@ -33,6 +33,7 @@ struct StructureFunction {
     [[nodiscard]] std::size_t size() const { return lag.size(); }
 };
 
+/// What the sum of (2.8) is divided by.
 enum class Divisor { pairs, paper };
 
 /// 1, 2, 3, ... \p longest, thinned to \p per_octave steps an octave where they are denser.

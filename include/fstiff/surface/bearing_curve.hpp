@@ -26,6 +26,7 @@
 
 namespace fstiff {
 
+/// Heights by the share of the points that stand above.
 template <Real T = double>
 struct BearingCurve {
     std::vector<T> share;   ///< of the points that stand above, from 0 to 1

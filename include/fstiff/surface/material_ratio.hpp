@@ -33,6 +33,7 @@
 
 namespace fstiff {
 
+/// The core of the material ratio curve, and what stands above and below it.
 template <Real T = double>
 struct MaterialRatio {
     T core_height{};           ///< Sk, Rk

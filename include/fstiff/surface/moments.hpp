@@ -20,6 +20,7 @@
 
 namespace fstiff {
 
+/// Moments of the spectrum of a profile, or of any section of an isotropic surface.
 template <Real T = double>
 struct SpectralMoments {
     T m0{};  ///< mean square height [m^2]
@@ -67,6 +68,7 @@ template <Real T>
 [[nodiscard]] T peak_radius_of(const SpectralMoments<T>& moments) {
     return radius_times_rms_curvature<T>() / std::sqrt(moments.m4);
 }
+/// D_p [1/m^2] of an isotropic Gaussian surface of these moments, Nayak's.
 template <Real T>
 [[nodiscard]] T peak_density_of(const SpectralMoments<T>& moments) {
     return moments.m4 / (6 * numbers::pi_v<T> * std::sqrt(T(3)) * moments.m2);

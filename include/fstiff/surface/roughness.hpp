@@ -10,6 +10,7 @@
 
 namespace fstiff {
 
+/// A rough surface in four numbers.
 template <Real T = double>
 struct Roughness {
     T rms_height{};       ///< sigma = R_q [m]

@@ -81,6 +81,7 @@ struct BandSpectrum {
 /// A spectrum in shells of |q|: what the modes of a map between two wave numbers add up to. In ascending order of |q|.
 template <Real T = double>
 struct SpectrumShells {
+    /// One ring of wave vectors.
     struct Shell {
         T q2_h2{};  ///< sum of q^2 |h_q|^2, dimensionless
         T q_h2{};   ///< sum of q |h_q|^2 [m]

@@ -20,6 +20,7 @@
 
 namespace fstiff {
 
+/// Window that the heights are multiplied by before the transform.
 enum class SpectrumWindow {
     hann,  ///< for measured surfaces
     none   ///< for surfaces that repeat themselves

@@ -50,6 +50,7 @@ template <>
 inline constexpr auto names<LongWaves> = name_list<LongWaves>({{LongWaves::plateau, "plateau"},
                                                                {LongWaves::none, "none"}});
 
+/// Which self-affine surface is made.
 template <Real T = double>
 struct SelfAffineOptions {
     T hurst{};                ///< H

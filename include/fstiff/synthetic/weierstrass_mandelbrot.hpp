@@ -36,8 +36,10 @@
 
 namespace fstiff {
 
+/// Phases of the waves.
 enum class Phases { random, zero };
 
+/// Which waves the profile of Weierstrass and Mandelbrot has.
 template <Real T = double>
 struct WeierstrassMandelbrotOptions {
     T longest_wavelength{};   ///< lambda_0 [m]
@@ -47,6 +49,7 @@ struct WeierstrassMandelbrotOptions {
     std::uint64_t seed = 1;  ///< of the random phases
 };
 
+/// A profile of Weierstrass and Mandelbrot, (2.1).
 template <Real T = double>
 class WeierstrassMandelbrot {
 public:

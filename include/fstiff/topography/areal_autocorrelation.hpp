@@ -35,6 +35,7 @@ template <>
 inline constexpr auto names<LagPairs> = name_list<LagPairs>({{LagPairs::measured, "measured"},
                                                              {LagPairs::periodic, "periodic"}});
 
+/// The autocorrelation of a map at every lag up to a reach.
 template <Real T = double>
 struct ArealAutocorrelation {
     /// A of ty = j dy, j = 0 ... reach_y, in row j, and of tx = (i - reach_x) dx in column i; A(-tx, -ty) = A(tx, ty).

@@ -23,6 +23,7 @@
 
 namespace fstiff {
 
+/// Roughness parameters of a map, ISO 25178-2.
 template <Real T = double>
 struct ArealParameters {
     T mean_deviation{};                     ///< Sa [m]

@@ -33,6 +33,7 @@
 
 namespace fstiff {
 
+/// Moments of a map, and what follows from them.
 template <Real T = double>
 struct ArealStatistics {
     T mean_height{};         ///< [m]

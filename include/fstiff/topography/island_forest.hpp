@@ -36,6 +36,7 @@ template <>
 inline constexpr auto names<IslandHeight> = name_list<IslandHeight>({{IslandHeight::peak, "peak"},
                                                                      {IslandHeight::twice_mean, "twice-mean"}});
 
+/// What counts as an island, and at which levels.
 template <Real T = double>
 struct IslandOptions {
     Connectivity connectivity = Connectivity::eight;

@@ -26,6 +26,7 @@ struct IslandSpread {
     ProgressHook progress{};  ///< of the resamples
 };
 
+/// R and D_p at the level at which islands are densest.
 template <Real T = double>
 struct RepresentativeIslands {
     std::size_t index{};  ///< in the curve

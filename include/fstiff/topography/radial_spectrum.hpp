@@ -39,6 +39,7 @@ struct SectionSpectrum {
     }
 };
 
+/// The power spectrum of a map over all directions, and of its sections.
 template <Real T = double>
 struct RadialSpectrum {
     std::vector<T> wavenumber;       ///< mean |q| of a shell [rad/m]

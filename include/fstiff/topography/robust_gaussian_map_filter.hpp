@@ -21,6 +21,7 @@
 
 namespace fstiff {
 
+/// What the robust filter says are the long waves of a map.
 template <Real T = double>
 struct RobustMapWaviness {
     HeightMap<T> waviness;

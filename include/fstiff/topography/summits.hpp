@@ -25,6 +25,7 @@
 
 namespace fstiff {
 
+/// One point of a map that is higher than its eight neighbours.
 template <Real T = double>
 struct Summit {
     T height;                    ///< above the mean of the map [m]
@@ -35,6 +36,7 @@ struct Summit {
     [[nodiscard]] T radius() const { return 2 / (curvature_x + curvature_y); }
 };
 
+/// All summits of a map.
 template <Real T = double>
 struct Summits {
     std::vector<Summit<T>> summits;  ///< the highest first

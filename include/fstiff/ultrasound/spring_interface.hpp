@@ -72,6 +72,7 @@ template <Real T>
 /// R and T as complex amplitudes of displacement; K = 0 gives R = 1, T = 0.
 template <Real T>
 [[nodiscard]] std::complex<T> complex_reflection(T stiffness, const Impedances<T>& media, T angular_frequency);
+/// T of the same.
 template <Real T>
 [[nodiscard]] std::complex<T> complex_transmission(T stiffness, const Impedances<T>& media, T angular_frequency);
 

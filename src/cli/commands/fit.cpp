@@ -4,20 +4,13 @@
 #include "document/document.hpp"
 #include "input/progress.hpp"
 #include "input/surface_options.hpp"
+#include "scene/fractal.hpp"
 #include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
-#include <fstiff/measured/sections.hpp>
-#include <fstiff/profile/all_lags.hpp>
-#include <fstiff/profile/fractal_fit.hpp>
-#include <fstiff/profile/peak_statistics.hpp>
-#include <fstiff/profile/power_spectrum.hpp>
-#include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 
-#include <cmath>
 #include <memory>
 
 namespace fstiff::cli {
@@ -25,321 +18,18 @@ namespace {
 
 struct Options {
     OutputOptions output;
-    SurfaceOptions surface;
-    std::string window;
-    StructureConvention convention = StructureConvention::exact;
-    std::uint64_t seed = FractalFitOptions<double>{}.seed;
-    int resamples = FractalFitOptions<double>{}.resamples;
-    bool all_lags = false;
+    FractalOptions fractal;
 };
 
 using Strings = std::vector<std::string>;
 
-/// What one profile gives. Of the parts that need more than the fit does, the reason where there is none.
-struct ProfileResult {
-    PreparedProfile levelled;
-    FractalFit<double> fit;
-    std::optional<SpectralFit<double>> spectrum;
-    std::optional<SpectralMoments<double>> moments;
-    std::optional<PeakStatistics<double>> peaks;
-    std::string no_spectrum, no_moments, no_peaks;
-    StructureFunction<double> structure;  ///< that is shown
-};
+std::string csv(const ProfileFractal& result) { return rows_of(result.fit, result.structure).csv(); }
 
-struct MapResult {
-    PreparedMap levelled;
-    DirectionalFit<double> fit;
-};
-
-FractalFitOptions<double> fit_options(const Options& options) {
-    FractalFitOptions<double> how;
-    if (!options.window.empty()) how.window = parse_window(options.window, "--window");
-    how.convention = options.convention;
-    how.seed = options.seed;
-    how.resamples = options.resamples;
-    if (!options.surface.tip_radius.empty()) how.tip_radius = parse_length(options.surface.tip_radius, "--tip-radius");
-    if (!options.surface.resolution.empty()) how.resolution = parse_length(options.surface.resolution, "--resolution");
-    return how;
-}
-
-/// Runs \p call into \p result, or keeps why it cannot.
-template <class Result, class Call>
-void attempt(std::optional<Result>& result, std::string& refusal, const Call& call) {
-    try {
-        result = call();
-    } catch (const domain_error& error) {
-        refusal = error.what();
-    }
-}
-
-ProfileResult fit_profile(const Options& options, const SurfaceInput& input) {
-    FractalFitOptions<double> how = fit_options(options);
-    how.progress = progress_bar();
-    ProfileResult result;
-    result.levelled = level_profile(options.surface, input);
-    const Profile<double>& profile = result.levelled.profile;
-    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
-    result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
-    attempt(result.spectrum, result.no_spectrum, [&] {
-        const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
-        std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
-        if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
-            window = {*shortest, 2 * numbers::pi_v<double> / spectrum.step / 8};
-        const SpectralFit<double> fit = fit_spectrum(spectrum, window);
-        require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
-                "between 1 and 2: over these wavelengths the profile is not self-affine");
-        return fit;
-    });
-    attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
-    attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });
-    result.structure = options.all_lags ? structure_function_at_all_lags(result.levelled.of_structure())
-                                        : result.fit.structure_function;
-    return result;
-}
-
-MapResult fit_map(const Options& options, SurfaceInput& input) {
-    if (options.all_lags) throw Usage("--all-lags is for profiles; must not be given for a map");
-    FractalFitOptions<double> how = fit_options(options);
-    how.progress = progress_bar();
-    MapResult result;
-    result.levelled = level_map_of(options.surface, input);
-    how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
-    about_file(options.surface.file, [&] {
-        result.fit = fit_directions<double>(result.levelled, how);
-        if (!result.fit.x && !result.fit.y)
-            throw domain_error("no direction of the map allows a fit; along x: " + result.fit.why_no_fit_x +
-                               "; along y: " + result.fit.why_no_fit_y);
-    });
-    return result;
-}
-
-bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.window.from && lag <= fit.window.to; }
-
-/// Why a fit is flagged as curved.
-std::string curved_sentence(const FractalFit<double>& fit) {
-    const std::string slopes =
-        "the local slope of the structure function " +
-        (fit.slope_longest < fit.slope_shortest - 0.3 ? "falls from " + rounded(fit.slope_shortest, 3) + " to " +
-                                                            rounded(fit.slope_longest, 3) + " over the window"
-                                                      : "varies between " + rounded(fit.min_slope, 3) + " and " +
-                                                            rounded(fit.max_slope, 3) + " over the window") +
-        (fit.min_slope < 0.2 ? ": a part of it is a plateau" : "");
-    for (const auto& beside : fit.neighbours)
-        if (beside.disagrees)
-            return slopes + "; " + (beside.half ? "its half" : "beside it the window") + " of " +
-                   shown_length(beside.window.from, 3) + " to " + shown_length(beside.window.to, 3) +
-                   " gives D = " + rounded(beside.dimension, 3) + ", which differs by " +
-                   rounded(std::abs(beside.difference), 2) + " where sampling explains " +
-                   rounded(beside.difference_error, 2) + ": this is no single power law, and D is a mean over it";
-    return slopes + ": this is no single power law, and D is a mean over it";
-}
-
-std::string sentence(MeasuredConcern concern, const FractalFit<double>& fit) {
-    switch (concern) {
-        case MeasuredConcern::curved:
-            return curved_sentence(fit);
-        case MeasuredConcern::saturated:
-            return "the structure function is nearly flat (slope " + rounded(fit.flattest_slope, 2) + ") at a lag of " +
-                   shown_length(fit.flattest_lag, 3) +
-                   ", shorter than the window: the roughness has saturated there, and D is that of the waviness; "
-                   "--window looks elsewhere";
-        case MeasuredConcern::roughness_uncertain:
-            return "G is known to no better than a factor of 10: D is close to 1, where G hardly matters";
-        default:
-            return "the window reaches beyond a tenth of the cut-off, where S has lost some of what the filter took";
-    }
-}
-
-void warn_of_fit(Strings& all, const FractalFit<double>& fit, const std::string& where) {
-    for (const MeasuredConcern concern : concerns_of(fit)) all.push_back(where + sentence(concern, fit));
-}
-
-Strings warnings(const SurfaceInput& input, const ProfileResult& result) {
-    Strings all;
-    for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
-        all.push_back(concern == MeasuredConcern::spectrum_differs
-                          ? "D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
-                                ", is another one: over its wavelengths the profile follows another law"
-                          : sentence(concern, result.fit));
-    for (std::string& line : reading_warnings(input, "their pairs are left out")) all.push_back(std::move(line));
-    return all;
-}
-
-Strings warnings(const SurfaceInput& input, const MapResult& result) {
-    Strings all;
-    if (result.fit.x) warn_of_fit(all, *result.fit.x, "along x: ");
-    if (result.fit.y) warn_of_fit(all, *result.fit.y, "along y: ");
-    if (!result.fit.x) all.push_back("along x: no fit: " + result.fit.why_no_fit_x);
-    if (!result.fit.y) all.push_back("along y: no fit: " + result.fit.why_no_fit_y);
-    if (result.fit.anisotropic())
-        all.push_back("the map is anisotropic: " +
-                      (result.fit.x && result.fit.y
-                           ? "D along x less D along y is " + rounded(result.fit.dimension_difference, 3) + " +- " +
-                                 rounded(result.fit.dimension_difference_error, 2) + ", "
-                           : std::string()) +
-                      "ln S along x less ln S along y " + rounded(result.fit.log_level_difference, 3) + " +- " +
-                      rounded(result.fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
-    for (std::string& line : reading_warnings(input, "they enter no difference")) all.push_back(std::move(line));
-    return all;
-}
-
-/// The structure function \p s; \p direction of a map, else empty.
-Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s, const std::string& direction = "") {
-    std::vector<int> used;
-    Strings marks;
-    for (const double lag : s.lag) {
-        used.push_back(in_window(fit, lag) ? 1 : 0);
-        marks.push_back(used.back() ? "*" : "");
-    }
-    Rows rows;
-    if (!direction.empty()) rows.repeat({.key = "direction", .json = false}, direction, s.size());
-    rows.add({"lag_m", "lag [µm]", 1e6}, s.lag);
-    rows.add({"value_m2", "S [µm²]", 1e12}, s.value);
-    rows.add({"pairs", "pairs"}, s.pairs);
-    rows.add({.key = "in_window", .json = false}, used);
-    rows.add({"", "window"}, marks);
-    return rows;
-}
-
-std::string csv(const ProfileResult& result) { return rows_of(result.fit, result.structure).csv(); }
-
-std::string csv(const MapResult& result) {
+std::string csv(const MapFractal& result) {
     std::string text;
     if (const auto& x = result.fit.x) text += rows_of(*x, x->structure_function, "x").csv();
     if (const auto& y = result.fit.y) text += rows_of(*y, y->structure_function, "y").csv(text.empty());
     return text;
-}
-
-void put_fit(Json& document, const FractalFit<double>& fit) {
-    document["fractal_dimension"] = fit.fractal.dimension;
-    document["fractal_dimension_error"] = fit.dimension_error;
-    document["fractal_dimension_sampling_error"] = fit.sampling_dimension_error;
-    document["fractal_dimension_window_error"] = fit.window_dimension_error;
-    Json beside = Json::array();
-    for (const auto& one : fit.neighbours)
-        beside.push_back({{"window_m", Json(std::vector<double>{one.window.from, one.window.to})},
-                          {"half", one.half},
-                          {"fractal_dimension", one.dimension},
-                          {"difference", one.difference},
-                          {"difference_error", one.difference_error},
-                          {"disagrees", one.disagrees}});
-    document["windows_beside"] = std::move(beside);
-    document["fractal_dimension_model_error"] = fit.model_dimension_error;
-    document["fractal_dimension_bootstrap_error"] = fit.bootstrap_dimension_error;
-    document["ordinary_least_squares"] = {{"fractal_dimension", fit.line_dimension},
-                                          {"fractal_dimension_error", fit.regression_dimension_error},
-                                          {"note", "as if all lags were independent: the error is too small"}};
-    document["fractal_dimension_regression_error"] = fit.regression_dimension_error;
-    document["fractal_roughness_m"] = fit.fractal.roughness;
-    document["fractal_roughness_error_m"] = fit.roughness_error;
-    document["log_fractal_roughness_error"] = fit.log_roughness_error;
-    document["window_m"] = Json(std::vector<double>{fit.window.from, fit.window.to});
-    document["window_automatic"] = fit.automatic_window;
-    document["window_begins"] = describe(fit.begins);
-    document["window_ends"] = describe(fit.ends);
-    document["reliable_from_m"] = fit.reliable_from;
-    document["lags_in_window"] = fit.lags;
-    document["slope_at_window_ends"] = Json(std::vector<double>{fit.slope_shortest, fit.slope_longest});
-    document["slope_range_in_window"] = Json(std::vector<double>{fit.min_slope, fit.max_slope});
-    document["curved"] = fit.curved;
-    document["behind_plateau"] = fit.behind_plateau;
-    document["log_periodic_terms"] = fit.log_periodic;
-    document["finite_band_terms"] = fit.finite_band;
-    document["bootstrap_seed"] = fit.seed;
-}
-
-Json json_start(const Options& options, const SurfaceInput& input, const std::string& form) {
-    Json document = json_document("fit");
-    document["source"] = json_source(options.surface, input);
-    Json inputs = json_inputs(options.surface, form);
-    inputs.update({{"window", options.window},
-                   {"tip_radius", options.surface.tip_radius},
-                   {"resolution", options.surface.resolution},
-                   {"seed", options.seed},
-                   {"resamples", options.resamples},
-                   {"convention", name_of(options.convention)}});
-    document["inputs"] = inputs;
-    document["equations"] = {{"structure_function", "(2.8)"},
-                             {"fit", "(2.5), of second differences"},
-                             {"constant", "(2.4), convention " + std::string(name_of(options.convention))},
-                             {"peak_ratio", "(4.3)"}};
-    return document;
-}
-
-Json json(const Options& options, const SurfaceInput& input, const ProfileResult& result) {
-    Json document = json_start(options, input, result.levelled.form);
-    put_fit(document, result.fit);
-    put_cut_offs(document, result.levelled.cut_offs);
-    document["rms_height_m"] = result.levelled.rms;
-    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
-    document["points"] = input.points();
-    document["missing_points"] = input.missing();
-    document["spacing_m"] = result.levelled.profile.spacing;
-    if (const auto& s = result.spectrum)
-        document["power_spectrum"] = {{"fractal_dimension", s->dimension},
-                                      {"fractal_dimension_error", s->dimension_error},
-                                      {"wavelengths_m", Json(std::vector<double>{s->window.from, s->window.to})}};
-    else
-        document["power_spectrum"] = {{"refused", result.no_spectrum}};
-    if (const auto& m = result.moments)
-        document["spectral_moments"] = {
-            {"m0_m2", m->m0}, {"m2", m->m2}, {"m4_per_m2", m->m4}, {"nayak_alpha", m->bandwidth()}};
-    else
-        document["spectral_moments"] = {{"refused", result.no_moments}};
-    if (const auto& p = result.peaks)
-        document["peak_statistics"] = {{"rms_height_m", p->rms_height},
-                                       {"rms_slope", p->rms_slope},
-                                       {"rms_curvature_per_m", p->rms_curvature},
-                                       {"r", p->r},
-                                       {"theta", p->theta},
-                                       {"counted_peak_ratio", p->counted_peak_ratio},
-                                       {"peak_ratio", p->peak_ratio()}};
-    else
-        document["peak_statistics"] = {{"refused", result.no_peaks}};
-    document["structure_function"] = rows_of(result.fit, result.structure).arrays();
-    return document;
-}
-
-Json json(const Options& options, const SurfaceInput& input, const MapResult& result) {
-    Json document = json_start(options, input, result.levelled.form);
-    const HeightMap<double>& map = result.levelled.map;
-    document["columns"] = map.columns();
-    document["rows"] = map.rows();
-    document["dx_m"] = map.dx;
-    document["dy_m"] = map.dy;
-    document["missing_points"] = input.missing();
-    put_cut_offs(document, result.levelled.cut_offs);
-    document["rms_height_m"] = result.levelled.rms;
-    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
-    const ArealStatistics<double>& a = result.levelled.areal;
-    document["areal"] = {{"m0_m2", a.m0},
-                         {"m2", a.m2},
-                         {"m2_x", a.m2_x},
-                         {"m2_y", a.m2_y},
-                         {"m4_per_m2", a.m4},
-                         {"m4_x_per_m2", a.m4_x},
-                         {"m4_y_per_m2", a.m4_y},
-                         {"nayak_alpha", a.nayak},
-                         {"rms_gradient", a.rms_gradient},
-                         {"summits", a.summits},
-                         {"summit_density_per_m2", a.summit_density},
-                         {"summit_curvature_per_m", a.summit_curvature},
-                         {"summit_height_m", a.summit_height}};
-    const auto direction = [&](const std::optional<FractalFit<double>>& fit, const std::string& refusal) {
-        Json part;
-        if (!fit) return Json{{"refused", refusal}};
-        put_fit(part, *fit);
-        part["structure_function"] = rows_of(*fit, fit->structure_function).arrays();
-        return part;
-    };
-    document["x"] = direction(result.fit.x, result.fit.why_no_fit_x);
-    document["y"] = direction(result.fit.y, result.fit.why_no_fit_y);
-    document["anisotropic"] = result.fit.anisotropic();
-    document["fractal_dimension_difference"] = result.fit.dimension_difference;
-    document["fractal_dimension_difference_error"] = result.fit.dimension_difference_error;
-    document["log_structure_difference"] = result.fit.log_level_difference;
-    document["log_structure_difference_error"] = result.fit.log_level_difference_error;
-    return document;
 }
 
 /// G with its error; two digits where it is not known to a factor of two.
@@ -359,7 +49,7 @@ std::string window_reason(const FractalFit<double>& fit) {
            (fit.reliable_from > 0 ? "; lags below " + shown_length(fit.reliable_from) + " are left out" : "");
 }
 
-std::string errors_line(const Options& options, const FractalFit<double>& fit) {
+std::string errors_line(const FractalOptions& options, const FractalFit<double>& fit) {
     return "errors of D: window " + rounded(fit.window_dimension_error, 2) + ", sampling " +
            rounded(fit.sampling_dimension_error, 2) + "; of that model " + rounded(fit.model_dimension_error, 2) +
            (options.resamples > 0
@@ -368,7 +58,7 @@ std::string errors_line(const Options& options, const FractalFit<double>& fit) {
                 : ", no bootstrap");
 }
 
-std::string table(const Options& options, const SurfaceInput& input, const ProfileResult& result) {
+std::string table(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result) {
     const FractalFit<double>& fit = result.fit;
     std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of " + display_name(options.surface.file) + "\n" +
                        source_lines(input, "  file     ");
@@ -412,7 +102,7 @@ std::string table(const Options& options, const SurfaceInput& input, const Profi
     return text;
 }
 
-std::string table(const Options& options, const SurfaceInput& input, const MapResult& result) {
+std::string table(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result) {
     const HeightMap<double>& map = result.levelled.map;
     const ArealStatistics<double>& a = result.levelled.areal;
     std::string text = "fstiff " FSTIFF_VERSION ": fractal fit of the map " + display_name(options.surface.file) +
@@ -442,10 +132,10 @@ std::string table(const Options& options, const SurfaceInput& input, const MapRe
 template <class Result>
 // NOLINTNEXTLINE(performance-unnecessary-value-param): moved below, where clang-tidy 14 does not look
 Report report_of(const Options& options, const SurfaceInput& input, const Result& result, Strings summaries) {
-    return report({.table = [&] { return table(options, input, result); },
+    return report({.table = [&] { return table(options.fractal, input, result); },
                    .csv = [&] { return csv(result); },
-                   .json = [&] { return json(options, input, result); },
-                   .warnings = warnings(input, result),
+                   .json = [&] { return fractal_json(options.fractal, input, result); },
+                   .warnings = warnings_of(options.fractal, input, result),
                    .csv_notes = std::move(summaries)},
                   options.output.format);
 }
@@ -456,13 +146,15 @@ std::string summary(const FractalFit<double>& fit, const std::string& where = ""
 }
 
 Report execute(const Options& options) {
-    (void)fit_options(options);  // what is wrong with them is said before the file is read
-    SurfaceInput input = read_surface_input(options.surface);
+    FractalOptions how = options.fractal;
+    (void)fit_options(how);  // what is wrong with them is said before the file is read
+    SurfaceInput input = read_surface_input(how.surface);
+    how.progress = progress_bar();
     if (input.surface.is_profile()) {
-        const ProfileResult result = fit_profile(options, input);
+        const ProfileFractal result = fractal_of_profile(how, input);
         return report_of(options, input, result, {summary(result.fit)});
     }
-    const MapResult result = fit_map(options, input);
+    const MapFractal result = fractal_of_map(how, input);
     Strings summaries;
     if (result.fit.x) summaries.push_back(summary(*result.fit.x, "along x: "));
     if (result.fit.y) summaries.push_back(summary(*result.fit.y, "along y: "));
@@ -475,23 +167,25 @@ Command add_fit(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Arguments command(app, "fit", "Fractal dimension D and roughness G of a measured profile or map, with errors");
     command
-        .option("profile", options->surface.file, "profile or map, as fstiff formats lists them; - is standard input")
+        .option("profile", options->fractal.surface.file,
+                "profile or map, as fstiff formats lists them; - is standard input")
         .required();
-    add_surface_options(command, options->surface);
-    command.option("--window", options->window,
+    add_surface_options(command, options->fractal.surface);
+    command.option("--window", options->fractal.window,
                    "shortest and longest lag of the fit, such as \"1 um,100 um\"; the default is chosen automatically");
-    command.option("--tip-radius", options->surface.tip_radius,
+    command.option("--tip-radius", options->fractal.surface.tip_radius,
                    "radius of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
-    command.option("--resolution", options->surface.resolution,
+    command.option("--resolution", options->fractal.surface.resolution,
                    "lateral resolution of the instrument; shorter lags are left out of the fit");
-    command.option("--convention", options->convention,
+    command.option("--convention", options->fractal.convention,
                    "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien");
-    command.option("--seed", options->seed, "seed of the random numbers of the bootstrap; the default is 2014");
+    command.option("--seed", options->fractal.seed, "seed of the random numbers of the bootstrap; the default is 2014");
     command
-        .option("--resamples", options->resamples,
+        .option("--resamples", options->fractal.resamples,
                 "number of resamples of the bootstrap; the default is 200, and 0 leaves the bootstrap out")
         .between(0, 100000);
-    command.flag("--all-lags", options->all_lags, "compute the structure function at every lag (profiles only)");
+    command.flag("--all-lags", options->fractal.all_lags,
+                 "compute the structure function at every lag (profiles only)");
     add_output_options(command, options->output);
     command.footer(
         "The CSV is the structure function; the JSON holds everything. The example makes a random walk, D = 1.5.\n"

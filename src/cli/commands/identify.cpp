@@ -4,6 +4,7 @@
 #include "document/document.hpp"
 #include "input/scene_options.hpp"
 #include "picture/panels.hpp"
+#include "scene/documents.hpp"
 #include "scene/identification.hpp"
 
 #include <fstiff/core/version.hpp>

@@ -4,14 +4,12 @@
 #include "document/document.hpp"
 #include "input/progress.hpp"
 #include "input/surface_options.hpp"
-#include "scene/measured_surface.hpp"
+#include "scene/islands_of_map.hpp"
 #include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
-#include <fstiff/topography/island_spread.hpp>
+#include <fstiff/measured/measured_concerns.hpp>
 
-#include <algorithm>
 #include <memory>
 
 namespace fstiff::cli {
@@ -19,107 +17,10 @@ namespace {
 
 struct Options {
     OutputOptions output;
-    SurfaceOptions surface;
-    int neighbours = 8;
-    BorderIslands border = BorderIslands::kept;
-    IslandHeight height = IslandHeight::peak;
-    std::size_t min_points = 1, levels = IslandOptions<double>{}.quantiles;
-    IslandSpread spread;
+    IslandsRequest islands;
 };
 
-struct Result {
-    PreparedMap levelled;
-    RepresentativeIslands<double> islands;
-};
-
-Result sweep(const Options& options, SurfaceInput& input) {
-    IslandOptions<double> how;
-    how.connectivity = options.neighbours == 4 ? Connectivity::four : Connectivity::eight;
-    how.border = options.border;
-    how.min_points = options.min_points;
-    how.height = options.height;
-    how.quantiles = options.levels;
-    IslandSpread spread = options.spread;
-    how.progress = spread.progress = progress_bar();
-    Result result;
-    result.levelled = level_map_of(options.surface, input);
-    result.levelled.unfiltered.reset();  // islands are those of the map behind the filter
-    result.islands =
-        about_file(options.surface.file, [&] { return representative_islands(result.levelled.map, how, spread); });
-    return result;
-}
-
-std::vector<std::string> warnings(const SurfaceInput& input, const Result& result) {
-    const RepresentativeIslands<double>& r = result.islands;
-    UncertainSurface<double> pair;
-    pair.set(Parameter::peak_radius, {r.radius, r.radius_error});
-    pair.set(Parameter::peak_density, {r.density, r.density_error});
-    std::vector<std::string> all = peak_warnings(concerns_of(r), r.islands, pair);
-    for (std::string& line : reading_warnings(input, "they are part of no island and of no area"))
-        all.push_back(std::move(line));
-    return all;
-}
-
-Rows rows_of(const Result& result) {
-    const IslandCurve<double>& c = result.islands.curve;
-    Rows rows;
-    rows.add({"level_m", "level [µm]", 1e6}, c.level);
-    rows.add({"bearing_area", "bearing area", 1, 4}, c.bearing_area);
-    rows.add({"islands", "islands"}, c.islands);
-    rows.add({"density_per_m2", "density [1/mm²]", 1e-6}, c.density);
-    rows.add({"mean_area_m2", "mean area [µm²]", 1e12}, c.mean_area);
-    rows.add({"mean_height_m", "mean height [µm]", 1e6}, c.mean_height);
-    rows.add({"radius_m", "R [µm]", 1e6}, c.radius);
-    std::vector<int> chosen(c.size(), 0);
-    std::vector<std::string> mark(c.size());
-    chosen[result.islands.index] = 1;
-    mark[result.islands.index] = "*";
-    rows.add({.key = "representative", .json = false}, chosen);
-    rows.add({"", "greatest"}, mark);
-    return rows;
-}
-
-Json json(const Options& options, const SurfaceInput& input, const Result& result) {
-    const RepresentativeIslands<double>& r = result.islands;
-    const HeightMap<double>& map = result.levelled.map;
-    Json document = json_document("islands");
-    document["source"] = json_source(options.surface, input);
-    Json inputs = json_inputs(options.surface, result.levelled.form);
-    inputs.update({{"neighbours", options.neighbours},
-                   {"border", name_of(options.border)},
-                   {"least_points", options.min_points},
-                   {"island_height", name_of(options.height)},
-                   {"levels", options.levels},
-                   {"tiles", options.spread.tiles},
-                   {"resamples", options.spread.resamples},
-                   {"seed", options.spread.seed}});
-    document["inputs"] = inputs;
-    document["equations"] = {{"radius", "A_m/(2 pi h_m)"}, {"curve", "Figs. 3 and 4"}};
-    document["columns"] = map.columns();
-    document["rows"] = map.rows();
-    document["dx_m"] = map.dx;
-    document["dy_m"] = map.dy;
-    document["missing_points"] = input.missing();
-    put_cut_offs(document, result.levelled.cut_offs);
-    document["nominal_area_m2"] = r.curve.nominal_area;
-    document["rms_height_m"] = result.levelled.rms;
-    document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
-    Json pair = {{"level_m", r.level},
-                 {"bearing_area", r.bearing_area},
-                 {"islands", r.islands},
-                 {"peak_density_per_m2", r.density},
-                 {"peak_radius_m", r.radius}};
-    if (r.tiles > 0)
-        pair.update({{"peak_density_error_per_m2", r.density_error},
-                     {"peak_radius_error_m", r.radius_error},
-                     {"error_correlation", r.correlation},
-                     {"tiles", r.tiles}});
-    document["representative"] = pair;
-    document["curve"] = rows_of(result).arrays();
-    return document;
-}
-
-std::string table(const Options& options, const SurfaceInput& input, const Result& result) {
+std::string table(const IslandsRequest& options, const SurfaceInput& input, const IslandsOfMap& result) {
     const RepresentativeIslands<double>& r = result.islands;
     const HeightMap<double>& map = result.levelled.map;
     std::string text = "fstiff " FSTIFF_VERSION ": islands of " + display_name(options.surface.file) + "\n" +
@@ -156,19 +57,19 @@ std::string table(const Options& options, const SurfaceInput& input, const Resul
 }
 
 Report execute(const Options& options) {
-    SurfaceInput input = read_surface_input(options.surface);
-    const Result result = sweep(options, input);
+    IslandsRequest request = options.islands;
+    request.progress = progress_bar();
+    SurfaceInput input = read_surface_input(request.surface);
+    const IslandsOfMap result = islands_of_map(request, input);
+    request.progress = {};
     const RepresentativeIslands<double>& r = result.islands;
-    const std::vector<MeasuredConcern> concerns = concerns_of(r);
-    const bool doubtful =
-        std::any_of(concerns.begin(), concerns.end(), [](MeasuredConcern one) { return is_fatal(one); });
-    return report({.table = [&] { return table(options, input, result); },
+    return report({.table = [&] { return table(request, input, result); },
                    .csv = [&] { return rows_of(result).csv(); },
-                   .json = [&] { return json(options, input, result); },
-                   .warnings = warnings(input, result),
+                   .json = [&] { return islands_json(request, input, result); },
+                   .warnings = warnings_of(input, result),
                    .csv_notes = {"D_p = " + shortest(r.density) + " 1/m^2 +- " + rounded(r.density_error, 2) +
                                  " 1/m^2, R = " + shortest(r.radius) + " m +- " + rounded(r.radius_error, 2) + " m"},
-                   .status = doubtful ? doubtful_result : success},
+                   .status = result.doubtful() ? doubtful_result : success},
                   options.output.format);
 }
 
@@ -177,26 +78,29 @@ Report execute(const Options& options) {
 Command add_islands(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Arguments command(app, "islands", "Islands of a map at every cutting level, and peak radius R and density D_p");
-    command.option("map", options->surface.file, "map, as fstiff formats lists them; - is standard input").required();
-    add_surface_options(command, options->surface, SurfaceKind::map);
+    command.option("map", options->islands.surface.file, "map, as fstiff formats lists them; - is standard input")
+        .required();
+    add_surface_options(command, options->islands.surface, SurfaceKind::map);
     command
-        .option("--neighbours", options->neighbours,
+        .option("--neighbours", options->islands.neighbours,
                 "how many neighbours of a point can belong to its island: 8 (default) or 4")
         .one_of({4, 8});
-    command.option("--border", options->border,
+    command.option("--border", options->islands.border,
                    "whether islands that reach the edge of the map count: keep (default) or drop");
-    command.option("--least-points", options->min_points,
+    command.option("--least-points", options->islands.min_points,
                    "smallest number of points of an island that counts; the default is 1");
-    command.option("--island-height", options->height,
+    command.option("--island-height", options->islands.height,
                    "height of an island: peak (default), its highest point, or twice-mean, twice its mean height");
-    command.option("--levels", options->levels,
+    command.option("--levels", options->islands.levels,
                    "number of levels, at equal steps of bearing area; default 200, 0 for every height");
     command.option(
-        "--tiles", options->spread.tiles,
+        "--tiles", options->islands.spread.tiles,
         "divide the map into N x N tiles and draw among them for the standard errors; the default is 4, and 1 gives no "
         "errors");
-    command.option("--resamples", options->spread.resamples, "how often the tiles are drawn; the default is 400");
-    command.option("--seed", options->spread.seed, "seed of the random numbers of the draws; the default is 2014");
+    command.option("--resamples", options->islands.spread.resamples,
+                   "how often the tiles are drawn; the default is 400");
+    command.option("--seed", options->islands.spread.seed,
+                   "seed of the random numbers of the draws; the default is 2014");
     add_output_options(command, options->output);
     command.footer(
         "The CSV is the curve; the JSON holds everything. R = A_m/(2 pi h_m), of the mean island of the level at "

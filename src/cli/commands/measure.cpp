@@ -7,6 +7,7 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
+#include "scene/documents.hpp"
 #include "scene/measured_surface.hpp"
 #include "scene/roughness.hpp"
 #include "scene/shown_unit.hpp"
@@ -56,17 +57,6 @@ Rows rows_of(const MeasuredSurface& surface, const std::string& file = "") {
     return rows;
 }
 
-/// Of several files the means of theirs.
-RoughnessTable roughness_of(const MeasuredSurface& surface) {
-    if (surface.parts.empty())
-        return about_file(surface.file, [&] {
-            return surface.profile ? roughness_table(*surface.profile) : roughness_table(*surface.map);
-        });
-    std::vector<RoughnessTable> tables;
-    for (const MeasuredSurface& part : surface.parts) tables.push_back(roughness_of(part));
-    return mean_of(tables);
-}
-
 std::string text_of(const RoughnessTable& table) {
     std::vector<std::string> symbols, values, units, meanings;
     for (const RoughnessLine& line : table.lines) {
@@ -90,23 +80,6 @@ std::string text_of(const RoughnessTable& table) {
            "\n" + rows.text();
 }
 
-Json json_of(const RoughnessTable& table) {
-    Json object = {{"standard", table.standard}};
-    Json reasons = Json::object();
-    for (const RoughnessLine& line : table.lines) {
-        const std::string key = line.symbol + (line.unit.empty() ? "" : "_" + line.unit);
-        object[key] = line.value ? Json(*line.value) : Json();
-        if (!line.value) reasons[key] = line.meaning;
-    }
-    if (!table.sections.empty()) {
-        object["section_length_m"] = table.section_length > 0 ? Json(table.section_length) : Json();
-        object["sections"] = table.sections;
-    }
-    if (table.files > 1) object["mean_of_files"] = table.files;
-    object["reasons"] = std::move(reasons);
-    return object;
-}
-
 std::string table(const MeasuredSurface& surface) {
     std::string text = "fstiff " FSTIFF_VERSION ": surface of " + surface.file + "\n";
     for (const std::string& decision : surface.decisions) text += "  " + decision + "\n";
@@ -125,28 +98,6 @@ std::string csv(const MeasuredSurface& surface) {
     std::string text = rows_of(surface, "pooled").csv();
     for (const MeasuredSurface& part : surface.parts) text += rows_of(part, part.file).csv(false);
     return text;
-}
-
-Json json(const MeasureOptions& options, const MeasuredSurface& surface) {
-    Json document = measured_document(surface);
-    for (const MeasuredSurface& part : surface.parts) {
-        Json one = measured_document(part);
-        document["files"].push_back({{"source", one["source"]},
-                                     {"surface", one["surface"]},
-                                     {"moments", one["moments"]},
-                                     {"roughness", json_of(roughness_of(part))},
-                                     {"concerns", one["concerns"]},
-                                     {"warnings", one["warnings"]}});
-    }
-    document["inputs"] = json_inputs(options.input, options.input.detrend);
-    document["inputs"].update({{"peaks", name_of(options.peaks)},
-                               {"tip_radius", options.input.tip_radius},
-                               {"resolution", options.input.resolution},
-                               {"window", options.window},
-                               {"resamples", options.resamples},
-                               {"seed", options.seed}});
-    document["roughness"] = json_of(roughness_of(surface));
-    return document;
 }
 
 /// The table of --scales, and the picture where one is asked for.
@@ -179,7 +130,7 @@ Report execute_scales(const Options& options) {
                 .csv = [&] { return scales_rows(scales).csv(); },
                 .json =
                     [&] {
-                        Json document = json(measure, surface);
+                        Json document = measure_json(measure, surface);
                         Json& of = document["scales"] = {{"law", scales.law},
                                                          {"pressure_Pa", how.pressure},
                                                          {"effective_modulus_Pa", how.modulus},
@@ -202,7 +153,7 @@ Report execute(const Options& options) {
     const MeasuredSurface surface = measure_files(measure, options.files, progress_bar());
     return report({.table = [&] { return table(surface); },
                    .csv = [&] { return csv(surface); },
-                   .json = [&] { return json(options.measure, surface); },
+                   .json = [&] { return measure_json(options.measure, surface); },
                    .warnings = surface.warnings,
                    .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
                   options.output.format);

@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "input/surface_options.hpp"
+#include "scene/documents.hpp"
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 

@@ -7,6 +7,7 @@
 #include "picture/page.hpp"
 #include "picture/panels.hpp"
 #include "picture/unit.hpp"
+#include "scene/documents.hpp"
 #include "scene/results.hpp"
 #include "scene/surface_instances.hpp"
 

@@ -5,6 +5,7 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
+#include "scene/documents.hpp"
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 

@@ -98,11 +98,6 @@ std::vector<std::string> missing_folders(const fs::path& folder) {
 
 }  // namespace
 
-std::size_t shown_width(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
-}
-
 void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
     options.format = initial;
     arguments.option("--format", options.format, "table, csv or json; default " + std::string(name_of(initial)))
@@ -118,34 +113,6 @@ void say_written(Report& report, const std::vector<std::string>& files) {
     std::vector<std::string> lines;
     for (const std::string& file : files) lines.push_back("wrote " + file);
     report.diagnostics.insert(report.diagnostics.begin(), lines.begin(), lines.end());
-}
-
-std::string TextTable::str(std::string_view indent) const {
-    std::vector<std::size_t> widths(rows_.front().size());
-    for (const auto& row : rows_)
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], shown_width(row[i]));
-    std::string text;
-    for (const auto& row : rows_) {
-        text += indent;
-        for (std::size_t i = 0; i < row.size(); ++i)
-            text += std::string((i ? 2 : 0) + widths[i] - shown_width(row[i]), ' ') + row[i];
-        text += '\n';
-    }
-    return text;
-}
-
-std::string csv_line(const std::vector<std::string>& cells) {
-    std::string text;
-    for (std::size_t i = 0; i < cells.size(); ++i) text += (i ? "," : "") + cells[i];
-    return text + '\n';
-}
-
-Json json_document(std::string_view command) {
-    Json document;
-    document["schema_version"] = 1;
-    document["fstiff_version"] = FSTIFF_VERSION;
-    document["command"] = command;
-    return document;
 }
 
 void require_writable(const std::string& file) {

@@ -2,9 +2,9 @@
 #pragma once
 // What a subcommand hands back, and how it is written: one document, numbers that no locale touches and never NaN.
 
-#include "document/json.hpp"
 #include "input/arguments.hpp"
 #include "scene/file.hpp"
+#include "scene/rows.hpp"
 
 #include <functional>
 #include <span>
@@ -66,26 +66,6 @@ struct Command {
     const OutputOptions* output;
     std::function<Report()> execute;
 };
-
-/// Number of characters of UTF-8 text: all bytes but the continuation bytes.
-[[nodiscard]] std::size_t shown_width(std::string_view text);
-
-/// Columns of text for people, right-aligned under one header line.
-class TextTable {
-public:
-    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
-    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-    std::string str(std::string_view indent = "  ") const;
-
-private:
-    std::vector<std::vector<std::string>> rows_;
-};
-
-/// Cells joined by commas, with a line end.
-std::string csv_line(const std::vector<std::string>& cells);
-
-/// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
-Json json_document(std::string_view command);
 
 /// A file to write, and what goes into it.
 struct OutputFile {

@@ -2,11 +2,13 @@
 #include "input/arguments.hpp"
 
 #include "document/output.hpp"
+#include "input/description.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <charconv>
+#include <iostream>
 #include <limits>
 #include <system_error>
 
@@ -106,6 +108,50 @@ void refuse_empty(int argc, char** argv) {
     }
 }
 
+/// \p type is what CLI11 shows of an option: "TEXT:{one,two}", "INT:INT in [1 - 9]", "FILE".
+void describe_type(const std::string& type, DescribedOption& option) {
+    const std::size_t colon = type.find(':');
+    option.type = type.substr(0, colon);
+    if (colon == std::string::npos) return;
+    const std::string rest = type.substr(colon + 1);
+    if (!rest.starts_with("{")) {
+        option.range = rest.substr(std::min(rest.find("in ["), rest.size()));
+        return;
+    }
+    for (std::size_t begin = 1; begin < rest.size();) {
+        const std::size_t end = std::min(rest.find_first_of(",}", begin), rest.size());
+        option.choices.push_back(rest.substr(begin, end - begin));
+        begin = end + 1;
+    }
+}
+
+DescribedCommand describe(const CLI::App& command) {
+    DescribedCommand described{command.get_name(), command.get_description(), command.get_footer(), {}};
+    for (const CLI::Option* option : command.get_options()) {
+        DescribedOption one;
+        one.help = option->get_description();
+        one.required = option->get_required();
+        one.many = option->get_expected_max() > 1;
+        one.positional = !option->nonpositional();
+        if (one.positional) one.names = {option->get_name(true)};
+        for (const std::string& name : option->get_snames()) one.names.push_back("-" + name);
+        for (const std::string& name : option->get_lnames()) one.names.push_back("--" + name);
+        if (option->get_items_expected_max() > 0) describe_type(option->get_type_name(), one);
+        described.options.push_back(one);
+    }
+    return described;
+}
+
+DescribedProgram describe_program(const CLI::App& program, const std::string& version) {
+    DescribedProgram described{describe(program), version, {}};
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+        described.commands.push_back(describe(*command));
+    DescribedCommand& help = described.commands.back();  // whose argument is the name of a command
+    for (DescribedOption& option : help.options)
+        if (option.positional) option.choices = command_names(program);
+    return described;
+}
+
 }  // namespace
 
 Option& Option::required() {
@@ -181,34 +227,71 @@ std::string command_name(const CLI::App& command) { return command.get_name(); }
 
 Program::Program(const std::string& name, const std::string& version, const std::string& description,
                  const std::string& footer)
-    : app_(std::make_unique<CLI::App>(description, name)) {
+    : app_(std::make_unique<CLI::App>(description, name)), version_(version) {
     app_->set_version_flag("--version", version);
     app_->require_subcommand(1);
     app_->footer(footer);
 }
 Program::~Program() = default;
 
+/// The command help: `help COMMAND` is COMMAND --help.
+struct Program::Help {
+    CLI::App* app;
+    std::string command, shell;
+    bool man = false;
+};
+
+void Program::add_help() {
+    help_ = std::make_unique<Help>();
+    Help& help = *help_;
+    help.app = app_->add_subcommand("help", "The options of a command, as its --help prints them; manual pages");
+    help.app->add_option("command", help.command, "name of a command; without it the commands are listed")
+        ->type_name("NAME");
+    CLI::Option* const man =
+        help.app->add_flag("--man", help.man, "print the manual page, for man -l -, instead of the options");
+    help.app
+        ->add_option("--completion", help.shell,
+                     "print the script by which a shell completes fstiff; bash reads it by source")
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+        ->type_name("SHELL")
+        ->excludes(man);
+    help.app->footer("Example:\n  fstiff help run");
+}
+
+void Program::require_command(const std::string& word) const {
+    const auto names = command_names(*app_);
+    if (std::find(names.begin(), names.end(), word) == names.end()) throw no_command(*app_, word);
+}
+
+void Program::print_help() const {
+    if (!help_->command.empty()) require_command(help_->command);
+    const DescribedProgram program = describe_program(*app_, version_);
+    if (!help_->shell.empty()) {
+        std::cout << completion_script(program, help_->shell);
+        return;
+    }
+    const auto chosen = std::find_if(program.commands.begin(), program.commands.end(),
+                                     [&](const DescribedCommand& one) { return one.name == help_->command; });
+    std::cout << manual_page(program, chosen == program.commands.end() ? nullptr : &*chosen);
+}
+
 const CLI::App* Program::parse(int argc, char** argv) {
     refuse_empty(argc, argv);
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    std::string command;  // of `help COMMAND`, which is COMMAND --help
-    CLI::App* help = app_->add_subcommand("help", "The options of a command, as its --help prints them");
-    help->add_option("command", command, "name of a command; without it the commands are listed")->type_name("NAME");
-    help->footer("Example:\n  fstiff help run");
+    add_help();
     if (!words.empty() && words.front() == "help" &&
         (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
-        if (words.size() == 2) {
-            const auto names = command_names(*app_);
-            if (std::find(names.begin(), names.end(), words.back()) == names.end())
-                throw no_command(*app_, words.back());
-        }
+        if (words.size() == 2) require_command(words.back());
         std::rotate(words.begin(), words.begin() + 1, words.end());
         words.back() = "--help";
     }
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     try {
         app_->parse(words);
-        return app_->get_subcommands().front();
+        const CLI::App* const chosen = app_->get_subcommands().front();
+        if (chosen != help_->app) return chosen;
+        print_help();
+        return nullptr;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) throw refusal(*app_, error);
         app_->exit(error);

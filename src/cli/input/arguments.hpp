@@ -83,13 +83,23 @@ public:
             const std::string& footer);
     ~Program();
     [[nodiscard]] CLI::App& app() { return *app_; }
-    /// The subcommand that was asked for; null after --help, help and --version, which print.
+    /// The subcommand that was asked for; null after --help, help and
+    /// --version, which print.
     /// \throws Usage in one sentence that names the help to look at; for an argument that is empty, too, as one of a
     /// script whose variable is not set.
     [[nodiscard]] const CLI::App* parse(int argc, char** argv);
 
 private:
+    struct Help;
+    void add_help();
+    /// \throws Usage where \p word is no command.
+    void require_command(const std::string& word) const;
+    /// The manual page or the script of completion that was asked for.
+    void print_help() const;
+
     std::unique_ptr<CLI::App> app_;
+    std::unique_ptr<Help> help_;
+    std::string version_;
 };
 
 }  // namespace fstiff::cli

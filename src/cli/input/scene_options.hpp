@@ -25,9 +25,4 @@ void add_picture_option(Arguments& arguments, std::string& picture, const std::s
 /// \throws Usage when both files are standard input, domain_error as fstiff::scene::read_scene.
 [[nodiscard]] Scene read_scene(const SceneOptions& options);
 
-/// Its name, file and SHA-256, for a JSON document.
-[[nodiscard]] Json scene_json(const Scene& scene);
-/// What was measured of a surface, for a JSON document that read_measured_document takes.
-[[nodiscard]] Json measured_document(const MeasuredSurface& surface);
-
 }  // namespace fstiff::cli

@@ -88,38 +88,6 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
         "spikes do not draw towards them");
 }
 
-void put_cut_offs(Json& document, const CutOffs& cut_offs) {
-    document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
-    document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
-}
-
-Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
-    return {{"file", display_name(options.file)},
-            {"sha256", input.sha256},
-            {"format", io::surface_format_name(input.surface.record.format)},
-            {"kind", input.surface.is_profile() ? "profile" : "map"},
-            {"decisions", input.surface.record.sentences()}};
-}
-
-Json json_inputs(const SurfaceOptions& options, const std::string& form) {
-    Json inputs = {{"input_format", options.format}, {"units", options.units},   {"spacing", options.spacing},
-                   {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
-                   {"width", options.width},         {"height", options.height}, {"detrend", form},
-                   {"cutoff", options.cutoff}};
-    if (!options.lambda_s.empty()) inputs["lambda_s"] = options.lambda_s;
-    if (!options.lambda_c.empty()) inputs["lambda_c"] = options.lambda_c;
-    if (!options.crop.empty()) inputs["crop"] = options.crop;
-    if (!options.mask.empty()) inputs["mask"] = options.mask;
-    if (options.spikes != 0) inputs["spikes"] = options.spikes;
-    if (options.fill) inputs["fill"] = true;
-    if (options.filter != CutOffFilter::gaussian) inputs["filter"] = name_of(options.filter);
-    if (!options.missing.empty()) inputs["missing"] = options.missing;
-    if (options.resample) inputs["resample"] = true;
-    if (!options.x3p_increment.empty()) inputs["x3p_increment"] = options.x3p_increment;
-    if (!options.channel.empty()) inputs["channel"] = options.channel;
-    return inputs;
-}
-
 std::string source_lines(const SurfaceInput& input, std::string_view indent) {
     std::string text;
     for (const std::string& decision : input.surface.record.sentences()) text += std::string(indent) + decision + "\n";

@@ -18,13 +18,7 @@ enum class SurfaceKind { profile, map, any };
 /// of maps. Not the file itself.
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
 
-/// The file, its SHA-256 and what was decided about it, for a JSON document.
-[[nodiscard]] Json json_source(const SurfaceOptions& options, const SurfaceInput& input);
-/// The options as they were given, for a JSON document; \p form is the one that was removed.
-[[nodiscard]] Json json_inputs(const SurfaceOptions& options, const std::string& form);
-/// lambda_s_m and lambda_c_m of a JSON document: null where there is none.
-void put_cut_offs(Json& document, const CutOffs& cut_offs);
-/// The same decisions as lines of a table, each behind \p indent.
+/// What was decided about the file as lines of a table, each behind \p indent.
 [[nodiscard]] std::string source_lines(const SurfaceInput& input, std::string_view indent);
 
 }  // namespace fstiff::cli

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace fstiff::cli {
+namespace fstiff::scene {
 
 class Json {
 public:
@@ -72,4 +72,7 @@ private:
     std::unique_ptr<Rest> rest_;
 };
 
-}  // namespace fstiff::cli
+/// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
+[[nodiscard]] Json json_document(std::string_view command);
+
+}  // namespace fstiff::scene

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "document/json.hpp"
+#include "scene/json.hpp"
+
+#include <fstiff/core/version.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -8,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace fstiff::cli {
+namespace fstiff::scene {
 
 struct Json::Rest {
     std::string text;
@@ -135,4 +137,12 @@ void Json::write(std::string& out, const std::string& line) const {
     out += is_object ? '}' : ']';
 }
 
-}  // namespace fstiff::cli
+Json json_document(std::string_view command) {
+    Json document;
+    document["schema_version"] = 1;
+    document["fstiff_version"] = FSTIFF_VERSION;
+    document["command"] = command;
+    return document;
+}
+
+}  // namespace fstiff::scene

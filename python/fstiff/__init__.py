@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Normal contact stiffness of rough surfaces.
+
+    import fstiff
+
+    surface = fstiff.measure(heights, spacing=0.5e-6)           # a 1-D or 2-D array of heights [m], or a file
+    contact = fstiff.Contact("hybrid", surface=surface, effective_modulus=112.6e9)
+    stiffness = contact.at_pressures([1e6, 1e7]).stiffness      # K per area [Pa/m]
+    curves = fstiff.run("scene.toml")                           # the columns of `fstiff run --format csv`
+
+Every number is in SI units: m, Pa, Pa/m, rad. A length may be a text with its unit too, such as "0.5 um". What is wrong with
+an argument is said in one sentence by a ValueError; FileError, a ValueError and an OSError, is of files.
+"""
+
+from __future__ import annotations
+
+from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names
+from ._core import version as __version__
+from ._errors import FileError
+from ._scenes import Curves, Scene, run
+from ._surfaces import Fit, Islands, Measurement, Surface, Truth, fit, islands, measure, open_surface, truth
+
+__all__ = [
+    "Contact",
+    "Curves",
+    "FileError",
+    "Fit",
+    "Islands",
+    "Law",
+    "Measurement",
+    "Points",
+    "Scene",
+    "Surface",
+    "Truth",
+    "__version__",
+    "effective_modulus",
+    "fit",
+    "hybrid",
+    "islands",
+    "law_names",
+    "measure",
+    "open_surface",
+    "run",
+    "truth",
+]

@@ -1,0 +1,317 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contacts and tabulated laws."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, Literal, overload
+
+from . import _core
+from ._results import Table, axes, frame, label_axes, lines_of, shown, text_table
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+    import pandas as pd
+    from matplotlib.axes import Axes
+
+    from ._results import Numbers
+    from ._surfaces import Measurement, Source
+
+    Outside = Literal["refuse", "clamp", "exact", "extrapolate"]
+
+
+def law_names() -> list[str]:
+    """The laws that a contact can have, such as "hertz" and "hybrid"; docs/theory.md says what each of them is."""
+    return _core.law_names()
+
+
+def effective_modulus(youngs_modulus: float, poisson_ratio: float, youngs_modulus2: float, poisson_ratio2: float) -> float:
+    """Effective modulus [Pa] of two bodies: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, with Young's moduli in Pa."""
+    return _core.effective_modulus(youngs_modulus, poisson_ratio, youngs_modulus2, poisson_ratio2)
+
+
+def numbers(values: npt.ArrayLike, name: str) -> Numbers:
+    """`values` as an array of doubles; without a copy where they are one."""
+    import numpy as np
+
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiub":
+        raise ValueError(f"{name}: must be real numbers, not {array.dtype}")
+    return np.asarray(array, dtype=np.float64, order="C")
+
+
+class Points(Table["Numbers"]):
+    """The states of a contact: a mapping from the column names of `fstiff run --format csv` to arrays, in SI units.
+
+    A point at which the model has no state is NaN in every column; `reasons` says why, by the index of the point.
+    """
+
+    def __init__(self, columns: dict[str, Numbers], reasons: dict[int, str], law: str) -> None:
+        self._values = columns
+        self.reasons = reasons
+        self.law = law
+
+    @property
+    def pressure(self) -> Numbers:
+        """Nominal pressure [Pa]."""
+        return self["pressure_Pa"]
+
+    @property
+    def separation(self) -> Numbers:
+        """Separation of the mean planes [m]."""
+        return self["separation_m"]
+
+    @property
+    def stiffness(self) -> Numbers:
+        """Normal stiffness K per nominal area [Pa/m]."""
+        return self["stiffness_Pa_per_m"]
+
+    @property
+    def real_area_fraction(self) -> Numbers:
+        """Real area of contact over the nominal area."""
+        return self["real_area_fraction"]
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The columns as a data frame of pandas."""
+        return frame({key: column.ravel() for key, column in self.items()})
+
+    def plot(self, y: str = "stiffness_Pa_per_m", x: str = "pressure_Pa", ax: Axes | None = None) -> Axes:
+        """Draws column `y` over column `x` with matplotlib; returns the axes."""
+        ax = axes(ax)
+        by_x, by_y = label_axes(ax, x, y)
+        ax.plot(self[x].ravel() * by_x, self[y].ravel() * by_y, label=self.law)
+        return ax
+
+    def __repr__(self) -> str:
+        columns = {key: column.ravel() for key, column in self.items()}
+        size = self.pressure.size
+        few = list(range(size)) if size <= 8 else [*range(4), *range(size - 4, size)]
+        rows = [list(columns), *([shown(float(column[i]), 6) for column in columns.values()] for i in few)]
+        missing = f"\n{len(self.reasons)} points have no state: see reasons" if self.reasons else ""
+        return f"<fstiff.Points of {self.law}: {size} points>\n{text_table(rows)}{missing}"
+
+
+class Contact:
+    """A contact with one law, of plain numbers in SI units or of a measured surface.
+
+    law                 one of law_names()
+    surface             what measure() returned, in place of the numbers of the surface; laws that need a map take its heights
+    effective_modulus   of both bodies [Pa]; effective_modulus() computes it
+    rms_height          sigma [m]
+    peak_radius         R, mean radius of the peaks [m]
+    peak_density        D_p, peaks per area [1/m^2]
+    r, theta            of the joint distribution of heights and curvatures [1, rad]; laws without it do not need them
+    fractal_dimension   D of a profile, 1 to 2, for the fractal laws
+    rms_gradient, max_peak_height   of the surface [1, m]; None where not known
+    poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws
+    interaction         "none", "effective_separation" or "as_printed", over interaction_length [m]
+
+    A number that is wrong raises ValueError. Threads may share a contact; evaluations do not hold the GIL.
+    """
+
+    _core: _core.Contact
+    _recipe: tuple[Callable[..., Contact], tuple[Any, ...]]
+
+    def __init__(
+        self,
+        law: str,
+        *,
+        effective_modulus: float,
+        surface: Measurement | None = None,
+        rms_height: float | None = None,
+        peak_radius: float | None = None,
+        peak_density: float | None = None,
+        r: float | None = None,
+        theta: float | None = None,
+        fractal_dimension: float | None = None,
+        rms_gradient: float | None = None,
+        max_peak_height: float | None = None,
+        poisson_ratio: float = 0.0,
+        yield_strength: float | None = None,
+        hardness: float | None = None,
+        interaction: Literal["none", "effective_separation", "as_printed"] = "none",
+        interaction_length: float | None = None,
+    ) -> None:
+        of_surface = {
+            "rms_height": rms_height,
+            "peak_radius": peak_radius,
+            "peak_density": peak_density,
+            "r": r,
+            "theta": theta,
+            "fractal_dimension": fractal_dimension,
+            "rms_gradient": rms_gradient,
+            "max_peak_height": max_peak_height,
+        }
+        of_bodies = {
+            "effective_modulus": effective_modulus,
+            "poisson_ratio": poisson_ratio,
+            "yield_strength": yield_strength,
+            "hardness": hardness,
+            "interaction_length": interaction_length,
+        }
+        if surface is not None:
+            both = [name for name, value in of_surface.items() if value is not None]
+            if both:
+                raise ValueError(f"{both[0]}: must not stand beside surface, which has it")
+        given = {name: float(value) for name, value in {**of_surface, **of_bodies}.items() if value is not None}
+        measured = None if surface is None else surface._measured
+        self._core = _core.Contact.of_numbers(law, given, interaction, measured)
+        self._recipe = (_remade, (law, given, interaction, surface))
+
+    @property
+    def law(self) -> str:
+        """The name of the law."""
+        return self._core.law
+
+    @property
+    def quantities(self) -> list[str]:
+        """What the law gives, in the words of output.quantities of a scene."""
+        return self._core.quantities
+
+    def at_pressures(self, pressures: npt.ArrayLike, quantities: Sequence[str] | None = None) -> Points:
+        """The states under nominal `pressures` [Pa], each greater than 0; arrays of any shape give arrays of that shape.
+
+        `quantities` are some of self.quantities; None is all of them. Fewer are computed sooner.
+        """
+        columns, reasons = self._core.at_pressures(numbers(pressures, "pressures"), _list(quantities))
+        return Points(columns, reasons, self.law)
+
+    def at_separations(self, separations: npt.ArrayLike, quantities: Sequence[str] | None = None) -> Points:
+        """The states at `separations` of the mean planes [m]; as at_pressures() else."""
+        columns, reasons = self._core.at_separations(numbers(separations, "separations"), _list(quantities))
+        return Points(columns, reasons, self.law)
+
+    def tabulate(self, min_pressure: float, max_pressure: float, outside: Outside = "refuse") -> Law:
+        """The contact tabulated between two pressures [Pa]: nanoseconds a point in place of microseconds.
+
+        `outside` of the range the law refuses with ValueError, clamps to its ends, computes the exact model, or extrapolates
+        smoothly, to p = K = 0 for an open contact.
+        """
+        return Law(self._core.tabulate(min_pressure, max_pressure, outside))
+
+    def __reduce__(self) -> tuple[Callable[..., Contact], tuple[Any, ...]]:
+        return self._recipe
+
+    def __repr__(self) -> str:
+        return f"<fstiff.Contact: {self.law} is {self._core.nature}>"
+
+
+def _remade(law: str, given: dict[str, Any], interaction: Any, surface: Measurement | None) -> Contact:
+    return Contact(law, surface=surface, interaction=interaction, **given)
+
+
+def _list(quantities: Sequence[str] | None) -> list[str] | None:
+    if isinstance(quantities, str):
+        raise ValueError(f'quantities = "{quantities}": must be a list of names')
+    return None if quantities is None else list(quantities)
+
+
+class Law:
+    """A tabulated law, made by Contact.tabulate() or Law.from_text(): p, K and their slopes in nanoseconds.
+
+    Every method takes a number or an array and returns the like. An argument outside of the range raises ValueError unless
+    the law goes on there (`outside`). A law can be pickled, but for one that goes on with the exact model.
+    """
+
+    def __init__(self, made: _core.Law) -> None:
+        self._core = made
+
+    @classmethod
+    def from_text(cls, text: str) -> Law:
+        """The law that to_text() wrote, here or in another language, bit for bit."""
+        return cls(_core.Law.from_text(text))
+
+    def to_text(self) -> str:
+        """The law as text, for files and for other programs."""
+        return self._core.to_text()
+
+    @overload
+    def stiffness(self, pressure: float) -> float: ...
+    @overload
+    def stiffness(self, pressure: npt.ArrayLike) -> Numbers: ...
+    def stiffness(self, pressure: npt.ArrayLike) -> Numbers | float:
+        """K per area [Pa/m] at the pressure [Pa]."""
+        return _same(self._core.stiffness(numbers(pressure, "pressure")))
+
+    @overload
+    def separation(self, pressure: float) -> float: ...
+    @overload
+    def separation(self, pressure: npt.ArrayLike) -> Numbers: ...
+    def separation(self, pressure: npt.ArrayLike) -> Numbers | float:
+        """Separation of the mean planes [m] at the pressure [Pa]."""
+        return _same(self._core.separation(numbers(pressure, "pressure")))
+
+    @overload
+    def stiffness_slope(self, pressure: float) -> float: ...
+    @overload
+    def stiffness_slope(self, pressure: npt.ArrayLike) -> Numbers: ...
+    def stiffness_slope(self, pressure: npt.ArrayLike) -> Numbers | float:
+        """dK/dp [1/m] at the pressure [Pa]."""
+        return _same(self._core.stiffness_slope(numbers(pressure, "pressure")))
+
+    def at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers | float, Numbers | float]:
+        """p [Pa] and K per area [Pa/m] at the separation [m]."""
+        pressure, stiffness = self._core.at_separation(numbers(separation, "separation"))
+        return _same(pressure), _same(stiffness)
+
+    def tangent_at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers | float, Numbers | float]:
+        """p [Pa] and -dp/dd [Pa/m] at the separation [m]: what Newton's method needs."""
+        pressure, slope = self._core.tangent_at_separation(numbers(separation, "separation"))
+        return _same(pressure), _same(slope)
+
+    @property
+    def pressures(self) -> tuple[float, float]:
+        """The least and the greatest pressure of the table [Pa]."""
+        return self._core.pressures
+
+    @property
+    def separations(self) -> tuple[float, float]:
+        """The least and the greatest separation of the table [m]."""
+        return self._core.separations
+
+    @property
+    def relative_error(self) -> float:
+        """The largest relative error of the table, measured when it was made."""
+        return self._core.relative_error
+
+    @property
+    def tangent_is_exact(self) -> bool:
+        """Whether K is exactly -dp/dd of the returned p."""
+        return self._core.tangent_is_exact
+
+    @property
+    def outside(self) -> str:
+        """What the law does outside of its range."""
+        return self._core.outside
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Law) and self.to_text() == other.to_text()
+
+    def __hash__(self) -> int:
+        return hash(self.to_text())
+
+    def __reduce__(self) -> tuple[Callable[[str], Law], tuple[str]]:
+        return Law.from_text, (self.to_text(),)
+
+    def __repr__(self) -> str:
+        low, high = self.pressures
+        return (
+            f"<fstiff.Law of {shown(low)} to {shown(high)} Pa, relative error {shown(self.relative_error, 2)}, "
+            f"outside: {self.outside}>"
+        )
+
+
+def _same(made: Numbers) -> Numbers | float:
+    return made if made.ndim else float(made)
+
+
+def hybrid(surface: Source, pressures: npt.ArrayLike, *, effective_modulus: float, **options: Any) -> Points:
+    """K of a measured surface by the law "hybrid", the one to begin with (docs/validation.md).
+
+    `surface` is a Measurement, or what measure() takes with `options`; `pressures` [Pa], `effective_modulus` [Pa].
+    """
+    from ._surfaces import Measurement, measure
+
+    measured = surface if isinstance(surface, Measurement) and not options else measure(surface, **options)
+    return Contact("hybrid", surface=measured, effective_modulus=effective_modulus).at_pressures(pressures)

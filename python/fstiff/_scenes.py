@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes and their curves."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from . import _core
+from ._contacts import Contact
+from ._results import Table, axes, frame, label_axes, lines_of, shown, text_table
+from ._surfaces import Measurement
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+    import pandas as pd
+    from matplotlib.axes import Axes
+
+
+class Curves(Table["npt.NDArray[Any]"]):
+    """The curves of a scene: a mapping from the column names of `fstiff run --format csv` to arrays.
+
+    The numbers are those of the CSV, digit for digit; all curves stand one below the other. `law` is an array of texts. An empty
+    cell of the CSV, of a quantity that the law does not give, is NaN, as pandas reads it.
+
+    warnings            sentences on what may not hold
+    verdict             which law to believe, and to about what; the most important sentence first
+    effective_modulus   [Pa]
+    doubtful            the command would have ended with exit code 4
+    """
+
+    def __init__(self, found: dict[str, Any], name: str) -> None:
+        import numpy as np
+
+        self._values = {key: np.asarray(column) for key, column in found["columns"]}
+        self._curves: list[tuple[str, float | None, float | None, int]] = found["curves"]
+        self.name = name
+        self.warnings: list[str] = found["warnings"]
+        self.verdict: list[str] = found["verdict"]
+        self.effective_modulus: float = found["effective_modulus"]
+        self.doubtful: bool = found["doubtful"]
+
+    def parts(self) -> list[tuple[str, dict[str, npt.NDArray[Any]]]]:
+        """Every curve by itself: its title and its columns."""
+        parts, begin = [], 0
+        for law, theta, r, size in self._curves:
+            title = law if theta is None or r is None else f"{law}, theta = {theta:.4g}, r = {r:.4g}"
+            parts.append((title, {key: column[begin : begin + size] for key, column in self.items()}))
+            begin += size
+        return parts
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The columns as a data frame of pandas: what pandas reads of the CSV."""
+        return frame(dict(self))
+
+    def plot(self, y: str = "stiffness_Pa_per_m", x: str = "pressure_Pa", ax: Axes | None = None) -> Axes:
+        """Draws column `y` of every curve over column `x`, with its band from 5 % to 95 % where it has one; returns the axes."""
+        import numpy as np
+
+        ax = axes(ax)
+        by_x, by_y = label_axes(ax, x, y)
+        stem, unit = (y[: -len("_Pa_per_m")], "_Pa_per_m") if y.endswith("_Pa_per_m") else (y, "")
+        for title, columns in self.parts():
+            if np.all(np.isnan(columns[y])):
+                continue
+            (line,) = ax.plot(columns[x] * by_x, columns[y] * by_y, label=title)
+            low, high = (columns.get(f"{stem}_{quantile}{unit}") for quantile in ("p05", "p95"))
+            if low is not None and high is not None and not np.all(np.isnan(low)):
+                ax.fill_between(columns[x] * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=0)
+        ax.legend(fontsize="small")
+        return ax
+
+    def __repr__(self) -> str:
+        key = "stiffness_Pa_per_m" if "stiffness_Pa_per_m" in self else list(self)[-1]
+        rows = [["curve", "points", "from p [Pa]", "to p [Pa]", "from " + key, "to " + key]]
+        for title, columns in self.parts():
+            p, k = columns["pressure_Pa"], columns[key]
+            ends = [shown(float(values[i])) if len(values) else "-" for values in (p, k) for i in (0, -1)]
+            rows.append([title, str(len(p)), *ends])
+        return (
+            f"<fstiff.Curves of {self.name}>\n{text_table(rows)}\n  columns: {', '.join(self)}"
+            + "".join(f"\nbelieve: {one}" for one in self.verdict)
+            + lines_of(self.warnings)
+        )
+
+
+class Scene:
+    """A scene (docs/scene.md): what is in contact, and what is asked.
+
+    scene     a file, or the text of one: a str with a line end is a text; None is the built-in scene
+    surface   a file of a surface, or what measure() returned, in place of [surface] and contact.peaks
+
+    What is wrong with it raises ValueError, with its line and key.
+    """
+
+    def __init__(
+        self, scene: str | os.PathLike[str] | None = None, *, surface: str | os.PathLike[str] | Measurement | None = None
+    ) -> None:
+        self._made_of = (scene, surface)
+        measured = surface._measured if isinstance(surface, Measurement) else None
+        file = "" if surface is None or isinstance(surface, Measurement) else os.fspath(surface)
+        if scene is None:
+            self._core = _core.Scene.of_text(_core.builtin_scene, "built-in scene", file, measured)
+        elif isinstance(scene, str) and "\n" in scene:
+            self._core = _core.Scene.of_text(scene, "scene", file, measured)
+        else:
+            self._core = _core.Scene.of_file(os.fspath(scene), file, measured)
+
+    @property
+    def name(self) -> str:
+        return self._core.name
+
+    @property
+    def laws(self) -> list[str]:
+        """The laws of the scene."""
+        return self._core.laws
+
+    def run(self) -> Curves:
+        """Everything the scene asks for; Ctrl-C ends it."""
+        return Curves(self._core.run(), self.name)
+
+    def contact(self, law: str | None = None, peaks: int = 0) -> Contact:
+        """The contact of the scene with the law called `law` (None: its first), on entry `peaks` of contact.peaks, from 0."""
+        if peaks < 0:
+            raise ValueError(f"peaks = {peaks}: must be 0 or greater")
+        contact = Contact.__new__(Contact)
+        contact._core = self._core.contact(law or "", peaks)
+        contact._recipe = (_contact_of, (*self._made_of, law, peaks))
+        return contact
+
+    def __reduce__(self) -> tuple[Callable[..., Scene], tuple[Any, ...]]:
+        return _scene_of, self._made_of
+
+    def __repr__(self) -> str:
+        points = self._core.points
+        what, unit = ("separations", "m") if self._core.at_separations else ("pressures", "Pa")
+        return (
+            f"<fstiff.Scene {self.name}: {', '.join(self.laws)} at {points.size} {what} of {shown(float(points[0]))} to "
+            f"{shown(float(points[-1]))} {unit}>"
+        )
+
+
+def _scene_of(scene: Any, surface: Any) -> Scene:
+    return Scene(scene, surface=surface)
+
+
+def _contact_of(scene: Any, surface: Any, law: str | None, peaks: int) -> Contact:
+    return Scene(scene, surface=surface).contact(law, peaks)
+
+
+def run(
+    scene: str | os.PathLike[str] | None = None, *, surface: str | os.PathLike[str] | Measurement | None = None
+) -> Curves:
+    """The curves of a scene, a file or a text, as `fstiff run` computes them; see Scene and Curves."""
+    return Scene(scene, surface=surface).run()

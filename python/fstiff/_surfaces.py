@@ -1,0 +1,542 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measured surfaces: arrays, files, and what is found of them."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
+
+from . import _core
+from ._errors import FileError
+from ._results import Table, axes, frame, lines_of, shown, text_table
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    import pandas as pd
+    from matplotlib.axes import Axes
+    from typing_extensions import TypeAlias, Unpack
+
+    from ._results import Numbers
+
+    Source: TypeAlias = Union["Surface", npt.ArrayLike, str, os.PathLike[str], Sequence[Union[str, os.PathLike[str]]], Any]
+    Length: TypeAlias = Union[float, str]
+
+
+class SurfaceOptions(TypedDict, total=False):
+    """How a surface is read, cleaned and filtered: the options of `fstiff measure`. A length is in m, or a text such as "1 um".
+
+    spacing              of an array: the distance of its points; of a map (dx, dy) where they differ
+    dx, dy               of a map, the distance of its columns and of its rows
+    crop                 the part that is kept: (x0, x1), of a map (x0, x1, y0, y1)
+    mask                 a file of 0 and 1: points of 0 become missing (in an array, make them NaN or masked)
+    spikes               points farther than so many robust standard deviations from their neighbours become missing, from 3
+    fill                 missing points are filled
+    detrend              form that is removed: "none", "mean", "line", "parabola", "gaussian" of a profile (then cutoff);
+                         "none", "mean", "plane", "quadratic", "cubic" of a map
+    lambda_s, lambda_c   shortest and longest waves that are kept; "auto" is by the standards' table, "none" keeps all
+    filter               of lambda_c: "gaussian" or "robust"
+    tip_radius, resolution   of the instrument
+    format, units, column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/io.md
+    """
+
+    spacing: Length | tuple[Length, Length]
+    dx: Length
+    dy: Length
+    crop: str | tuple[Length, ...]
+    mask: str | os.PathLike[str]
+    spikes: float
+    fill: bool
+    detrend: str
+    cutoff: Length
+    lambda_s: Length
+    lambda_c: Length
+    filter: Literal["gaussian", "robust"]
+    tip_radius: Length
+    resolution: Length
+    format: str
+    units: str
+    column: int
+    missing: str
+    resample: bool
+    x3p_increment: Literal["apply", "ignore"]
+    channel: str | int
+    width: Length
+    height: Length
+
+
+LENGTHS = {"spacing", "dx", "dy", "cutoff", "lambda_s", "lambda_c", "tip_radius", "resolution", "width", "height"}
+OF_FILES = {"format", "units", "column", "missing", "resample", "x3p_increment", "channel", "width", "height"}
+
+#: Units of lengths, to m; SurfaceTopography writes them so.
+METRES = {"km": 1e3, "m": 1.0, "mm": 1e-3, "µm": 1e-6, "μm": 1e-6, "um": 1e-6, "nm": 1e-9, "Å": 1e-10, "pm": 1e-12}
+
+
+def length(value: Any, name: str) -> str:
+    """A length as the text that the library reads."""
+    if isinstance(value, str):
+        return value
+    try:
+        return f"{float(value)!r} m"
+    except (TypeError, ValueError):
+        raise ValueError(f'{name} = {value!r}: must be a length in m, or a text such as "0.5 um"') from None
+
+
+def metres(value: Any, name: str) -> float:
+    return _core.parse_length(length(value, name), name)
+
+
+class Surface:
+    """Heights of a surface [m]: a profile (1-D) of equal spacing, or a map (2-D, rows along y).
+
+    spacing is the distance of neighbouring points, of a map a number or (dx, dy). NaN and masked points are missing.
+    """
+
+    def __init__(
+        self,
+        heights: npt.ArrayLike,
+        spacing: Length | tuple[Length, Length] | None = None,
+        *,
+        dx: Length | None = None,
+        dy: Length | None = None,
+        name: str = "heights",
+    ) -> None:
+        import numpy as np
+
+        array: Any = heights
+        if isinstance(array, np.ma.MaskedArray):
+            array = np.ma.filled(array.astype(np.float64), np.nan)
+        array = np.asarray(array)
+        if array.dtype.kind not in "fiu":
+            raise ValueError(f"heights: must be real numbers, not {array.dtype}")
+        self.heights: Numbers = np.asarray(array, dtype=np.float64, order="C")
+        self.name = name
+        self.decisions: list[str] = []
+        self.warnings: list[str] = []
+        if self.heights.ndim not in (1, 2):
+            raise ValueError(f"heights have {self.heights.ndim} dimensions: must have 1 (a profile) or 2 (a map)")
+        if isinstance(spacing, (tuple, list)):
+            if len(spacing) != 2:
+                raise ValueError("spacing: must be one length, or (dx, dy)")
+            if dx is not None or dy is not None:
+                raise ValueError("spacing: must not stand beside dx or dy")
+            dx, dy = spacing
+        elif spacing is not None:
+            if dx is not None or dy is not None:
+                raise ValueError("spacing: must not stand beside dx or dy")
+            dx = dy = spacing
+        if dx is None or (dy is None and self.heights.ndim == 2):
+            raise ValueError("spacing: is missing; an array needs the distance of its points [m]")
+        if self.heights.ndim == 1 and dy is not None and dy is not dx and metres(dy, "dy") != metres(dx, "dx"):
+            raise ValueError("dy: a profile has one spacing")
+        one = "spacing" if spacing is not None and not isinstance(spacing, (tuple, list)) else ""
+        self.dx = metres(dx, one or "dx")
+        self.dy = metres(dy, one or "dy") if self.heights.ndim == 2 else None
+
+    @property
+    def spacing(self) -> float | tuple[float, float]:
+        """Distance of neighbouring points [m]; of a map (dx, dy)."""
+        return self.dx if self.dy is None else (self.dx, self.dy)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws the heights with matplotlib; returns the axes."""
+        import numpy as np
+
+        ax = axes(ax)
+        if self.dy is None:
+            ax.plot(np.arange(self.heights.size) * self.dx * 1e6, self.heights * 1e6, lw=0.6)
+            ax.set_ylabel("height [µm]")
+            ax.set_xlabel("x [µm]")
+        else:
+            rows, columns = self.heights.shape
+            image = ax.imshow(
+                self.heights * 1e6, extent=(0, columns * self.dx * 1e6, rows * self.dy * 1e6, 0), interpolation="nearest"
+            )
+            if ax.figure is not None:
+                ax.figure.colorbar(image, ax=ax, label="height [µm]")
+            ax.set_xlabel("x [µm]")
+            ax.set_ylabel("y [µm]")
+        return ax
+
+    def __repr__(self) -> str:
+        import numpy as np
+
+        missing = int(np.isnan(self.heights).sum())
+        shape = (
+            f"profile of {self.heights.size} points, spacing {shown(self.dx)} m"
+            if self.dy is None
+            else f"map of {self.heights.shape[1]} x {self.heights.shape[0]} points, dx {shown(self.dx)} m, dy {shown(self.dy)} m"
+        )
+        return f"<fstiff.Surface {self.name}: {shape}{f', {missing} missing' if missing else ''}>" + lines_of(self.warnings)
+
+
+def surface_of_topography(topography: Any, name: str) -> Surface:
+    """What SurfaceTopography holds, in m: its first axis is x."""
+    import numpy as np
+
+    unit = getattr(topography, "unit", None)
+    if unit not in METRES:
+        raise ValueError(f"{name}: its unit is {unit}; must be a length, one of {', '.join(METRES)}")
+    factor = METRES[unit]
+    sizes = [float(size) * factor for size in topography.physical_sizes]
+    if topography.dim == 1:
+        if not topography.is_uniform:
+            raise ValueError(f"{name}: its points are not equally spaced; to_uniform() of SurfaceTopography makes them so")
+        return Surface(np.ma.asanyarray(topography.heights()) * factor, sizes[0] / topography.nb_grid_pts[0], name=name)
+    columns, rows = topography.nb_grid_pts
+    return Surface(
+        np.ma.asanyarray(topography.heights()).T * factor, dx=sizes[0] / columns, dy=sizes[1] / rows, name=name
+    )
+
+
+def open_surface(file: str | os.PathLike[str], channel: str | int | None = None, **options: Any) -> Surface:
+    """Opens a file of heights: what `fstiff formats` lists, and where SurfaceTopography is installed, what it reads besides.
+
+    options   of the reading, such as spacing, units and format: see SurfaceOptions
+
+    The form is not removed, and nothing is filtered.
+    """
+    path = os.fspath(file)
+    if channel is not None:
+        options["channel"] = channel
+    try:
+        heights, dx, dy, decisions, warnings = _core.read(_options(options, {"file": path}))
+    except FileError:
+        raise
+    except ValueError as refused:
+        topography = _by_surface_topography(path, channel)
+        if topography is None or set(options) - {"channel"}:
+            raise
+        try:
+            surface = surface_of_topography(topography, os.path.basename(path))
+        except ValueError:  # a text whose units fstiff asked for
+            raise refused from None
+        surface.decisions = [f"format: {type(topography).__name__}, by SurfaceTopography, since {refused}"]
+        return surface
+    surface = Surface(heights, dx, name=path) if heights.ndim == 1 else Surface(heights, dx=dx, dy=dy, name=path)
+    surface.decisions, surface.warnings = decisions, warnings
+    return surface
+
+
+def _by_surface_topography(path: str, channel: str | int | None) -> Any:
+    """The topography of `path`, or None where SurfaceTopography is not installed or does not know it."""
+    try:
+        from SurfaceTopography.IO import open_topography
+    except ImportError:
+        return None
+    try:
+        reader = open_topography(path)
+        if channel is None:
+            return reader.topography()
+        if isinstance(channel, int):
+            return reader.topography(channel_index=channel)
+        return reader.topography(channel_index=[one.name for one in reader.channels].index(channel))
+    except Exception:  # its readers raise whatever they met in the file; that of fstiff says more
+        return None
+
+
+def _options(options: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
+    """The options as the compiled part takes them."""
+    made = dict(more)
+    for name, value in options.items():
+        if value is None:
+            continue
+        if name in LENGTHS:
+            made[name] = length(value, name)
+        elif name in ("crop", "window") and not isinstance(value, str):
+            made[name] = ",".join(length(one, name) for one in value)
+        elif name == "mask":
+            made[name] = os.fspath(value)
+        elif name == "channel":
+            made[name] = str(value)
+        elif name in ("spikes", "hardness"):
+            made[name] = float(value)
+        else:
+            made[name] = value
+    return made
+
+
+def _of(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], list[str], _core.Heights]:
+    """Options, files and heights of what a function was given; `own` are the options of that function."""
+    unknown = set(options) - set(SurfaceOptions.__annotations__)
+    if unknown:
+        raise TypeError(f"unexpected keyword argument: {', '.join(sorted(unknown))}")
+    files: list[str] = []
+    if isinstance(source, (str, os.PathLike)):
+        files = [os.fspath(source)]
+    elif isinstance(source, (list, tuple)) and source and all(isinstance(one, (str, os.PathLike)) for one in source):
+        files = [os.fspath(one) for one in source]
+    if files:
+        if isinstance(options.get("spacing"), (tuple, list)):
+            raise ValueError("spacing: of a file must be one length; dx and dy are of a map")
+        return _options({**options, **own}, {"file": files[0]}), files, _core.Heights(None, 0.0, 0.0, "")
+    useless = OF_FILES & set(options)
+    if useless:
+        raise ValueError(f"{sorted(useless)[0]}: is an option of files; must not be given for an array")
+    steps = {name: options.pop(name) for name in ("spacing", "dx", "dy") if name in options}
+    origin = "an array"
+    if isinstance(source, Surface):
+        surface = source
+    elif hasattr(source, "heights") and hasattr(source, "physical_sizes"):
+        surface = surface_of_topography(source, "topography")
+        origin = "a topography of SurfaceTopography"
+    else:
+        surface = Surface(source, **steps)
+        steps = {}
+    if steps:
+        raise ValueError(f"{next(iter(steps))}: must not be given for a surface that has its own")
+    heights = _core.Heights(surface.heights, surface.dx, surface.dy or 0.0, origin)
+    return _options({**options, **own}, {"file": surface.name}), [], heights
+
+
+def _with_arrays(value: Any) -> Any:
+    """JSON with every list of numbers as an array."""
+    if isinstance(value, dict):
+        return {key: _with_arrays(one) for key, one in value.items()}
+    if isinstance(value, list):
+        if value and all(isinstance(one, (int, float)) and not isinstance(one, bool) for one in value):
+            import numpy as np
+
+            return np.array(value)
+        return [_with_arrays(one) for one in value]
+    return value
+
+
+class Document(Table[Any]):
+    """A mapping with the keys of a JSON document of the command; lists of numbers are arrays, null is None.
+
+    doubtful   the command would have ended with exit code 4
+    """
+
+    def __init__(self, found: _core.Found) -> None:
+        self._values = _with_arrays(json.loads(found.json))
+        self.doubtful = found.doubtful
+
+    @property
+    def warnings(self) -> list[str]:
+        """Sentences on what may not hold."""
+        return list(self["warnings"])
+
+
+class Measurement(Document):
+    """What `fstiff measure` finds of a surface: the keys of its JSON. Scene, run() and Contact take it as their surface."""
+
+    def __init__(self, found: _core.Found) -> None:
+        super().__init__(found)
+        self._measured = found.measured
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The parameters of a scene's [surface] with their standard errors and SI units, a parameter a row."""
+        return frame(
+            [
+                {"parameter": name, "value": one["value"], "error": one["error"], "unit": one.get("unit", "")}
+                for name, one in self["surface"].items()
+            ]
+        )
+
+    def __repr__(self) -> str:
+        rows = [["parameter", "value", "+-", "unit"]]
+        for name, one in self["surface"].items():
+            rows.append([name, shown(one["value"], 5), shown(one["error"], 2), one.get("unit", "")])
+        source = self["source"]
+        return f"<fstiff.Measurement of {source['file']} ({source['kind']})>\n{text_table(rows)}" + lines_of(self.warnings)
+
+
+class Fit(Document):
+    """Fractal dimension D and roughness G of a profile or a map: the keys of the JSON of `fstiff fit`."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The structure function; of a map that along x, and that along y below it, with a column "direction"."""
+        if "structure_function" in self:
+            return frame(dict(self["structure_function"]))
+        import pandas
+
+        parts = [frame(dict(self[of]["structure_function"])).assign(direction=of) for of in "xy" if "refused" not in self[of]]
+        return pandas.concat(parts, ignore_index=True)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws the structure function; returns the axes."""
+        ax = axes(ax)
+        for name, of in (("", self),) if "structure_function" in self else (("x", self["x"]), ("y", self["y"])):
+            if "refused" not in of:
+                s = of["structure_function"]
+                ax.loglog(s["lag_m"] * 1e6, s["value_m2"] * 1e12, ".", label=name or None)
+        ax.set_xlabel("lag [µm]")
+        ax.set_ylabel("structure function [µm²]")
+        return ax
+
+    def __repr__(self) -> str:
+        parts = [("", self._values)] if "structure_function" in self else [(f"along {of}: ", self[of]) for of in "xy"]
+        text = "".join(
+            f"\n  {where}no fit: {of['refused']}"
+            if "refused" in of
+            else f"\n  {where}D = {shown(of['fractal_dimension'], 5)} +- {shown(of['fractal_dimension_error'], 2)}, "
+            f"G = {shown(of['fractal_roughness_m'], 5)} m +- {shown(of['fractal_roughness_error_m'], 2)} m"
+            for where, of in parts
+        )
+        return f"<fstiff.Fit of {self['source']['file']}>{text}" + lines_of(self.warnings)
+
+
+class Islands(Document):
+    """The islands of a map, and R and D_p where they are densest: the keys of the JSON of `fstiff islands`."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The curve, a cutting level a row."""
+        return frame(dict(self["curve"]))
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws the density of islands over the level; returns the axes."""
+        ax = axes(ax)
+        ax.plot(self["curve"]["level_m"] * 1e6, self["curve"]["density_per_m2"] * 1e-6)
+        ax.axvline(self["representative"]["level_m"] * 1e6, lw=0.8, ls=":")
+        ax.set_xlabel("level [µm]")
+        ax.set_ylabel("islands [1/mm²]")
+        return ax
+
+    def __repr__(self) -> str:
+        of = self["representative"]
+        errors = [f" +- {shown(of[key], 2)}" if key in of else "" for key in ("peak_density_error_per_m2", "peak_radius_error_m")]
+        return (
+            f"<fstiff.Islands of {self['source']['file']}>\n  D_p = {shown(of['peak_density_per_m2'], 5)}{errors[0]} 1/m^2, "
+            f"R = {shown(of['peak_radius_m'], 5)}{errors[1]} m, of {of['islands']} islands" + lines_of(self.warnings)
+        )
+
+
+class Truth(Document):
+    """The contact of a map by boundary elements: the keys of the JSON of `fstiff truth`."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """A pressure a row."""
+        return frame(self["rows"])
+
+    def column(self, key: str) -> Numbers:
+        """What every row has under `key`, such as "stiffness_Pa_per_m", as an array."""
+        import numpy as np
+
+        return np.array([row[key] for row in self["rows"]])
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws K over the pressure, with its change from a grid half as fine; returns the axes."""
+        from ._results import label_axes
+
+        ax = axes(ax)
+        by_x, by_y = label_axes(ax, "pressure_Pa", "stiffness_Pa_per_m")
+        k, error = self.column("stiffness_Pa_per_m"), self.column("stiffness_error_Pa_per_m")
+        ax.errorbar(self.column("pressure_Pa") * by_x, k * by_y, error * by_y, fmt="o", label="boundary elements")
+        return ax
+
+    def __repr__(self) -> str:
+        rows = [["p [Pa]", "K [Pa/m]", "+-", "mean gap [m]", "real area"]]
+        keys = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_error_Pa_per_m", "separation_m", "real_area_fraction")
+        rows += [[shown(row[key], 5) for key in keys] for row in self["rows"]]
+        return f"<fstiff.Truth of {self['map']}>\n{text_table(rows)}" + lines_of(self.warnings)
+
+
+def measure(
+    surface: Source,
+    *,
+    peaks: Literal["islands", "summits"] | None = None,
+    window: str | tuple[Length, Length] | None = None,
+    resamples: int | None = None,
+    seed: int | None = None,
+    **options: Unpack[SurfaceOptions],
+) -> Measurement:
+    """Every parameter of a scene's surface, with errors, as `fstiff measure` finds them.
+
+    surface     a 1-D or 2-D array of heights [m] with `spacing`, a Surface, a topography of SurfaceTopography, a file, or
+                several files of one surface, which are pooled
+    peaks       of a map, for R and D_p: its islands (default) or its summits
+    window      shortest and longest lag that give D [m]; None chooses them
+    resamples   behind the standard errors, 400 by default, drawn with `seed`
+    options     see SurfaceOptions
+    """
+    own = {"peaks": peaks, "window": window, "resamples": resamples, "seed": seed}
+    made, files, heights = _of(surface, dict(options), own)
+    return Measurement(_core.measure(made, files, heights))
+
+
+def _one(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], _core.Heights]:
+    made, files, heights = _of(source, options, own)
+    if len(files) > 1:
+        raise ValueError("files: must be one; measure() pools several")
+    return made, heights
+
+
+def fit(
+    surface: Source,
+    *,
+    window: str | tuple[Length, Length] | None = None,
+    convention: Literal["exact", "paper", "majumdar_tien"] | None = None,
+    resamples: int | None = None,
+    seed: int | None = None,
+    all_lags: bool = False,
+    **options: Unpack[SurfaceOptions],
+) -> Fit:
+    """Fractal dimension D and roughness G [m] of a profile or a map, with errors, as `fstiff fit` finds them.
+
+    `convention` is the constant of eq. (2.4) that gives G; `all_lags` computes the structure function of a profile at every lag;
+    the other arguments are those of measure().
+    """
+    own = {"window": window, "convention": convention, "resamples": resamples, "seed": seed, "all_lags": all_lags}
+    made, heights = _one(surface, dict(options), own)
+    return Fit(_core.fit(made, heights))
+
+
+def islands(
+    surface: Source,
+    *,
+    neighbours: Literal[4, 8] = 8,
+    border: Literal["keep", "drop"] = "keep",
+    island_height: Literal["peak", "twice-mean"] = "peak",
+    least_points: int = 1,
+    levels: int | None = None,
+    tiles: int | None = None,
+    resamples: int | None = None,
+    seed: int | None = None,
+    **options: Unpack[SurfaceOptions],
+) -> Islands:
+    """The islands of a map at every cutting level, and R [m] and D_p [1/m^2], as `fstiff islands` finds them.
+
+    `levels` are 200 by default, at equal steps of bearing area; the errors are of `tiles` x `tiles` tiles, 4 x 4 by default, drawn
+    `resamples` times with `seed`. `surface` and `options` are those of measure().
+    """
+    own = {
+        "neighbours": neighbours,
+        "border": border,
+        "island_height": island_height,
+        "least_points": least_points,
+        "levels": levels,
+        "tiles": tiles,
+        "resamples": resamples,
+        "seed": seed,
+    }
+    made, heights = _one(surface, dict(options), own)
+    return Islands(_core.islands(made, heights))
+
+
+def truth(
+    surface: Source,
+    pressures: npt.ArrayLike,
+    *,
+    effective_modulus: float,
+    points: int = 256,
+    edges: Literal["mirrored", "periodic"] = "mirrored",
+    hardness: float | None = None,
+    **options: Unpack[SurfaceOptions],
+) -> Truth:
+    """The contact of a map against a flat under `pressures` [Pa] by boundary elements on the map itself, as `fstiff truth` solves it.
+
+    effective_modulus   [Pa]
+    points              along the longer side, that the map is made coarser to
+    edges               how the map goes on beyond its edges
+    hardness            at which pressures are cut [Pa]; None is elastic
+
+    `surface` and `options` are those of measure().
+    """
+    import numpy as np
+
+    from ._contacts import numbers
+
+    made, heights = _one(surface, dict(options), {"points": points, "edges": edges, "hardness": hardness})
+    return Truth(_core.truth(made, heights, np.atleast_1d(numbers(pressures, "pressures")), effective_modulus))

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contacts and tabulated laws, evaluated on whole arrays without the GIL.
+#include "module.hpp"
+
+#include "scene/contact_instances.hpp"
+#include "scene/one_contact.hpp"
+
+#include <fstiff/contact/contact_law.hpp>
+
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string_view.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<OutsideRange> = name_list<OutsideRange>({{OutsideRange::refuse, "refuse"},
+                                                                     {OutsideRange::clamp, "clamp"},
+                                                                     {OutsideRange::exact, "exact"},
+                                                                     {OutsideRange::extrapolate, "extrapolate"}});
+
+}  // namespace fstiff
+
+namespace fstiff::python {
+namespace {
+
+using scene::OneContact;
+using TabulatedLaw = ContactLaw<double>;
+using ArrayIn = Eigen::Map<const Eigen::ArrayXd>;
+using ArrayOut = Eigen::Map<Eigen::ArrayXd>;
+
+/// A quantity by the key that run has for it.
+struct Output {
+    const char* key;
+    const char* quantity;  ///< as output.quantities of a scene calls it; null: always there
+    Quantity needs;
+    Estimate<double> ContactState<double>::*estimate;
+    double Estimate<double>::*number;
+};
+
+using State = ContactState<double>;
+constexpr auto value = &Estimate<double>::value;
+constexpr std::array<Output, 7> outputs{
+    {{"pressure_Pa", nullptr, Quantity::pressure, &State::pressure, value},
+     {"separation_m", "separation", Quantity::separation, &State::separation, value},
+     {"stiffness_Pa_per_m", "stiffness", Quantity::stiffness, &State::stiffness, value},
+     {"stiffness_error_Pa_per_m", "stiffness", Quantity::stiffness, &State::stiffness, &Estimate<double>::error},
+     {"loading_stiffness_Pa_per_m", "loading_stiffness", Quantity::loading_stiffness, &State::loading_stiffness, value},
+     {"real_area_fraction", "real_area", Quantity::real_area, &State::real_area_fraction, value},
+     {"contacts_per_m2", "contacts", Quantity::contacts, &State::contact_density, value}}};
+
+std::vector<std::string> quantities_of(const OneContact& contact) {
+    std::vector<std::string> names;
+    for (const Output& output : outputs)
+        if (output.quantity && has(contact.law->quantities, output.needs) &&
+            (names.empty() || names.back() != output.quantity))
+            names.emplace_back(output.quantity);
+    return names;
+}
+
+/// The outputs that \p names ask for; none: all that the law gives.
+std::vector<const Output*> chosen(const OneContact& contact, const std::optional<std::vector<std::string>>& names) {
+    const std::vector<std::string> all = quantities_of(contact);
+    if (names)
+        for (const std::string& name : *names)
+            if (std::find(all.begin(), all.end(), name) == all.end()) {
+                std::vector<std::string_view> allowed(all.begin(), all.end());
+                throw domain_error("quantities = \"" + name + "\": of law " + std::string(contact.law->name) +
+                                   " must be among " + scene::list_of(allowed));
+            }
+    const std::vector<std::string>& wanted = names ? *names : all;
+    std::vector<const Output*> found;
+    for (const Output& output : outputs)
+        if (!output.quantity || std::find(wanted.begin(), wanted.end(), output.quantity) != wanted.end())
+            found.push_back(&output);
+    return found;
+}
+
+/// Columns by their keys, and why a point has none.
+using Evaluated = std::pair<nb::dict, nb::dict>;
+
+template <class Call>
+Evaluated evaluate(const OneContact& contact, const In& x, const std::optional<std::vector<std::string>>& names,
+                   const Call& call) {
+    const auto wanted = chosen(contact, names);
+    Quantity quantities = Quantity::pressure | Quantity::separation;
+    std::vector<NewArray> columns;
+    for (const Output* output : wanted) {
+        quantities = quantities | output->needs;
+        columns.emplace_back(x);
+    }
+    std::map<std::size_t, std::string> reasons;
+    {
+        const nb::gil_scoped_release free;
+        const ProgressHook interrupted = until_interrupted();
+        constexpr std::size_t part = 1024;
+        const std::span<const double> all = numbers_of(x);
+        for (std::size_t begin = 0; begin < all.size(); begin += part) {
+            interrupted("points", begin, all.size());
+            const auto points = call(all.subspan(begin, std::min(part, all.size() - begin)), quantities);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const ContactPoint<double>& point = points[i];
+                if (!point.ok())
+                    reasons[begin + i] = point.status == PointStatus::out_of_reach
+                                             ? point.reason
+                                             : "a result is beyond the range of numbers";
+                for (std::size_t k = 0; k < wanted.size(); ++k)
+                    columns[k].data()[begin + i] = point.ok() ? point.state.*wanted[k]->estimate.*wanted[k]->number
+                                                              : std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+    }
+    nb::dict results, why;
+    for (std::size_t k = 0; k < wanted.size(); ++k) results[wanted[k]->key] = columns[k].take();
+    for (const auto& [index, reason] : reasons) why[nb::int_(index)] = reason;
+    return {results, why};
+}
+
+OneContact of_numbers(const std::string& law, const std::map<std::string, double>& numbers,
+                      const std::string& interaction, const scene::MeasuredSurface* measured) {
+    const nb::gil_scoped_release free;
+    const auto number = [&](const char* name) {
+        const auto found = numbers.find(name);
+        return found == numbers.end() ? 0. : found->second;
+    };
+    return scene::contact_of(
+        law,
+        {.surface = {number("rms_height"), number("peak_radius"), number("peak_density"), number("max_peak_height")},
+         .r = number("r"),
+         .theta = number("theta"),
+         .fractal_dimension = number("fractal_dimension"),
+         .rms_gradient = number("rms_gradient"),
+         .effective_modulus = number("effective_modulus"),
+         .poisson_ratio = number("poisson_ratio"),
+         .yield_strength = number("yield_strength"),
+         .hardness = number("hardness"),
+         .reading = parse<InteractionReading>(interaction, "interaction"),
+         .interaction_length = number("interaction_length")},
+        measured, until_interrupted());
+}
+
+/// \p call(in, out...) on whole arrays without the GIL.
+template <std::size_t count, class Call>
+std::array<Out, count> batch(const In& x, const Call& call) {
+    std::vector<NewArray> made;
+    for (std::size_t i = 0; i < count; ++i) made.emplace_back(x);
+    const auto size = static_cast<Eigen::Index>(x.size());
+    {
+        const nb::gil_scoped_release free;
+        const auto out = [&](std::size_t i) { return ArrayOut(made[i].data(), size); };
+        if constexpr (count == 1)
+            call(ArrayIn(x.data(), size), out(0));
+        else
+            call(ArrayIn(x.data(), size), out(0), out(1));
+    }
+    std::array<Out, count> taken;
+    for (std::size_t i = 0; i < count; ++i) taken[i] = made[i].take();
+    return taken;
+}
+
+void add_laws(nb::module_& m) {
+    nb::class_<TabulatedLaw>(m, "Law", "A tabulated law; see fstiff.Law.")
+        .def_static(
+            "from_text", [](std::string_view text) { return TabulatedLaw::from_text(text); }, nb::arg("text"))
+        .def("to_text", &TabulatedLaw::to_text)
+        .def("stiffness",
+             [](const TabulatedLaw& law, const In& p) {
+                 return batch<1>(p, [&](const ArrayIn& in, ArrayOut k) { law.stiffness(in, k); })[0];
+             })
+        .def("separation",
+             [](const TabulatedLaw& law, const In& p) {
+                 return batch<1>(p, [&](const ArrayIn& in, ArrayOut d) {
+                     for (Eigen::Index i = 0; i < in.size(); ++i) d[i] = law.separation(in[i]);
+                 })[0];
+             })
+        .def("stiffness_slope",
+             [](const TabulatedLaw& law, const In& p) {
+                 return batch<1>(p, [&](const ArrayIn& in, ArrayOut slope) {
+                     for (Eigen::Index i = 0; i < in.size(); ++i) slope[i] = law.stiffness_slope(in[i]);
+                 })[0];
+             })
+        .def("at_separation",
+             [](const TabulatedLaw& law, const In& d) {
+                 auto [p, k] = batch<2>(
+                     d, [&](const ArrayIn& in, ArrayOut to, ArrayOut with) { law.at_separation(in, to, with); });
+                 return std::pair(p, k);
+             })
+        .def("tangent_at_separation",
+             [](const TabulatedLaw& law, const In& d) {
+                 auto [p, slope] = batch<2>(d, [&](const ArrayIn& in, ArrayOut to, ArrayOut with) {
+                     law.tangent_at_separation(in, to, with);
+                 });
+                 return std::pair(p, slope);
+             })
+        .def_prop_ro("pressures",
+                     [](const TabulatedLaw& law) { return std::pair(law.pressures()[0], law.pressures()[1]); })
+        .def_prop_ro("separations",
+                     [](const TabulatedLaw& law) { return std::pair(law.separations()[0], law.separations()[1]); })
+        .def_prop_ro("relative_error", &TabulatedLaw::relative_error)
+        .def_prop_ro("tangent_is_exact", &TabulatedLaw::tangent_is_exact)
+        .def_prop_ro("outside", [](const TabulatedLaw& law) { return std::string(name_of(law.outside())); });
+}
+
+}  // namespace
+
+void add_contacts(nb::module_& m) {
+    add_laws(m);
+    nb::class_<OneContact>(m, "Contact", "A contact; see fstiff.Contact.")
+        .def_static("of_numbers", &of_numbers, nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"),
+                    nb::arg("measured").none())
+        .def("at_pressures",
+             [](const OneContact& contact, const In& x, const std::optional<std::vector<std::string>>& quantities) {
+                 return evaluate(contact, x, quantities, [&](std::span<const double> some, Quantity wanted) {
+                     return contact.contact->at_pressures(some, wanted);
+                 });
+             })
+        .def("at_separations",
+             [](const OneContact& contact, const In& x, const std::optional<std::vector<std::string>>& quantities) {
+                 return evaluate(contact, x, quantities, [&](std::span<const double> some, Quantity wanted) {
+                     return contact.contact->at_separations(some, wanted);
+                 });
+             })
+        .def(
+            "tabulate",
+            [](const OneContact& contact, double min_pressure, double max_pressure, const std::string& outside) {
+                return contact.contact->tabulate({.min_pressure = min_pressure,
+                                                  .max_pressure = max_pressure,
+                                                  .outside = parse<OutsideRange>(outside, "outside")});
+            },
+            nb::arg("min_pressure"), nb::arg("max_pressure"), nb::arg("outside"), nb::keep_alive<0, 1>(),
+            nb::call_guard<nb::gil_scoped_release>())
+        .def_prop_ro("quantities", &quantities_of)
+        .def_prop_ro("law", [](const OneContact& contact) { return std::string(contact.law->name); })
+        .def_prop_ro("nature", [](const OneContact& contact) { return std::string(contact.law->nature); });
+    m.def(
+        "effective_modulus",
+        [](double modulus, double poisson, double modulus2, double poisson2) {
+            return effective_modulus(Material<double>{modulus, poisson}, Material<double>{modulus2, poisson2});
+        },
+        nb::arg("youngs_modulus"), nb::arg("poisson_ratio"), nb::arg("youngs_modulus2"), nb::arg("poisson_ratio2"));
+    m.def("law_names", [] {
+        std::vector<std::string> names;
+        for (const std::string_view name : scene::law_names()) names.emplace_back(name);
+        return names;
+    });
+}
+
+}  // namespace fstiff::python

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the parts of the module fstiff._core share: arrays of NumPy in and out, and Ctrl-C.
+
+#include <fstiff/core/progress.hpp>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fstiff::python {
+
+namespace nb = nanobind;
+
+/// Numbers of the caller, read where they are.
+using In = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
+/// Numbers that own their memory.
+using Out = nb::ndarray<nb::numpy, double>;
+
+inline std::span<const double> numbers_of(const In& array) { return {array.data(), array.size()}; }
+
+/// Memory for an array of the shape of \p like; it is left as it is.
+class NewArray {
+public:
+    explicit NewArray(const In& like) : data_(new double[like.size()]) {
+        for (std::size_t i = 0; i < like.ndim(); ++i) shape_.push_back(like.shape(i));
+    }
+    explicit NewArray(std::span<const double> values) : NewArray(values, {values.size()}) {}
+    NewArray(std::span<const double> values, std::vector<std::size_t> shape)
+        : data_(new double[values.size()]), shape_(std::move(shape)) {
+        std::copy(values.begin(), values.end(), data_.get());
+    }
+    [[nodiscard]] double* data() { return data_.get(); }
+    /// The array, which owns the memory from now on. Needs the GIL.
+    [[nodiscard]] Out take() {
+        double* const data = data_.release();
+        const nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<double*>(p); });
+        return Out(data, shape_.size(), shape_.data(), owner);
+    }
+
+private:
+    std::unique_ptr<double[]> data_;
+    std::vector<std::size_t> shape_;
+};
+
+/// Ends a computation by what a signal raises, KeyboardInterrupt for Ctrl-C.
+ProgressHook until_interrupted();
+
+void add_contacts(nb::module_& m);
+void add_scenes(nb::module_& m);
+void add_surfaces(nb::module_& m);
+
+}  // namespace fstiff::python

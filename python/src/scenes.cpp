@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes: their curves as columns, and their contacts.
+#include "module.hpp"
+
+#include "scene/one_contact.hpp"
+#include "scene/result_rows.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+namespace fstiff::python {
+namespace {
+
+using namespace scene;
+
+Scene scene_of_text(const std::string& text, const std::string& name, const std::string& surface,
+                    const MeasuredSurface* measured) {
+    const nb::gil_scoped_release free;
+    return read_scene(text, {.name = name, .surface = surface, .progress = until_interrupted(), .measured = measured});
+}
+
+Scene scene_of_file(const std::string& file, const std::string& surface, const MeasuredSurface* measured) {
+    const nb::gil_scoped_release free;
+    return read_scene(
+        read_all(file),
+        {.name = display_name(file), .surface = surface, .progress = until_interrupted(), .measured = measured});
+}
+
+/// The columns of the CSV, of all curves one below the other: numbers as an array, texts as a list.
+nb::list columns_of(const Results& results) {
+    struct Column {
+        std::string key;
+        std::vector<std::string> words;
+        std::vector<double> numbers;
+    };
+    std::vector<Column> all;
+    for (const Curve& curve : results.curves) {
+        const Rows rows = rows_of(results, curve);
+        std::size_t place = 0;
+        for (const Rows::Column& column : rows.columns()) {
+            if (!column.heading.csv || column.heading.key.empty()) continue;
+            if (place == all.size()) all.push_back({column.heading.key, {}, {}});
+            Column& to = all[place++];
+            if (to.key != column.heading.key) throw std::logic_error("curves of unlike columns");
+            for (const Cell& cell : column.cells) {
+                if (cell.kind == Cell::Kind::text) to.words.push_back(cell.words);
+                to.numbers.push_back(cell.kind == Cell::Kind::real    ? cell.number
+                                     : cell.kind == Cell::Kind::count ? static_cast<double>(cell.whole)
+                                                                      : std::numeric_limits<double>::quiet_NaN());
+            }
+        }
+    }
+    nb::list columns;
+    for (const Column& column : all)
+        if (column.words.empty())
+            columns.append(nb::make_tuple(column.key, NewArray(column.numbers).take()));
+        else
+            columns.append(nb::make_tuple(column.key, column.words));
+    return columns;
+}
+
+nb::dict run(const Scene& scene) {
+    const Results results = [&] {
+        const nb::gil_scoped_release free;
+        return compute(scene, until_interrupted());
+    }();
+    nb::list curves;
+    for (const Curve& curve : results.curves)
+        curves.append(nb::make_tuple(std::string(curve.law->name), curve.theta, curve.r, curve.states.size()));
+    nb::dict all;
+    all["columns"] = columns_of(results);
+    all["curves"] = curves;
+    all["warnings"] = results.warnings;
+    all["verdict"] = results.verdict;
+    all["effective_modulus"] = results.modulus;
+    all["doubtful"] = results.doubtful;
+    return all;
+}
+
+OneContact contact(const Scene& scene, const std::string& law, std::size_t peaks) {
+    const nb::gil_scoped_release free;
+    std::size_t place = 0;
+    if (!law.empty()) {
+        std::vector<std::string_view> names;
+        for (const ChosenLaw& chosen : scene.laws) names.push_back(chosen.law->name);
+        while (place < names.size() && names[place] != law) ++place;
+        if (place == names.size())
+            throw domain_error("law = \"" + law + "\": must be one of the scene's: " + list_of(names));
+    }
+    return contact_of(scene, place, peaks, until_interrupted());
+}
+
+}  // namespace
+
+void add_scenes(nb::module_& m) {
+    nb::class_<Scene>(m, "Scene", "A scene; see fstiff.Scene.")
+        .def_static("of_text", &scene_of_text, nb::arg("text"), nb::arg("name"), nb::arg("surface"),
+                    nb::arg("measured").none())
+        .def_static("of_file", &scene_of_file, nb::arg("file"), nb::arg("surface"), nb::arg("measured").none())
+        .def("run", &run)
+        .def("contact", &contact, nb::arg("law"), nb::arg("peaks"))
+        .def_prop_ro("name", [](const Scene& scene) { return scene.name; })
+        .def_prop_ro("laws",
+                     [](const Scene& scene) {
+                         std::vector<std::string> names;
+                         for (const ChosenLaw& chosen : scene.laws) names.emplace_back(chosen.law->name);
+                         return names;
+                     })
+        .def_prop_ro("at_separations", [](const Scene& scene) { return scene.at_separations; })
+        .def_prop_ro(
+            "points", [](const Scene& scene) { return NewArray(scene.points).take(); }, nb::rv_policy::automatic);
+    m.attr("builtin_scene") = std::string(builtin_scene);
+}
+
+}  // namespace fstiff::python

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured surfaces, from files and from arrays, and what is found of them: the JSON documents of the command.
+#include "module.hpp"
+
+#include "scene/documents.hpp"
+#include "scene/fractal.hpp"
+#include "scene/islands_of_map.hpp"
+#include "scene/measured_surface.hpp"
+#include "scene/truth_of_map.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+
+#include <optional>
+#include <variant>
+
+namespace fstiff::python {
+namespace {
+
+using namespace scene;
+
+/// Heights of the caller [m], and what a message calls them.
+struct Heights {
+    std::optional<In> array;  ///< none: a file
+    double dx = 0, dy = 0;    ///< [m]
+    std::string origin;
+};
+
+/// The options that the package has put into strings, numbers and truth values.
+class Given {
+public:
+    explicit Given(const nb::dict& options) : options_(options) {}
+    template <class T>
+    void take(const char* key, T& to) const {
+        if (options_.contains(key) && !nb::try_cast<T>(options_[key], to)) refuse(key);
+    }
+    template <class Enum>
+    void word(const char* key, Enum& to) const {
+        std::string text;
+        take(key, text);
+        if (!text.empty()) to = parse<Enum>(text, key);
+    }
+    /// A whole number within its range.
+    template <class T>
+    void whole(const char* key, T& to, long long least, long long most, const char* allowed) const {
+        if (!options_.contains(key)) return;
+        long long given = 0;
+        if (!nb::try_cast<long long>(options_[key], given)) refuse(key);
+        require(given >= least && given <= most, key, given, allowed);
+        to = static_cast<T>(given);
+    }
+
+private:
+    [[noreturn]] void refuse(const char* key) const {
+        throw domain_error(std::string(key) + " = " + nb::cast<std::string>(nb::repr(options_[key])).substr(0, 40) +
+                           ": is of a wrong type");
+    }
+
+    const nb::dict& options_;
+};
+
+constexpr long long most_seed = (1LL << 53) - 1;
+
+SurfaceOptions surface_options(const Given& given) {
+    SurfaceOptions to;
+    given.take("file", to.file);
+    given.take("format", to.format);
+    given.take("units", to.units);
+    given.take("spacing", to.spacing);
+    given.take("dx", to.dx);
+    given.take("dy", to.dy);
+    given.take("width", to.width);
+    given.take("height", to.height);
+    given.whole("column", to.column, 1, 1000000, "from 1 to 1000000");
+    given.take("missing", to.missing);
+    given.take("resample", to.resample);
+    given.take("x3p_increment", to.x3p_increment);
+    given.take("channel", to.channel);
+    given.take("crop", to.crop);
+    given.take("mask", to.mask);
+    given.take("spikes", to.spikes);
+    given.take("fill", to.fill);
+    given.take("detrend", to.detrend);
+    given.take("cutoff", to.cutoff);
+    given.take("lambda_s", to.lambda_s);
+    given.take("lambda_c", to.lambda_c);
+    given.word("filter", to.filter);
+    given.take("tip_radius", to.tip_radius);
+    given.take("resolution", to.resolution);
+    return to;
+}
+
+/// Reads the file, or copies the heights. Without the GIL.
+SurfaceInput input_of(const SurfaceOptions& options, const Heights& heights) {
+    if (!heights.array) return read_surface_input(options);
+    const In& array = *heights.array;
+    if (array.ndim() == 1) {
+        const auto numbers = numbers_of(array);
+        return surface_of_heights(options, Profile<double>{{numbers.begin(), numbers.end()}, heights.dx},
+                                  heights.origin);
+    }
+    if (array.ndim() != 2)
+        throw domain_error("heights have " + std::to_string(array.ndim()) +
+                           " dimensions: must have 1 (a profile) or 2 (a map)");
+    using Array = HeightMap<double>::Array;
+    return surface_of_heights(
+        options,
+        HeightMap<double>{Eigen::Map<const Array>(array.data(), static_cast<Eigen::Index>(array.shape(0)),
+                                                  static_cast<Eigen::Index>(array.shape(1))),
+                          heights.dx, heights.dy},
+        heights.origin);
+}
+
+/// A document as the command prints it, and whether the command would call it doubtful.
+struct Found {
+    std::string json;
+    bool doubtful = false;
+    std::shared_ptr<const MeasuredSurface> measured{};
+};
+
+Found found(Json document, const std::vector<std::string>& warnings, bool doubtful,
+            std::shared_ptr<const MeasuredSurface> measured = {}) {
+    document["warnings"] = warnings;
+    return {document.str(), doubtful, std::move(measured)};
+}
+
+Found measure(const nb::dict& options, const std::vector<std::string>& files, const Heights& heights) {
+    const Given given(options);
+    MeasureOptions how;
+    how.input = surface_options(given);
+    given.word("peaks", how.peaks);
+    given.take("window", how.window);
+    given.whole("resamples", how.resamples, 2, 100000, "from 2 to 100000");
+    given.whole("seed", how.seed, 0, most_seed, "from 0 to 2^53 - 1");
+    const nb::gil_scoped_release free;
+    const auto surface = std::make_shared<const MeasuredSurface>(
+        heights.array ? measure_surface(how, input_of(how.input, heights), until_interrupted())
+                      : measure_files(how, files, until_interrupted()));
+    return found(measure_json(how, *surface), surface->warnings,
+                 !unknown_parameters(*surface, surface->parameters).empty(), surface);
+}
+
+Found fit(const nb::dict& options, const Heights& heights) {
+    const Given given(options);
+    FractalOptions how;
+    how.surface = surface_options(given);
+    given.take("window", how.window);
+    given.word("convention", how.convention);
+    given.whole("seed", how.seed, 0, most_seed, "from 0 to 2^53 - 1");
+    given.whole("resamples", how.resamples, 0, 100000, "from 0 to 100000");
+    given.take("all_lags", how.all_lags);
+    how.progress = until_interrupted();
+    const nb::gil_scoped_release free;
+    (void)fit_options(how);  // what is wrong with them is said before the file is read
+    SurfaceInput input = input_of(how.surface, heights);
+    const auto of = [&](const auto& result) {
+        return found(fractal_json(how, input, result), warnings_of(how, input, result), false);
+    };
+    return input.surface.is_profile() ? of(fractal_of_profile(how, input)) : of(fractal_of_map(how, input));
+}
+
+Found islands(const nb::dict& options, const Heights& heights) {
+    const Given given(options);
+    IslandsRequest how;
+    how.surface = surface_options(given);
+    given.take("neighbours", how.neighbours);
+    require(how.neighbours == 4 || how.neighbours == 8, "neighbours", how.neighbours, "4 or 8");
+    given.word("border", how.border);
+    given.word("island_height", how.height);
+    constexpr long long most = 1000000000;
+    given.whole("least_points", how.min_points, 1, most, "at least 1");
+    given.whole("levels", how.levels, 0, most, "at least 0");
+    given.whole("tiles", how.spread.tiles, 1, 100000, "at least 1");
+    given.whole("resamples", how.spread.resamples, 2, 100000, "from 2 to 100000");
+    given.whole("seed", how.spread.seed, 0, most_seed, "from 0 to 2^53 - 1");
+    how.progress = until_interrupted();
+    const nb::gil_scoped_release free;
+    SurfaceInput input = input_of(how.surface, heights);
+    const IslandsOfMap result = islands_of_map(how, input);
+    return found(islands_json(how, input, result), warnings_of(input, result), result.doubtful());
+}
+
+Found truth(const nb::dict& options, const Heights& heights, const In& pressures, double modulus) {
+    const Given given(options);
+    TruthRequest how;
+    how.surface = surface_options(given), how.modulus = modulus;
+    how.pressures.assign(numbers_of(pressures).begin(), numbers_of(pressures).end());
+    given.take("hardness", how.hardness);
+    given.whole("points", how.points, 16, 4096, "from 16 to 4096");
+    given.word("edges", how.edges);
+    how.progress = until_interrupted();
+    const nb::gil_scoped_release free;
+    const TruthOfMap solved = truth_of_map(how, input_of(how.surface, heights));
+    return found(truth_json(solved), warnings_of(solved), solved.unresolved() + solved.failed() > 0);
+}
+
+/// Heights, dx and dy (0 of a profile), what was decided, and warnings.
+nb::tuple read(const nb::dict& options) {
+    const SurfaceOptions how = surface_options(Given(options));
+    const SurfaceInput input = [&] {
+        const nb::gil_scoped_release free;
+        return read_surface_input(how);
+    }();
+    const io::SurfaceRecord& record = input.surface.record;
+    if (input.surface.is_profile()) {
+        const Profile<double>& profile = input.surface.profile();
+        return nb::make_tuple(NewArray(profile.heights).take(), profile.spacing, 0., record.sentences(),
+                              record.warnings);
+    }
+    const HeightMap<double>& map = input.surface.map();
+    const std::size_t rows = static_cast<std::size_t>(map.rows()), columns = static_cast<std::size_t>(map.columns());
+    return nb::make_tuple(NewArray({map.heights.data(), rows * columns}, {rows, columns}).take(), map.dx, map.dy,
+                          record.sentences(), record.warnings);
+}
+
+}  // namespace
+
+void add_surfaces(nb::module_& m) {
+    nb::class_<MeasuredSurface>(m, "Measured", "What was measured, for scenes and contacts.");
+    nb::class_<Heights>(m, "Heights", "Where the heights are.")
+        .def(
+            "__init__",
+            [](Heights* self, std::optional<In> array, double dx, double dy, std::string origin) {
+                new (self) Heights{std::move(array), dx, dy, std::move(origin)};
+            },
+            nb::arg("array").none(), nb::arg("dx"), nb::arg("dy"), nb::arg("origin"));
+    nb::class_<Found>(m, "Found", "A document of the command.")
+        .def_ro("json", &Found::json)
+        .def_ro("doubtful", &Found::doubtful)
+        .def_ro("measured", &Found::measured);
+    m.def("measure", &measure, nb::arg("options"), nb::arg("files"), nb::arg("heights"));
+    m.def("fit", &fit, nb::arg("options"), nb::arg("heights"));
+    m.def("islands", &islands, nb::arg("options"), nb::arg("heights"));
+    m.def("truth", &truth, nb::arg("options"), nb::arg("heights"), nb::arg("pressures"), nb::arg("modulus"));
+    m.def(
+        "parse_length", [](const std::string& text, const std::string& name) { return parse_length(text, name); },
+        nb::arg("text"), nb::arg("name"));
+    m.def("read", &read, nb::arg("options"));
+}
+
+}  // namespace fstiff::python

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/documents.hpp"
+
+namespace fstiff::scene {
+namespace {
+
+Json json_of(const RoughnessTable& table) {
+    Json object = {{"standard", table.standard}};
+    Json reasons = Json::object();
+    for (const RoughnessLine& line : table.lines) {
+        const std::string key = line.symbol + (line.unit.empty() ? "" : "_" + line.unit);
+        object[key] = line.value ? Json(*line.value) : Json();
+        if (!line.value) reasons[key] = line.meaning;
+    }
+    if (!table.sections.empty()) {
+        object["section_length_m"] = table.section_length > 0 ? Json(table.section_length) : Json();
+        object["sections"] = table.sections;
+    }
+    if (table.files > 1) object["mean_of_files"] = table.files;
+    object["reasons"] = std::move(reasons);
+    return object;
+}
+
+}  // namespace
+
+void put_cut_offs(Json& document, const CutOffs& cut_offs) {
+    document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
+    document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
+}
+
+Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
+    return {{"file", display_name(options.file)},
+            {"sha256", input.sha256},
+            {"format", io::surface_format_name(input.surface.record.format)},
+            {"kind", input.surface.is_profile() ? "profile" : "map"},
+            {"decisions", input.surface.record.sentences()}};
+}
+
+Json json_inputs(const SurfaceOptions& options, const std::string& form) {
+    Json inputs = {{"input_format", options.format}, {"units", options.units},   {"spacing", options.spacing},
+                   {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
+                   {"width", options.width},         {"height", options.height}, {"detrend", form},
+                   {"cutoff", options.cutoff}};
+    if (!options.lambda_s.empty()) inputs["lambda_s"] = options.lambda_s;
+    if (!options.lambda_c.empty()) inputs["lambda_c"] = options.lambda_c;
+    if (!options.crop.empty()) inputs["crop"] = options.crop;
+    if (!options.mask.empty()) inputs["mask"] = options.mask;
+    if (options.spikes != 0) inputs["spikes"] = options.spikes;
+    if (options.fill) inputs["fill"] = true;
+    if (options.filter != CutOffFilter::gaussian) inputs["filter"] = name_of(options.filter);
+    if (!options.missing.empty()) inputs["missing"] = options.missing;
+    if (options.resample) inputs["resample"] = true;
+    if (!options.x3p_increment.empty()) inputs["x3p_increment"] = options.x3p_increment;
+    if (!options.channel.empty()) inputs["channel"] = options.channel;
+    return inputs;
+}
+
+Json scene_json(const Scene& scene) { return {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}}; }
+
+Json measured_document(const MeasuredSurface& surface) {
+    Json document = json_document("measure");
+    document["source"] = {
+        {"file", surface.file}, {"sha256", surface.sha256}, {"kind", surface.kind}, {"decisions", surface.decisions}};
+    put_cut_offs(document, surface.cut_offs);
+    Json& values = document["surface"] = Json::object();
+    for (const ParameterLine& line : parameter_lines(surface)) {
+        Json& entry = values[line.name] = Json::object();
+        if (!line.unit.empty()) entry["quantity"] = shortest(line.measured.value) + " " + line.unit;
+        entry["value"] = line.measured.value;
+        entry["error"] = line.measured.error;
+        if (!line.unit.empty()) entry["unit"] = line.unit;
+        entry["how"] = line.how;
+    }
+    if (surface.parameters.known[index_of(Parameter::fractal_dimension)])
+        document["fractal_dimension_window_error"] = surface.dimension_window_error;
+    if (surface.heights)
+        document["moments"] = {{"m0_m2", surface.heights->moments.m0},
+                               {"m2", surface.heights->moments.m2},
+                               {"m4_per_m2", surface.heights->moments.m4},
+                               {"alpha", surface.heights->moments.bandwidth()}};
+    for (const MeasuredSurface& neighbour : surface.neighbours) {
+        Json of = measured_document(neighbour);
+        document["neighbours"].push_back({{"lambda_s_m", of["lambda_s_m"]},
+                                          {"lambda_c_m", of["lambda_c_m"]},
+                                          {"surface", of["surface"]},
+                                          {"moments", of["moments"]}});
+    }
+    if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;
+    if (!surface.peaks_refusal.empty()) document["no_r_and_theta"] = surface.peaks_refusal;
+    Json names = Json::array(), rows = Json::array();
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+        names.push_back(parameter_table[i].key);
+        Json row = Json::array();
+        for (const double one : surface.parameters.correlation[i]) row.push_back(one);
+        rows.push_back(std::move(row));
+    }
+    document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};
+    Json& concerns = document["concerns"] = Json::array();
+    for (const MeasuredConcern concern : surface.concerns) concerns.push_back(name_of(concern));
+    document["warnings"] = surface.warnings;
+    return document;
+}
+
+RoughnessTable roughness_of(const MeasuredSurface& surface) {
+    if (surface.parts.empty())
+        return about_file(surface.file, [&] {
+            return surface.profile ? roughness_table(*surface.profile) : roughness_table(*surface.map);
+        });
+    std::vector<RoughnessTable> tables;
+    for (const MeasuredSurface& part : surface.parts) tables.push_back(roughness_of(part));
+    return mean_of(tables);
+}
+
+Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface) {
+    Json document = measured_document(surface);
+    for (const MeasuredSurface& part : surface.parts) {
+        Json one = measured_document(part);
+        document["files"].push_back({{"source", one["source"]},
+                                     {"surface", one["surface"]},
+                                     {"moments", one["moments"]},
+                                     {"roughness", json_of(roughness_of(part))},
+                                     {"concerns", one["concerns"]},
+                                     {"warnings", one["warnings"]}});
+    }
+    document["inputs"] = json_inputs(options.input, options.input.detrend);
+    document["inputs"].update({{"peaks", name_of(options.peaks)},
+                               {"tip_radius", options.input.tip_radius},
+                               {"resolution", options.input.resolution},
+                               {"window", options.window},
+                               {"resamples", options.resamples},
+                               {"seed", options.seed}});
+    document["roughness"] = json_of(roughness_of(surface));
+    return document;
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What is known of a scene and of a measured surface as JSON: what the command prints, and what a scene reads back.
+
+#include "scene/json.hpp"
+#include "scene/measured_surface.hpp"
+#include "scene/roughness.hpp"
+#include "scene/rows.hpp"
+#include "scene/scene.hpp"
+
+#include <string>
+
+namespace fstiff::scene {
+
+/// The file, its SHA-256 and what was decided about it, for a JSON document.
+[[nodiscard]] Json json_source(const SurfaceOptions& options, const SurfaceInput& input);
+/// The options as they were given, for a JSON document; \p form is the one that was removed.
+[[nodiscard]] Json json_inputs(const SurfaceOptions& options, const std::string& form);
+/// lambda_s_m and lambda_c_m of a JSON document: null where there is none.
+void put_cut_offs(Json& document, const CutOffs& cut_offs);
+
+/// Its name, file and SHA-256, for a JSON document.
+[[nodiscard]] Json scene_json(const Scene& scene);
+/// What was measured of a surface, for a JSON document that read_measured_document takes.
+[[nodiscard]] Json measured_document(const MeasuredSurface& surface);
+
+/// The roughness parameters of \p surface; of several files the means of theirs. \throws as roughness_table().
+[[nodiscard]] RoughnessTable roughness_of(const MeasuredSurface& surface);
+/// The whole document of fstiff measure, \p surface being measured as \p options say.
+[[nodiscard]] Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface);
+
+}  // namespace fstiff::scene

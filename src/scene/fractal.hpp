@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// D and G of a measured profile or map with their errors, and what else fstiff fit tells of it.
+
+#include "scene/rows.hpp"
+#include "scene/surface_file.hpp"
+
+#include <fstiff/core/progress.hpp>
+#include <fstiff/measured/sections.hpp>
+#include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/peak_statistics.hpp>
+#include <fstiff/profile/power_spectrum.hpp>
+#include <fstiff/profile/spectral_moments.hpp>
+#include <fstiff/profile/structure_function.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// How a file is read, and how D and G are found.
+struct FractalOptions {
+    SurfaceOptions surface;
+    std::string window;  ///< of lags
+    StructureConvention convention = StructureConvention::exact;
+    std::uint64_t seed = FractalFitOptions<double>{}.seed;
+    int resamples = FractalFitOptions<double>{}.resamples;
+    bool all_lags = false;    ///< the structure function of a profile at every lag
+    ProgressHook progress{};  ///< called while the bootstrap draws
+};
+
+/// What one profile gives. Of the parts that need more than the fit does, the reason where there is none.
+struct ProfileFractal {
+    PreparedProfile levelled;
+    FractalFit<double> fit;
+    std::optional<SpectralFit<double>> spectrum;
+    std::optional<SpectralMoments<double>> moments;
+    std::optional<PeakStatistics<double>> peaks;
+    std::string no_spectrum, no_moments, no_peaks;
+    StructureFunction<double> structure;  ///< that is shown
+};
+
+struct MapFractal {
+    PreparedMap levelled;
+    DirectionalFit<double> fit;
+};
+
+/// \throws domain_error for a window, a tip radius or a resolution that is no length.
+[[nodiscard]] FractalFitOptions<double> fit_options(const FractalOptions& options);
+
+/// \throws domain_error in one sentence with the name of the file, option_error for options that do not fit it.
+[[nodiscard]] ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceInput& input);
+/// The same of a map, whose heights \p input gives up.
+[[nodiscard]] MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input);
+
+/// What there is to doubt, in sentences.
+[[nodiscard]] std::vector<std::string> warnings_of(const FractalOptions& options, const SurfaceInput& input,
+                                                   const ProfileFractal& result);
+[[nodiscard]] std::vector<std::string> warnings_of(const FractalOptions& options, const SurfaceInput& input,
+                                                   const MapFractal& result);
+
+/// The structure function \p s; \p direction of a map, else empty.
+[[nodiscard]] Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s,
+                           const std::string& direction = "");
+
+/// The document of fstiff fit, without its warnings.
+[[nodiscard]] Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result);
+[[nodiscard]] Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The islands of a measured map against the cutting level, and the pair R, D_p at their greatest density.
+
+#include "scene/rows.hpp"
+#include "scene/surface_file.hpp"
+
+#include <fstiff/core/progress.hpp>
+#include <fstiff/topography/island_spread.hpp>
+#include <fstiff/topography/islands.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// How a file is read, and what counts as an island.
+struct IslandsRequest {
+    SurfaceOptions surface;
+    int neighbours = 8;  ///< of a point: 8 or 4
+    BorderIslands border = BorderIslands::kept;
+    IslandHeight height = IslandHeight::peak;
+    std::size_t min_points = 1, levels = IslandOptions<double>{}.quantiles;
+    IslandSpread spread;
+    ProgressHook progress{};
+};
+
+struct IslandsOfMap {
+    PreparedMap levelled;
+    RepresentativeIslands<double> islands;
+
+    /// A concern on which no result can rest.
+    [[nodiscard]] bool doubtful() const;
+};
+
+/// \throws domain_error in one sentence with the name of the file; \p input gives up its heights.
+[[nodiscard]] IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input);
+/// What there is to doubt, in sentences.
+[[nodiscard]] std::vector<std::string> warnings_of(const SurfaceInput& input, const IslandsOfMap& result);
+/// The curve, a level a row.
+[[nodiscard]] Rows rows_of(const IslandsOfMap& result);
+/// The document of fstiff islands, without its warnings.
+[[nodiscard]] Json islands_json(const IslandsRequest& options, const SurfaceInput& input, const IslandsOfMap& result);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/one_contact.hpp"
+
+#include "scene/each_contact.hpp"
+#include "scene/file.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace fstiff::scene {
+namespace {
+
+[[noreturn]] void refuse_entry(const char* name, std::size_t value, const char* allowed) {
+    throw no_such_entry(std::string(name) + " = " + std::to_string(value) + ": must be " + allowed);
+}
+
+OneContact contact_of(Scene of, double modulus, std::size_t law, std::size_t peaks, const ProgressHook& progress) {
+    OneContact one;
+    one.scene = std::make_shared<const Scene>(std::move(of));
+    const Scene& kept = *one.scene;
+    if (law >= kept.laws.size()) refuse_entry("law", law, "an entry of contact.laws");
+    std::size_t wanted = peaks;
+    for (std::size_t i = 0; i <= law; ++i) {
+        const std::size_t curves = is_joint(*kept.laws[i].law, kept) ? kept.peaks.size() : 1;
+        if (i < law)
+            wanted += curves;
+        else if (peaks >= curves)
+            refuse_entry("peaks", peaks, "an entry of contact.peaks, 0 without joint peaks");
+    }
+    for_each_contact(kept, modulus, progress, [&](const Curve& curve, const auto& make) {
+        if (wanted-- == 0) one.law = curve.law, one.contact = make();
+    });
+    return one;
+}
+
+/// Numbers as a scene with one law.
+Scene scene_of(const std::string& law, const ContactNumbers& numbers, const MeasuredSurface* measured) {
+    const Law* const found = find_law(law);
+    if (!found) {
+        const auto names = law_names();
+        throw domain_error("law = \"" + law.substr(0, 40) + "\": must be one of " + list_of(names));
+    }
+    Scene of;
+    const auto optional = [](const char* name, double value) {
+        if (value == 0) return std::optional<double>();
+        require_positive(name, value);
+        return std::optional(value);
+    };
+    if (measured) {
+        static_cast<Face&>(of) = face_of(*measured);
+    } else {
+        of.surface = numbers.surface;
+        of.surface.validate();
+        of.fractal_dimension = optional("fractal_dimension", numbers.fractal_dimension);
+        of.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
+    }
+    of.yield_strength = optional("yield_strength", numbers.yield_strength);
+    of.hardness = optional("hardness", numbers.hardness);
+    require(numbers.poisson_ratio > -1 && numbers.poisson_ratio <= 0.5, "poisson_ratio", numbers.poisson_ratio,
+            "greater than -1 and at most 0.5");
+    of.softer_poisson = numbers.poisson_ratio;
+    if (measured && is_joint(*found, of)) {
+        if (!of.r) throw domain_error("law " + law + ": needs r and theta of the surface: " + measured->peaks_refusal);
+        of.peaks.push_back({.theta = *of.theta, .r = of.r});
+    } else if (!measured && found->has_peaks) {
+        const PeakDistribution<double> peaks(numbers.r, numbers.theta);
+        of.r = peaks.r(), of.theta = peaks.theta();
+        of.peaks.push_back({.theta = *of.theta, .r = of.r});
+    }
+    if (found->needs_dimension && !of.fractal_dimension) throw domain_error("law " + law + ": needs fractal_dimension");
+    if (const std::string why = refusal_of(*found, of); !why.empty()) throw domain_error("law " + law + ": " + why);
+    of.reading = numbers.reading;
+    of.length = InteractionLength::given;
+    of.given_length = numbers.interaction_length;
+    ChosenLaw chosen{found, {}};
+    for (const LawOption& option : found->options) chosen.options.push_back(option.otherwise.value_or(0));
+    of.laws.push_back(std::move(chosen));
+    return of;
+}
+
+}  // namespace
+
+OneContact contact_of(const std::string& law, const ContactNumbers& numbers, const MeasuredSurface* measured,
+                      const ProgressHook& progress) {
+    require_positive("effective_modulus", numbers.effective_modulus);
+    return contact_of(scene_of(law, numbers, measured), numbers.effective_modulus, 0, 0, progress);
+}
+
+OneContact contact_of(Scene of, std::size_t law, std::size_t peaks, const ProgressHook& progress) {
+    const double modulus = effective_modulus(of.upper, of.lower);
+    return contact_of(std::move(of), modulus, law, peaks, progress);
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The columns of results, as the CSV, the JSON and the table of fstiff run have them.
+
+#include "scene/results.hpp"
+#include "scene/rows.hpp"
+#include "scene/shown_unit.hpp"
+
+#include <string>
+
+namespace fstiff::scene {
+
+/// The units of the columns, by the sizes of the scene.
+struct Units {
+    ShownUnit pressure, height, density;
+};
+
+[[nodiscard]] Units units_of(const Scene& scene, const Results& results);
+/// How people read the column \p key of a curve; one that is not for them stands in CSV and JSON alone.
+[[nodiscard]] Heading heading_of(const std::string& key, const Units& units);
+/// Every column of \p curve: law, theta, r, and what the scene asks for; the same keys for every curve of \p results.
+[[nodiscard]] Rows rows_of(const Results& results, const Curve& curve, const Units& units = {});
+
+}  // namespace fstiff::scene

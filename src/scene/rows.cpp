@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/rows.hpp"
+
+#include "scene/file.hpp"
+
+#include <algorithm>
+
+namespace fstiff::scene {
+namespace {
+
+using Kind = Cell::Kind;
+
+/// \p real where the cell holds a number; \p nothing where it holds none.
+template <class Real>
+std::string written(const Cell& cell, const char* nothing, const Real& real) {
+    if (cell.kind == Kind::absent || cell.kind == Kind::null) return nothing;
+    if (cell.kind == Kind::real) return real(cell.number);
+    return cell.kind == Kind::count ? std::to_string(cell.whole) : cell.words;
+}
+
+std::string text_of(const Cell& cell, const Heading& heading) {
+    return written(cell, "-", [&](double x) { return rounded(x * heading.factor, heading.digits); });
+}
+
+std::string csv_of(const Cell& cell) {
+    return written(cell, "", [](double x) { return exact(x); });
+}
+
+Json json_of(const Cell& cell) {
+    if (cell.kind == Kind::real) return cell.number;
+    if (cell.kind == Kind::count) return cell.whole;
+    return cell.kind == Kind::text ? Json(cell.words) : Json(nullptr);
+}
+
+}  // namespace
+
+std::size_t shown_width(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+}
+
+std::string TextTable::str(std::string_view indent) const {
+    std::vector<std::size_t> widths(rows_.front().size());
+    for (const auto& row : rows_)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], shown_width(row[i]));
+    std::string text;
+    for (const auto& row : rows_) {
+        text += indent;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            text += std::string((i ? 2 : 0) + widths[i] - shown_width(row[i]), ' ') + row[i];
+        text += '\n';
+    }
+    return text;
+}
+
+std::string csv_line(const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i ? "," : "") + cells[i];
+    return text + '\n';
+}
+
+std::string Rows::text(const Select& select) const {
+    std::vector<std::string> header;
+    for (const Column& column : columns_)
+        if (!column.heading.shown.empty()) header.push_back(column.heading.shown);
+    TextTable table(std::move(header));
+    for (std::size_t i = 0; i < size(); ++i) {
+        if (select && !select(i)) continue;
+        std::vector<std::string> row;
+        for (const Column& column : columns_)
+            if (!column.heading.shown.empty()) row.push_back(text_of(column.cells[i], column.heading));
+        table.add(std::move(row));
+    }
+    return table.str();
+}
+
+std::string Rows::csv(bool with_header, const Select& select) const {
+    const auto line = [&](const auto& cell_of) {
+        std::vector<std::string> cells;
+        for (const Column& column : columns_)
+            if (column.heading.csv && !column.heading.key.empty()) cells.push_back(cell_of(column));
+        return csv_line(cells);
+    };
+    std::string text = with_header ? line([](const Column& column) { return column.heading.key; }) : "";
+    for (std::size_t i = 0; i < size(); ++i)
+        if (!select || select(i)) text += line([&](const Column& column) { return csv_of(column.cells[i]); });
+    return text;
+}
+
+void Rows::append_to(Json& list) const {
+    for (std::size_t i = 0; i < size(); ++i) {
+        Json row = Json::object();
+        for (const Column& column : columns_)
+            if (column.heading.json && !column.heading.key.empty() && column.cells[i].kind != Kind::absent)
+                row[column.heading.key] = json_of(column.cells[i]);
+        list.push_back(std::move(row));
+    }
+}
+
+Json Rows::arrays() const {
+    Json all = Json::object();
+    for (const Column& column : columns_) {
+        if (!column.heading.json || column.heading.key.empty()) continue;
+        Json& list = all[column.heading.key] = Json::array();
+        for (const Cell& cell : column.cells) list.push_back(json_of(cell));
+    }
+    return all;
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Columns of results, described once: the table for people, the CSV and the JSON follow.
+//
+//     Rows rows;
+//     rows.add({"lag_m", "lag [µm]", 1e6}, s.lag);             value in SI by its key, in µm under its heading
+//     rows.add({"pairs", "pairs"}, s.pairs);
+//     rows.text();  rows.csv();  rows.json();
+
+#include "scene/json.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// Number of characters of UTF-8 text: all bytes but the continuation bytes.
+[[nodiscard]] std::size_t shown_width(std::string_view text);
+
+/// Columns of text for people, right-aligned under one header line.
+class TextTable {
+public:
+    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    std::string str(std::string_view indent = "  ") const;
+
+private:
+    std::vector<std::vector<std::string>> rows_;
+};
+
+/// Cells joined by commas, with a line end.
+std::string csv_line(const std::vector<std::string>& cells);
+
+/// A value of a column.
+struct Cell {
+    enum class Kind {
+        absent,  ///< "-" for people, blank in CSV, no key in JSON
+        null,    ///< the same, but null in JSON
+        real,
+        count,
+        text
+    };
+    Kind kind = Kind::absent;
+    double number = 0;
+    long long whole = 0;
+    std::string words{};
+
+    Cell(Kind nothing = Kind::absent) : kind(nothing) {}
+    Cell(double value) : kind(Kind::real), number(value) {}
+    template <std::integral Integer>
+    Cell(Integer value) : kind(Kind::count), whole(static_cast<long long>(value)) {}
+    Cell(std::string text) : kind(Kind::text), words(std::move(text)) {}
+    Cell(std::string_view text) : Cell(std::string(text)) {}
+    /// An optional value: absent where there is none.
+    Cell(const std::optional<double>& value) : Cell(value ? Cell(*value) : Cell()) {}
+};
+
+/// How a column is called and shown.
+struct Heading {
+    std::string key;      ///< of CSV and JSON, with the unit; empty: for people only
+    std::string shown{};  ///< for people, with the unit that they read; empty: not for people
+    double factor = 1;    ///< from the value to what people read
+    int digits = 5;       ///< for people
+    bool csv = true, json = true;
+};
+
+/// Columns of equal length.
+class Rows {
+public:
+    template <class Values>
+    void add(Heading heading, const Values& values) {
+        Column& column = columns_.emplace_back(Column{std::move(heading), {}});
+        for (const auto& value : values) column.cells.emplace_back(value);
+    }
+    /// The same value \p count times.
+    void repeat(Heading heading, const Cell& value, std::size_t count) {
+        columns_.push_back({std::move(heading), std::vector<Cell>(count, value)});
+    }
+    [[nodiscard]] std::size_t size() const { return columns_.empty() ? 0 : columns_.front().cells.size(); }
+
+    using Select = std::function<bool(std::size_t row)>;
+    /// The columns that people read, under their headings; of all rows, or of those that \p select takes.
+    [[nodiscard]] std::string text(const Select& select = {}) const;
+    [[nodiscard]] std::string csv(bool with_header = true, const Select& select = {}) const;
+    /// Appends an object for every row to \p list.
+    void append_to(Json& list) const;
+    /// An object with the values of each column as an array.
+    [[nodiscard]] Json arrays() const;
+
+    struct Column {
+        Heading heading;
+        std::vector<Cell> cells;
+    };
+    [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
+
+private:
+    std::vector<Column> columns_;
+};
+
+}  // namespace fstiff::scene

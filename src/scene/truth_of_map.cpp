@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/truth_of_map.hpp"
+
+#include "scene/surface_instances.hpp"
+
+#include <fstiff/contact/validity.hpp>
+
+#include <algorithm>
+
+namespace fstiff::scene {
+
+std::size_t TruthOfMap::unresolved() const {
+    return static_cast<std::size_t>(std::count_if(
+        at.begin(), at.end(), [](const auto& point) { return point.stiffness_error > 0.2 * point.state.stiffness; }));
+}
+
+std::size_t TruthOfMap::failed() const {
+    return static_cast<std::size_t>(
+        std::count_if(at.begin(), at.end(), [](const auto& point) { return !point.state.converged; }));
+}
+
+TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) {
+    if (input.surface.is_profile())
+        throw domain_error(display_name(options.surface.file) + ": is a profile; boundary elements need a map");
+    for (const double pressure : options.pressures) require_positive("pressure", pressure);
+    const PreparedMap map = level_map(options.surface, input);
+    TruthOfMap solved;
+    solved.file = display_name(options.surface.file);
+    solved.form = map.form + (map.cut_offs.any() ? ", " + map.cut_offs.sentence() : "");
+    solved.points_option = std::string(options.surface.prefix) + "points";
+    solved.modulus = options.modulus;
+    solved.rms_height = map.rms;
+    solved.rms_gradient = map.areal.rms_gradient;
+    solved.points = std::min<Eigen::Index>(options.points, std::max(map.map.columns(), map.map.rows()));
+    solved.edges = options.edges;
+    solved.at = truth(
+        map.map, solved.modulus, options.pressures,
+        {.points = options.points, .edges = options.edges, .hardness = options.hardness, .progress = options.progress});
+    return solved;
+}
+
+std::vector<std::string> warnings_of(const TruthOfMap& solved) {
+    std::vector<std::string> warnings;
+    if (const std::size_t unresolved = solved.unresolved())
+        warnings.push_back("K changes by more than a fifth from the grid half as fine at " +
+                           std::to_string(unresolved) + " of " + std::to_string(solved.at.size()) +
+                           " pressures: the contacts there are a few points wide (" + solved.points_option +
+                           ", or a finer map)");
+    if (const std::size_t failed = solved.failed())
+        warnings.push_back(std::to_string(failed) + " solutions did not converge");
+    return warnings;
+}
+
+Rows rows_of(const TruthOfMap& solved) {
+    std::vector<double> pressure, relative, stiffness, error, gap, gap_error, area, largest;
+    std::vector<std::size_t> spots;
+    std::vector<std::string> converged;
+    for (const auto& [state, stiffness_error, change_of_gap] : solved.at) {
+        pressure.push_back(state.pressure);
+        relative.push_back(dimensionless_pressure(state.pressure, solved.modulus, solved.rms_gradient));
+        stiffness.push_back(state.stiffness);
+        error.push_back(stiffness_error);
+        gap.push_back(state.mean_gap);
+        gap_error.push_back(change_of_gap);
+        area.push_back(state.contact_fraction);
+        largest.push_back(state.max_pressure);
+        spots.push_back(static_cast<std::size_t>(state.spots));
+        converged.emplace_back(state.converged ? "yes" : "no");
+    }
+    Rows rows;
+    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, pressure);
+    rows.add({"p_star", "p*", 1, 3}, relative);
+    rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, stiffness);
+    rows.add({"stiffness_error_Pa_per_m", "+- grid", 1e-15, 2}, error);
+    rows.add({"separation_m", "mean gap [µm]", 1e6}, gap);
+    rows.add({"separation_error_m", "+- grid", 1e6, 2}, gap_error);
+    rows.add({"real_area_fraction", "contact share"}, area);
+    rows.add({"contacts", "contacts"}, spots);
+    rows.add({"max_pressure_Pa", "largest p [GPa]", 1e-9}, largest);
+    rows.add({"converged", "converged"}, converged);
+    return rows;
+}
+
+Json truth_json(const TruthOfMap& solved) {
+    Json document = json_document("truth");
+    document["map"] = solved.file;
+    document["points"] = solved.points;
+    document["edges"] = name_of(solved.edges);
+    document["effective_modulus_Pa"] = solved.modulus;
+    document["rms_height_m"] = solved.rms_height;
+    document["rms_gradient"] = solved.rms_gradient;
+    Json& rows = document["rows"] = Json::array();
+    rows_of(solved).append_to(rows);
+    return document;
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The contact of a measured map by boundary elements on the map itself.
+
+#include "scene/rows.hpp"
+#include "scene/surface_file.hpp"
+
+#include <fstiff/core/progress.hpp>
+#include <fstiff/halfspace/truth.hpp>
+
+#include <string>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// How a file is read, and what is solved.
+struct TruthRequest {
+    SurfaceOptions surface;
+    double modulus = 0;             ///< effective [Pa]
+    std::vector<double> pressures;  ///< nominal [Pa]
+    double hardness = 0;            ///< at which pressures are cut [Pa]; 0: elastic
+    int points = 256;               ///< along the longer side, 16 or more, that the map is made coarser to
+    Edges edges = Edges::mirrored;
+    ProgressHook progress{};
+};
+
+struct TruthOfMap {
+    std::string file, form;
+    std::string points_option;  ///< what messages call TruthRequest::points
+    double modulus = 0, rms_height = 0, rms_gradient = 0;
+    Eigen::Index points = 0;  ///< along the longer side, after coarsening
+    Edges edges = Edges::mirrored;
+    std::vector<TruthPoint<double>> at;
+
+    /// Points that the grid does not resolve (K changes by more than a fifth from the grid half as fine), or that did not
+    /// converge.
+    [[nodiscard]] std::size_t unresolved() const;
+    [[nodiscard]] std::size_t failed() const;
+};
+
+/// \throws domain_error in one sentence, for a profile too.
+[[nodiscard]] TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input);
+/// What there is to doubt, in sentences.
+[[nodiscard]] std::vector<std::string> warnings_of(const TruthOfMap& solved);
+/// A pressure a row.
+[[nodiscard]] Rows rows_of(const TruthOfMap& solved);
+/// The document of fstiff truth, without its warnings.
+[[nodiscard]] Json truth_json(const TruthOfMap& solved);
+
+}  // namespace fstiff::scene

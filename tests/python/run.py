@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes a venv, installs the package of this clone into it, and runs the tests of this folder there.
+
+    run.py --work FOLDER --source ROOT [--scene-library FILE] [--compiler CXX]
+
+Where a venv or the packages cannot be had it prints "SKIPPED: " and why. With the scene library of a build the module alone is
+compiled; without it all of it is. What the tests compare with is named by FSTIFF_COMMAND and FSTIFF_NUMBERS.
+"""
+
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import sysconfig
+
+BUILD = ["nanobind>=2.4", "scikit-build-core>=0.11"]
+NEEDED = [*BUILD, "numpy", "pytest"]
+WANTED = ["pandas", "matplotlib", "mypy", "SurfaceTopography"]
+
+
+def skip(why):
+    print(f"SKIPPED: {why}")
+    sys.exit(0)
+
+
+def last_line(text):
+    lines = [line for line in text.splitlines() if line.strip()]
+    return lines[-1] if lines else "no message"
+
+
+def make_venv(folder):
+    """A venv with NEEDED, and with WANTED where they can be had. It is used again where it is whole."""
+    python = folder / "bin" / "python"
+    done = folder / "whole.txt"
+    wanted = " ".join([sys.version, *NEEDED, *WANTED])
+    if done.exists() and done.read_text() == wanted:
+        return python
+    try:
+        import ensurepip  # noqa: F401
+        import venv
+    except ImportError:
+        skip("this Python has no venv with pip (on Debian: python3-venv)")
+    venv.create(folder, clear=True, with_pip=True)
+    pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", "--retries", "1", "--timeout", "20"]
+    whole = subprocess.run([*pip, *NEEDED, *WANTED], capture_output=True, text=True)
+    if whole.returncode == 0:
+        done.write_text(wanted)
+        return python
+    print(f"pip cannot install all of {', '.join(WANTED)}: their tests are skipped ({last_line(whole.stderr)})")
+    least = subprocess.run([*pip, *NEEDED], capture_output=True, text=True)
+    if least.returncode != 0:
+        skip(f"pip cannot install {', '.join(NEEDED)}: {last_line(least.stderr)}")
+    return python
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--work", type=pathlib.Path, required=True)
+    parser.add_argument("--source", type=pathlib.Path, required=True)
+    parser.add_argument("--scene-library")
+    parser.add_argument("--compiler")
+    options = parser.parse_args()
+    if sys.version_info < (3, 10):
+        skip(f"Python {sys.version.split()[0]} is older than 3.10")
+    if not pathlib.Path(sysconfig.get_path("include"), "Python.h").exists():
+        skip("Python.h is missing (on Debian: python3-dev)")
+    python = make_venv(options.work / "venv")
+    environment = dict(os.environ)
+    if options.compiler:
+        environment["CXX"] = options.compiler
+    install = [python, "-m", "pip", "--disable-pip-version-check", "install", "--no-build-isolation", "--no-deps"]
+    install += [f"-Cbuild-dir={options.work / 'build'}", options.source]
+    if options.scene_library:
+        install.append(f"-Ccmake.define.FSTIFF_SCENE_LIBRARY={options.scene_library}")
+    made = subprocess.run(install, env=environment, capture_output=True, text=True)
+    if made.returncode != 0:
+        print(made.stdout, made.stderr, sep="\n")
+        sys.exit("the package cannot be installed")
+    # Not in the folder of the sources, whose package has no compiled part.
+    tests = [python, "-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", options.source / "tests" / "python"]
+    environment["PYTHONDONTWRITEBYTECODE"] = "1"
+    environment["MPLBACKEND"] = "Agg"
+    sys.exit(subprocess.run(tests, cwd=options.work, env=environment).returncode)
+
+
+if __name__ == "__main__":
+    main()

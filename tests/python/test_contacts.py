@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contacts and tabulated laws are those of C++, bit for bit."""
+
+import os
+import pathlib
+import pickle
+import sys
+import threading
+
+import numpy as np
+import pytest
+
+import fstiff
+
+FINE = {
+    "rms_height": 0.832e-6,
+    "peak_radius": 40e-6,
+    "peak_density": 500e6,
+    "max_peak_height": 5.3e-6,
+    "r": 0.5,
+    "theta": 1.0,
+    "effective_modulus": 112.6e9,
+}
+COLUMNS = [
+    "pressure_Pa",
+    "separation_m",
+    "stiffness_Pa_per_m",
+    "stiffness_error_Pa_per_m",
+    "loading_stiffness_Pa_per_m",
+    "real_area_fraction",
+    "contacts_per_m2",
+]
+CONTACTS = {
+    "hertz": fstiff.Contact("hertz", **FINE),
+    "fractal": fstiff.Contact("fractal", fractal_dimension=1.62, **FINE),
+    "interacting": fstiff.Contact("hertz", interaction="effective_separation", interaction_length=1e-4, **FINE),
+}
+
+
+def wanted(numbers, key):
+    """The rows of C++ at the pressures, and at the separations that follow."""
+    return [np.array([numbers[f"{key}/{of}{i}"] for i in range(len(numbers["pressures"]))]) for of in "pd"]
+
+
+@pytest.mark.parametrize("key", CONTACTS)
+def test_states_are_those_of_cpp_bit_for_bit(numbers, key):
+    at_pressures, at_separations = wanted(numbers, key)
+    points = CONTACTS[key].at_pressures(numbers["pressures"])
+    assert list(points) == COLUMNS
+    np.testing.assert_array_equal(np.array([points[name] for name in COLUMNS]).T, at_pressures)
+    points = CONTACTS[key].at_separations(at_pressures[:, 1])
+    np.testing.assert_array_equal(np.array([points[name] for name in COLUMNS]).T, at_separations)
+
+
+def test_arrays_of_any_shape_and_kind(numbers):
+    contact, p = CONTACTS["hertz"], numbers["pressures"][:6]
+    flat = contact.at_pressures(p)
+    assert contact.at_pressures(p.reshape(2, 3)).stiffness.shape == (2, 3)
+    np.testing.assert_array_equal(contact.at_pressures(p.reshape(2, 3)).stiffness.ravel(), flat.stiffness)
+    np.testing.assert_array_equal(contact.at_pressures(np.repeat(p, 2)[::2]).stiffness, flat.stiffness)
+    np.testing.assert_array_equal(contact.at_pressures(p.tolist()).stiffness, flat.stiffness)
+    np.testing.assert_array_equal(contact.at_pressures([1000000]).stiffness, contact.at_pressures([1e6]).stiffness)
+    assert contact.at_pressures(1e6).stiffness.shape == ()
+    assert contact.at_pressures([]).stiffness.shape == (0,)
+    f32 = p.astype(np.float32)
+    np.testing.assert_array_equal(contact.at_pressures(f32).stiffness, contact.at_pressures(f32.astype(float)).stiffness)
+
+
+def test_only_what_is_asked_for_is_there():
+    contact = CONTACTS["hertz"]
+    assert contact.quantities == ["separation", "stiffness", "loading_stiffness", "real_area", "contacts"]
+    assert list(contact.at_pressures(1e6, ["stiffness"])) == ["pressure_Pa", *COLUMNS[2:4]]
+    with pytest.raises(ValueError, match='quantities = "stifness": of law hertz must be among "separation"'):
+        contact.at_pressures(1e6, ["stifness"])
+
+
+def test_results_outlive_what_they_were_made_of():
+    points = fstiff.Contact("hertz", **FINE).at_pressures(np.full(100000, 1e6), ["stiffness"])
+    column = points.stiffness
+    first = column[0]
+    del points
+    column[1:] = 0  # the memory is that of the array
+    assert column.flags.owndata is False and column.flags.writeable and column[0] == first and column[-1] == 0
+
+
+def test_a_point_without_a_state_is_nan_with_its_reason():
+    contact = fstiff.Contact("greenwood_williamson", **FINE)
+    points = contact.at_separations([2e-6, 1.0])  # no peak is a metre high
+    assert np.isfinite(points.stiffness[0]) and points.reasons.keys() <= {1}
+    with pytest.raises(ValueError, match="pressure = -1: must be finite and greater than 0"):
+        contact.at_pressures([1e6, -1])
+
+
+def test_a_batch_calls_no_python_for_each_point():
+    contact = CONTACTS["hertz"]
+    law = contact.tabulate(1e5, 1e8)
+
+    def calls(work):
+        count = 0
+
+        def hook(_frame, event, _argument):
+            nonlocal count
+            count += event in ("call", "c_call")
+
+        sys.setprofile(hook)
+        try:
+            work()
+        finally:
+            sys.setprofile(None)
+        return count
+
+    few, many = np.linspace(1e6, 1e7, 10), np.linspace(1e6, 1e7, 5000)
+    assert calls(lambda: contact.at_pressures(few)) == calls(lambda: contact.at_pressures(many)) > 0
+    assert calls(lambda: law.stiffness(few)) == calls(lambda: law.stiffness(many)) > 0
+
+
+def test_a_law_is_that_of_cpp_bit_for_bit(numbers):
+    text = pathlib.Path(os.environ["FSTIFF_LAW"]).read_text()
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8, "extrapolate")
+    assert law.to_text() == text
+    for one in (law, fstiff.Law.from_text(text), pickle.loads(pickle.dumps(law))):
+        assert one == law and one.outside == "extrapolate"
+        for i in range(len(numbers["pressures"])):
+            p, d, k, dk_dp, p_of_d, k_of_d, slope = numbers[f"law/{i}"].tolist()
+            assert (one.separation(p), one.stiffness(p), one.stiffness_slope(p)) == (d, k, dk_dp)
+            assert one.at_separation(d) == (p_of_d, k_of_d)
+            assert one.tangent_at_separation(d) == (p_of_d, slope)
+    assert law.pressures == (1e5, 1e8) and 0 < law.relative_error < 1e-7 and law.tangent_is_exact
+
+
+def test_a_law_on_an_array_is_the_scalar_law_within_rounding():
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8)
+    p = np.geomspace(1e5, 1e8, 1001)
+    d = law.separation(p)
+    bound = law.relative_error + 200 * np.finfo(float).eps  # docs of ContactLaw: a batch differs by rounding
+    for many, one in (
+        (law.stiffness(p), [law.stiffness(x) for x in p.tolist()]),
+        (law.stiffness_slope(p), [law.stiffness_slope(x) for x in p.tolist()]),
+        (law.at_separation(d)[1], [law.at_separation(x)[1] for x in d.tolist()]),
+    ):
+        np.testing.assert_allclose(many, one, rtol=bound, atol=0)
+    np.testing.assert_allclose(law.stiffness(p), CONTACTS["hertz"].at_pressures(p).stiffness, rtol=1e-7, atol=0)
+
+
+def test_a_law_refuses_what_is_outside_unless_it_goes_on():
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8)
+    with pytest.raises(ValueError, match="pressure = .*: must be between 1e"):
+        law.stiffness([1e6, 2e8])
+    with pytest.raises(ValueError, match='outside = "on": must be one of refuse, clamp, exact, extrapolate'):
+        CONTACTS["hertz"].tabulate(1e5, 1e8, "on")
+    exact = fstiff.Contact("hertz", **FINE).tabulate(1e6, 1e7, "exact")  # its contact has no other name
+    assert exact.stiffness(1e8) == pytest.approx(CONTACTS["hertz"].at_pressures(1e8).stiffness, rel=1e-12)
+    with pytest.raises(ValueError):
+        fstiff.Law.from_text("no law")
+
+
+def test_pickled_contacts_give_the_same(trace):
+    for contact in CONTACTS.values():
+        again = pickle.loads(pickle.dumps(contact))
+        assert again.at_pressures(3e6).stiffness == contact.at_pressures(3e6).stiffness and repr(again) == repr(contact)
+
+
+def test_threads_share_a_contact(numbers):
+    contact, p = CONTACTS["fractal"], np.repeat(numbers["pressures"], 20)
+    expected, found = contact.at_pressures(p).stiffness, [None] * 4
+
+    def work(i):
+        found[i] = contact.at_pressures(p).stiffness
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(len(found))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for one in found:
+        np.testing.assert_array_equal(one, expected)
+
+
+def test_other_threads_run_during_an_evaluation():
+    """The GIL is free: a thread counts while the points are computed, by the order of events and not by the clock."""
+    contact, started, done = CONTACTS["fractal"], threading.Event(), threading.Event()
+    seen = []
+
+    def watch():
+        started.set()
+        while not done.is_set():
+            seen.append(None)
+            done.wait(1e-4)
+
+    thread = threading.Thread(target=watch)
+    thread.start()
+    started.wait()
+    before = len(seen)
+    switch = sys.getswitchinterval()
+    sys.setswitchinterval(1000)  # no switch but where the GIL is given away
+    try:
+        contact.at_pressures(np.geomspace(1e5, 1e8, 3000))
+        during = len(seen) - before
+    finally:
+        sys.setswitchinterval(switch)
+        done.set()
+        thread.join()
+    assert during > 1
+
+
+def test_effective_modulus_and_laws():
+    assert fstiff.effective_modulus(205e9, 0.3, 205e9, 0.3) == pytest.approx(205e9 / (2 * (1 - 0.3**2)), rel=1e-15)
+    assert {"hertz", "hybrid", "boundary_elements"} <= set(fstiff.law_names())
+
+
+def test_a_plot_and_a_data_frame():
+    pytest.importorskip("matplotlib")
+    pandas = pytest.importorskip("pandas")
+    points = CONTACTS["hertz"].at_pressures([1e6, 1e7])
+    frame = points.to_dataframe()
+    assert isinstance(frame, pandas.DataFrame) and frame["stiffness_Pa_per_m"].tolist() == points.stiffness.tolist()
+    ax = points.plot()
+    np.testing.assert_allclose(ax.get_lines()[0].get_xdata(), [1, 10])
+    assert "hertz" in repr(points) and "stiffness_Pa_per_m" in repr(points)
+
+
+@pytest.mark.parametrize(
+    "change, sentence",
+    [
+        ({"rms_height": -1}, "rms_height = -1: must be"),
+        ({"rms_height": None}, "rms_height = 0: must be"),
+        ({"peak_density": float("nan")}, "peak_density = nan: must be"),
+        ({"effective_modulus": 0}, "effective_modulus = 0: must be finite and greater than 0"),
+        ({"r": 2}, "r = 2: must be"),
+        ({"poisson_ratio": 0.7}, "poisson_ratio = 0.7: must be greater than -1 and at most 0.5"),
+        ({"interaction": "some"}, 'interaction = "some": must be one of none'),
+    ],
+)
+def test_bad_numbers_raise_value_errors(change, sentence):
+    with pytest.raises(ValueError) as caught:
+        fstiff.Contact("hertz", **{**FINE, **change})
+    assert sentence in str(caught.value)
+
+
+def test_bad_laws_and_arrays_raise_value_errors():
+    with pytest.raises(ValueError, match='law = "herz": must be one of "fractal"'):
+        fstiff.Contact("herz", **FINE)
+    with pytest.raises(ValueError, match="needs a map"):
+        fstiff.Contact("boundary_elements", **FINE)
+    with pytest.raises(ValueError, match="needs fractal_dimension"):
+        fstiff.Contact("fractal", **FINE)
+    for bad in (["a"], [1j], [None]):
+        with pytest.raises(ValueError, match="pressures: must be real numbers"):
+            CONTACTS["hertz"].at_pressures(bad)
+    with pytest.raises(ValueError, match="pressure = nan"):
+        CONTACTS["hertz"].at_pressures(np.nan)

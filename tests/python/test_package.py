@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package itself: import, types, the document and the example."""
+
+import ast
+import contextlib
+import io
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+
+import pytest
+
+import fstiff
+
+
+def test_the_import_takes_no_numpy():
+    """What makes it short; docs/python.md has the time."""
+    program = "import sys, fstiff; print([name for name in ('numpy', 'pandas', 'matplotlib', 'json.tool') if name in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True).stdout == "[]\n"
+
+
+def test_the_version_is_that_of_the_library(root):
+    header = (root / "include" / "fstiff" / "core" / "version.hpp").read_text()
+    assert fstiff.__version__ == re.search(r'define FSTIFF_VERSION "([^"]+)"', header)[1]
+
+
+def test_every_public_name_has_a_docstring():
+    for name in fstiff.__all__:
+        if name == "__version__":
+            continue
+        public = getattr(fstiff, name)
+        assert public.__doc__, name
+        if isinstance(public, type) and public.__module__.startswith("fstiff._") and public is not fstiff.FileError:
+            for member, value in vars(public).items():
+                if not member.startswith("_") and callable(value):
+                    assert value.__doc__, f"{name}.{member}"
+
+
+def test_types_are_right_and_are_shipped(root, tmp_path):
+    pytest.importorskip("mypy")
+    package = pathlib.Path(fstiff.__file__).parent
+    assert (package / "py.typed").exists() and "class Contact" in (package / "_core.pyi").read_text()
+    user = tmp_path / "user.py"
+    user.write_text(
+        "import numpy as np\n"
+        "import fstiff\n"
+        "law = fstiff.Contact('hertz', effective_modulus=1e11, rms_height=1e-6).tabulate(1e5, 1e8)\n"
+        "one: float = law.stiffness(1e6)\n"
+        "many = law.stiffness(np.array([1e6])).sum()\n"
+        "found = fstiff.measure(np.zeros(100), spacing=1e-6, detrend='line')\n"
+        "reveal_type(fstiff.run()['pressure_Pa'])\n"
+        "fstiff.measure(np.zeros(100), spaceing=1e-6)\n"
+    )
+    mypy = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache")]
+    mypy += ["--config-file", str(root / "pyproject.toml")]
+    whole = subprocess.run([*mypy, "-p", "fstiff"], capture_output=True, text=True, cwd=tmp_path)
+    assert whole.returncode == 0, whole.stdout + whole.stderr
+    done = subprocess.run([*mypy, str(user)], capture_output=True, text=True, cwd=tmp_path)
+    errors = [line for line in done.stdout.splitlines() if ": error:" in line]
+    assert len(errors) == 1 and 'Unexpected keyword argument "spaceing"' in errors[0], done.stdout + done.stderr
+    assert "numpy.ndarray" in done.stdout
+
+
+def test_the_types_of_the_compiled_part_name_what_is_in_it():
+    import fstiff._core as core
+
+    def members(nodes):
+        functions = {node.name: node for node in nodes if isinstance(node, ast.FunctionDef)}
+        variables = {node.target.id for node in nodes if isinstance(node, ast.AnnAssign)}
+        return set(functions) | variables
+
+    stub = ast.parse((pathlib.Path(fstiff.__file__).parent / "_core.pyi").read_text())
+    classes = {node.name: node.body for node in stub.body if isinstance(node, ast.ClassDef)}
+
+    def public(of):
+        return {name for name in vars(of) if not name.startswith("_")}
+
+    assert members(stub.body) | set(classes) == public(core)
+    for name, body in classes.items():
+        assert members(body) - {"__init__"} == public(getattr(core, name)), name
+
+
+def test_ctrl_c_ends_a_computation():
+    program = (
+        "import signal, threading, os, fstiff, numpy as np\n"
+        "threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+        "contact = fstiff.Contact('hertz', effective_modulus=1e11, rms_height=1e-6, peak_radius=4e-5, peak_density=5e8, r=.5, theta=1)\n"
+        "try:\n"
+        "    contact.at_pressures(np.full(100_000_000, 1e6), ['stiffness'])\n"
+        "except KeyboardInterrupt:\n"
+        "    print('ended')\n"
+    )
+    if not hasattr(signal, "SIGINT") or sys.platform == "win32":
+        pytest.skip("no signals")
+    assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True).stdout == "ended\n"
+
+
+def blocks_of(document):
+    """(kind, text) of every block of code."""
+    return re.findall(r"^```(\w+)\n(.*?)^```$", document.read_text(), re.MULTILINE | re.DOTALL)
+
+
+def test_the_document_shows_what_comes_out(root, tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib")
+    pytest.importorskip("pandas")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    (tmp_path / "scene.toml").write_text((root / "data" / "example_scene.toml").read_text())
+    blocks = blocks_of(root / "docs" / "python.md")
+    assert sum(kind == "python" for kind, _ in blocks) >= 5
+    names, printed = {}, None
+    for kind, text in blocks:
+        if kind == "python":
+            assert not printed, f"the document does not show {printed}"
+            out = io.StringIO()
+            with contextlib.redirect_stdout(out):
+                exec(compile(text, "docs/python.md", "exec"), names)
+            printed = out.getvalue()
+        elif kind == "text" and printed is not None:
+            assert printed == text
+            printed = None
+    assert not printed
+
+
+def test_the_example_draws_its_picture(root, tmp_path):
+    pytest.importorskip("matplotlib")
+    done = subprocess.run(
+        [sys.executable, str(root / "examples" / "python" / "stiffness_of_a_map.py")],
+        capture_output=True, text=True, cwd=tmp_path,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    expected = (root / "examples" / "python" / "output.txt").read_text()
+    assert done.stdout == expected
+    picture = (tmp_path / "stiffness_of_a_map.png").read_bytes()
+    assert picture.startswith(b"\x89PNG") and len(picture) > 20000

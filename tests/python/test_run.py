@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""run() is `fstiff run --format csv`, digit for digit."""
+
+import pathlib
+import pickle
+
+import numpy as np
+import pytest
+
+import fstiff
+
+SCENES = sorted((pathlib.Path(__file__).resolve().parents[2] / "data").glob("*.toml"))
+
+
+def same(curves, columns):
+    """Whether every cell of the CSV reads as the very number, and an empty one is NaN."""
+    assert list(curves) == list(columns)
+    for key, cells in columns.items():
+        column = curves[key]
+        assert len(column) == len(cells) > 0
+        if column.dtype.kind == "U":
+            assert column.tolist() == cells
+            continue
+        assert column.dtype == np.float64
+        for number, cell in zip(column.tolist(), cells):
+            assert np.isnan(number) if cell == "" else number == float(cell), (key, number, cell)
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+def test_a_file_gives_the_columns_of_the_csv(command, scene):
+    same(fstiff.run(scene), command.csv("run", scene))
+
+
+def test_there_are_scenes_and_one_is_built_in(command):
+    assert len(SCENES) >= 4
+    same(fstiff.run(), command.csv("run"))
+
+
+def test_a_text_gives_what_its_file_gives(root):
+    file = root / "data" / "example_scene.toml"
+    of_file, of_text = fstiff.run(str(file)), fstiff.run(file.read_text())
+    for key in of_file:
+        np.testing.assert_array_equal(of_file[key], of_text[key])
+
+
+SCENE = """
+name = "bodies"
+[surface]
+rms_height = "0.832 um"
+peak_radius = "40 um"
+peak_density = "500 /mm^2"
+fractal_dimension = 1.62
+errors = { rms_height = "0.05 um", peak_radius = "4 um", fractal_dimension = 0.02 }
+[material.upper]
+youngs_modulus = "205 GPa"
+poisson_ratio = 0.3
+yield_strength = "400 MPa"
+[contact]
+pressures = ["1 MPa", "10 MPa", "60 MPa"]
+laws = ["hertz", "persson", "plastic", "greenwood_williamson"]
+[persson]
+gamma = 0.5
+[uncertainty]
+samples = 20
+[output]
+quantities = ["stiffness", "separation", "loading_stiffness", "contacts", "tangential_stiffness"]
+"""
+
+
+def test_empty_cells_are_nan_and_bands_are_there(command, tmp_path):
+    scene = SCENE.replace('"persson", ', "").replace("[persson]\ngamma = 0.5\n", "")
+    file = tmp_path / "bodies.toml"
+    file.write_text(scene)
+    columns = command.csv("run", file)
+    assert "" in columns["theta"]  # Greenwood and Williamson have none
+    curves = fstiff.run(file)
+    same(curves, columns)
+    assert np.isnan(curves["theta"]).any()
+    assert (curves["stiffness_p05_Pa_per_m"] < curves["stiffness_Pa_per_m"]).any()
+
+
+def test_what_stands_beside_the_columns(command, tmp_path):
+    scene = SCENE.replace('"persson", ', "").replace("[persson]\ngamma = 0.5\n", "")
+    file = tmp_path / "bodies.toml"
+    file.write_text(scene)
+    document, curves = command.json("run", file), fstiff.run(scene)
+    assert curves.warnings == document["warnings"]
+    assert curves.verdict == document["verdict"]
+    assert curves.effective_modulus == document["effective_modulus_Pa"]
+    assert curves.name == "bodies"
+    laws = [title.split(",")[0] for title, _ in curves.parts()]
+    assert laws == list(dict.fromkeys(curves["law"].tolist())) or len(laws) > len(set(curves["law"].tolist()))
+    assert sum(len(part["law"]) for _, part in curves.parts()) == len(curves["law"])
+    text = repr(curves)
+    assert "bodies" in text and "hertz" in text and curves.warnings[0] in text
+
+
+def test_a_data_frame_is_what_pandas_reads_of_the_csv(command, root):
+    pandas = pytest.importorskip("pandas")
+    import io
+
+    scene = root / "data" / "sand_blasted_fine.toml"
+    read = pandas.read_csv(io.StringIO(command("run", scene, "--format", "csv")), dtype=None)
+    made = fstiff.run(scene).to_dataframe()
+    assert list(made) == list(read)
+    for key in read:
+        if read[key].dtype.kind == "f":
+            np.testing.assert_array_equal(made[key].to_numpy(), read[key].to_numpy())
+        else:
+            assert made[key].tolist() == read[key].tolist() or made[key].astype(float).tolist() == read[key].tolist()
+
+
+def test_a_plot_draws_every_curve_with_its_band():
+    pytest.importorskip("matplotlib")
+    scene = SCENE.replace('"persson", ', "").replace("[persson]\ngamma = 0.5\n", "")
+    curves = fstiff.run(scene)
+    ax = curves.plot()
+    assert len(ax.get_lines()) == len(curves.parts())
+    assert ax.get_lines()[0].get_ydata()[0] == curves["stiffness_Pa_per_m"][0] * 1e-15
+    assert len(ax.collections) >= 1 and "GPa/µm" in ax.get_ylabel()
+
+
+def test_a_measured_surface_stands_in_place_of_a_file(command, trace, tmp_path):
+    np.save(tmp_path / "trace.npy", trace)
+    measured = fstiff.measure(tmp_path / "trace.npy", spacing="0.5 um", units="m")
+    document = tmp_path / "measured.json"
+    document.write_text(
+        command("measure", tmp_path / "trace.npy", "--spacing", "0.5 um", "--units", "m", "--format", "json")
+    )
+    of_document = command.csv("run", "--surface", document)
+    curves = fstiff.run(surface=measured)
+    same(curves, of_document)
+    same(fstiff.run(surface=document), of_document)
+    assert not np.isnan(curves["stiffness_p05_Pa_per_m"][curves["law"] == "hertz"]).any()
+
+
+def test_a_scene_gives_its_contacts(root):
+    scene = fstiff.Scene(root / "data" / "example_scene.toml")
+    curves = scene.run()
+    hertz = curves["law"] == "hertz"
+    points = scene.contact("hertz").at_pressures(curves["pressure_Pa"][hertz])
+    np.testing.assert_array_equal(points.stiffness, curves["stiffness_Pa_per_m"][hertz])
+    np.testing.assert_array_equal(points.separation, curves["separation_m"][hertz])
+    assert "hertz" in repr(scene) and scene.laws == ["fractal", "hertz"]
+    again = pickle.loads(pickle.dumps(scene)).contact("hertz").at_pressures(1e6)
+    assert again.stiffness == scene.contact("hertz").at_pressures(1e6).stiffness

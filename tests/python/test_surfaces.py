@@ -1,0 +1,309 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measured surfaces: arrays, files and topographies give the JSON of the command, and the numbers of C++."""
+
+import json
+import os
+import threading
+
+import numpy as np
+import pytest
+
+import fstiff
+
+
+def plain(value):
+    """A document as JSON has it."""
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [plain(one) for one in value]
+    return value.tolist() if isinstance(value, np.ndarray) else value
+
+
+def save(path, heights):
+    np.save(path, heights)
+    return path
+
+
+MAP = ("--units", "m", "--dx", "1 um", "--dy", "1.5 um")
+TRACE = ("--units", "m", "--spacing", "0.5 um")
+OF_MAP = {"units": "m", "dx": 1e-6, "dy": "1.5 um"}
+OF_TRACE = {"units": "m", "spacing": 0.5e-6}
+
+
+@pytest.mark.parametrize(
+    "what, arguments, options",
+    [
+        ("measure", [], {}),
+        ("measure", ["--peaks", "summits", "--lambda-s", "4 um", "--detrend", "quadratic", "--resamples", "40"],
+         {"peaks": "summits", "lambda_s": 4e-6, "detrend": "quadratic", "resamples": 40}),
+        ("measure", ["--crop", "0,60 um,0,60 um", "--spikes", "9", "--fill", "--seed", "3"],
+         {"crop": "0,60 um,0,60 um", "spikes": 9, "fill": True, "seed": 3}),
+        ("fit", ["--window", "2 um,20 um", "--lambda-s", "none"], {"window": (2e-6, 20e-6), "lambda_s": "none"}),
+        ("islands", ["--levels", "20", "--neighbours", "4"], {"levels": 20, "neighbours": 4}),
+    ],
+)  # fmt: skip
+def test_a_map_gives_the_document_of_the_command(command, rough_map, tmp_path, what, arguments, options):
+    file = save(tmp_path / "map.npy", rough_map)
+    document = command.json(what, file, *MAP, *arguments)
+    of_file = getattr(fstiff, what)(file, **OF_MAP, **options)
+    assert list(of_file) == list(document)
+    made = plain(dict(of_file))
+    for key in ("inputs", "files"):  # lengths are written as they were given
+        made.pop(key, None), document.pop(key, None)
+    assert made == document
+    assert of_file.warnings == document["warnings"]
+    of_array = getattr(fstiff, what)(rough_map, spacing=(1e-6, 1.5e-6), **options)
+    assert list(of_array) == list(of_file)
+    made = plain(dict(of_array))
+    for key in ("source", "inputs"):
+        made.pop(key), document.pop(key, None)
+    for key in ("concerns", "warnings"):
+        assert made[key] == document[key] if key in made else key not in document
+    assert made == document
+
+
+@pytest.mark.parametrize(
+    "what, arguments, options",
+    [
+        ("measure", [], {}),
+        ("measure", ["--lambda-c", "0.2 mm", "--filter", "robust", "--tip-radius", "2 um"],
+         {"lambda_c": 0.2e-3, "filter": "robust", "tip_radius": "2 um"}),
+        ("fit", ["--all-lags", "--resamples", "0", "--convention", "paper"],
+         {"all_lags": True, "resamples": 0, "convention": "paper"}),
+        ("fit", ["--detrend", "gaussian", "--cutoff", "0.1 mm"], {"detrend": "gaussian", "cutoff": 1e-4}),
+    ],
+)  # fmt: skip
+def test_a_profile_gives_the_document_of_the_command(command, trace, tmp_path, what, arguments, options):
+    file = save(tmp_path / "trace.npy", trace)
+    document = command.json(what, file, *TRACE, *arguments)
+    of_file, of_array = (
+        getattr(fstiff, what)(file, **OF_TRACE, **options),
+        getattr(fstiff, what)(trace, spacing=0.5e-6, **options),
+    )
+    assert list(of_file) == list(of_array) == list(document)
+    for made in (plain(dict(of_file)), plain(dict(of_array))):
+        for key in document:
+            if key not in ("inputs", "source"):
+                assert made[key] == document[key], key
+    assert of_file["source"] == document["source"]
+
+
+def test_several_files_are_pooled(command, trace, tmp_path):
+    files = [save(tmp_path / f"{i}.npy", trace * (1 + i / 10)) for i in range(2)]
+    document = command.json("measure", *files, *TRACE)
+    pooled = fstiff.measure(files, **OF_TRACE)
+    assert list(pooled) == list(document) and pooled["surface"] == document["surface"]
+    with pytest.raises(ValueError, match="must be one"):
+        fstiff.fit(files, **OF_TRACE)
+
+
+def test_numbers_are_those_of_cpp_bit_for_bit(numbers):
+    keys = ["rms_height", "peak_radius", "peak_density", "fractal_dimension", "fractal_roughness", "r", "theta"]
+    rows, columns, dx, dy = numbers["map/sides"]
+    heights = numbers["map"].reshape(int(rows), int(columns))
+    for name, made in {
+        "profile": fstiff.measure(numbers["profile"], spacing=1e-6, lambda_s="none", lambda_c="none"),
+        "map": fstiff.measure(heights, dx=dx, dy=dy, lambda_s="none"),
+    }.items():
+        found = [made["surface"].get(key, {"value": 0, "error": 0}) for key in keys]
+        assert [x for one in found for x in (one["value"], one["error"])] == numbers[f"{name}/measured"].tolist()
+
+
+def test_truth_is_that_of_the_command(command, rough_map, tmp_path):
+    file = save(tmp_path / "map.npy", rough_map)
+    document = command.json(
+        "truth", file, *MAP, "--pressures", "5 MPa,50 MPa", "--modulus", "100 GPa", "--points", "32", "--edges", "periodic"
+    )
+    arguments = {"effective_modulus": 100e9, "points": 32, "edges": "periodic"}
+    found = fstiff.truth(file, [5e6, 50e6], **OF_MAP, **arguments)
+    made = plain(dict(found))
+    assert made["rows"] == document["rows"] and list(made) == list(document)
+    of_array = fstiff.truth(rough_map, [5e6, 50e6], spacing=(1e-6, 1.5e-6), **arguments)
+    assert of_array["rows"] == document["rows"]
+    assert found.column("stiffness_Pa_per_m").tolist() == [row["stiffness_Pa_per_m"] for row in document["rows"]]
+    assert found.doubtful == any(row["stiffness_error_Pa_per_m"] > 0.2 * row["stiffness_Pa_per_m"] for row in made["rows"])
+
+
+def test_hybrid_is_the_law_of_a_scene(rough_map):
+    measured = fstiff.measure(rough_map, dx=1e-6, dy=1.5e-6)
+    scene = """
+[surface]
+rms_height = "1 um"
+peak_radius = "1 um"
+peak_density = "500 /mm^2"
+[material.upper]
+youngs_modulus = "205 GPa"
+poisson_ratio = 0.3
+[contact]
+pressures = ["1 MPa", "10 MPa"]
+laws = ["hybrid", "persson", "summits"]
+[uncertainty]
+samples = 0
+"""
+    curves = fstiff.run(scene, surface=measured)
+    for law in ("hybrid", "persson", "summits"):
+        of_law = curves["law"] == law
+        contact = fstiff.Contact(law, surface=measured, effective_modulus=curves.effective_modulus)
+        points = contact.at_pressures(curves["pressure_Pa"][of_law])
+        np.testing.assert_array_equal(points.stiffness, curves["stiffness_Pa_per_m"][of_law])
+        np.testing.assert_array_equal(points.separation, curves["separation_m"][of_law])
+    for surface, options in ((measured, {}), (rough_map, {"dx": 1e-6, "dy": 1.5e-6})):
+        points = fstiff.hybrid(surface, [1e6, 1e7], effective_modulus=curves.effective_modulus, **options)
+        np.testing.assert_array_equal(points.stiffness, curves["stiffness_Pa_per_m"][curves["law"] == "hybrid"])
+    hertz = fstiff.Contact("hertz", surface=measured, effective_modulus=1e11).at_pressures(1e6)
+    surface = {key: one["value"] for key, one in measured["surface"].items()}
+    keys = ("rms_height", "peak_radius", "peak_density", "r", "theta")
+    numbers = fstiff.Contact("hertz", effective_modulus=1e11, **{key: surface[key] for key in keys})
+    assert hertz.stiffness == numbers.at_pressures(1e6).stiffness
+    with pytest.raises(ValueError, match="rms_height: must not stand beside surface"):
+        fstiff.Contact("hertz", surface=measured, rms_height=1e-6, effective_modulus=1e11)
+
+
+def test_missing_points_are_nan_or_masked(rough_map):
+    holes = np.zeros(rough_map.shape, bool)
+    holes[10:13, 20:24] = True
+    with_nan = np.where(holes, np.nan, rough_map)
+    of_nan = fstiff.islands(with_nan, spacing=1e-6)
+    of_mask = fstiff.islands(np.ma.array(rough_map, mask=holes), spacing=1e-6)
+    assert of_nan["missing_points"] == of_mask["missing_points"] == 12
+    assert of_nan["representative"] == of_mask["representative"]
+    assert "12 missing" in repr(fstiff.Surface(with_nan, 1e-6))
+
+
+def test_arrays_of_any_kind_and_order(rough_map):
+    expected = plain(dict(fstiff.measure(rough_map, spacing=1e-6)))["surface"]
+    for other in (np.asfortranarray(rough_map), np.repeat(rough_map, 2, axis=1)[:, ::2], rough_map.tolist()):
+        assert fstiff.measure(other, spacing=1e-6)["surface"] == expected
+    assert fstiff.measure(fstiff.Surface(rough_map, "1 um"))["surface"] == expected
+    counts = np.round(rough_map * 1e9).astype(np.int32)
+    assert fstiff.measure(counts * 1e-9, spacing=1e-6)["surface"] == (
+        fstiff.measure((counts * 1e-9).astype(">f8"), spacing=1e-6)["surface"]
+    )
+
+
+def test_topographies_of_surface_topography(rough_map):
+    module = pytest.importorskip("SurfaceTopography")
+    expected = fstiff.measure(rough_map, spacing=(1e-6, 1.5e-6))["surface"]
+    heights = rough_map.T  # its first axis is x
+    metres = module.Topography(heights, physical_sizes=(96e-6, 96e-6), unit="m")
+    assert fstiff.measure(metres)["surface"]["rms_height"]["value"] == pytest.approx(expected["rms_height"]["value"], rel=1e-12)
+    microns = module.Topography(heights * 1e6, physical_sizes=(96.0, 96.0), unit="µm")
+    found = fstiff.measure(microns)["surface"]
+    for key, one in expected.items():
+        assert found[key]["value"] == pytest.approx(one["value"], rel=1e-9), key
+    line = module.UniformLineScan(rough_map[0] * 1e9, 96000.0, unit="nm")
+    profile = fstiff.fit(line, detrend="mean", resamples=0, window="2 um,20 um", lambda_s="none")
+    assert profile["spacing_m"] == pytest.approx(1e-6, rel=1e-12) and profile["points"] == 96
+    with pytest.raises(ValueError, match="its unit is None; must be a length"):
+        fstiff.measure(module.Topography(heights, physical_sizes=(1, 1)))
+
+
+def test_files_are_opened_and_unknown_ones_go_to_surface_topography(rough_map, tmp_path):
+    surface = fstiff.open_surface(save(tmp_path / "map.npy", rough_map), units="m", dx=1e-6, dy=1.5e-6)
+    np.testing.assert_array_equal(surface.heights, rough_map)
+    assert surface.spacing == (1e-6, 1.5e-6) and any("npy" in one for one in surface.decisions)
+    module = pytest.importorskip("SurfaceTopography")
+    from SurfaceTopography.IO import open_topography
+
+    path = str(tmp_path / "map.nc")  # a format that fstiff does not know
+    module.Topography(rough_map.T * 1e6, physical_sizes=(96.0, 96.0), unit="µm").to_netcdf(path)
+    with pytest.raises(ValueError):
+        fstiff.measure(path)
+    opened = fstiff.open_surface(path)
+    np.testing.assert_allclose(opened.heights, rough_map, rtol=1e-12)
+    np.testing.assert_allclose(opened.spacing, (1e-6, 1.5e-6), rtol=1e-12)
+    assert "SurfaceTopography" in opened.decisions[0]
+    assert fstiff.measure(opened)["surface"]["rms_height"]["value"] > 0
+    assert fstiff.measure(open_topography(path).topography())["surface"] == fstiff.measure(opened)["surface"]
+
+
+def test_a_text_without_units_is_asked_for_them(tmp_path):
+    (tmp_path / "heights.txt").write_text("".join(f"{i * 7 % 11}\n" for i in range(40)))
+    with pytest.raises(ValueError, match="units"):
+        fstiff.open_surface(tmp_path / "heights.txt")
+    assert fstiff.open_surface(tmp_path / "heights.txt", units="um", spacing="1 um").spacing == 1e-6
+
+
+def test_reprs_frames_and_plots(rough_map, trace):
+    measured = fstiff.measure(trace, spacing=0.5e-6)
+    assert "rms_height" in repr(measured) and "profile" in repr(measured)
+    fits = fstiff.fit(trace, spacing=0.5e-6), fstiff.fit(rough_map, spacing=1e-6, window="2 um,20 um", lambda_s="none")
+    assert "D = " in repr(fits[0]) and "along y" in repr(fits[1])
+    islands = fstiff.islands(rough_map, spacing=1e-6)
+    assert "D_p = " in repr(islands)
+    pytest.importorskip("matplotlib")
+    pytest.importorskip("pandas")
+    assert measured.to_dataframe().set_index("parameter").loc["rms_height", "value"] == (
+        measured["surface"]["rms_height"]["value"]
+    )
+    assert len(islands.to_dataframe()) == len(islands["curve"]["level_m"])
+    assert set(fits[1].to_dataframe()["direction"]) <= {"x", "y"} and "lag_m" in fits[0].to_dataframe()
+    truth = fstiff.truth(rough_map, 1e7, effective_modulus=1e11, points=32, spacing=1e-6)
+    assert truth.to_dataframe()["stiffness_Pa_per_m"].tolist() == truth.column("stiffness_Pa_per_m").tolist()
+    surfaces = fstiff.Surface(trace, 0.5e-6), fstiff.Surface(rough_map, 1e-6)
+    for one in (*fits, islands, truth, *surfaces):
+        assert one.plot().get_xlabel()
+
+
+@pytest.mark.parametrize(
+    "call, sentence",
+    [
+        (lambda z: fstiff.measure(z), "spacing: is missing"),
+        (lambda z: fstiff.measure(z, spacing=0), "spacing = 0: must be finite and greater than 0"),
+        (lambda z: fstiff.measure(z, spacing="1 apple"), "spacing"),
+        (lambda z: fstiff.measure(z, spacing=[1e-6]), "spacing: must be one length, or (dx, dy)"),
+        (lambda z: fstiff.measure(z[0, :9], spacing=1e-6), "profile has 9 points: must be at least 16"),
+        (lambda z: fstiff.measure(z[None], spacing=1e-6), "heights have 3 dimensions"),
+        (lambda z: fstiff.measure(np.full((32, 32), 1e-6), spacing=1e-6), "constant height"),
+        (lambda z: fstiff.measure(z / 0, spacing=1e-6), "finite, or NaN where missing"),
+        (lambda z: fstiff.measure(z.astype(complex), spacing=1e-6), "must be real numbers"),
+        (lambda z: fstiff.measure(z, spacing=1e-6, detrend="lines"), "detrend"),
+        (lambda z: fstiff.measure(z, spacing=1e-6, resamples=1), "resamples = 1: must be from 2 to 100000"),
+        (lambda z: fstiff.measure(z, spacing=1e-6, seed=0.5), "seed = 0.5: is of a wrong type"),
+        (lambda z: fstiff.measure(z, spacing=1e-6, peaks="hills"), 'peaks = "hills": must be one of islands, summits'),
+        (lambda z: fstiff.measure(z, spacing=1e-6, units="um"), "units: is an option of files"),
+        (lambda z: fstiff.measure(z, spacing=1e-6, lambda_s="1 s"), "lambda_s"),
+        (lambda z: fstiff.measure(fstiff.Surface(z, 1e-6), spacing=1e-6), "spacing: must not be given"),
+        (lambda z: fstiff.measure("no such file"), "no such file: no such file"),
+        (lambda z: fstiff.fit(z, spacing=1e-6, all_lags=True), "all_lags is for profiles"),
+        (lambda z: fstiff.islands(z[0], spacing=1e-6), "must be a map"),
+        (lambda z: fstiff.islands(z, spacing=1e-6, neighbours=6), "neighbours = 6: must be 4 or 8"),
+        (lambda z: fstiff.truth(z[0], 1e6, effective_modulus=1e11, spacing=1e-6), "boundary elements need a map"),
+        (lambda z: fstiff.truth(z, -1, effective_modulus=1e11, spacing=1e-6), "pressure = -1: must be finite"),
+        (lambda z: fstiff.truth(z, 1e6, effective_modulus=-1, spacing=1e-6), "must be finite and greater than 0"),
+        (lambda z: fstiff.run("no/such.toml"), "no/such.toml"),
+        (lambda z: fstiff.run("[surface]\n"), "scene"),
+        (lambda z: fstiff.Scene().contact("herz"), 'law = "herz": must be one of the scene\'s'),
+        (lambda z: fstiff.Scene().contact("hertz", 9), "peaks = 9: must be an entry of contact.peaks"),
+        (lambda z: fstiff.Scene().contact("hertz", -1), "peaks = -1: must be 0 or greater"),
+    ],
+)
+def test_bad_input_raises_value_errors_with_the_sentence(rough_map, call, sentence):
+    with np.errstate(divide="ignore"), pytest.raises(ValueError) as caught:
+        call(rough_map)
+    assert sentence in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_file_that_is_not_there_is_an_os_error_too():
+    with pytest.raises(fstiff.FileError) as caught:
+        fstiff.measure("no such file")
+    assert isinstance(caught.value, OSError) and isinstance(caught.value, ValueError)
+    with pytest.raises(TypeError, match="unexpected keyword argument: spaceing"):
+        fstiff.measure([1.0] * 20, spaceing=1)
+
+
+def test_two_threads_measure_at_once(rough_map, trace):
+    expected = [fstiff.measure(rough_map, spacing=1e-6), fstiff.measure(trace, spacing=0.5e-6)]
+    found = [None] * 4
+
+    def work(i):
+        found[i] = fstiff.measure(*([rough_map], [trace])[i % 2], spacing=(1e-6, 0.5e-6)[i % 2])
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for i, one in enumerate(found):
+        assert plain(dict(one)) == plain(dict(expected[i % 2]))

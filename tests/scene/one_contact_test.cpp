@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/one_contact.hpp"
+
+#include "scene/results.hpp"
+
+#include "support/catch.hpp"
+
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace fstiff;
+using namespace fstiff::scene;
+
+const std::string bodies = R"(
+[material.upper]
+youngs_modulus = "205 GPa"
+poisson_ratio = 0.3
+[contact]
+pressures = ["1 MPa", "10 MPa"]
+laws = ["hertz", "hybrid", "greenwood_williamson"]
+[uncertainty]
+samples = 0
+)";
+const std::string with_surface = R"(
+[surface]
+rms_height = "1 um"
+peak_radius = "20 um"
+peak_density = "2000 /mm^2"
+)" + bodies;
+
+HeightMap<double> some_map() {
+    SelfAffineOptions<double> options;
+    options.hurst = 0.7, options.rms = 1e-6;
+    return self_affine_map(options, 64, 48, 1e-6, 1.5e-6);
+}
+
+SurfaceOptions named_heights() {
+    SurfaceOptions options;
+    options.file = "heights", options.lambda_s = "none";
+    return options;
+}
+
+std::string sentence_of(const auto& call) {
+    try {
+        (void)call();
+    } catch (const domain_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("one contact of numbers is that of the library, bit for bit") {
+    const Roughness<double> surface{0.832e-6, 40e-6, 500e6, 5.3e-6};
+    const RoughContact expected(surface, PeakDistribution<double>(0.5, 1.0), HertzLaw<double>{}, 112.6e9);
+    const OneContact one =
+        contact_of("hertz", {.surface = surface, .r = 0.5, .theta = 1.0, .effective_modulus = 112.6e9});
+    const std::vector<double> pressures{1e5, 1e7};
+    const auto points = one.contact->at_pressures(pressures, Quantity::all);
+    for (std::size_t i = 0; i < pressures.size(); ++i)
+        CHECK(points[i].state.stiffness.value == expected.at_pressure(pressures[i]).stiffness.value);
+    CHECK(one.law->name == "hertz");
+}
+
+TEST_CASE("every contact of a scene gives the curve of the scene") {
+    const Scene scene = read_scene(with_surface, {.name = "scene"});
+    const Results results = compute(scene);
+    std::size_t curve = 0;
+    for (std::size_t law = 0; law < scene.laws.size(); ++law) {
+        std::size_t peaks = 0;
+        for (; curve < results.curves.size() && results.curves[curve].law == scene.laws[law].law; ++curve) {
+            const OneContact one = contact_of(scene, law, peaks++);
+            CHECK(one.law == results.curves[curve].law);
+            const auto points = one.contact->at_pressures(scene.points, Quantity::all);
+            for (std::size_t i = 0; i < points.size(); ++i)
+                CHECK(points[i].state.stiffness.value == results.curves[curve].states[i].stiffness.value);
+        }
+        CHECK_THROWS_AS(contact_of(scene, law, peaks), no_such_entry);
+    }
+    CHECK(curve == results.curves.size());
+    CHECK(sentence_of([&] { return contact_of(scene, 3, 0); }) == "law = 3: must be an entry of contact.laws");
+}
+
+TEST_CASE("what was measured of heights stands in place of the surface of a scene and of numbers") {
+    const SurfaceOptions options = named_heights();
+    const SurfaceInput input = surface_of_heights(options, some_map(), "a test");
+    CHECK(input.sha256.size() == 64);
+    CHECK(input.surface.record.sentences().front() == "format: npy, from a test");
+    MeasureOptions how;
+    how.input = options;
+    const MeasuredSurface measured = measure_surface(how, input);
+    const Scene scene = read_scene(bodies, {.name = "scene", .measured = &measured});
+    CHECK(scene.surface.rms_height == measured.parameters.value[index_of(Parameter::rms_height)]);
+    const Results results = compute(scene);
+    for (std::size_t law = 0; law < scene.laws.size(); ++law) {
+        const OneContact one =
+            contact_of(std::string(scene.laws[law].law->name), {.effective_modulus = results.modulus}, &measured);
+        const auto points = one.contact->at_pressures(scene.points, Quantity::stiffness);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            CHECK(points[i].state.stiffness.value == results.curves[law].states[i].stiffness.value);
+    }
+}
+
+TEST_CASE("heights and numbers that are none are refused in one sentence") {
+    HeightMap<double> map = some_map();
+    map.heights(3, 4) = std::numeric_limits<double>::infinity();
+    CHECK(sentence_of([&] { return surface_of_heights(named_heights(), map, "a test"); }) ==
+          "heights: map with an infinite height: must be finite, or NaN where missing");
+    CHECK(sentence_of([&] {
+              return surface_of_heights(named_heights(), Profile<double>{{1, 2}, 1}, "");
+          }) == "heights: profile has 2 points: must be at least 16");
+    CHECK(sentence_of([] { return contact_of("hertz", {}); }) ==
+          "effective_modulus = 0: must be finite and greater than 0");
+    CHECK(sentence_of([] {
+              return contact_of("herz", {.effective_modulus = 1e11});
+          }).starts_with("law = \"herz\": must be one of \"fractal\""));
+}

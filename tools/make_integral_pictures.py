@@ -1,0 +1,265 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the two pictures of docs/integrals.md from the formulas of that page, without fstiff.
+
+    tools/make_integral_pictures.py            writes docs/integrand.svg and docs/convergence.svg
+    tools/make_integral_pictures.py --check    exit code 1 when they would differ by more than 0.2 points, or when the
+                                               sentences of docs/integrals.md that give errors are not what comes out
+
+The truth of the errors is tests/data/integrals_plain.csv. Errors below 3e-14 are drawn there: they are rounding.
+"""
+import argparse
+import csv
+import html
+import math
+import sys
+
+import generated
+import make_pictures
+
+DOCS = generated.ROOT / "docs"
+FLOOR = 3e-14
+PLAIN = (0.5, math.pi / 3, 1.0)  # r, theta, eta
+CASES = (  # what, (r, theta, eta), substitution
+    ("r = 0.5, θ = π/3, η = 1", PLAIN, "smooth"),
+    ("r = 0.5, θ = 1.55, η = 0: a layer at t = 0", (0.5, 1.55, 0.0), "graded"),
+    ("r = 0.99, θ = π/3, η = 3: a narrow peak", (0.99, math.pi / 3, 3.0), "separated"),
+)
+COLOURS = (("#1f6fb4", "#6fb1ee", "circle"), ("#c2571a", "#f0965a", "square"), ("#2c8a4b", "#6fcf8f", "triangle"), ("#7a4fb5", "#b794f0", "diamond"))
+
+
+# ---------------------------------------------------------------- the integral J[1/2,-1/2]
+
+
+def inner(x):
+    """F_1/2(x) = int_0^inf 2 w^2 exp(-(w^2+x)^2/2) dw: even and entire in w, so that a plain sum is exact."""
+    step, last = 0.05, math.sqrt(max(-x, 0) + 9)
+    return step * sum(2 * (w := j * step)**2 * math.exp(-((w * w + x)**2) / 2) for j in range(1, int(last / step) + 1))
+
+
+def outer(problem, t):
+    """The integrand over t, without 1/(2 theta)."""
+    r, theta, eta = problem
+    if t <= 0:
+        return 0.0
+    c = math.sqrt((1 - r) * (1 + r))
+    return math.sqrt(c) * t**-0.5 * math.erf(t * math.tan(theta) / math.sqrt(2)) * math.exp(-t * t / 2) * inner((eta - r * t) / c)
+
+
+def substitution(kind, problem, y):
+    """t and dt/dy."""
+    r, theta, eta = problem
+    c = math.sqrt((1 - r) * (1 + r))
+    if kind == "smooth":
+        fall = 0.4 * math.exp(-1.354 * y)
+        v = y - fall
+        return 2.1 * (max(v, 0) + math.log1p(math.exp(-abs(v)))), 2.1 * (1 + 1.354 * fall) * (1 / (1 + math.exp(-v)) if v > -700 else 0.0)
+    if kind == "graded":
+        scale = min(1, math.sqrt(2) / math.tan(theta), c + max(0, -eta))
+        t = scale * math.exp(y - math.exp(-y))
+        return t, t * (1 + math.exp(-y))
+    x = -(3 * y + math.exp(y))
+    return (eta - c * x) / r, c / r * (3 + math.exp(y))
+
+
+def after(problem, kind, y):
+    t, slope = substitution(kind, problem, y)
+    return outer(problem, t) * slope
+
+
+def legendre(n):
+    """Nodes and weights on (-1, 1)."""
+    rule = []
+    for i in range(n):
+        x = math.cos(math.pi * (i + 0.75) / (n + 0.5))
+        for _ in range(100):
+            a, b = 1.0, x
+            for k in range(2, n + 1):
+                a, b = b, ((2 * k - 1) * x * b - (k - 1) * a) / k
+            slope = n * (x * b - a) / (x * x - 1)
+            x, old = x - b / slope, x
+            if abs(x - old) < 1e-16:
+                break
+        rule.append((x, 2 / ((1 - x * x) * slope * slope)))
+    return rule
+
+
+def density(r, theta, zeta, t):
+    c2 = (1 - r) * (1 + r)
+    return math.erf(t * math.tan(theta) / math.sqrt(2)) / (2 * theta * math.sqrt(2 * math.pi * c2) / math.sqrt(2 * math.pi)) * math.exp(
+        -((zeta - r * t)**2) / (2 * c2) - t * t / 2)
+
+
+def box(problem, n, size=8.0):
+    """Gauss and Legendre's n x n points on 0 <= t <= 8, eta <= zeta <= eta + 8."""
+    r, theta, eta = problem
+    rule = [((x + 1) * size / 2, w * size / 2) for x, w in legendre(n)]
+    return sum(wt * we * math.sqrt(e / t) * density(r, theta, eta + e, t) for t, wt in rule for e, we in rule)
+
+
+def squares(problem, n):
+    """The trapezoidal rule of n x n points in s and w: t = s^2, zeta = eta + c w^2."""
+    r, theta, eta = problem
+    c, k = math.sqrt((1 - r) * (1 + r)), math.tan(theta) / math.sqrt(2)
+    end_s = 2.95
+    end_w = math.sqrt(max(0, (r * end_s**2 - eta) / c) + 8.5)
+    total = 0.0
+    for i in range(n + 1):
+        s = end_s * i / n
+        for j in range(1, n + 1):
+            w = end_w * j / n
+            total += (0.5 if i == 0 else 1) * 4 * w * w * math.erf(k * s * s) * math.exp(-s**4 / 2 - (w * w + (eta - r * s * s) / c)**2 / 2)
+    return math.sqrt(c) / (2 * theta) * total * end_s / n * end_w / n
+
+
+def one_dimension(problem, n):
+    """The same over s alone, the inner integral being known."""
+    end = 2.95
+    return sum(outer(problem, (end * i / n)**2) * 2 * end * i / n for i in range(1, n + 1)) * end / n / (2 * problem[1])
+
+
+def smooth(problem, n):
+    """The trapezoidal rule of n points of the smooth substitution, over the y where its integrand is above 1e-16."""
+    begin, end = -3.3, 3.6
+    step = (end - begin) / (n - 1)
+    return step * sum(after(problem, "smooth", begin + step * i) for i in range(n)) / (2 * problem[1])
+
+
+METHODS = (  # what, rule, evaluations of n, settings
+    ("n x n points of Gauss and Legendre on a box", box, lambda n: n * n, (4, 6, 8, 12, 16, 24, 32, 50, 64)),
+    ("squares in both variables, n x n points", squares, lambda n: n * n, (4, 6, 8, 10, 12, 14, 16, 20, 24)),
+    ("inner integral known, square, n points", one_dimension, lambda n: n, (4, 6, 8, 10, 12, 14, 16, 20, 24)),
+    ("inner integral known, smooth map, n points", smooth, lambda n: n, (6, 8, 10, 12, 16, 20, 24, 28, 32)),
+)
+
+
+def truth(problem):
+    with open(generated.ROOT / "tests" / "data" / "integrals_plain.csv", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            found = float(row["a"]), float(row["b"]), float(row["r"]), float(row["theta"]), float(row["eta"])
+            if all(abs(one - two) < 1e-12 for one, two in zip(found, (0.5, -0.5, *problem))):
+                return float(row["value"])
+    sys.exit("tests/data/integrals_plain.csv has no such problem")
+
+
+def errors():
+    """By method: (evaluations, relative error) of each setting."""
+    right = truth(PLAIN)
+    return [(what, [(count(n), n, abs(rule(PLAIN, n) / right - 1)) for n in settings]) for what, rule, count, settings in METHODS]
+
+
+# ---------------------------------------------------------------- drawing
+
+
+def style(colours):
+    light = ["text{font:13px system-ui,'DejaVu Sans',sans-serif;fill:#1d1d1f}", ".back{fill:#ffffff}", ".grid{stroke:#d9d9de;stroke-width:1}",
+             ".frame{fill:none;stroke:#6b6b70}", ".title{font-size:15px;font-weight:600}", ".line{fill:none;stroke-width:2}"]
+    dark = ["text{fill:#ececf1}", ".back{fill:#16161a}", ".grid{stroke:#3a3a42}", ".frame{stroke:#9a9aa2}"]
+    for i, (day, night, _) in enumerate(colours):
+        light.append(f".c{i}{{stroke:{day}}}.m{i}{{fill:{day}}}")
+        dark.append(f".c{i}{{stroke:{night}}}.m{i}{{fill:{night}}}")
+    return f"<style>{''.join(light)}@media (prefers-color-scheme:dark){{{''.join(dark)}}}</style>"
+
+
+def begin(width, height, title):
+    return [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" aria-labelledby="title">',
+            f'<title id="title">{html.escape(title)}</title>', style(COLOURS), f'<rect class="back" width="{width}" height="{height}"/>']
+
+
+def panel(out, left, top, width, height, title, across, low, high, marks):
+    """A frame whose heights go from 0 to 1; returns where a point is."""
+    place = lambda x, y: (left + width * (x - low) / (high - low), top + height * (1.08 - y) / 1.16)
+    for mark in marks:
+        x, _ = place(mark, 0)
+        out.append(f'<line class="grid" x1="{x:.1f}" y1="{top}" x2="{x:.1f}" y2="{top + height}"/>')
+        out.append(f'<text x="{x:.1f}" y="{top + height + 20}" text-anchor="middle">{mark}</text>')
+    out.append(f'<text class="title" x="{left}" y="{top - 14}">{title}</text>')
+    out.append(f'<rect class="frame" x="{left}" y="{top}" width="{width}" height="{height}"/>')
+    out.append(f'<text x="{left + width / 2}" y="{top + height + 44}" text-anchor="middle">{across}</text>')
+    return place
+
+
+def curve(out, i, place, points):
+    out.append(f'<polyline class="line c{i}" points="' + " ".join("{:.1f},{:.1f}".format(*place(x, y)) for x, y in points) + '"/>')
+
+
+def draw_integrand():
+    left, top, width, height, gap = 30, 50, 440, 320, 50
+    out = begin(2 * width + gap + 2 * left, top + height + 136, "The integrand over the curvature t before and after substitution, for three problems")
+    before = panel(out, left, top, width, height, "as it stands, over t", "curvature t", 0, 5, range(6))
+    then = panel(out, left + width + gap, top, width, height, "after substitution, over y, with nodes", "y", -4, 6, range(-4, 7, 2))
+    for i, (what, problem, kind) in enumerate(CASES):
+        ts = [(5 * (j / 400)**2, 0) for j in range(401)] if kind != "separated" else [(5 * j / 400, 0) for j in range(401)]
+        heights = [outer(problem, t) for t, _ in ts]
+        most = max(heights)
+        curve(out, i, before, [(t, h / most) for (t, _), h in zip(ts, heights)])
+        ys = [-4 + 10 * j / 400 for j in range(401)]
+        heights = [after(problem, kind, y) for y in ys]
+        most = max(heights)
+        curve(out, i, then, [(y, h / most) for y, h in zip(ys, heights)])
+        nodes = [-4 + 0.25 * j for j in range(41)]
+        out.append(f'<g class="m{i}">' + "".join(generated.marker(COLOURS[i][2], *then(y, after(problem, kind, y) / most)) for y in nodes) + "</g>")
+        y = top + height + 74 + 22 * i
+        out.append(f'<line class="line c{i}" x1="{left}" y1="{y - 4}" x2="{left + 26}" y2="{y - 4}"/><g class="m{i}">{generated.marker(COLOURS[i][2], left + 13, y - 4)}</g>')
+        out.append(f'<text x="{left + 36}" y="{y}">{html.escape(what)}; substitution "{kind}"</text>')
+    return "\n".join(out + ["</svg>"]) + "\n"
+
+
+def draw_convergence(results):
+    left, top, width, height = 80, 50, 520, 400
+    out = begin(1000, top + height + 66, "Relative error of one contact integral against the number of evaluations, for four rules")
+    x_low, x_high, y_low, y_high = math.log10(4), math.log10(5000), -14, 0
+    place = lambda count, error: (left + width * (math.log10(count) - x_low) / (x_high - x_low), top - height * math.log10(min(max(error, FLOOR), 1)) / (y_high - y_low))
+    superscript = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    for count in (10, 100, 1000):
+        x, _ = place(count, 1)
+        out.append(f'<line class="grid" x1="{x:.1f}" y1="{top}" x2="{x:.1f}" y2="{top + height}"/><text x="{x:.1f}" y="{top + height + 20}" text-anchor="middle">{count}</text>')
+    for k in range(y_low, y_high + 1, 2):
+        _, y = place(10, 10.0**k)
+        out.append(f'<line class="grid" x1="{left}" y1="{y:.1f}" x2="{left + width}" y2="{y:.1f}"/><text x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">10{str(k).translate(superscript)}</text>')
+    out.append(f'<text class="title" x="{left}" y="{top - 18}">J[1/2,-1/2] at r = 0.5, θ = π/3, η = 1</text>')
+    out.append(f'<rect class="frame" x="{left}" y="{top}" width="{width}" height="{height}"/>')
+    out.append(f'<text x="{left + width / 2}" y="{top + height + 44}" text-anchor="middle">evaluations of the integrand</text>')
+    out.append(f'<text x="20" y="{top + height / 2}" text-anchor="middle" transform="rotate(-90 20 {top + height / 2})">relative error</text>')
+    for i, (what, points) in enumerate(results):
+        kind = COLOURS[i][2]
+        at = [place(count, error) for count, _, error in points]
+        out.append(f'<polyline class="line c{i}" points="' + " ".join(f"{x:.1f},{y:.1f}" for x, y in at) + '"/>')
+        out.append(f'<g class="m{i}">' + "".join(generated.marker(kind, x, y) for x, y in at) + "</g>")
+        x, y = left + width + 24, top + 18 + 27 * i
+        out.append(f'<line class="line c{i}" x1="{x}" y1="{y}" x2="{x + 26}" y2="{y}"/><g class="m{i}">{generated.marker(kind, x + 13, y)}</g><text x="{x + 34}" y="{y + 4}">{what}</text>')
+    return "\n".join(out + ["</svg>"]) + "\n"
+
+
+def table(results):
+    """The table of docs/integrals.md."""
+    show = lambda error: f"{error:.0e}" if error > 2e-14 else "rounding"
+    lines = ["| rule | evaluations | relative error |", "| --- | ---: | ---: |"]
+    for (what, points), chosen in zip(results, ((8, 24, 50), (8, 16, 24), (8, 16, 24), (8, 16, 24))):
+        lines += [f"| {what} | {count} | {show(error)} |" for count, n, error in points if n in chosen]
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="write nothing")
+    check = parser.parse_args().check
+    results = errors()
+    old = []
+    for name, picture in (("integrand.svg", draw_integrand()), ("convergence.svg", draw_convergence(results))):
+        if not check:
+            (DOCS / name).write_text(picture, encoding="utf-8")
+        elif not (DOCS / name).exists() or not make_pictures.same((DOCS / name).read_text(encoding="utf-8"), picture, 0.2):
+            old.append(name)
+    page = DOCS / "integrals.md"
+    text = generated.between_markers(page, "convergence", table(results))
+    if not check:
+        page.write_text(text, encoding="utf-8")
+    elif page.read_text(encoding="utf-8") != text:
+        old.append(page.name)
+    if old:
+        sys.exit("docs: not what tools/make_integral_pictures.py makes: " + ", ".join(old))
+
+
+if __name__ == "__main__":
+    main()
