@@ -59,7 +59,8 @@ int run_main(int argc, char** argv) {
     const std::vector<Command> commands{add_run(app),        add_measure(app),  add_fit(app),       add_islands(app),
                                         add_spectrum(app),   add_peaks(app),    add_integral(app),  add_generate(app),
                                         add_ultrasound(app), add_identify(app), add_reproduce(app), add_report(app),
-                                        add_formats(app),    add_truth(app),    add_export(app)};
+                                        add_formats(app),    add_truth(app),    add_export(app),    add_sweep(app),
+                                        add_merge(app)};
     const CLI::App* chosen = program.parse(argc, argv);
     for (const Command& command : commands)
         if (command.app == chosen) return execute(command);

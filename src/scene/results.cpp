@@ -212,6 +212,13 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
     return columns;
 }
 
+/// Bands, where the surface has errors, and the columns of every curve, which has its states.
+void finish(const Scene& scene, Results& results, const ProgressHook& progress) {
+    if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);
+    const bool bands = has_band(results);
+    for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio, bands);
+}
+
 }  // namespace
 
 std::string title(const Curve& curve) {
@@ -247,6 +254,26 @@ Interaction<double> interaction(const Scene& scene) {
                             ? interaction_length_of_peaks(scene.surface.peak_density)
                             : scene.given_length;
     return result;
+}
+
+std::vector<MadeContact> contacts_of(const Scene& scene) {
+    std::vector<MadeContact> contacts;
+    for_each_contact(scene, effective_modulus(scene.upper, scene.lower), {}, [&](Curve curve, const auto& contact) {
+        contacts.push_back({std::move(curve), contact()});
+    });
+    return contacts;
+}
+
+std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>& contacts) {
+    Results results;
+    results.modulus = effective_modulus(scene.upper, scene.lower);
+    results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
+    for (const MadeContact& made : contacts) {
+        Curve& curve = results.curves.emplace_back(made.curve);
+        curve.states = accepted(scene, *curve.law, points_of(scene, *made.contact, wanted(scene, *curve.law)));
+    }
+    finish(scene, results, {});
+    return std::move(results.curves);
 }
 
 Results compute(const Scene& scene, const ProgressHook& progress) {
@@ -290,9 +317,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         curve.means = made->means_at(etas);
         results.curves.push_back(std::move(curve));
     });
-    if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);
-    const bool bands = has_band(results);
-    for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio, bands);
+    finish(scene, results, progress);
     add_warnings(scene, results);
     results.verdict = verdict(scene, results);
     return results;

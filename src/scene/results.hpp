@@ -16,6 +16,7 @@
 #include <fstiff/measured/sampled_band.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,5 +78,16 @@ struct Results {
 /// Everything the scene asks for. \p progress is called while a band is sampled.
 /// \throws domain_error where the model cannot give it, naming the place in the scene.
 [[nodiscard]] Results compute(const Scene& scene, const ProgressHook& progress = {});
+/// A contact of a scene, and its curve still without states.
+struct MadeContact {
+    Curve curve;
+    std::unique_ptr<AnyContact> contact;
+};
+/// The contacts of \p scene, for many scenes that differ in their points alone; the scene must live as long.
+/// \throws domain_error as compute().
+[[nodiscard]] std::vector<MadeContact> contacts_of(const Scene& scene);
+/// The curves of compute() with their states, bands and columns, but without checks, means and warnings.
+/// \p contacts are those of the scene, or of one with other points. \throws domain_error as compute().
+[[nodiscard]] std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>& contacts);
 
 }  // namespace fstiff::scene

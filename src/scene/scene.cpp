@@ -2,7 +2,9 @@
 #include "scene/scene.hpp"
 
 #include "scene/file.hpp"
+#include "scene/range.hpp"
 #include "scene/read_face.hpp"
+#include "scene/read_table.hpp"
 #include "scene/source.hpp"
 
 #include <fstiff/core/error.hpp>
@@ -157,15 +159,9 @@ std::vector<double> read_points(Source& source, const toml::node& node, const st
     if (log && !(from > 0))
         source.refuse(range.at("from"), range.key("from"), "must be greater than 0 for spacing = \"log\"");
 
+    const Range spaced{from, to, static_cast<std::uint64_t>(count->get()), log};
     std::vector<double> points;
-    const auto last = static_cast<double>(count->get() - 1);
-    for (double i = 0; i <= last; ++i) {
-        const double share = i / last;
-        points.push_back(log ? std::exp((1 - share) * std::log(from) + share * std::log(to))
-                             : (1 - share) * from + share * to);
-    }
-    points.front() = from;
-    points.back() = to;
+    for (std::uint64_t i = 0; i < spaced.count; ++i) points.push_back(spaced.at(i));
     return points;
 }
 
@@ -457,12 +453,16 @@ std::vector<NamedFace> measured_faces(const Scene& scene) {
 }
 
 Scene read_scene(const std::string& text, const SceneSource& from) {
+    Scene scene = read_table(parse_toml(text, from.name), from, text == builtin_scene);
+    scene.sha256 = sha256(text);
+    return scene;
+}
+
+Scene read_table(const toml::table& root, const SceneSource& from, bool builtin) {
     const std::string &file = from.name, &surface = from.surface;
-    Source source{file, {}, text == builtin_scene};
-    const toml::table root = parse_toml(text, file);
+    Source source{file, {}, builtin};
     Scene scene;
     scene.file = file;
-    scene.sha256 = sha256(text);
 
     const Section top(source, root, "",
                       {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound",
@@ -472,7 +472,11 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
     else
         scene.name = std::filesystem::path(file).stem().string();
     const bool replaced = from.measured || !surface.empty();
-    if (!replaced) {
+    if (from.surface_of) {
+        static_cast<Face&>(scene) = *from.surface_of;
+        scene.faces = from.surface_of->faces;
+        scene.shifts = from.surface_of->shifts;
+    } else if (!replaced) {
         read_surface(source, top.subtable("surface"), scene, from.progress);
     } else {
         static_cast<Face&>(scene) =

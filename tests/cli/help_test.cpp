@@ -6,7 +6,7 @@
 TEST_CASE("The example at the end of every --help works as pasted") {
     for (const std::string subcommand :
          {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
-          "identify ", "reproduce ", "report ", "formats ", "export ", "help "}) {
+          "identify ", "reproduce ", "report ", "formats ", "export ", "sweep ", "merge ", "help "}) {
         const auto help = test::fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);
         CHECK(help.status == 0);
@@ -65,7 +65,7 @@ TEST_CASE("help prints what --help prints") {
 TEST_CASE("No help points at a file that is not installed") {
     for (const std::string command :
          {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
-          "identify ", "reproduce ", "report ", "formats ", "export ", "help "})
+          "identify ", "reproduce ", "report ", "formats ", "export ", "sweep ", "merge ", "help "})
         for (const char* folder : {"docs/", "data/", "README"}) {
             INFO(command << folder);
             CHECK_FALSE(test::contains(test::fstiff(command + "--help").out, folder));

@@ -21,5 +21,7 @@ Command add_report(CLI::App& app);
 Command add_truth(CLI::App& app);
 Command add_formats(CLI::App& app);
 Command add_export(CLI::App& app);
+Command add_sweep(CLI::App& app);
+Command add_merge(CLI::App& app);
 
 }  // namespace fstiff::cli

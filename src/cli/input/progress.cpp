@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/progress.hpp"
 
+#include <fstiff/core/text.hpp>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -64,7 +66,7 @@ Line line;
 
 class Bar {
 public:
-    Bar() = default;
+    explicit Bar(bool with_rate) : with_rate_(with_rate) {}
     Bar(const Bar&) = delete;
     Bar& operator=(const Bar&) = delete;
     ~Bar() { line.wipe(); }
@@ -87,10 +89,13 @@ public:
         constexpr int width = 30;
         const auto full = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * width);
         line.show(what_ + " [" + std::string(full, '#') + std::string(width - full, '.') + "] " +
-                  std::to_string(static_cast<int>(100 * share)) + " %, " + duration(left) + " left");
+                  std::to_string(static_cast<int>(100 * share)) + " %, " +
+                  (with_rate_ ? rounded_text(static_cast<double>(done - first_) / elapsed, 3) + "/s, " : "") +
+                  duration(left) + " left");
     }
 
 private:
+    bool with_rate_;
     milliseconds delay_ = delay(500);
     std::string what_;
     std::size_t done_ = 0, first_ = 0;
@@ -99,9 +104,9 @@ private:
 
 }  // namespace
 
-ProgressHook progress_bar() {
+ProgressHook progress_bar(bool with_rate) {
     if (!on_terminal()) return {};
-    return [bar = std::make_shared<Bar>()](std::string_view what, std::size_t done, std::size_t all) {
+    return [bar = std::make_shared<Bar>(with_rate)](std::string_view what, std::size_t done, std::size_t all) {
         (*bar)(what, done, all);
     };
 }

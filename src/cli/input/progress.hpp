@@ -11,8 +11,8 @@ namespace fstiff::cli {
 
 /// Empty, and so never called, where standard error is no terminal. The bar appears when a part has run for half a second
 /// (FSTIFF_PROGRESS_DELAY milliseconds, where the environment has that variable), and is wiped when the hook and its
-/// copies are gone: keep them no longer than the work lasts.
-ProgressHook progress_bar();
+/// copies are gone: keep them no longer than the work lasts. \p with_rate: it tells how many are done in a second, too.
+ProgressHook progress_bar(bool with_rate = false);
 
 /// While it lives, a line with the time that passed stands on the terminal wherever no bar tells more: while a file is
 /// read, or numbers are transformed. It appears after a second (or FSTIFF_PROGRESS_DELAY).

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a sweep by an engine and compares its results with those of one process, byte for byte.
+
+    python3 check_engine.py ENGINE --fstiff COMMAND [--python PYTHON]     ENGINE: parallel, mpi, snakemake, dask
+
+PYTHON, where it exists, is one that has the package fstiff and Dask; the default is the one that runs this.
+Ends with exit code 1 where they differ, and says SKIPPED: where the engine is missing.
+"""
+import argparse
+import csv
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+NEEDS = {"parallel": "parallel", "mpi": "mpirun", "snakemake": "snakemake", "dask": None}
+
+
+def run(command, **options):
+    """Runs it; what it printed where it fails."""
+    done = subprocess.run(command, capture_output=True, text=True, **options)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}exit code {done.returncode}")
+    return done
+
+
+def serial(fstiff, grid, file):
+    run([fstiff, "sweep", grid, "--threads", "1", "-o", file])
+    return file.read_bytes()
+
+
+def check_same(found, wanted, what):
+    if found.read_bytes() != wanted:
+        sys.exit(f"{what}: the merged results are not those of one process")
+    print(f"{what}: {wanted.count(10)} lines, the bytes of one process")
+
+
+def check_shards(engine, fstiff, work):
+    """An engine that computes shards of grid.toml."""
+    script = [HERE / f"{engine}.sh", HERE / "grid.toml"]
+    if engine == "mpi":
+        script += ["-n", "4", "--oversubscribe", *(["--allow-run-as-root"] if os.geteuid() == 0 else [])]
+    run(["sh", *script], cwd=work, env={**os.environ, "FSTIFF": fstiff})
+    check_same(work / "all.jsonl", serial(fstiff, HERE / "grid.toml", work / "serial.jsonl"), engine)
+
+
+def check_snakemake(fstiff, work):
+    trace = ["--points", "4000", "--spacing", "1 um", "--hurst", "0.8", "--rms", "1 um"]
+    run([fstiff, "generate", "profile", *trace, "-o", work / "trace.csv"])
+    run(
+        ["snakemake", "--cores", "2", "--snakefile", HERE / "Snakefile", "--directory", work]
+        + ["--config", "trace=trace.csv", f"fstiff={fstiff}"],
+        cwd=work,
+        env={**os.environ, "HOME": str(work), "XDG_CACHE_HOME": str(work)},
+    )
+    check_same(work / "all.jsonl", serial(fstiff, work / "grid.toml", work / "serial.jsonl"), "snakemake")
+    if b"<svg" not in (work / "k.svg").read_bytes():
+        sys.exit("snakemake: k.svg is no picture")
+
+
+def check_dask(fstiff, work, python):
+    done = subprocess.run([python, HERE / "dask_sweep.py"], capture_output=True, text=True, cwd=work)
+    if "SKIPPED:" in done.stderr:
+        print(done.stderr)
+        return
+    if done.returncode != 0:
+        sys.exit(done.stdout[-2000:] + done.stderr)
+    found = {
+        (float(row["peak_radius_m"]), float(row["rms_height_m"]), float(row["pressure_Pa"]), row["law"]): float(
+            row["stiffness_Pa_per_m"]
+        )
+        for row in csv.DictReader(done.stdout.splitlines())
+    }
+    wanted = {}
+    for line in serial(fstiff, HERE / "grid.toml", work / "serial.jsonl").splitlines():
+        row = json.loads(line)
+        key = (row["surface.peak_radius"], row["surface.rms_height"], row["pressure_Pa"], row["law"])
+        wanted[key] = row["stiffness_Pa_per_m"]
+    if found != wanted:
+        different = sum(found.get(key) != value for key, value in wanted.items())
+        sys.exit(f"dask: {different} of {len(wanted)} values of K differ")
+    print(f"dask: {len(wanted)} values of K, the same to the last digit")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("engine", choices=NEEDS)
+    parser.add_argument("--fstiff", required=True)
+    parser.add_argument("--python", default=sys.executable)
+    arguments = parser.parse_args()
+    if NEEDS[arguments.engine] and not shutil.which(NEEDS[arguments.engine]):
+        print(f"SKIPPED: {NEEDS[arguments.engine]} is not here")
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        fstiff, work = str(pathlib.Path(arguments.fstiff).resolve()), pathlib.Path(folder)
+        if arguments.engine == "snakemake":
+            check_snakemake(fstiff, work)
+        elif arguments.engine == "dask":
+            python = arguments.python if pathlib.Path(arguments.python).exists() else sys.executable
+            check_dask(fstiff, work, python)
+        else:
+            check_shards(arguments.engine, fstiff, work)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff merge: the shards of a sweep as one file.
+#include "sweep/merge.hpp"
+#include "commands/commands.hpp"
+#include "document/output.hpp"
+#include "sweep/hdf5.hpp"
+
+#include <memory>
+
+namespace fstiff::cli {
+namespace {
+
+struct Options {
+    OutputOptions output;
+    std::vector<std::string> files;
+    std::string merged;
+};
+
+Report execute(const Options& options) {
+    const std::string lines = sweep::lines_file(options.merged);
+    sweep::require_form(options.merged);
+    require_writable(options.merged);
+    const sweep::Merged merged = sweep::merge(options.files, lines);
+    if (!merged.problems.empty()) return {"", merged.problems, doubtful_result};
+    if (lines != options.merged) sweep::write_hdf5(lines, options.merged);
+    Report report;
+    report.document = "fstiff merge: " + std::to_string(merged.scenes) + " scenes of " + std::to_string(merged.shards) +
+                      " shards in " + options.merged + "\n";
+    if (merged.failed > 0) {
+        report.diagnostics.push_back(
+            "warning: " + std::to_string(merged.failed) +
+            " scenes cannot be computed; their lines have the key \"error\" in place of results");
+        report.status = doubtful_result;
+    }
+    return report;
+}
+
+}  // namespace
+
+Command add_merge(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    Arguments command(app, "merge", "The shards of a sweep as one file");
+    command.option("files", options->files, "files of results of fstiff sweep; names in .sweep are left out")
+        .required();
+    command.option("-o,--output", options->merged, "file of all results, lines of JSON or .h5")
+        .type_name("FILE")
+        .required();
+    command.footer(
+        "Exit code 4: a shard is missing, double, not finished or of another grid, and nothing is written; each is "
+        "named, "
+        "with the\ncommand that computes it. 4 too where some scenes cannot be computed.\n"
+        "Example:\n  fstiff sweep --example > grid.toml; for i in 1 2; do fstiff sweep grid.toml --shard $i/2 -o "
+        "part-$i.jsonl; "
+        "done; fstiff merge part-*.jsonl -o all.jsonl");
+    return {command.app(), &options->output, [options] { return execute(*options); }};
+}
+
+}  // namespace fstiff::cli

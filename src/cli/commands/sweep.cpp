@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff sweep: a grid of scenes to one line a row of results.
+#include "commands/commands.hpp"
+#include "document/output.hpp"
+#include "input/progress.hpp"
+#include "input/scene_options.hpp"
+#include "picture/panels.hpp"
+#include "picture/sweep_figure.hpp"
+#include "sweep/engine.hpp"
+#include "sweep/hdf5.hpp"
+#include "sweep/results_file.hpp"
+#include "sweep/sensitivity.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <thread>
+
+namespace fstiff::cli {
+
+extern const char* const example_grid;  // examples/sweeps/grid.toml
+
+namespace {
+
+struct Options {
+    OutputOptions output;  // of the summary
+    std::string grid, results, shard = "1/1";
+    int threads = 0;      ///< 0: as many as there are cores
+    std::string picture;  ///< file; empty: none
+    bool sensitivity = false, example = false;
+};
+
+/// {shard} in the name of the results is the number of the shard.
+std::string results_file(const Options& options, const sweep::Shard& shard) {
+    std::string file = options.results;
+    const std::string place = "{shard}";
+    for (std::size_t at = file.find(place); at != std::string::npos; at = file.find(place))
+        file.replace(at, place.size(), std::to_string(shard.number));
+    return file;
+}
+
+std::string counted(std::uint64_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string summary(const sweep::Grid& grid, const sweep::Description& of, const std::string& file) {
+    std::string text = "fstiff sweep: " + grid.file + ", " + counted(grid.size, "scene");
+    if (of.shard.of > 1)
+        text += ", of which shard " + of.shard.text() + " has " +
+                std::to_string(of.shard.end(grid.size) - of.shard.first(grid.size));
+    text += "; results in " + file + "\n";
+    for (const sweep::Axis& axis : grid.axes) {
+        text += "  " + axis.key;
+        if (!axis.unit.empty()) text += " [" + axis.unit + "]";
+        const auto shown = [](double value) { return rounded(value, 6); };
+        if (axis.range)
+            text += ": " + shown(axis.range->from) + " to " + shown(axis.range->to) + ", " +
+                    std::to_string(axis.range->count) + " values by " +
+                    (axis.range->log ? "equal factors" : "equal steps");
+        else if (axis.drawn)
+            text +=
+                axis.drawn->kind == sweep::Distribution::Kind::uniform
+                    ? ": between " + shown(axis.drawn->a) + " and " + shown(axis.drawn->b)
+                : axis.drawn->kind == sweep::Distribution::Kind::normal
+                    ? ": normal, " + shown(axis.drawn->a) + " +- " + shown(axis.drawn->b)
+                    : ": lognormal, median " + shown(axis.drawn->a) + ", " + shown(axis.drawn->b) + " of the logarithm";
+        else
+            text += ": " + counted(axis.count(), "listed value");
+        text += "\n";
+    }
+    if (grid.samples > 1)
+        text += "  " + counted(grid.samples, "draw") + " at each point of the grid, seed " + std::to_string(grid.seed) +
+                "\n";
+    return text;
+}
+
+/// The sensitivities of K to each distributed input.
+std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) {
+    std::vector<std::string> header{"K of"};
+    for (const sweep::Axis& axis : grid.axes)
+        if (axis.drawn) header.insert(header.end(), {"S " + shown_key(axis.key), "rank"});
+    header.emplace_back("rest");
+    TextTable table(std::move(header));
+    const auto rows = sweep::sensitivities(grid, file);
+    const bool several_points =
+        std::any_of(rows.begin(), rows.end(), [](const sweep::SensitivityRow& row) { return row.point > 0; });
+    for (const sweep::SensitivityRow& row : rows) {
+        std::vector<std::string> cells{legend_of(row.law, row.theta, row.r) +
+                                       (row.pressure     ? ", p " + rounded(*row.pressure / 1e6, 3) + " MPa"
+                                        : several_points ? ", point " + std::to_string(row.point + 1)
+                                                         : "")};
+        double rest = 1;
+        for (const sweep::Sensitivity& one : row.of_inputs) {
+            cells.push_back(fixed_text(one.first_order, 3));
+            cells.push_back(fixed_text(one.rank_correlation, 3));
+            rest -= one.first_order;
+        }
+        cells.push_back(fixed_text(rest, 3));
+        table.add(std::move(cells));
+    }
+    return "\n" + table.str() +
+           "\nS is the share of the variance of K that an input has alone (Sobol', first order), rank its correlation "
+           "of "
+           "ranks\nwith K, rest what inputs have together; of " +
+           std::to_string(rows.front().draws) + " draws, S within " +
+           rounded(1 / std::sqrt(static_cast<double>(rows.front().draws)), 1) +
+           (rows.front().places > 1
+                ? " at each, means of " + std::to_string(rows.front().places) + " points of the grid\n"
+                : "\n");
+}
+
+/// What is computed of the results of the whole grid.
+void add_views(Report& report, const Options& options, const sweep::Grid& grid, const std::string& file) {
+    if (options.sensitivity) report.document += sensitivity_table(grid, file);
+    if (!options.picture.empty()) say_written(report, write_figure(sweep_figure(grid, file), options.picture));
+}
+
+/// \throws Usage for a view of a shard, or of no distribution.
+void require_views(const Options& options, const sweep::Shard& shard) {
+    if (shard.of > 1 && (options.sensitivity || !options.picture.empty()))
+        throw Usage("--plot and --sensitivity need the whole grid; merge the shards first, then run fstiff sweep " +
+                    options.grid + " -o with the merged file and without --shard");
+    if (!options.picture.empty()) keep_for_picture(options.picture);
+}
+
+Report execute(const Options& options) {
+    if (options.example) {
+        if (!options.grid.empty() || !options.results.empty())
+            throw Usage("--example prints a grid and computes nothing; give no grid and no -o with it");
+        return {example_grid, {}, success};
+    }
+    if (options.grid.empty() || options.results.empty())
+        throw Usage("a grid and -o FILE are needed; see fstiff sweep --help");
+    const sweep::Shard shard = sweep::parse_shard(options.shard);
+    require_views(options, shard);
+    const std::string output = results_file(options, shard), file = sweep::lines_file(output);
+    sweep::require_form(output);
+    for (const std::string& one : std::set{output, file}) {
+        require_writable(one);
+        keep_for_output(one);
+    }
+    const sweep::Grid grid = sweep::read_grid(read_all(options.grid), display_name(options.grid));
+    if (options.sensitivity && std::none_of(grid.axes.begin(), grid.axes.end(),
+                                            [](const sweep::Axis& axis) { return axis.drawn.has_value(); }))
+        throw Usage("--sensitivity needs a distribution in the grid, such as { normal = [\"5 um\", \"0.2 um\"] }");
+    std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
+    if (!std::filesystem::exists(sweep::description_file(file))) maker.emplace(grid);
+    sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
+    Report report;
+    if (results.dropped() > 0)
+        report.diagnostics.push_back("the run before was interrupted: " + std::to_string(results.dropped()) +
+                                     " bytes at the end of " + file + " are computed again");
+    const std::uint64_t first = results.next(), end = shard.end(grid.size);
+    const auto begun = std::chrono::steady_clock::now();
+    if (!results.description().finished) {
+        if (!maker) maker.emplace(grid);
+        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+        sweep::run(grid, *maker, first, end,
+                   {.threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores,
+                    .progress = progress_bar(true)},
+                   [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
+                       results.append(lines, next, failed);
+                   });
+        results.finish();
+    }
+    if (output != file && (first != end || !std::filesystem::exists(output))) sweep::write_hdf5(file, output);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    report.diagnostics.push_back(first == end
+                                     ? "nothing is left to compute"
+                                     : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
+                                           rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
+    report.document = summary(grid, results.description(), output);
+    add_views(report, options, grid, file);
+    if (const std::uint64_t failed = results.description().failed; failed > 0) {
+        report.diagnostics.push_back("warning: " + counted(failed, "scene") +
+                                     " cannot be computed; their lines have the key \"error\" in place of results");
+        report.status = doubtful_result;
+    }
+    return report;
+}
+
+}  // namespace
+
+Command add_sweep(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    Arguments command(app, "sweep", "Many scenes: ranges, lists and distributions in one scene file");
+    command.option("grid", options->grid, "scene file (TOML) with swept quantities; - is standard input");
+    command
+        .option("-o,--output", options->results,
+                "file of results, one JSON object a line, or .h5; {shard} in its name is the number of the shard. A "
+                "run that was "
+                "interrupted goes on with the same arguments")
+        .type_name("FILE");
+    command.option("--threads", options->threads, "threads that compute; the default is one for each core")
+        .between(1, 4096);
+    command.option("--shard", options->shard,
+                   "part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun");
+    add_picture_option(command, options->picture, "draw K against the swept quantities");
+    command.flag("--sensitivity", options->sensitivity,
+                 "print which share of the variance of K each distributed input has");
+    command.flag("--example", options->example, "print a grid with comments, to begin one of your own");
+    command.footer(
+        "A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as "
+        "{ normal = [\"5 um\", \"0.2 um\"] }.\nExit code 4: some scenes cannot be computed, and their lines say why.\n"
+        "Example:\n  fstiff sweep --example > grid.toml; fstiff sweep grid.toml -o results.jsonl");
+    return {command.app(), &options->output, [options] { return execute(*options); }};
+}
+
+}  // namespace fstiff::cli

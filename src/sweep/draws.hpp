@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Random numbers that hang on (seed, scene, input) alone, so that every shard and thread draws the same.
+//
+//     x = philox4x32_10(counter = {scene, input}, key = seed),  u = (52 bits of x + 1/2)/2^52
+//
+// Reference   Salmon, Moraes, Dror, Shaw, SC11 (2011), Philox-4x32-10; Wichura, Appl. Stat. 37 (1988) 477, AS 241 (the
+//             inverse of the normal distribution, PPND16)
+// Accuracy    the generator is exact (known answers of Random123), the inverse within 1e-15 relative of the quantile
+//             (tests/sweep/draws_test.cpp)
+
+#include <array>
+#include <cstdint>
+
+namespace fstiff::sweep {
+
+/// Ten rounds of Philox with four words of 32 bits.
+[[nodiscard]] std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
+                                                  std::array<std::uint32_t, 2> key);
+
+/// A number of (0, 1), never 0 or 1, for the input \p input of the scene \p index.
+[[nodiscard]] double uniform_draw(std::uint64_t seed, std::uint64_t index, std::uint32_t input);
+
+/// z with P(Z <= z) = \p probability of a standard normal Z, for 0 < probability < 1.
+[[nodiscard]] double normal_quantile(double probability);
+
+/// How an input is distributed.
+struct Distribution {
+    enum class Kind {
+        normal,     ///< mean \p a, standard deviation \p b
+        lognormal,  ///< median \p a, standard deviation \p b of the natural logarithm
+        uniform     ///< between \p a and \p b
+    };
+    Kind kind = Kind::normal;
+    double a = 0, b = 0;
+
+    /// The value below which the share \p probability lies, between 0 and 1, both excluded.
+    [[nodiscard]] double quantile(double probability) const;
+};
+
+}  // namespace fstiff::sweep

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Computes the scenes of a shard with several threads and hands them over in their order. Memory does not grow with the
+// grid: the threads are never more than a few blocks ahead of what was handed over.
+
+#include "sweep/lines.hpp"
+
+#include <fstiff/core/progress.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+namespace fstiff::sweep {
+
+struct EngineOptions {
+    unsigned threads = 1;
+    ProgressHook progress{};  ///< "scenes", of the shard; from the thread that calls run()
+};
+
+/// Takes the lines of whole scenes, the scene behind them, and how many of them have no result.
+using Sink = std::function<void(std::string_view lines, std::uint64_t next, std::uint64_t failed)>;
+
+/// The scenes from \p first up to \p end, in their order, a mebibyte or a second of work at a time. What \p sink throws, or
+/// a scene throws that is no domain_error or file_error, ends it.
+void run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint64_t end, const EngineOptions& options,
+         const Sink& sink);
+
+}  // namespace fstiff::sweep

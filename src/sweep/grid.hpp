@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A grid of scenes: a scene in which some quantities are ranges, lists or distributions. It is never expanded: the values
+// of a scene follow from its index. The form of the file is in docs/sweep.md.
+//
+//     const Grid grid = read_grid(text, "grid.toml");
+//     std::vector<Value> values;
+//     grid.values(17, values);                    of the 18th scene, one for each of grid.axes
+//
+// The quantity that stands last in the file varies fastest; the draws of one point of the grid stand side by side.
+
+#include "scene/range.hpp"
+#include "sweep/draws.hpp"
+
+#include <fstiff/core/names.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fstiff::sweep {
+
+enum class Mode {
+    product,  ///< every value of one quantity with every value of the others
+    zip       ///< the first values of all, the second values of all, ...
+};
+
+/// One swept quantity: a range, a distribution, or a list of numbers or texts.
+struct Axis {
+    std::string key;   ///< path in the scene, such as "surface.rms_height" or "contact.pressures[0]"
+    std::string unit;  ///< SI; empty of plain numbers and texts
+    std::optional<scene::Range> range{};
+    std::optional<Distribution> drawn{};
+    std::uint32_t input = 0;           ///< of a distribution: its number among them
+    std::vector<double> numbers{};     ///< of a list of quantities or numbers
+    std::vector<std::string> texts{};  ///< of any other list: as results show them
+    bool whole = false;                ///< of a range: whole numbers stay whole numbers
+
+    /// Of a distribution 1: its draws are samples of every point of the grid.
+    [[nodiscard]] std::uint64_t count() const {
+        return range ? range->count : drawn ? 1 : numbers.empty() ? texts.size() : numbers.size();
+    }
+    [[nodiscard]] bool is_text() const { return !texts.empty(); }
+};
+
+/// What one scene has of an axis.
+struct Value {
+    double number = 0;        ///< SI; 0 of a text
+    std::uint64_t place = 0;  ///< on the axis; 0 of a distribution
+};
+
+struct Template;  // the TOML of the scene
+
+struct Grid {
+    std::string file;  ///< as messages call it
+    std::string hash;  ///< of the text, of the files it names, and of the version of fstiff
+    Mode mode = Mode::product;
+    std::uint64_t samples = 1;  ///< draws at each point of the grid
+    std::uint64_t seed = 2014;
+    std::vector<Axis> axes;  ///< in the order of the file
+    std::uint64_t size = 0;  ///< scenes
+    std::shared_ptr<const Template> form;
+
+    /// Replaces \p values by those of the scene \p index, which is less than size.
+    void values(std::uint64_t index, std::vector<Value>& values) const;
+};
+
+/// \throws domain_error "<file>:<line>: <key> = <value>: must be ...", file_error for a file that the scene names and that
+/// cannot be read.
+[[nodiscard]] Grid read_grid(const std::string& text, const std::string& file);
+
+}  // namespace fstiff::sweep
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<sweep::Mode> = name_list<sweep::Mode>({{sweep::Mode::product, "product"},
+                                                                   {sweep::Mode::zip, "zip"}});
+
+}  // namespace fstiff

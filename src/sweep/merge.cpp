@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sweep/merge.hpp"
+
+#include "sweep/results_file.hpp"
+
+#include <fstiff/core/error.hpp>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
+
+namespace fstiff::sweep {
+namespace {
+
+struct Part {
+    std::string file;
+    Description description;
+};
+
+/// A file that is closed at the end.
+class Descriptor {
+public:
+    Descriptor(const std::string& file, int flags, const char* what)
+        : number_(open(file.c_str(), flags | O_CLOEXEC, 0666)) {
+        if (number_ < 0) throw file_error(file, what + (": " + std::generic_category().message(errno)));
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(number_); }
+    [[nodiscard]] int number() const { return number_; }
+
+private:
+    int number_;
+};
+
+/// The name of another shard's file, by that of one which has the number of its shard in it.
+std::string name_like(const Part& known, std::uint64_t number) {
+    const std::filesystem::path path(known.file);
+    std::string name = path.filename().string();
+    const std::string own = std::to_string(known.description.shard.number);
+    const std::size_t found = name.rfind(own, name.rfind('.'));
+    if (found == std::string::npos) return "part-" + std::to_string(number) + ".jsonl";
+    return (path.parent_path() / name.replace(found, own.size(), std::to_string(number))).string();
+}
+
+/// How to compute the shard \p number.
+std::string command(const Part& known, std::uint64_t number, const std::string& file) {
+    return "fstiff sweep " + known.description.grid + " --shard " + Shard{number, known.description.shard.of}.text() +
+           " -o " + file;
+}
+
+/// What is wrong with the shards as a whole.
+std::vector<std::string> problems_of(const std::vector<Part>& parts) {
+    std::vector<std::string> problems;
+    const Part& first = parts.front();
+    std::map<std::uint64_t, const Part*> by_number;
+    for (const Part& part : parts) {
+        const Description& of = part.description;
+        if (of.hash != first.description.hash) {
+            problems.push_back(part.file + " and " + first.file +
+                               " are of different grids, or of one that was changed between them (hash " +
+                               of.hash.substr(0, 12) + " and " + first.description.hash.substr(0, 12) +
+                               "): run the shards of the old one again");
+            continue;
+        }
+        if (of.shard.of != first.description.shard.of) {
+            problems.push_back(part.file + " is shard " + of.shard.text() + " and " + first.file + " is shard " +
+                               first.description.shard.text() + ": must be parts of one division");
+            continue;
+        }
+        const auto [there, is_new] = by_number.emplace(of.shard.number, &part);
+        if (!is_new)
+            problems.push_back("shard " + of.shard.text() + " is there twice, as " + there->second->file + " and " +
+                               part.file + ": leave one of them out");
+        else if (!of.finished)
+            problems.push_back(part.file + " is not finished; run: " + command(first, of.shard.number, part.file));
+    }
+    if (!problems.empty() && by_number.size() < parts.size()) return problems;
+    for (std::uint64_t number = 1; number <= first.description.shard.of; ++number) {
+        if (by_number.contains(number)) continue;
+        problems.push_back("shard " + Shard{number, first.description.shard.of}.text() +
+                           " is missing; run: " + command(first, number, name_like(first, number)));
+    }
+    return problems;
+}
+
+}  // namespace
+
+Merged merge(std::vector<std::string> files, const std::string& output) {
+    std::error_code none;
+    std::erase_if(files, [&](const std::string& file) {
+        return file.ends_with(".sweep") || std::filesystem::equivalent(file, output, none);  // of a merge before
+    });
+    std::vector<Part> parts;
+    for (const std::string& file : files) parts.push_back({file, read_description(file)});
+    Merged merged;
+    if (parts.empty()) throw domain_error("merge: no results are given; must be files that fstiff sweep wrote");
+    merged.problems = problems_of(parts);
+    if (!merged.problems.empty()) return merged;
+    std::sort(parts.begin(), parts.end(),
+              [](const Part& a, const Part& b) { return a.description.shard.number < b.description.shard.number; });
+
+    // copied while it is looked at; what turns out to be wrong is thrown away
+    const std::string partial = output + ".partial";
+    Description whole = parts.front().description;
+    whole.shard = {};
+    whole.bytes = whole.failed = 0;
+    {
+        const Descriptor to(partial, O_WRONLY | O_CREAT | O_TRUNC, "cannot be written");
+        try {
+            for (const Part& part : parts) {
+                const Descriptor from(part.file, O_RDONLY, "cannot be read");
+                const Description& of = part.description;
+                const std::uint64_t first = of.shard.first(of.scenes), end = of.shard.end(of.scenes);
+                const Scan scan = scan_results(from.number(), part.file, first, true, [&](std::string_view bytes) {
+                    if (merged.problems.empty()) write_all(to.number(), bytes, output);
+                });
+                if (scan.next != end || scan.kept != scan.bytes || scan.bytes != of.bytes) {
+                    merged.problems.push_back(part.file + " was changed since it was finished: whole up to scene " +
+                                              std::to_string(scan.next) + " of " + std::to_string(end) +
+                                              "; remove it and " + description_file(part.file) +
+                                              ", and run: " + command(part, of.shard.number, part.file));
+                    continue;
+                }
+                whole.bytes += scan.bytes;
+                whole.failed += scan.failed;
+            }
+            if (merged.problems.empty() && fsync(to.number()) != 0)
+                throw file_error(output, "cannot be written: " + std::generic_category().message(errno));
+        } catch (...) {
+            unlink(partial.c_str());
+            throw;
+        }
+    }
+    if (!merged.problems.empty()) {
+        unlink(partial.c_str());
+        return merged;
+    }
+    if (std::rename(partial.c_str(), output.c_str()) != 0)
+        throw file_error(output, "cannot be written: " + std::generic_category().message(errno));
+    write_description(output, whole);
+    merged.scenes = whole.scenes;
+    merged.failed = whole.failed;
+    merged.shards = parts.size();
+    return merged;
+}
+
+}  // namespace fstiff::sweep

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sweep/results_file.hpp"
+
+#include "scene/file.hpp"
+
+#include <fstiff/core/error.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace fstiff::sweep {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, const std::string& what) {
+    throw file_error(file, what + ": " + std::generic_category().message(errno));
+}
+
+int sync_data(int descriptor) {
+#ifdef __APPLE__
+    return fsync(descriptor);
+#else
+    return fdatasync(descriptor);
+#endif
+}
+
+/// So that a new name in \p folder stays after a loss of power.
+void sync_folder(const std::filesystem::path& folder) {
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY);
+    if (descriptor < 0) return;  // no more can be done
+    fsync(descriptor);
+    close(descriptor);
+}
+
+/// The number behind {"index": of a line; none where it begins otherwise or does not end as a line does.
+bool read_index(std::string_view line, std::uint64_t& index) {
+    constexpr std::string_view begin = "{\"index\":";
+    if (!line.starts_with(begin) || !line.ends_with('}')) return false;
+    line.remove_prefix(begin.size());
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), index);
+    return error == std::errc() && (*end == ',' || *end == '}');
+}
+
+/// Looks at the lines of a file one after the other.
+class Scanner {
+public:
+    Scanner(std::uint64_t first, bool finished) : finished_(finished), current_(first) { scan_.next = first; }
+
+    /// \returns whether the line follows those before.
+    bool take(std::string_view line) {
+        std::uint64_t index = 0;
+        if (!read_index(line, index)) return false;
+        if (any_ && index == current_ + 1)
+            complete();
+        else if (index != current_)
+            return false;
+        any_ = true;
+        failing_ = line.find("\"error\":\"") != std::string_view::npos;
+        current_ = index;
+        offset_ += line.size() + 1;
+        return true;
+    }
+    Scan end(std::uint64_t bytes) {
+        if (any_ && finished_) complete();
+        scan_.bytes = bytes;
+        return scan_;
+    }
+
+private:
+    void complete() {
+        scan_.next = current_ + 1;
+        scan_.kept = offset_;
+        scan_.failed += failing_ ? 1 : 0;
+    }
+
+    bool finished_, any_ = false, failing_ = false;
+    std::uint64_t current_, offset_ = 0;
+    Scan scan_{};
+};
+
+}  // namespace
+
+void write_all(int descriptor, std::string_view bytes, const std::string& file) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail(file, "cannot be written");
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+std::string description_file(const std::string& results) { return results + ".sweep"; }
+
+Description read_description(const std::string& results) {
+    const std::string file = description_file(results);
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream)
+        throw file_error(results,
+                         "the file " + file +
+                             " that belongs to it is missing, which says of which grid and shard it is; put it "
+                             "back beside it, or move these results away and run the sweep again");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    Description made;
+    try {
+        const auto json = nlohmann::json::parse(text);
+        if (json.at("schema_version") != 1) throw file_error(file, "is of another version of fstiff");
+        json.at("grid").get_to(made.grid);
+        json.at("hash").get_to(made.hash);
+        json.at("scenes").get_to(made.scenes);
+        json.at("shard").get_to(made.shard.number);
+        json.at("shards").get_to(made.shard.of);
+        json.at("finished").get_to(made.finished);
+        json.at("failed").get_to(made.failed);
+        json.at("bytes").get_to(made.bytes);
+    } catch (const nlohmann::json::exception&) {
+        throw file_error(file, "is no description of results; must be what fstiff sweep wrote beside " + results);
+    }
+    return made;
+}
+
+void write_description(const std::string& results, const Description& description) {
+    const std::string file = description_file(results), partial = file + ".partial";
+    nlohmann::ordered_json json{{"schema_version", 1},
+                                {"command", "sweep"},
+                                {"grid", description.grid},
+                                {"hash", description.hash},
+                                {"scenes", description.scenes},
+                                {"shard", description.shard.number},
+                                {"shards", description.shard.of},
+                                {"finished", description.finished},
+                                {"failed", description.failed},
+                                {"bytes", description.bytes}};
+    const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail(partial, "cannot be written");
+    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    try {
+        write_all(descriptor, text, partial);
+        if (fsync(descriptor) != 0) fail(partial, "cannot be written");
+    } catch (...) {
+        close(descriptor);
+        unlink(partial.c_str());
+        throw;
+    }
+    close(descriptor);
+    if (std::rename(partial.c_str(), file.c_str()) != 0) fail(file, "cannot be written");
+    sync_folder(std::filesystem::path(file).parent_path());
+}
+
+Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished,
+                  const std::function<void(std::string_view)>& call) {
+    Scanner scanner(first, finished);
+    std::vector<char> buffer(std::size_t(1) << 20);
+    std::string rest;  // of a line that goes on in the next piece
+    bool whole = true;
+    std::uint64_t bytes = 0;
+    if (lseek(descriptor, 0, SEEK_SET) < 0) fail(file, "cannot be read");
+    while (true) {
+        const ssize_t got = read(descriptor, buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) fail(file, "cannot be read");
+        if (got == 0) break;
+        bytes += static_cast<std::uint64_t>(got);
+        std::string_view piece(buffer.data(), static_cast<std::size_t>(got));
+        if (call) call(piece);
+        while (whole) {
+            const std::size_t end = piece.find('\n');
+            if (end == std::string_view::npos) break;
+            if (rest.empty()) {
+                whole = scanner.take(piece.substr(0, end));
+            } else {
+                rest += piece.substr(0, end);
+                whole = scanner.take(rest);
+                rest.clear();
+            }
+            piece.remove_prefix(end + 1);
+        }
+        if (whole) rest += piece;
+    }
+    return scanner.end(bytes);
+}
+
+ResultsFile::ResultsFile(std::string file, Description description)
+    : file_(std::move(file)), description_(std::move(description)) {
+    open();
+    try {
+        lock();
+        take_up();
+    } catch (...) {
+        close(descriptor_);
+        throw;
+    }
+}
+
+ResultsFile::~ResultsFile() { close(descriptor_); }
+
+void ResultsFile::open() {
+    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) fail(file_, "cannot be written");
+    struct stat status {};
+    if (fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
+        close(descriptor_);
+        throw file_error(file_, "is no regular file; results of a sweep must be one, to go on after an interruption");
+    }
+}
+
+void ResultsFile::lock() {
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    if (errno == EWOULDBLOCK)
+        throw file_error(file_, "is being written by another process; give every shard a file of its own");
+    fail(file_, "cannot be locked");
+}
+
+void ResultsFile::take_up() {
+    struct stat status {};
+    if (fstat(descriptor_, &status) != 0) fail(file_, "cannot be read");
+    const auto bytes = static_cast<std::uint64_t>(status.st_size);
+    const std::uint64_t first = description_.shard.first(description_.scenes);
+    next_ = first;
+    if (!std::filesystem::exists(description_file(file_))) {
+        if (bytes > 0) static_cast<void>(read_description(file_));  // refuses
+        write_description(file_, description_);
+        return;
+    }
+    const Description there = read_description(file_);
+    if (there.hash != description_.hash)
+        throw file_error(file_, "holds results of another grid (" + there.grid +
+                                    "), or of this one before it, a file it names or fstiff was changed; move it and " +
+                                    description_file(file_) + " away, or give another -o");
+    if (there.shard.number != description_.shard.number || there.shard.of != description_.shard.of)
+        throw file_error(file_, "holds the results of shard " + there.shard.text() + ", not " +
+                                    description_.shard.text() + "; give every shard a file of its own");
+    if (there.finished) {
+        if (there.bytes != bytes)
+            throw file_error(file_, "was changed since it was finished: " + std::to_string(bytes) + " bytes, not " +
+                                        std::to_string(there.bytes) + "; move it and " + description_file(file_) +
+                                        " away and run the sweep again");
+        description_ = there;
+        next_ = there.shard.end(there.scenes);
+        return;
+    }
+    const Scan scan = scan_results(descriptor_, file_, first, false);
+    next_ = scan.next;
+    size_ = scan.kept;
+    description_.failed = scan.failed;
+    dropped_ = bytes - scan.kept;
+    if (dropped_ > 0 && ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) fail(file_, "cannot be cut");
+    if (lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) < 0) fail(file_, "cannot be written");
+}
+
+void ResultsFile::append(std::string_view lines, std::uint64_t next, std::uint64_t failed) {
+    try {
+        write_all(descriptor_, lines, file_);
+        if (sync_data(descriptor_) != 0) fail(file_, "cannot be written");
+    } catch (...) {
+        static_cast<void>(ftruncate(descriptor_, static_cast<off_t>(size_)));
+        throw;
+    }
+    size_ += lines.size();
+    next_ = next;
+    description_.failed += failed;
+}
+
+void ResultsFile::finish() {
+    description_.finished = true;
+    description_.bytes = size_;
+    write_description(file_, description_);
+}
+
+}  // namespace fstiff::sweep

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The file of results of one shard: whole lines are appended and synced, so that a run that was killed goes on where it
+// stopped. Beside out.jsonl stands out.jsonl.sweep, a small JSON that says of which grid and shard these are; it is written
+// before the first result and again when the last one is there.
+//
+//     ResultsFile file("out.jsonl", description);
+//     while (file.next() < end) file.append(lines of the scenes from file.next() on, ...);
+//     file.finish();
+
+#include "sweep/shard.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace fstiff::sweep {
+
+/// What stands in the file beside the results.
+struct Description {
+    std::string grid;          ///< file of the grid, as it was given
+    std::string hash;          ///< of the grid
+    std::uint64_t scenes = 0;  ///< of the whole grid
+    Shard shard{};
+    bool finished = false;
+    std::uint64_t failed = 0, bytes = 0;  ///< where it is finished: scenes without result, size of the results
+};
+
+/// The name of the file beside \p results.
+[[nodiscard]] std::string description_file(const std::string& results);
+/// \throws file_error where it is missing or is none, in a sentence that tells what to do.
+[[nodiscard]] Description read_description(const std::string& results);
+/// Written beside its target, synced, then renamed. \throws file_error.
+void write_description(const std::string& results, const Description& description);
+
+/// What stands in a file of results: whole lines of scenes that follow one another.
+struct Scan {
+    std::uint64_t next = 0;    ///< scene behind the last whole one
+    std::uint64_t kept = 0;    ///< bytes of the whole scenes
+    std::uint64_t bytes = 0;   ///< of the file
+    std::uint64_t failed = 0;  ///< scenes without result among the whole ones
+};
+/// Reads all of \p descriptor from its beginning; the first scene must be \p first. Of a file that is not \p finished the
+/// last scene does not count as whole: lines of it may be missing. \p piece is called with all bytes that are read.
+[[nodiscard]] Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished,
+                                const std::function<void(std::string_view)>& piece = {});
+
+/// The results of one shard, open and locked for this process alone.
+class ResultsFile {
+public:
+    /// Opens \p file, or makes it. What is torn at its end is cut off.
+    /// \throws file_error where another process writes it, where it holds results of another grid or shard, or something
+    /// else, and where it cannot be written.
+    ResultsFile(std::string file, Description description);
+    ResultsFile(const ResultsFile&) = delete;
+    ResultsFile& operator=(const ResultsFile&) = delete;
+    ~ResultsFile();
+
+    /// The scene to go on with; that behind the last one of the shard when it is finished.
+    [[nodiscard]] std::uint64_t next() const { return next_; }
+    /// Bytes of a torn end that was cut off.
+    [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+    [[nodiscard]] const Description& description() const { return description_; }
+
+    /// Writes whole lines of the scenes up to \p next, and syncs them. Where the disk is full, none of them stays.
+    /// \throws file_error with the reason that the system gives.
+    void append(std::string_view lines, std::uint64_t next, std::uint64_t failed);
+    /// All scenes are there.
+    void finish();
+
+private:
+    void open();
+    void lock();
+    void take_up();
+
+    std::string file_;
+    Description description_;
+    int descriptor_ = -1;
+    std::uint64_t next_ = 0, size_ = 0, dropped_ = 0;
+};
+
+/// Writes all of \p bytes. \throws file_error.
+void write_all(int descriptor, std::string_view bytes, const std::string& file);
+
+}  // namespace fstiff::sweep

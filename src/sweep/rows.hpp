@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Reads results back, line by line, for pictures and sensitivities.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fstiff::sweep {
+
+/// What pictures and sensitivities take of one line.
+struct Row {
+    std::uint64_t index = 0;
+    std::string_view law;
+    std::optional<double> theta{}, r{};
+    std::size_t point = 0;              ///< its place among those of one scene, law, theta and r
+    double pressure = 0;                ///< [Pa]
+    std::optional<double> stiffness{};  ///< [Pa/m]; none where the scene asks for none
+};
+
+/// Calls \p call with every key of a line of results and the characters of its value, a text in its quotation marks.
+void for_each_field(std::string_view line,
+                    const std::function<void(std::string_view key, std::string_view value)>& call);
+
+/// Calls \p call with every line of \p file that has results, in their order, until it returns false.
+/// \throws file_error where the file cannot be read or is no file of results.
+void for_each_row(const std::string& file, const std::function<bool(const Row&)>& call);
+
+}  // namespace fstiff::sweep

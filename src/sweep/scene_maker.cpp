@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sweep/scene_maker.hpp"
+
+#include "scene/read_table.hpp"
+#include "sweep/template.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <string_view>
+
+namespace fstiff::sweep {
+namespace {
+
+using scene::Scene;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t most_scenes_read = 16;  // of the cache: measured maps are large
+
+/// A parameter of [surface], and where the contact takes it from.
+template <Parameter parameter>
+void put_parameter(Scene& scene, std::size_t, double value) {
+    scene.uncertain.value[index_of(parameter)] = value;
+    if constexpr (parameter == Parameter::rms_height) scene.surface.rms_height = value;
+    if constexpr (parameter == Parameter::peak_radius) scene.surface.peak_radius = value;
+    if constexpr (parameter == Parameter::peak_density) scene.surface.peak_density = value;
+    if constexpr (parameter == Parameter::fractal_dimension) scene.fractal_dimension = value;
+}
+
+void put_point(Scene& scene, std::size_t place, double value) { scene.points[place] = value; }
+void put_upper_modulus(Scene& scene, std::size_t, double value) { scene.upper.youngs_modulus = value; }
+void put_lower_modulus(Scene& scene, std::size_t, double value) { scene.lower.youngs_modulus = value; }
+void put_both_moduli(Scene& scene, std::size_t, double value) {
+    scene.upper.youngs_modulus = scene.lower.youngs_modulus = value;
+}
+void put_frequency(Scene& scene, std::size_t, double value) { scene.ultrasound->frequency = value; }
+
+/// Whether the table at \p section has \p key.
+bool has(const toml::table& root, std::string_view section, std::string_view key) {
+    const toml::node* node = root.get(section);
+    return node && node->is_table() && node->as_table()->contains(key);
+}
+
+}  // namespace
+
+SceneMaker::Setter SceneMaker::setter_of(std::size_t axis) const {
+    const Axis& of = grid_.axes[axis];
+    const toml::table& root = grid_.form->root;
+    if (of.is_text()) return {};
+    if (of.key.starts_with("contact.pressures[") && of.unit == "Pa")
+        return {put_point, std::get<std::size_t>(grid_.form->paths[axis].back()), 0, infinity};
+    if (of.key.starts_with("contact.separations[") && of.unit == "m")
+        return {put_point, std::get<std::size_t>(grid_.form->paths[axis].back()), -infinity, infinity};
+    if (of.unit == "Pa" && of.key == "material.upper.youngs_modulus")
+        return {has(root, "material", "lower") ? put_upper_modulus : put_both_moduli, 0, 0, infinity};
+    if (of.unit == "Pa" && of.key == "material.lower.youngs_modulus") return {put_lower_modulus, 0, 0, infinity};
+    if (of.unit == "Hz" && of.key == "ultrasound.frequency") return {put_frequency, 0, 1e-300, 1e300};
+    // numbers of a face that is not measured, of which nothing else follows while it is read
+    for (const char* key : {"from", "upper", "lower", "rms_gradient", "alpha"})
+        if (has(root, "surface", key)) return {};
+    if (of.unit == "m" && of.key == "surface.rms_height") return {put_parameter<Parameter::rms_height>, 0, 0, infinity};
+    if (of.unit == "m" && of.key == "surface.peak_radius")
+        return {put_parameter<Parameter::peak_radius>, 0, 0, infinity};
+    if (of.unit == "1/m^2" && of.key == "surface.peak_density")
+        return {put_parameter<Parameter::peak_density>, 0, 0, infinity};
+    if (of.unit.empty() && of.key == "surface.fractal_dimension")
+        return {put_parameter<Parameter::fractal_dimension>, 0, 1, 2};
+    return {};
+}
+
+SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
+    for (std::size_t i = 0; i < grid.axes.size(); ++i) setters_.push_back(setter_of(i));
+
+    for (const char* key : {"from", "upper", "lower"}) measured_ = measured_ || has(grid.form->root, "surface", key);
+
+    // what is wrong with a value is told before anything is computed: the ends of every axis are read
+    std::vector<Value> values(grid.axes.size());
+    const auto put = [&](std::size_t i, bool last) {
+        const Axis& axis = grid.axes[i];
+        values[i].place = last ? axis.count() - 1 : 0;
+        values[i].number = axis.drawn             ? axis.drawn->quantile(0.5)
+                           : axis.range           ? axis.range->at(values[i].place)
+                           : axis.numbers.empty() ? 0
+                                                  : axis.numbers[values[i].place];
+    };
+    for (std::size_t i = 0; i < values.size(); ++i) put(i, false);
+    const auto first = cached(values);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Axis& axis = grid.axes[i];
+        if (axis.drawn || axis.key.ends_with(".from")) continue;  // a file is measured when it is its turn
+        put(i, true);
+        if (grid.mode == Mode::product) static_cast<void>(read(values));
+        put(i, false);
+    }
+
+    folds_ = first->points.size() == 1;
+    for (const scene::ChosenLaw& chosen : first->laws)  // boundary elements begin with the solution of the point before
+        folds_ = folds_ && chosen.law->varies;
+    bool found = false;
+    for (std::size_t i = 0; i < setters_.size(); ++i) {
+        if (setters_[i].put == put_point) point_axis_ = i, found = true;
+        if (grid.axes[i].key.starts_with("contact.laws")) folds_ = false;  // another law may not be computed so
+    }
+    folds_ = folds_ && found;
+}
+
+bool SceneMaker::alike(const std::vector<Value>& a, const std::vector<Value>& b) const {
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (i != point_axis_ && (a[i].place != b[i].place || a[i].number != b[i].number)) return false;
+    return true;
+}
+
+RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>& read) {
+    std::promise<Read> promise;
+    std::shared_future<Read> result = promise.get_future().share();
+    bool is_new = false;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto at = std::find_if(all_.begin(), all_.end(), [&](const auto& one) { return one.first == key; });
+        is_new = at == all_.end();
+        if (is_new) {
+            all_.emplace_front(key, result);
+            if (all_.size() > most_scenes_read) all_.pop_back();
+        } else {
+            result = at->second;
+            all_.splice(all_.begin(), all_, at);
+        }
+    }
+    if (is_new) try {
+            promise.set_value(read());
+        } catch (...) {
+            promise.set_exception(std::current_exception());
+        }
+    return result.get();
+}
+
+std::shared_ptr<const Scene> SceneMaker::read_with(const std::vector<Value>& values, const Scene* surface) const {
+    auto made = std::make_shared<Scene>(
+        scene::read_table(table_of(grid_, values), {.name = grid_.file, .surface_of = surface}));
+    made->inputs.clear();
+    made->warnings.clear();
+    return made;
+}
+
+std::shared_ptr<const Scene> SceneMaker::read(const std::vector<Value>& values) {
+    if (!measured_) return read_with(values, nullptr);
+    RecentScenes::Key surface;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (grid_.axes[i].key.starts_with("surface.")) surface.emplace_back(values[i].place, values[i].number);
+    std::shared_ptr<const Scene> made;
+    const auto first = surfaces_.get(surface, [&] { return made = read_with(values, nullptr); });
+    return made ? made : read_with(values, first.get());
+}
+
+std::shared_ptr<const Scene> SceneMaker::cached(const std::vector<Value>& values) {
+    RecentScenes::Key key;
+    bool once = false;  // of a draw, which no other scene has
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!setters_[i].put) {
+            key.emplace_back(values[i].place, values[i].number);
+            once = once || grid_.axes[i].drawn;
+        }
+    return once ? read(values) : scenes_.get(key, [&] { return read(values); });
+}
+
+void SceneMaker::make(const std::vector<Value>& values, Work& work) {
+    const bool same = folds_ && !work.made_for.empty() && alike(values, work.made_for);
+    work.made_for.clear();
+    put(values, work);
+    if (!same) {
+        work.contacts.clear();  // before what they were made of
+        work.contacts = scene::contacts_of(work.scene);
+    }
+    work.made_for = values;
+}
+
+void SceneMaker::put(const std::vector<Value>& values, Work& work) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Setter& setter = setters_[i];
+        if (setter.put && !(values[i].number > setter.least && values[i].number < setter.most)) {
+            work.read = nullptr;
+            work.scene = *read(values);  // which refuses it in words
+            return;
+        }
+    }
+    if (auto found = cached(values); found != work.read) {
+        work.scene = *found;
+        work.read = std::move(found);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (setters_[i].put) setters_[i].put(work.scene, setters_[i].place, values[i].number);
+}
+
+}  // namespace fstiff::sweep

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Scenes of a grid, quickly: numbers that enter a scene as they are, such as the rms height or a pressure, are put into a
+// scene that was read before; all other values change the TOML, which is read once for each of their combinations.
+//
+// Reference   the slow twin is table_of and read_table: both give the same lines, byte for byte
+//             (tests/sweep/lines_test.cpp)
+
+#include "scene/results.hpp"
+#include "sweep/grid.hpp"
+
+#include <functional>
+#include <future>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace fstiff::sweep {
+
+/// The scenes that were read last, for all threads.
+class RecentScenes {
+public:
+    /// Of each value that distinguishes them, its place and number.
+    using Key = std::vector<std::pair<std::uint64_t, double>>;
+    using Read = std::shared_ptr<const scene::Scene>;
+
+    /// The scene of \p key; where it is not there, what \p read gives. A thread that wants what another one reads waits for
+    /// it. \throws what \p read throws.
+    [[nodiscard]] Read get(const Key& key, const std::function<Read()>& read);
+
+private:
+    std::mutex mutex_;
+    std::list<std::pair<Key, std::shared_future<Read>>> all_;  ///< the last one used stands first
+};
+
+/// Shared by all threads. The grid must live as long.
+class SceneMaker {
+public:
+    /// \throws domain_error where the scene cannot be read with the first or the last values of an axis.
+    explicit SceneMaker(const Grid& grid);
+
+    /// A scene that one thread changes from one to the next, and its contacts.
+    struct Work {
+        std::shared_ptr<const scene::Scene> read;  ///< what `scene` was copied from
+        scene::Scene scene;
+        std::vector<scene::MadeContact> contacts;
+        std::vector<Value> made_for{};  ///< whose contacts these are; empty: nobody's
+    };
+    /// The scene with \p values in work.scene, and its contacts, which stay where only the point is another.
+    /// \throws domain_error, file_error as read_scene and contacts_of.
+    void make(const std::vector<Value>& values, Work& work);
+
+    /// The axis of the only point of a scene, so that scenes that differ in it alone are one scene with many points; none
+    /// where there are more points, or a law is not computed point by point.
+    [[nodiscard]] const std::size_t* point_axis() const { return folds_ ? &point_axis_ : nullptr; }
+    /// Whether two scenes with these values differ in nothing but their point.
+    [[nodiscard]] bool alike(const std::vector<Value>& a, const std::vector<Value>& b) const;
+
+private:
+    using Put = void (*)(scene::Scene&, std::size_t place, double value);
+    struct Setter {
+        Put put = nullptr;  ///< null: the table is read anew
+        std::size_t place = 0;
+        double least = 0, most = 0;  ///< both excluded: outside, reading tells what is wrong
+    };
+    void put(const std::vector<Value>& values, Work& work);
+    [[nodiscard]] std::shared_ptr<const scene::Scene> read(const std::vector<Value>& values);
+    [[nodiscard]] std::shared_ptr<const scene::Scene> read_with(const std::vector<Value>& values,
+                                                                const scene::Scene* surface) const;
+    [[nodiscard]] std::shared_ptr<const scene::Scene> cached(const std::vector<Value>& values);
+    [[nodiscard]] Setter setter_of(std::size_t axis) const;
+
+    const Grid& grid_;
+    std::vector<Setter> setters_;
+    std::size_t point_axis_ = 0;
+    bool folds_ = false;
+    bool measured_ = false;  ///< the scenes have files of surfaces
+    RecentScenes scenes_, surfaces_;
+};
+
+}  // namespace fstiff::sweep

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The TOML of a grid, and how a scene is made of it. Private to the files that make scenes: it brings in toml++.
+
+#include "scene/source.hpp"
+#include "sweep/grid.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fstiff::sweep {
+
+/// A step of a path: a key, or a place in a list.
+using Step = std::variant<std::string, std::size_t>;
+
+struct Template {
+    toml::table root;                      ///< without [sweep]; swept nodes as they are written
+    std::vector<std::vector<Step>> paths;  ///< of the axes
+    std::vector<toml::array> listed;       ///< of the axes: the nodes of a list; else empty
+};
+
+/// The scene's table with \p values in place of what is swept: what a person would write by hand, in SI.
+[[nodiscard]] toml::table table_of(const Grid& grid, const std::vector<Value>& values);
+
+}  // namespace fstiff::sweep

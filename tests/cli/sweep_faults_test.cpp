@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What happens to a sweep that is killed, whose disk is full, or whose file another one writes: nothing is lost or doubled.
+#include "cli/command.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+using namespace test;
+
+namespace {
+
+/// A grid of \p pressures scenes, some tenth of a second for 10000 of them.
+std::string grid(int pressures) {
+    return "[surface]\nrms_height = [\"0.5 um\", \"1 um\"]\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n"
+           "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+           "[contact]\nlaws = [\"hertz\"]\npeaks = [ { theta = \"pi/3\", r = 0.5 } ]\n"
+           "pressures = [ { from = \"0.1 MPa\", to = \"100 MPa\", count = " +
+           std::to_string(pressures) + " } ]\n";
+}
+
+/// Starts the command, silent.
+pid_t start(std::vector<std::string> arguments) {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    const int nothing = open("/dev/null", O_WRONLY);
+    dup2(nothing, STDOUT_FILENO);
+    dup2(nothing, STDERR_FILENO);
+    std::vector<char*> words{const_cast<char*>(FSTIFF_COMMAND)};
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    execv(FSTIFF_COMMAND, words.data());
+    _exit(127);
+}
+
+}  // namespace
+
+TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same bytes, in 20 runs") {
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", grid(10000));
+    REQUIRE(fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
+    const std::string serial = read(folder / "serial");
+    int killed = 0, went_on = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        std::mt19937 random(seed);
+        const std::string out = folder / ("out" + std::to_string(seed));
+        const std::vector<std::string> sweep{"sweep", file, "-o", out, "--threads", std::to_string(1 + seed % 3)};
+        std::uintmax_t before = 0;
+        for (int attempt = 1;; ++attempt) {
+            const pid_t child = start(sweep);
+            // later and later, so that a slow machine comes to an end too
+            std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000) * (1 + attempt / 10));
+            kill(child, SIGKILL);
+            int code = 0;
+            REQUIRE(waitpid(child, &code, 0) == child);
+            if (WIFEXITED(code)) {
+                CHECK(WEXITSTATUS(code) == 0);
+                break;
+            }
+            ++killed;
+            std::error_code none;
+            const std::uintmax_t size = std::filesystem::exists(out) ? std::filesystem::file_size(out, none) : 0;
+            if (before > 0 && size > before) ++went_on;
+            before = size;
+        }
+        INFO("seed " << seed);
+        CHECK(read(out) == serial);
+        CHECK(read(out + ".sweep") == read(folder / "serial.sweep"));
+        CHECK(!std::filesystem::exists(out + ".sweep.partial"));
+        std::filesystem::remove(out);
+    }
+    CHECK(killed >= 20);
+    CHECK(went_on > 0);  // some of them from results of a run before
+}
+
+TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on behind what was written") {
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", grid(5000)), out = folder / "out";
+    const std::string sweep = "fstiff sweep '" + file + "' -o '" + out + "'";
+    REQUIRE(fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
+    const std::string serial = read(folder / "serial");
+    REQUIRE(serial.size() > 3'000'000);
+    const Outcome full = shell("ulimit -f 4000; " + sweep);  // blocks of 512 bytes: 2 MB
+    INFO(full.err);
+    CHECK(full.status == 3);
+    CHECK(contains(full.err, "cannot be written: File too large"));
+    const std::string part = read(out);
+    CHECK(part.size() > 1'000'000);
+    CHECK(part.back() == '\n');
+    CHECK(serial.starts_with(part));
+    CHECK(contains(read(out + ".sweep"), "\"finished\": false"));
+    const Outcome merged = fstiff("merge '" + out + "' -o '" + folder / "all" + "'");
+    CHECK(merged.status == 4);
+    CHECK(contains(merged.err, "is not finished; run: fstiff sweep"));
+    CHECK(shell(sweep).status == 0);
+    CHECK(read(out) == serial);
+
+    const Outcome no_room = shell("ulimit -f 4000; fstiff merge '" + out + "' -o '" + folder / "all" + "'");
+    CHECK(no_room.status == 3);
+    CHECK(contains(no_room.err, "cannot be written: File too large"));
+    CHECK(!std::filesystem::exists(folder / "all"));
+    CHECK(!std::filesystem::exists(folder / "all.partial"));
+}
+
+TEST_CASE("Two sweeps cannot write one file at the same time") {
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", grid(100'000'000)), out = folder / "out";
+    const pid_t first = start({"sweep", file, "-o", out, "--shard", "1/2"});
+    for (int i = 0; i < 1000 && !std::filesystem::exists(out + ".sweep"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    for (const char* shard : {"1/2", "2/2"}) {
+        const Outcome second = fstiff("sweep '" + file + "' -o '" + out + "' --shard " + shard);
+        CHECK(second.status == 3);
+        CHECK(contains(second.err, "is being written by another process; give every shard a file of its own"));
+    }
+    kill(first, SIGKILL);
+    waitpid(first, nullptr, 0);
+    const Outcome other = fstiff("sweep '" + file + "' -o '" + out + "' --shard 2/2");
+    CHECK(other.status == 3);
+    CHECK(contains(other.err, "holds the results of shard 1/2, not 2/2"));
+}

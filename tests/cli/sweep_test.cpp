@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fstiff sweep and fstiff merge as people run them.
+#include "cli/command.hpp"
+
+#include <array>
+#include <map>
+#include <regex>
+#include <set>
+
+using namespace test;
+
+namespace {
+
+/// A line of results: keys and the very characters of their values, in their order.
+using Line = std::vector<std::pair<std::string, std::string>>;
+
+Line fields(const std::string& line) {
+    Line all;
+    const std::regex field("\"([^\"]*)\":(\"(?:[^\"\\\\]|\\\\.)*\"|[^,}]*)");
+    for (std::sregex_iterator i(line.begin(), line.end(), field), end; i != end; ++i)
+        all.emplace_back((*i)[1], (*i)[2]);
+    return all;
+}
+
+std::string value(const Line& line, const std::string& key) {
+    for (const auto& [name, text] : line)
+        if (name == key) return text;
+    throw std::runtime_error("the line has no " + key);
+}
+
+const std::string grid =
+    "[surface]\n"
+    "rms_height = { from = \"0.5 um\", to = \"2 um\", count = 7, spacing = \"log\" }\n"
+    "peak_radius = [\"20 um\", \"40 um\"]\n"
+    "peak_density = \"500 /mm^2\"\n"
+    "fractal_dimension = 1.62\n"
+    "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+    "[contact]\n"
+    "laws = [\"hertz\", \"fractal\"]\n"
+    "peaks = [ { theta = \"pi/3\", r = 0.5 } ]\n"
+    "pressures = [ { from = \"0.1 MPa\", to = \"100 MPa\", count = 11 } ]\n";
+
+/// A scene in which every quantity may be swept, with \p key replaced by what \p written says.
+std::string scene_with(const std::string& key, const std::string& written) {
+    const std::string scene =
+        "[surface]\nrms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n"
+        "fractal_dimension = 1.62\nr = 0.4\ntheta = 1.0\nalpha = 6.0\n"
+        "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nyield_strength = \"400 MPa\"\n"
+        "[material.lower]\nlower_modulus = \"70 GPa\"\nlower_ratio = 0.33\n"
+        "[contact]\nnominal_area = \"195 mm^2\"\nlaws = [\"hertz\", \"fractal\", \"plastic\"]\npeaks = \"surface\"\n"
+        "interaction = { reading = \"effective_separation\", length = \"nominal\" }\n"
+        "pressures = [ \"3 MPa\", \"30 MPa\" ]\n"
+        "[ultrasound]\nfrequency = \"7 MHz\"\nupper = { impedance = \"46 MRayl\" }\n";
+    const auto changed = key == "pressures" ? std::regex_replace(scene, std::regex("\"3 MPa\""), written)
+                                            : std::regex_replace(scene, std::regex("(^|\n)" + key + " = [^\n]*"),
+                                                                 "$1" + key + " = " + written);
+    if (changed == scene) throw std::runtime_error("the scene has no " + key);
+    return std::regex_replace(std::regex_replace(changed, std::regex("lower_modulus"), "youngs_modulus"),
+                              std::regex("lower_ratio"), "poisson_ratio");
+}
+
+/// Checks that every line of \p results holds what `fstiff run --format csv` prints of the scene that \p of makes of it.
+template <class Of>
+void check_as_run(const std::string& results, const Of& of, std::size_t every = 1) {
+    std::map<std::string, std::vector<Line>> by_index;
+    for (const std::string& line : lines(results)) {
+        const Line all = fields(line);
+        by_index[value(all, "index")].push_back(all);
+    }
+    std::size_t at = 0;
+    for (const auto& [index, rows] : by_index) {
+        if (at++ % every != 0) continue;
+        const Outcome run = fstiff("run - --format csv", of(rows.front()));
+        INFO("scene " << index << ": " << run.err);
+        REQUIRE((run.status == 0 || run.status == 4));
+        const auto csv = lines(run.out);
+        REQUIRE(csv.size() == rows.size() + 1);
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            std::istringstream header(csv[0]), cells(csv[row + 1] + ",");
+            std::size_t columns = 0;
+            for (std::string key, cell; std::getline(header, key, ',') && std::getline(cells, cell, ','); ++columns) {
+                const std::string text = key == "law" ? "\"" + cell + "\"" : cell.empty() ? "null" : cell;
+                INFO(key);
+                CHECK(value(rows[row], key) == text);
+            }
+            CHECK(columns >= 5);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Each line of a sweep has the digits of fstiff run of that scene, for every quantity that may be swept") {
+    const std::vector<std::array<std::string, 3>> swept{
+        {"rms_height", "{ from = \"0.5 um\", to = \"2 um\", count = 3 }", " m"},
+        {"peak_radius", "[\"20 um\", \"35 um\"]", " m"},
+        {"peak_density", "{ values = [\"100 /mm^2\", \"700 /mm^2\"] }", " 1/m^2"},
+        {"fractal_dimension", "{ from = 1.2, to = 1.7, count = 3 }", ""},
+        {"theta", "{ from = \"0.9 rad\", to = \"60 deg\", count = 2 }", " rad"},
+        {"r", "[0.1, 0.6]", ""},
+        {"alpha", "[2, 6.5]", ""},
+        {"youngs_modulus", "{ from = \"100 GPa\", to = \"210 GPa\", count = 3 }", " Pa"},
+        {"lower_modulus", "{ lognormal = [\"70 GPa\", 0.1] }", " Pa"},
+        {"poisson_ratio", "{ uniform = [0.2, 0.4] }", ""},
+        {"yield_strength", "[\"300 MPa\", \"500 MPa\"]", " Pa"},
+        {"nominal_area", "[\"100 mm^2\", \"200 mm^2\"]", " m^2"},
+        {"pressures", "{ from = \"1 MPa\", to = \"100 MPa\", count = 3 }", " Pa"},
+        {"frequency", "{ normal = [\"7 MHz\", \"1 MHz\"] }", " Hz"}};
+    for (const auto& [key, written, unit] : swept) {
+        const Folder folder;
+        const bool draws = contains(written, "normal") || contains(written, "uniform");
+        const std::string file =
+            folder.write("grid.toml", scene_with(key, written) + (draws ? "[sweep]\nsamples = 3\n" : ""));
+        const Outcome outcome = fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --threads 1");
+        INFO(key << ": " << outcome.err);
+        REQUIRE(outcome.status == 0);
+        check_as_run(read(folder / "out"), [&, name = key, si = unit](const Line& line) {
+            const std::string number = line.at(1).second;
+            return scene_with(name, si.empty() ? number : "\"" + number + si + "\"");
+        });
+    }
+}
+
+TEST_CASE("Words and tables may be swept, and stand in the lines as texts") {
+    const Folder folder;
+    const std::string text = scene_with("laws", "[ { values = [\"hertz\", \"plastic\"] } ]");
+    const std::string file = folder.write(
+        "grid.toml",
+        replaced(text, "peaks = \"surface\"",
+                 "peaks = { values = [\"surface\", [ { theta = 1, r = 0.2 }, { theta = 0.9, r = 0 } ]] }"));
+    REQUIRE(fstiff("sweep '" + file + "' -o '" + folder / "out" + "'").status == 0);
+    const auto all = lines(read(folder / "out"));
+    REQUIRE(all.size() == 2 * (1 + 2) * 2);  // laws, peaks, points
+    CHECK(value(fields(all[0]), "contact.laws[0]") == "\"hertz\"");
+    CHECK(value(fields(all[0]), "contact.peaks") == "\"surface\"");
+    CHECK(value(fields(all[2]), "contact.peaks") == "\"[{r = 0.2, theta = 1}, {r = 0, theta = 0.9}]\"");
+    CHECK(value(fields(all[11]), "contact.laws[0]") == "\"plastic\"");
+    check_as_run(read(folder / "out"), [&](const Line& line) {
+        std::string peaks = value(line, "contact.peaks");
+        if (peaks != "\"surface\"") peaks = peaks.substr(1, peaks.size() - 2);
+        return replaced(scene_with("laws", "[" + value(line, "contact.laws[0]") + "]"), "peaks = \"surface\"",
+                        "peaks = " + peaks);
+    });
+}
+
+TEST_CASE("Measured files may be swept") {
+    const Folder folder;
+    for (const char* seed : {"1", "2"})
+        REQUIRE(fstiff("generate profile --hurst 0.8 --rms '1 um' --points 2000 --spacing '1 um' --seed " +
+                       std::string(seed) + " -o '" + folder / ("trace" + std::string(seed) + ".csv") + "'")
+                    .status == 0);
+    const std::string text =
+        "[surface]\nfrom = { values = [\"trace1.csv\", [\"trace1.csv\", \"trace2.csv\"]] }\n"
+        "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+        "[contact]\nlaws = [\"hertz\"]\npressures = [ { values = [\"1 MPa\", \"10 MPa\"] } ]\n[uncertainty]\nsamples = "
+        "0\n";
+    const std::string file = folder.write("grid.toml", text);
+    const Outcome outcome = fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const auto all = lines(read(folder / "out"));
+    REQUIRE(all.size() == 4);
+    CHECK(value(fields(all[3]), "surface.from") == "\"[trace1.csv, trace2.csv]\"");
+    const auto scene = [&](const std::string& from, const std::string& pressure) {
+        const std::string by_hand =
+            replaced(replaced(text, "{ values = [\"trace1.csv\", [\"trace1.csv\", \"trace2.csv\"]] }", from),
+                     "{ values = [\"1 MPa\", \"10 MPa\"] }", pressure);
+        return lines(fstiff("run '" + folder.write("hand.toml", by_hand) + "' --format csv").out).at(1);
+    };
+    CHECK(contains(scene("\"trace1.csv\"", "\"10 MPa\""), value(fields(all[1]), "stiffness_Pa_per_m")));
+    CHECK(
+        contains(scene("[\"trace1.csv\", \"trace2.csv\"]", "\"1 MPa\""), value(fields(all[2]), "stiffness_Pa_per_m")));
+}
+
+TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their points are computed together or not") {
+    const Folder folder;
+    REQUIRE(fstiff("generate map --hurst 0.8 --rms '0.3 um' --points 48 --spacing '1 um' --format sdf -o '" +
+                   folder / "map.sdf" + "'")
+                .status == 0);
+    for (const char* laws : {"\"summits\", \"hybrid\", \"persson\"", "\"hybrid\", \"boundary_elements\""}) {
+        const std::string text =
+            "[surface]\nfrom = \"" + folder / "map.sdf" +
+            "\"\n[material.upper]\nyoungs_modulus = [\"100 GPa\", \"205 GPa\"]\npoisson_ratio = [0.3, 0.2]\n"
+            "[contact]\nlaws = [" +
+            laws +
+            "]\npeaks = [ { theta = 1, r = 0.5 } ]\npressures = [ { values = [\"1 MPa\", \"3 MPa\", \"9 "
+            "MPa\"] } ]\n[boundary_elements]\npoints = 32\n[uncertainty]\nsamples = 0\n";
+        const std::string file = folder.write("grid.toml", text), out = folder / "out";
+        const Outcome outcome = fstiff("sweep '" + file + "' -o '" + out + "'");
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        check_as_run(read(out), [&](const Line& line) {
+            const std::string of_modulus =
+                replaced(text, "[\"100 GPa\", \"205 GPa\"]", "\"" + line.at(1).second + " Pa\"");
+            return replaced(replaced(of_modulus, "[0.3, 0.2]", line.at(2).second),
+                            "{ values = [\"1 MPa\", \"3 MPa\", \"9 MPa\"] }", "\"" + line.at(3).second + " Pa\"");
+        });
+        std::filesystem::remove(out);
+        std::filesystem::remove(out + ".sweep");
+    }
+}
+
+TEST_CASE("The merged shards are the sweep itself, byte for byte, for any number of shards and threads") {
+    const Folder folder;
+    for (const std::string& text : {grid, replaced(grid, "[\"20 um\", \"40 um\"]", "{ lognormal = [\"40 um\", 0.2] }") +
+                                              "[sweep]\nsamples = 3\n"}) {
+        const Folder work;
+        const std::string file = work.write("grid.toml", text);
+        REQUIRE(fstiff("sweep '" + file + "' -o '" + work / "serial" + "' --threads 1").status == 0);
+        const std::string serial = read(work / "serial");
+        CHECK(lines(serial).size() == 2 * 7 * (contains(text, "samples") ? 3 : 2) * 11);
+        for (const int shards : {1, 2, 3, 8}) {
+            std::string script;
+            for (int i = 1; i <= shards; ++i)
+                script += "fstiff sweep '" + file + "' --shard " + std::to_string(i) + "/" + std::to_string(shards) +
+                          " --threads " + std::to_string(1 + i % 3) + " -o '" + work / "part-{shard}.jsonl" +
+                          "' || exit\n";
+            const Outcome outcome = shell(script + "fstiff merge '" + work / "" + "'part-* -o '" + work / "all" + "'");
+            INFO(outcome.err);
+            REQUIRE(outcome.status == 0);
+            CHECK(read(work / "all") == serial);
+            CHECK(read(work / "all.sweep") == read(work / "serial.sweep"));
+            shell("rm '" + work / "" + "'part-*");
+        }
+    }
+}
+
+TEST_CASE("A second sweep does nothing, and a cut one goes on, wherever it was cut") {
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", grid), out = folder / "out";
+    const std::string sweep = "sweep '" + file + "' -o '" + out + "'";
+    REQUIRE(fstiff(sweep).status == 0);
+    const std::string whole = read(out), description = read(out + ".sweep");
+    const Outcome again = fstiff(sweep);
+    CHECK(again.status == 0);
+    CHECK(contains(again.err, "nothing is left to compute"));
+    CHECK(read(out) == whole);
+    const std::string unfinished =
+        std::regex_replace(description, std::regex("\"finished\": true"), "\"finished\": false");
+    for (const std::size_t left : {std::size_t(0), std::size_t(1), std::size_t(500), whole.find('\n') + 1,
+                                   whole.size() / 2, whole.size() - 1, whole.size()}) {
+        folder.write("out.sweep", unfinished);
+        folder.write("out", whole.substr(0, left));
+        INFO("cut at " << left);
+        CHECK(fstiff(sweep).status == 0);
+        CHECK(read(out) == whole);
+        CHECK(read(out + ".sweep") == description);
+    }
+    // zeros behind what was synced, as some file systems leave them after a loss of power, and a scene in between that is lost
+    folder.write("out.sweep", unfinished);
+    folder.write("out", whole.substr(0, 1000) + std::string(5000, '\0'));
+    CHECK(fstiff(sweep).status == 0);
+    CHECK(read(out) == whole);
+    folder.write("out.sweep", unfinished);
+    const std::size_t middle = whole.find("{\"index\":70,"), behind = whole.find("{\"index\":71,");
+    folder.write("out", whole.substr(0, middle) + whole.substr(behind));
+    CHECK(fstiff(sweep).status == 0);
+    CHECK(read(out) == whole);
+}
+
+TEST_CASE("Results of another grid, shard or unknown origin are refused") {
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", grid), out = folder / "out";
+    const auto sweep = [&](const std::string& more = "") {
+        return fstiff("sweep '" + file + "' -o '" + out + "'" + more);
+    };
+    REQUIRE(sweep().status == 0);
+    const std::string whole = read(out);
+    const auto refused = [&](const Outcome& outcome, const std::string& sentence) {
+        INFO(outcome.err);
+        CHECK(outcome.status == 3);
+        CHECK(contains(outcome.err, sentence));
+        CHECK(read(out) == whole);
+    };
+    refused(sweep(" --shard 1/2"), "holds the results of shard 1/1, not 1/2; give every shard a file of its own");
+    folder.write("grid.toml", replaced(grid, "40 um", "41 um"));
+    refused(sweep(), "holds results of another grid");
+    folder.write("grid.toml", grid);
+    std::filesystem::rename(out + ".sweep", out + ".kept");
+    refused(sweep(), "out.sweep that belongs to it is missing");
+    std::filesystem::rename(out + ".kept", out + ".sweep");
+    folder.write("out", whole + "x");
+    CHECK(contains(sweep().err, "was changed since it was finished"));
+    folder.write("out", whole);
+    CHECK(sweep().status == 0);
+    const Outcome itself = fstiff("sweep '" + file + "' -o '" + file + "'");
+    CHECK(itself.status == 3);
+    CHECK(contains(itself.err, "would be written over"));
+    CHECK(read(file) == grid);
+}
+
+TEST_CASE("What is wrong with a value is told before anything is computed") {
+    const Folder folder;
+    const auto check = [&](const std::string& text, const std::string& sentence) {
+        const std::string file = folder.write("grid.toml", text);
+        const Outcome outcome = fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
+        INFO(outcome.err);
+        CHECK(outcome.status == 3);
+        CHECK(contains(outcome.err, sentence));
+        CHECK(lines(outcome.err).size() == 1);
+    };
+    check(replaced(grid, "\"20 um\", \"40 um\"", "\"20 MPa\", \"40 MPa\""), "surface.peak_radius = \"20 MPa\"");
+    check(replaced(grid, "fractal_dimension = 1.62", "fractal_dimension = [1.62, 2.5]"),
+          "surface.fractal_dimension = 2.5: must be");
+    check(replaced(grid, "peak_density = \"500 /mm^2\"", "peak_density = \"500 /mm^2\"\nfrom = [\"none.csv\"]"),
+          "none.csv: no such file");
+    check(replaced(grid, "poisson_ratio", "poison_ratio"), "unknown key");
+    CHECK(fstiff("sweep").status == 2);
+    CHECK(fstiff("sweep '" + folder.write("grid.toml", grid) + "' -o '" + folder / "out" + "' --shard 3").status == 3);
+}
+
+TEST_CASE("A scene that cannot be computed says why, and the others have their results") {
+    const Folder folder;
+    const std::string file =
+        folder.write("grid.toml", replaced(grid, "{ from = \"0.1 MPa\", to = \"100 MPa\", count = 11 }",
+                                           "{ values = [\"1 MPa\", \"1e20 MPa\", \"2 MPa\"] }"));
+    const Outcome outcome = fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
+    CHECK(outcome.status == 4);
+    CHECK(contains(outcome.err, "14 scenes cannot be computed"));
+    std::map<bool, std::set<std::string>> seen;
+    for (const std::string& line : lines(read(folder / "out"))) {
+        const Line all = fields(line);
+        const bool wrong = value(all, "contact.pressures[0]") == "1e+26";
+        CHECK(wrong == (all.back().first == "error"));
+        seen[wrong].insert(value(all, "index"));
+    }
+    CHECK(seen[true].size() == 14);
+    CHECK(seen[false].size() == 28);
+    const Outcome again = fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
+    CHECK(again.status == 4);
+    CHECK(contains(again.err, "14 scenes cannot be computed"));
+    const Outcome merged = fstiff("merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
+    CHECK(merged.status == 4);
+    CHECK(read(folder / "all") == read(folder / "out"));
+}
+
+TEST_CASE("Merging says which shard is missing, double, unfinished or of another grid, and writes nothing") {
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", grid);
+    const auto sweep = [&](const std::string& shard, const std::string& name) {
+        REQUIRE(fstiff("sweep '" + file + "' --shard " + shard + " -o '" + folder / name + "'").status == 0);
+    };
+    for (const char* i : {"1", "2", "3", "4"}) sweep(std::string(i) + "/4", "part-" + std::string(i) + ".jsonl");
+    const auto check = [&](const std::string& names, const std::vector<std::string>& sentences) {
+        const Outcome outcome = shell("cd '" + folder / "" + "' && fstiff merge " + names + " -o all.jsonl");
+        INFO(outcome.err);
+        CHECK(outcome.status == 4);
+        CHECK(outcome.out.empty());
+        CHECK(lines(outcome.err).size() == sentences.size());
+        for (const std::string& sentence : sentences) CHECK(contains(outcome.err, sentence));
+        CHECK(!std::filesystem::exists(folder / "all.jsonl"));
+    };
+    check("part-1.jsonl part-4.jsonl",
+          {"shard 2/4 is missing; run: fstiff sweep " + file + " --shard 2/4 -o part-2.jsonl",
+           "shard 3/4 is missing; run: fstiff sweep " + file + " --shard 3/4 -o part-3.jsonl"});
+    sweep("3/4", "again.jsonl");
+    check("part-*.jsonl again.jsonl", {"shard 3/4 is there twice"});
+    sweep("1/2", "half.jsonl");
+    check("part-*.jsonl half.jsonl", {"half.jsonl is shard 1/2 and part-1.jsonl is shard 1/4"});
+    const std::string description = read(folder / "part-2.jsonl.sweep"), results = read(folder / "part-2.jsonl");
+    folder.write("part-2.jsonl.sweep", replaced(description, "\"finished\": true", "\"finished\": false"));
+    check("part-*.jsonl", {"part-2.jsonl is not finished; run: fstiff sweep"});
+    folder.write("part-2.jsonl.sweep", description);
+    // as many bytes, but a line is another
+    folder.write("part-2.jsonl", std::regex_replace(results, std::regex("\"index\":40,"), "\"index\":41,"));
+    check("part-*.jsonl", {"part-2.jsonl was changed since it was finished"});
+    folder.write("part-2.jsonl", results);
+    folder.write("grid.toml", grid + "# changed\n");
+    std::filesystem::remove(folder / "part-2.jsonl");
+    std::filesystem::remove(folder / "part-2.jsonl.sweep");
+    sweep("2/4", "part-2.jsonl");
+    check("part-*.jsonl", {"are of different grids, or of one that was changed between them"});
+    std::filesystem::remove(folder / "part-2.jsonl.sweep");
+    const Outcome lost = shell("cd '" + folder / "" + "' && fstiff merge part-*.jsonl -o all.jsonl");
+    CHECK(lost.status == 3);
+    CHECK(contains(lost.err, "part-2.jsonl.sweep that belongs to it is missing"));
+}
