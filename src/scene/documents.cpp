@@ -26,6 +26,7 @@ Json json_of(const RoughnessTable& table) {
 void put_cut_offs(Json& document, const CutOffs& cut_offs) {
     document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
     document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
+    document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
 }
 
 Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {

@@ -16,7 +16,7 @@ namespace fstiff::scene {
 [[nodiscard]] Json json_source(const SurfaceOptions& options, const SurfaceInput& input);
 /// The options as they were given, for a JSON document; \p form is the one that was removed.
 [[nodiscard]] Json json_inputs(const SurfaceOptions& options, const std::string& form);
-/// lambda_s_m and lambda_c_m of a JSON document: null where there is none.
+/// lambda_s_m, lambda_c_m and the filter of lambda_c of a JSON document: null where there is none.
 void put_cut_offs(Json& document, const CutOffs& cut_offs);
 
 /// Its name, file and SHA-256, for a JSON document.

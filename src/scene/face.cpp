@@ -78,7 +78,7 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     if (!upper.map || !lower.map) return "not both faces are maps";
     for (const auto& one : upper.map->maps)
         for (const auto& other : lower.map->maps)
-            if (const std::string why = no_sum_of(*one, *other); !why.empty()) return why;
+            if (std::string why = no_sum_of(*one, *other); !why.empty()) return why;
     return "";
 }
 

@@ -47,6 +47,8 @@ MeasuredSurface values_of(const Parsed& document, const std::string& name) {
         return number_of(document, key, name);
     };
     surface.cut_offs = {cut_off("lambda_s_m"), cut_off("lambda_c_m"), {}, {}, {}, {}};
+    if (const std::string filter = text_of(document, "filter"); !filter.empty())
+        surface.cut_offs.filter = parse<CutOffFilter>(filter, name + ": filter");
     const auto read = [&](const char* key) -> std::optional<Measurement<double>> {
         const auto found = values->find(key);
         if (found == values->end()) return std::nullopt;

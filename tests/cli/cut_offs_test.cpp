@@ -228,5 +228,7 @@ TEST_CASE("The robust filter of lambda_c is that of the library, and says what i
     CHECK(same(profile["surface"]["rms_height"]["value"],
                fstiff::rms_height(fstiff::robust_roughness(flat.profile, 80e-6))));
     CHECK(decided(profile, "robust Gaussian"));
+    CHECK(profile["filter"] == "robust");
+    CHECK(test::json_of("measure - --lambda-s none --lambda-c none --filter robust", made)["filter"].is_null());
     test::check_refused("measure - --filter spline", 2, {"--filter", "spline"}, made);
 }

@@ -12,6 +12,7 @@
 #include <zip.h>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace fstiff::io {
 
@@ -27,8 +28,8 @@ namespace detail {
 /// A zip archive in memory.
 class ZipArchive {
 public:
-    ZipArchive(std::string_view bytes, const std::string& name, const X3pLimits& limits)
-        : bytes_(bytes), name_(name), limits_(limits) {
+    ZipArchive(std::string_view bytes, std::string name, const X3pLimits& limits)
+        : bytes_(bytes), name_(std::move(name)), limits_(limits) {
         zip_error_t error;
         zip_error_init(&error);
         if (zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error)) {
