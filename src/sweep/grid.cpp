@@ -268,7 +268,7 @@ void put(toml::table& root, const std::vector<Step>& path, Node&& value) {
 /// [sweep]
 void read_sweep(Source& source, const toml::table* table, Grid& grid) {
     static const toml::table none;
-    const Section section(source, table ? *table : none, "sweep", {"mode", "samples", "seed"});
+    const Section section(source, table ? *table : none, "sweep", {"mode", "samples", "seed", "tabulate"});
     const auto whole = [&](std::string_view name, std::uint64_t least, std::uint64_t otherwise) {
         const toml::node* node = section.find(name);
         if (!node) return otherwise;
@@ -286,6 +286,10 @@ void read_sweep(Source& source, const toml::table* table, Grid& grid) {
                       "must stand beside a distribution, such as { normal = [\"5 um\", \"0.2 um\"] }");
     grid.samples = whole("samples", 1, draws ? 1000 : 1);
     grid.seed = whole("seed", 0, grid.seed);
+    if (const toml::node* node = section.find("tabulate")) {
+        if (!node->is_boolean()) source.refuse(*node, section.key("tabulate"), "must be true or false");
+        grid.tabulate = node->as_boolean()->get();
+    }
 }
 
 /// Scenes of the grid. \throws domain_error for too many, and for axes of unlike length in zip mode.

@@ -2,6 +2,7 @@
 #include "sweep/scene_maker.hpp"
 
 #include "scene/read_table.hpp"
+#include "sweep/tabulated.hpp"
 #include "sweep/template.hpp"
 
 #include <algorithm>
@@ -102,6 +103,23 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
         if (grid.axes[i].key.starts_with("contact.laws")) folds_ = false;  // another law may not be computed so
     }
     folds_ = folds_ && found;
+    if (grid.tabulate) find_table_range(*first);
+}
+
+void SceneMaker::find_table_range(const Scene& first) {
+    const auto refuse = [&](const char* why) { throw domain_error(grid_.file + ": sweep.tabulate = true: " + why); };
+    if (!folds_ || grid_.axes[point_axis_].drawn || grid_.axes[point_axis_].count() < 2)
+        refuse("must stand in a grid whose pressure or separation is swept as a range or a list");
+    if (first.real_area || first.contacts || first.loading_stiffness)
+        refuse(
+            "must stand beside output.quantities without real_area, contacts and loading_stiffness, which no table "
+            "has");
+    if (first.reading != InteractionReading::none) refuse("must stand in a grid without contact.interaction");
+    const Axis& axis = grid_.axes[point_axis_];
+    table_range_ = axis.range ? std::array{axis.range->from, axis.range->to}
+                              : std::array{*std::min_element(axis.numbers.begin(), axis.numbers.end()),
+                                           *std::max_element(axis.numbers.begin(), axis.numbers.end())};
+    if (!(table_range_[0] < table_range_[1])) refuse("must stand in a grid whose points differ");
 }
 
 bool SceneMaker::alike(const std::vector<Value>& a, const std::vector<Value>& b) const {
@@ -170,6 +188,7 @@ void SceneMaker::make(const std::vector<Value>& values, Work& work) {
     if (!same) {
         work.contacts.clear();  // before what they were made of
         work.contacts = scene::contacts_of(work.scene);
+        if (grid_.tabulate) tabulate(work.contacts, work.scene, table_range_);
     }
     work.made_for = values;
 }

@@ -9,6 +9,7 @@
 #include "scene/results.hpp"
 #include "sweep/grid.hpp"
 
+#include <array>
 #include <functional>
 #include <future>
 #include <list>
@@ -65,6 +66,8 @@ private:
         std::size_t place = 0;
         double least = 0, most = 0;  ///< both excluded: outside, reading tells what is wrong
     };
+    /// \throws domain_error where the grid asks for tables that the scenes cannot have.
+    void find_table_range(const scene::Scene& first);
     void put(const std::vector<Value>& values, Work& work);
     [[nodiscard]] std::shared_ptr<const scene::Scene> read(const std::vector<Value>& values);
     [[nodiscard]] std::shared_ptr<const scene::Scene> read_with(const std::vector<Value>& values,
@@ -76,7 +79,8 @@ private:
     std::vector<Setter> setters_;
     std::size_t point_axis_ = 0;
     bool folds_ = false;
-    bool measured_ = false;  ///< the scenes have files of surfaces
+    std::array<double, 2> table_range_{};  ///< of the points, where the grid asks for tables
+    bool measured_ = false;                ///< the scenes have files of surfaces
     RecentScenes scenes_, surfaces_;
 };
 

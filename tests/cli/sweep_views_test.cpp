@@ -66,7 +66,7 @@ TEST_CASE("Draws are drawn as their median with 5 to 95 %") {
     REQUIRE(rows.size() == 2);
     auto all = stiffnesses(read(folder / "out"));
     // 101 draws under each of two pressures; the quantiles of 101 values are the values themselves
-    for (const std::size_t i : {0, 1}) {
+    for (const std::size_t i : {std::size_t(0), std::size_t(1)}) {
         std::vector<double> some;  // the pressure is the axis, the draws stand side by side
         some.assign(all.begin() + static_cast<std::ptrdiff_t>(101 * i),
                     all.begin() + static_cast<std::ptrdiff_t>(101 * (i + 1)));
