@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a sweep by an engine and compares its results with those of one process, byte for byte.
 
-    python3 check_engine.py ENGINE --fstiff COMMAND [--python PYTHON]     ENGINE: parallel, mpi, snakemake, dask
+    python3 check_engine.py ENGINE --fstiff COMMAND [--python PYTHON]     ENGINE: parallel, mpi, snakemake, dask, parquet
 
-PYTHON, where it exists, is one that has the package fstiff and Dask; the default is the one that runs this.
+PYTHON, where it exists, is one that has the package fstiff, Dask and pyarrow; the default is the one that runs this.
+parquet runs the program of docs/sweep.md that makes a Parquet file of results, and compares its numbers with the lines.
 Ends with exit code 1 where they differ, and says SKIPPED: where the engine is missing.
 """
 import argparse
@@ -12,13 +13,14 @@ import csv
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-NEEDS = {"parallel": "parallel", "mpi": "mpirun", "snakemake": "snakemake", "dask": None}
+NEEDS = {"parallel": "parallel", "mpi": "mpirun", "snakemake": "snakemake", "dask": None, "parquet": None}
 
 
 def run(command, **options):
@@ -87,6 +89,31 @@ def check_dask(fstiff, work, python):
     print(f"dask: {len(wanted)} values of K, the same to the last digit")
 
 
+def check_parquet(fstiff, work, python):
+    if subprocess.run([python, "-c", "import pyarrow"], capture_output=True).returncode != 0:
+        print("SKIPPED: pyarrow is not here")
+        return
+    page = (HERE.parent.parent / "docs" / "sweep.md").read_text(encoding="utf-8")
+    program = re.search(r"```python\n(.*?)```", page, re.DOTALL).group(1)
+    # a pressure out of reach, whose lines have no results, far behind the first ones
+    grid = (HERE / "grid.toml").read_text().replace('to = "100 MPa"', 'to = "1e30 MPa"')
+    (work / "grid.toml").write_text(grid)
+    subprocess.run([fstiff, "sweep", "grid.toml", "-o", "results.jsonl"], cwd=work, capture_output=True)
+    run([python, "-c", program], cwd=work)
+    read = "import json, pyarrow.parquet as p; print(json.dumps(p.read_table('results.parquet').to_pylist()))"
+    found = json.loads(run([python, "-c", read], cwd=work).stdout)
+    wanted = [json.loads(line) for line in (work / "results.jsonl").read_text().splitlines()]
+    for row in found:  # absent of a line is null of a table
+        for key in [key for key, value in row.items() if value is None and key not in ("theta", "r")]:
+            del row[key]
+    for row in wanted:
+        if "error" in row:
+            row |= {"theta": None, "r": None}
+    if found != wanted:
+        sys.exit("parquet: the table is not that of the lines")
+    print(f"parquet: {len(wanted)} rows, the same to the last digit, {sum('error' in row for row in wanted)} without results")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("engine", choices=NEEDS)
@@ -100,9 +127,9 @@ def main():
         fstiff, work = str(pathlib.Path(arguments.fstiff).resolve()), pathlib.Path(folder)
         if arguments.engine == "snakemake":
             check_snakemake(fstiff, work)
-        elif arguments.engine == "dask":
+        elif arguments.engine in ("dask", "parquet"):
             python = arguments.python if pathlib.Path(arguments.python).exists() else sys.executable
-            check_dask(fstiff, work, python)
+            (check_dask if arguments.engine == "dask" else check_parquet)(fstiff, work, python)
         else:
             check_shards(arguments.engine, fstiff, work)
 

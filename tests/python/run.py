@@ -16,7 +16,7 @@ import sysconfig
 
 BUILD = ["nanobind>=2.4", "scikit-build-core>=0.11"]
 NEEDED = [*BUILD, "numpy", "pytest"]
-WANTED = ["pandas", "matplotlib", "mypy", "SurfaceTopography", "distributed"]  # the last one for examples/sweeps
+WANTED = ["pandas", "matplotlib", "mypy", "SurfaceTopography", "distributed", "pyarrow"]  # the last two for examples/sweeps
 
 
 def skip(why):
