@@ -37,7 +37,7 @@ public:
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return stopped_ || next_ == end_ || open_ < most_ahead_; });
         if (stopped_ || next_ == end_) return {};
-        const Part part{next_, std::min(wanted, end_ - next_), {}};
+        Part part{next_, std::min(wanted, end_ - next_), {}};
         next_ += part.count;
         ++open_;
         return part;

@@ -63,9 +63,7 @@ void check(herr_t status) {
 std::string plain(std::string_view quoted) {
     std::string text;
     for (std::size_t i = 1; i + 1 < quoted.size(); ++i) {
-        if (quoted[i] != '\\') {
-            text += quoted[i];
-        } else if (quoted[++i] == 'u') {
+        if (quoted[i] == '\\' && quoted[++i] == 'u') {
             text += static_cast<char>(std::stoi(std::string(quoted.substr(i + 1, 4)), nullptr, 16));
             i += 4;
         } else {

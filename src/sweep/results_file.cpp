@@ -159,7 +159,7 @@ void write_description(const std::string& results, const Description& descriptio
 }
 
 Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished,
-                  const std::function<void(std::string_view)>& call) {
+                  const std::function<void(std::string_view)>& piece) {
     Scanner scanner(first, finished);
     std::vector<char> buffer(std::size_t(1) << 20);
     std::string rest;  // of a line that goes on in the next piece
@@ -172,21 +172,21 @@ Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, 
         if (got < 0) fail(file, "cannot be read");
         if (got == 0) break;
         bytes += static_cast<std::uint64_t>(got);
-        std::string_view piece(buffer.data(), static_cast<std::size_t>(got));
-        if (call) call(piece);
+        std::string_view bytes_read(buffer.data(), static_cast<std::size_t>(got));
+        if (piece) piece(bytes_read);
         while (whole) {
-            const std::size_t end = piece.find('\n');
+            const std::size_t end = bytes_read.find('\n');
             if (end == std::string_view::npos) break;
             if (rest.empty()) {
-                whole = scanner.take(piece.substr(0, end));
+                whole = scanner.take(bytes_read.substr(0, end));
             } else {
-                rest += piece.substr(0, end);
+                rest += bytes_read.substr(0, end);
                 whole = scanner.take(rest);
                 rest.clear();
             }
-            piece.remove_prefix(end + 1);
+            bytes_read.remove_prefix(end + 1);
         }
-        if (whole) rest += piece;
+        if (whole) rest += bytes_read;
     }
     return scanner.end(bytes);
 }

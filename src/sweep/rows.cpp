@@ -32,9 +32,9 @@ void for_each_field(std::string_view line,
         const std::size_t key_end = line.find('"', at + 1);
         if (key_end == std::string_view::npos || key_end + 2 >= line.size()) return;
         const std::size_t begin = key_end + 2;
-        std::size_t end = begin;
+        std::size_t end = begin + 1;
         if (line[begin] == '"') {
-            for (end = begin + 1; end < line.size() && line[end] != '"'; ++end)
+            for (; end < line.size() && line[end] != '"'; ++end)
                 if (line[end] == '\\') ++end;
             ++end;
         } else {
