@@ -172,7 +172,7 @@ TEST_CASE("fish and zsh complete commands, options and words") {
             CHECK(answer.err.empty());
             return matches(answer.out, "^([^\t\n]+)");
         };
-        CHECK(first("fstiff me") == std::vector<std::string>{"measure"});
+        CHECK(first("fstiff mea") == std::vector<std::string>{"measure"});
         CHECK(first("fstiff run --fo") == std::vector<std::string>{"--format"});
         CHECK(first("fstiff run --format ") == std::vector<std::string>{"csv", "json", "table"});
         CHECK(first("fstiff generate ") == std::vector<std::string>{"map", "profile", "wm"});
@@ -195,7 +195,7 @@ done
 zpty -d z
 )");
         const auto answer = test::shell("TERM=dumb zsh -f '" + script +
-                                        "' 'fstiff me' 'fstiff run --fo' 'fstiff run --format c' 'fstiff generate w' "
+                                        "' 'fstiff mea' 'fstiff run --fo' 'fstiff run --format c' 'fstiff generate w' "
                                         "'fstiff help tr'");
         INFO(answer.out << answer.err);
         CHECK(answer.out ==
