@@ -7,6 +7,7 @@
 #include <fstiff/core/version.hpp>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -122,7 +123,7 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
     const bool log = kind == 1;
     const std::string wanted =
         log         ? "must be a list of the median and the standard deviation of the logarithm, such as "
-                      "[\"40 um\", 0.1]"
+                      "[\"40 um\", 0.1], or of the mean and the standard deviation, such as [\"40 um\", \"4 um\"]"
         : kind == 0 ? "must be a list of the mean and the standard deviation, such as [\"5 um\", \"0.2 um\"]"
                     : "must be a list of the least and the greatest value, such as [\"4 um\", \"6 um\"]";
     if (table.size() != 1 || !pair || pair->size() != 2) source.refuse(node, key, wanted);
@@ -130,11 +131,16 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
     Distribution& drawn = found.axis.drawn.emplace();
     drawn.kind = static_cast<Distribution::Kind>(kind);
     if (log) {
-        const auto median = quantity_of(first);
-        const auto spread = second.is_number() ? quantity_of(second) : std::nullopt;
-        if (!median || !spread || !(median->value > 0) || !(spread->value > 0)) source.refuse(node, key, wanted);
-        drawn.a = median->value, drawn.b = spread->value;
-        found.axis.unit = unit_of(median->dimension);
+        const auto middle = quantity_of(first), spread = quantity_of(second);
+        if (!middle || !spread || !(middle->value > 0) || !(spread->value > 0)) source.refuse(node, key, wanted);
+        drawn.a = middle->value, drawn.b = spread->value;
+        if (!second.is_number()) {  // a mean and a standard deviation of the quantity itself
+            if (spread->dimension != middle->dimension) source.refuse(node, key, wanted);
+            const double relative = spread->value / middle->value;
+            drawn.a = middle->value / std::sqrt(1 + relative * relative);
+            drawn.b = std::sqrt(std::log1p(relative * relative));
+        }
+        found.axis.unit = unit_of(middle->dimension);
         return;
     }
     const auto [a, b] = two_quantities(source, first, second, key + "[0]", key + "[1]");

@@ -5,6 +5,7 @@
 
 #include <fstiff/core/error.hpp>
 
+#include <cmath>
 #include <set>
 
 using namespace fstiff::sweep;
@@ -92,6 +93,21 @@ TEST_CASE("Draws stand side by side at each point of the grid, and hang on the i
     CHECK(other.hash != grid.hash);
 }
 
+TEST_CASE("A lognormal of two quantities has this mean and this standard deviation") {
+    const Grid grid = read_grid(
+        grid_text("rms_height = { lognormal = [\"2 um\", \"1 um\"] }", "pressures = [\"1 MPa\"]", "samples = 20000"),
+        "grid.toml");
+    double sum = 0, squares = 0;
+    for (std::uint64_t i = 0; i < grid.size; ++i) {
+        const double x = numbers(grid, i)[0] * 1e6;
+        sum += x, squares += x * x;
+    }
+    const double n = static_cast<double>(grid.size), mean = sum / n;
+    CHECK(std::abs(mean - 2) <
+          4 / std::sqrt(n));  // four standard errors; of the deviation more, by the kurtosis of 8.0
+    CHECK(std::abs(std::sqrt(squares / n - mean * mean) - 1) < 6 / std::sqrt(n));
+}
+
 TEST_CASE("What is wrong with a grid is told with line, key and value") {
     const auto surface = [](const std::string& rms) { return grid_text("rms_height = " + rms); };
     check_refused(surface("{ from = \"2 um\", to = \"1 um\", count = 3 }"),
@@ -105,7 +121,8 @@ TEST_CASE("What is wrong with a grid is told with line, key and value") {
     check_refused(surface("[]"), "must be a list of one value at least");
     check_refused(surface("{ values = [] }"), "must be a list of one value at least");
     check_refused(surface("{ normal = [\"2 um\"] }"), "must be a list of the mean and the standard deviation");
-    check_refused(surface("{ lognormal = [\"2 um\", \"1 um\"] }"), "the standard deviation of the logarithm");
+    check_refused(surface("{ lognormal = [\"2 um\", \"1 GPa\"] }"), "the standard deviation of the logarithm");
+    check_refused(surface("{ lognormal = [\"2 um\", -1] }"), "the standard deviation of the logarithm");
     check_refused(surface("{ uniform = [\"2 um\", \"1 um\"] }"), "must be greater than");
     check_refused(grid_text("rms_height = \"1 um\"", "pressures = [\"1 MPa\"]", "samples = 3"),
                   "sweep.samples = 3: must stand beside a distribution");

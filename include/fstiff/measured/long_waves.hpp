@@ -37,6 +37,7 @@
 
 namespace fstiff {
 
+/// What long_waves() finds of a piece.
 template <Real T = double>
 struct LongWaveShare {
     T share{};  ///< of the mean square height that waves of fewer than 16 half periods have
