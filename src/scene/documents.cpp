@@ -29,6 +29,15 @@ void put_cut_offs(Json& document, const CutOffs& cut_offs) {
     document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
 }
 
+void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing, const CutOffs& cut_offs) {
+    document["columns"] = map.columns();
+    document["rows"] = map.rows();
+    document["dx_m"] = map.dx;
+    document["dy_m"] = map.dy;
+    document["missing_points"] = missing;
+    put_cut_offs(document, cut_offs);
+}
+
 Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
     return {{"file", display_name(options.file)},
             {"sha256", input.sha256},

@@ -16,16 +16,6 @@ namespace {
 
 using Strings = std::vector<std::string>;
 
-/// Runs \p call into \p result, or keeps why it cannot.
-template <class Result, class Call>
-void attempt(std::optional<Result>& result, std::string& refusal, const Call& call) {
-    try {
-        result = call();
-    } catch (const domain_error& error) {
-        refusal = error.what();
-    }
-}
-
 bool in_window(const FractalFit<double>& fit, double lag) { return lag >= fit.window.from && lag <= fit.window.to; }
 
 /// Why a fit is flagged as curved.
@@ -149,7 +139,7 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
     const Profile<double>& profile = result.levelled.profile;
     how.lambda_s = result.levelled.cut_offs.lambda_s.value_or(0);
     result.fit = about_file(options.surface.file, [&] { return fit_fractal(result.levelled, how); });
-    attempt(result.spectrum, result.no_spectrum, [&] {
+    result.no_spectrum = detail::fit_or_reason(result.spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
         std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
         if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
@@ -159,8 +149,8 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
                 "between 1 and 2: over these wavelengths the profile is not self-affine");
         return fit;
     });
-    attempt(result.moments, result.no_moments, [&] { return spectral_moments(profile); });
-    attempt(result.peaks, result.no_peaks, [&] { return peak_statistics(profile); });
+    result.no_moments = detail::fit_or_reason(result.moments, [&] { return spectral_moments(profile); });
+    result.no_peaks = detail::fit_or_reason(result.peaks, [&] { return peak_statistics(profile); });
     result.structure = options.all_lags ? structure_function_at_all_lags(result.levelled.of_structure())
                                         : result.fit.structure_function;
     return result;
@@ -267,13 +257,7 @@ Json fractal_json(const FractalOptions& options, const SurfaceInput& input, cons
 
 Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result) {
     Json document = json_start(options, input, result.levelled.form);
-    const HeightMap<double>& map = result.levelled.map;
-    document["columns"] = map.columns();
-    document["rows"] = map.rows();
-    document["dx_m"] = map.dx;
-    document["dy_m"] = map.dy;
-    document["missing_points"] = input.missing();
-    put_cut_offs(document, result.levelled.cut_offs);
+    put_grid(document, result.levelled.map, input.missing(), result.levelled.cut_offs);
     document["rms_height_m"] = result.levelled.rms;
     document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
     const ArealStatistics<double>& a = result.levelled.areal;

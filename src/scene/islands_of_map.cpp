@@ -64,7 +64,6 @@ Rows rows_of(const IslandsOfMap& result) {
 
 Json islands_json(const IslandsRequest& options, const SurfaceInput& input, const IslandsOfMap& result) {
     const RepresentativeIslands<double>& r = result.islands;
-    const HeightMap<double>& map = result.levelled.map;
     Json document = json_document("islands");
     document["source"] = json_source(options.surface, input);
     Json inputs = json_inputs(options.surface, result.levelled.form);
@@ -78,12 +77,7 @@ Json islands_json(const IslandsRequest& options, const SurfaceInput& input, cons
                    {"seed", options.spread.seed}});
     document["inputs"] = inputs;
     document["equations"] = {{"radius", "A_m/(2 pi h_m)"}, {"curve", "Figs. 3 and 4"}};
-    document["columns"] = map.columns();
-    document["rows"] = map.rows();
-    document["dx_m"] = map.dx;
-    document["dy_m"] = map.dy;
-    document["missing_points"] = input.missing();
-    put_cut_offs(document, result.levelled.cut_offs);
+    put_grid(document, result.levelled.map, input.missing(), result.levelled.cut_offs);
     document["nominal_area_m2"] = r.curve.nominal_area;
     document["rms_height_m"] = result.levelled.rms;
     document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;
