@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/hdf5.hpp"
 
+#include "scene/file.hpp"
+
 #include "sweep/results_file.hpp"
 #include "sweep/rows.hpp"
 
@@ -28,9 +30,13 @@ std::string lines_file(const std::string& output) { return is_hdf5(output) ? out
 
 void require_form(const std::string& output) {
     if (output.ends_with(".parquet"))
-        throw domain_error(output + ": Parquet is not written; write .jsonl and convert it with pyarrow, or write .h5");
+        throw scene::option_error(output +
+                                  ": Parquet is not written; write .jsonl and convert it with pyarrow, or write .h5");
+    for (const char* other : {".csv", ".tsv", ".txt", ".nc", ".npy", ".toml", ".xlsx"})
+        if (output.ends_with(other))
+            throw scene::option_error(output + ": results are lines of JSON or HDF5; must end in .jsonl or .h5");
 #ifndef FSTIFF_HAS_HDF5
-    if (is_hdf5(output)) throw domain_error(output + ": this fstiff was built without HDF5; write .jsonl");
+    if (is_hdf5(output)) throw scene::option_error(output + ": this fstiff was built without HDF5; write .jsonl");
 #endif
 }
 

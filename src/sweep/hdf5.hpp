@@ -13,7 +13,8 @@ namespace fstiff::sweep {
 /// The file of lines behind \p output: "out.h5.jsonl" of "out.h5"; any other is its own.
 [[nodiscard]] std::string lines_file(const std::string& output);
 
-/// \throws domain_error for an ending that cannot be written: .parquet, and .h5 where fstiff was built without HDF5.
+/// \throws option_error for the ending of another form, such as .csv and .parquet, and for .h5 where fstiff was built without
+/// HDF5. Any other name holds lines of JSON.
 void require_form(const std::string& output);
 
 /// Writes the finished results \p lines as \p output, beside it first, then renamed.

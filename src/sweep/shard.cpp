@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/shard.hpp"
 
+#include "scene/file.hpp"
+
 #include <fstiff/core/error.hpp>
 
 #include <charconv>
@@ -23,15 +25,16 @@ std::optional<std::uint64_t> variable(const char* name) {
     const char* text = std::getenv(name);
     if (!text) return std::nullopt;
     const auto number = whole(text);
-    if (!number) throw domain_error(std::string(name) + " = \"" + text + "\": must be a whole number for --shard auto");
+    if (!number)
+        throw scene::option_error(std::string(name) + " = \"" + text + "\": must be a whole number for --shard auto");
     return number;
 }
 
 Shard checked(std::uint64_t number, std::uint64_t of, const std::string& from) {
     constexpr std::uint64_t most = 1000000000;
     if (of < 1 || of > most || number < 1 || number > of)
-        throw domain_error("shard " + std::to_string(number) + "/" + std::to_string(of) + " of " + from +
-                           ": must be i/n with 1 <= i <= n");
+        throw scene::option_error("shard " + std::to_string(number) + "/" + std::to_string(of) + " of " + from +
+                                  ": must be i/n with 1 <= i <= n");
     return {number, of};
 }
 
@@ -39,7 +42,8 @@ Shard of_environment() {
     if (const auto task = variable("SLURM_ARRAY_TASK_ID")) {
         const auto count = variable("SLURM_ARRAY_TASK_COUNT"), least = variable("SLURM_ARRAY_TASK_MIN");
         if (!count)
-            throw domain_error("SLURM_ARRAY_TASK_COUNT is not set; --shard auto needs it beside SLURM_ARRAY_TASK_ID");
+            throw scene::option_error(
+                "SLURM_ARRAY_TASK_COUNT is not set; --shard auto needs it beside SLURM_ARRAY_TASK_ID");
         const std::uint64_t step = variable("SLURM_ARRAY_TASK_STEP").value_or(1), begin = least.value_or(1);
         const std::string name = "SLURM_ARRAY_TASK_ID " + std::to_string(*task);
         if (*task < begin || step == 0 || (*task - begin) % step != 0) return checked(0, *count, name);
@@ -49,10 +53,10 @@ Shard of_environment() {
     for (const auto& [rank, size] : pairs)
         if (const auto number = variable(rank)) {
             const auto of = variable(size);
-            if (!of) throw domain_error(std::string(size) + " is not set; --shard auto needs it beside " + rank);
+            if (!of) throw scene::option_error(std::string(size) + " is not set; --shard auto needs it beside " + rank);
             return checked(*number + 1, *of, rank);
         }
-    throw domain_error(
+    throw scene::option_error(
         "--shard auto: neither SLURM_ARRAY_TASK_ID nor OMPI_COMM_WORLD_RANK nor PMI_RANK is set; must run in a Slurm "
         "job "
         "array or under mpirun, or be given as i/n");
@@ -74,7 +78,7 @@ Shard parse_shard(const std::string& text) {
     const std::size_t slash = text.find('/');
     const auto number = whole(std::string_view(text).substr(0, slash));
     const auto of = slash == std::string::npos ? std::nullopt : whole(std::string_view(text).substr(slash + 1));
-    if (!number || !of) throw domain_error("--shard \"" + text + "\": must be i/n such as 3/8, or auto");
+    if (!number || !of) throw scene::option_error("--shard \"" + text + "\": must be i/n such as 3/8, or auto");
     return checked(*number, *of, "--shard");
 }
 

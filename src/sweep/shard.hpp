@@ -18,7 +18,7 @@ struct Shard {
 };
 
 /// "3/8", or "auto": of a Slurm job array, else of OpenMPI, else of PMI, by the environment.
-/// \throws domain_error for another text, and for "auto" where none of these is there.
+/// \throws option_error for another text, and for "auto" where none of these is there.
 [[nodiscard]] Shard parse_shard(const std::string& text);
 
 }  // namespace fstiff::sweep

@@ -82,7 +82,7 @@ TEST_CASE("An HDF5 file of results has the numbers of the lines, bit for bit") {
 TEST_CASE("An HDF5 file of results is refused in words") {
     const test::Folder folder;
     const auto outcome = test::fstiff("sweep none.toml -o '" + folder / "out.h5" + "'");
-    CHECK(outcome.status == 3);
+    CHECK(outcome.status == 2);
     CHECK(test::contains(outcome.err, "was built without HDF5; write .jsonl"));
     SKIP_CASE("HDF5 is not here");
 }
@@ -91,6 +91,9 @@ TEST_CASE("An HDF5 file of results is refused in words") {
 TEST_CASE("Parquet is refused with what to do instead") {
     const test::Folder folder;
     const auto outcome = test::fstiff("sweep none.toml -o '" + folder / "out.parquet" + "'");
-    CHECK(outcome.status == 3);
+    CHECK(outcome.status == 2);
     CHECK(test::contains(outcome.err, "convert it with pyarrow"));
+    const auto table = test::fstiff("sweep none.toml -o '" + folder / "out.csv" + "'");
+    CHECK(table.status == 2);
+    CHECK(test::contains(table.err, "must end in .jsonl or .h5"));
 }
