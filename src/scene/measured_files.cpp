@@ -147,11 +147,14 @@ std::vector<MeasuredConcern> concerns_of(const MeasuredSurface& whole) {
     if (whole.peaks < 30) all.push_back(MeasuredConcern::few_peaks);
     if (relative(Parameter::peak_radius) > 0.3) all.push_back(MeasuredConcern::radius_uncertain);
     if (relative(Parameter::peak_density) > 0.3) all.push_back(MeasuredConcern::density_uncertain);
-    for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        if (p.known[i] && !is_known(Measurement<double>{p.value[i], p.error[i]})) {
+    const bool long_waves = std::count(all.begin(), all.end(), MeasuredConcern::long_waves) > 0;
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+        const bool told = long_waves && (i == index_of(Parameter::rms_height) || i == index_of(Parameter::r));
+        if (!told && p.known[i] && !is_known(Measurement<double>{p.value[i], p.error[i]})) {
             all.push_back(MeasuredConcern::parameter_unknown);
             break;
         }
+    }
     return all;
 }
 

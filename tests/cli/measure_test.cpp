@@ -200,6 +200,25 @@ TEST_CASE("A plane and a line are refused, their rounding is not measured") {
                             {"profile of constant height", form}, line);
 }
 
+TEST_CASE("A surface as short as its longest waves says that sigma is that of its length, and ends well") {
+    const auto measured = [](const std::string& longest) {
+        return test::shell("fstiff generate profile --points 4096 --spacing '1 um' --hurst 0.8 --rms '1 um' --seed 3" +
+                           longest + " | fstiff measure - --lambda-c none");
+    };
+    const auto short_one = measured(""), long_one = measured(" --longest '128 um'");
+    CHECK(short_one.status == 0);
+    CHECK(long_one.status == 0);
+    const std::string sentence =
+        " % of the mean square height are waves longer than an eighth of the profile: sigma is that of this length";
+    CHECK(test::contains(short_one.err, sentence));
+    CHECK(!test::contains(long_one.err, sentence));
+    const auto error = [](const test::Outcome& one) {
+        const auto sigma = nlohmann::json::parse(one.out)["surface"]["rms_height"];
+        return sigma["error"].get<double>() / sigma["value"].get<double>();
+    };
+    CHECK(error(short_one) > 4 * error(long_one));
+}
+
 TEST_CASE("Endless input ends at once") { test::check_refused("measure /dev/zero", 3, {"/dev/zero", "is binary"}); }
 
 TEST_CASE("The number for missing points is an option, a key of a scene, and in the JSON") {

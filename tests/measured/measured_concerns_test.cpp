@@ -92,6 +92,9 @@ TEST_CASE(
     CHECK(concerns_of(surface).empty());
     surface.r->error = 0.2001;
     CHECK(concerns_of(surface) == Concerns{parameter_unknown});
+    surface.long_wave_share = 0.751;  // which says why, and is no doubt of its own
+    CHECK(concerns_of(surface) == Concerns{long_waves});
+    surface.long_wave_share = 0.75;
     surface.r.reset();
     surface.peak_radius = {1e-6, 0.501e-6};
     CHECK(concerns_of(surface) == Concerns{radius_uncertain, parameter_unknown});
