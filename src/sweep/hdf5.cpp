@@ -32,7 +32,7 @@ void require_form(const std::string& output) {
     if (output.ends_with(".parquet"))
         throw scene::option_error(output +
                                   ": Parquet is not written; write .jsonl and convert it with pyarrow, or write .h5");
-    for (const char* other : {".csv", ".tsv", ".txt", ".nc", ".npy", ".toml", ".xlsx"})
+    for (const char* other : {".csv", ".tsv", ".txt", ".nc", ".npy", ".xlsx"})
         if (output.ends_with(other))
             throw scene::option_error(output + ": results are lines of JSON or HDF5; must end in .jsonl or .h5");
 #ifndef FSTIFF_HAS_HDF5

@@ -260,12 +260,22 @@ void ResultsFile::take_up() {
 }
 
 void ResultsFile::append(std::string_view lines, std::uint64_t next, std::uint64_t failed) {
+    const auto keep = [&](std::size_t bytes) {
+        static_cast<void>(ftruncate(descriptor_, static_cast<off_t>(size_ + bytes)));
+    };
     try {
         write_all(descriptor_, lines, file_);
-        if (sync_data(descriptor_) != 0) fail(file_, "cannot be written");
-    } catch (...) {
-        static_cast<void>(ftruncate(descriptor_, static_cast<off_t>(size_)));
+    } catch (...) {  // no room: the lines that found some stay
+        const off_t at = lseek(descriptor_, 0, SEEK_CUR);
+        const std::size_t written = at > static_cast<off_t>(size_) ? static_cast<std::size_t>(at) - size_ : 0;
+        keep(lines.substr(0, written).rfind('\n') + 1);  // of none, npos + 1 is 0
         throw;
+    }
+    if (sync_data(descriptor_) != 0) {
+        const int reason = errno;
+        keep(0);
+        errno = reason;
+        fail(file_, "cannot be written");
     }
     size_ += lines.size();
     next_ = next;
