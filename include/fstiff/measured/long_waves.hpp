@@ -29,6 +29,7 @@
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/measured/height_sums.hpp>
 
 #include <Eigen/Core>
 
@@ -111,6 +112,36 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
     const T z = normal_95<T>.value, ninth = variance / 9;  // 2/(9 v)
     found.error = -3 * std::log(1 - ninth - z * std::sqrt(ninth)) / (2 * z);
     return found;
+}
+
+/// Of a piece of \p rows by \p columns points; \p height(j, i) is that of a point, from the mean; NaN: missing.
+template <Real T, class Height>
+LongWaveShare<T> long_waves(Eigen::Index rows, Eigen::Index columns, T mean_square, const Height& height) {
+    constexpr Eigen::Index most = 64;  // parts a side
+    const Eigen::Index down = std::min(rows, most), across = std::min(columns, most);
+    Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic> parts = decltype(parts)::Zero(down, across);
+    for (Eigen::Index j = 0; j < rows; ++j)
+        for (Eigen::Index i = 0; i < columns; ++i)
+            if (const T z = height(j, i); !std::isnan(z)) parts(j * down / rows, i * across / columns) += z;
+    parts *= static_cast<T>(parts.size()) / static_cast<T>(rows) / static_cast<T>(columns);
+    return long_waves(parts, mean_square);
+}
+
+/// Adds to \p spread what the long \p waves leave open of sigma, and of r, which goes as 1/sigma.
+template <Real T>
+void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& whole, const LongWaveShare<T>& waves) {
+    const T more = std::expm1(waves.error * waves.error) - spread.error[0] * spread.error[0], r = whole[4];
+    if (!(more > T(0) && std::isfinite(r))) return;
+    Eigen::Matrix<T, 6, 6> covariance =
+        (spread.error.matrix() * spread.error.matrix().transpose()).cwiseProduct(spread.correlation);
+    covariance(0, 0) += more;
+    covariance(4, 4) += r * r * more;
+    covariance(0, 4) -= r * more, covariance(4, 0) -= r * more;
+    spread.error = covariance.diagonal().array().sqrt();
+    for (Eigen::Index i = 0; i < 6; ++i)
+        for (Eigen::Index j = 0; j < 6; ++j)
+            if (const T both = spread.error[i] * spread.error[j]; i != j && both > T(0))
+                spread.correlation(i, j) = std::clamp(covariance(i, j) / both, T(-1), T(1));
 }
 
 }  // namespace detail

@@ -134,34 +134,6 @@ template <Real T>
 
 namespace detail {
 
-/// Adds to \p spread what the long waves leave open of sigma, and of r, which goes as 1/sigma. \p height(j, i) is that of a point,
-/// from the mean; NaN: missing.
-template <Real T, Real S, class Height>
-void add_long_waves(SurfaceParameters<T>& result, EstimateSpread<S>& spread, const Estimates<S>& whole,
-                    Eigen::Index rows, Eigen::Index columns, const Height& height) {
-    constexpr Eigen::Index most = 64;  // parts a side
-    const Eigen::Index down = std::min(rows, most), across = std::min(columns, most);
-    Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic> parts = decltype(parts)::Zero(down, across);
-    for (Eigen::Index j = 0; j < rows; ++j)
-        for (Eigen::Index i = 0; i < columns; ++i)
-            if (const S z = height(j, i); !std::isnan(z)) parts(j * down / rows, i * across / columns) += z;
-    parts *= static_cast<S>(parts.size()) / static_cast<S>(rows) / static_cast<S>(columns);
-    const LongWaveShare<S> waves = long_waves(parts, whole[0] * whole[0]);
-    result.long_wave_share = static_cast<T>(waves.share);
-    const S more = std::expm1(waves.error * waves.error) - spread.error[0] * spread.error[0], r = whole[4];
-    if (!(more > S(0) && std::isfinite(r))) return;
-    Eigen::Matrix<S, 6, 6> covariance =
-        (spread.error.matrix() * spread.error.matrix().transpose()).cwiseProduct(spread.correlation);
-    covariance(0, 0) += more;
-    covariance(4, 4) += r * r * more;
-    covariance(0, 4) -= r * more, covariance(4, 0) -= r * more;
-    spread.error = covariance.diagonal().array().sqrt();
-    for (Eigen::Index i = 0; i < 6; ++i)
-        for (Eigen::Index j = 0; j < 6; ++j)
-            if (const S both = spread.error[i] * spread.error[j]; i != j && both > S(0))
-                spread.correlation(i, j) = std::clamp(covariance(i, j) / both, S(-1), S(1));
-}
-
 /// What the sums have: heights in \p unit, lengths in samples of \p dx by \p dy.
 template <Real T>
 void store_sums(SurfaceParameters<T>& result, const Estimates<Accumulator<T>>& whole,
@@ -288,8 +260,11 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     constexpr auto count = detail::PeakCount::profile;
     const auto whole = detail::estimates(all, count);
     auto spread = detail::resample_cells(sums, block, count, options.resamples, options.seed, options.progress);
-    detail::add_long_waves(result, spread, whole, 1, static_cast<Eigen::Index>(size),
-                           [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
+    const auto waves =
+        detail::long_waves<S>(1, static_cast<Eigen::Index>(size), whole[0] * whole[0],
+                              [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
+    result.long_wave_share = static_cast<T>(waves.share);
+    detail::add_long_waves(spread, whole, waves);
     detail::store_sums(result, whole, spread, unit, step, step);
     detail::require_numbers(result);
     result.peaks_counted = all.triples.peaks;
@@ -352,7 +327,9 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     const auto count = summits ? detail::PeakCount::summits : detail::PeakCount::none;
     const auto whole = detail::estimates(all, count);
     auto spread = detail::resample_cells(sums, 1, count, options.resamples, options.seed, options.progress);
-    detail::add_long_waves(result, spread, whole, map.rows(), map.columns(), height);
+    const auto waves = detail::long_waves<S>(map.rows(), map.columns(), whole[0] * whole[0], height);
+    result.long_wave_share = static_cast<T>(waves.share);
+    detail::add_long_waves(spread, whole, waves);
     detail::store_sums(result, whole, spread, unit, static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) {
