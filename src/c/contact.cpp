@@ -115,7 +115,7 @@ int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const 
     return made_by(made, [&] {
         not_null(law, "law");
         sized(surface, "surface");
-        return new fstiff_contact(fstiff::scene::contact_of(law, numbers_of(*surface, sized(body, "body"))));
+        return new fstiff_contact{fstiff::scene::contact_of(law, numbers_of(*surface, sized(body, "body")))};
     });
 }
 
@@ -123,8 +123,8 @@ int fstiff_contact_of_scene(const char* text, size_t length, const char* name, s
                             fstiff_contact** made) {
     return made_by(made, [&] {
         not_null(text, "text");
-        return new fstiff_contact(fstiff::scene::contact_of(
-            fstiff::scene::read_scene(std::string(text, length), {.name = name ? name : "scene"}), law, peaks));
+        return new fstiff_contact{fstiff::scene::contact_of(
+            fstiff::scene::read_scene(std::string(text, length), {.name = name ? name : "scene"}), law, peaks)};
     });
 }
 
