@@ -2,6 +2,7 @@
 // fstiff merge: the shards of a sweep as one file.
 #include "sweep/merge.hpp"
 #include "commands/commands.hpp"
+#include "commands/failed_scenes.hpp"
 #include "document/output.hpp"
 #include "sweep/hdf5.hpp"
 
@@ -26,12 +27,7 @@ Report execute(const Options& options) {
     Report report;
     report.document = "fstiff merge: " + std::to_string(merged.scenes) + " scenes of " + std::to_string(merged.shards) +
                       " shards in " + options.merged + "\n";
-    if (merged.failed > 0) {
-        report.diagnostics.push_back(
-            "warning: " + std::to_string(merged.failed) +
-            " scenes cannot be computed; their lines have the key \"error\" in place of results");
-        report.status = doubtful_result;
-    }
+    warn_of_failed_scenes(report, merged.failed);
     return report;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff sweep: a grid of scenes to one line a row of results.
 #include "commands/commands.hpp"
+#include "commands/failed_scenes.hpp"
 #include "document/output.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
@@ -41,10 +42,6 @@ std::string results_file(const Options& options, const sweep::Shard& shard) {
     for (std::size_t at = file.find(place); at != std::string::npos; at = file.find(place))
         file.replace(at, place.size(), std::to_string(shard.number));
     return file;
-}
-
-std::string counted(std::uint64_t count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 std::string summary(const sweep::Grid& grid, const sweep::Description& of, const std::string& file) {
@@ -175,11 +172,7 @@ Report execute(const Options& options) {
                                            rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
     report.document = summary(grid, results.description(), output);
     add_views(report, options, grid, file);
-    if (const std::uint64_t failed = results.description().failed; failed > 0) {
-        report.diagnostics.push_back("warning: " + counted(failed, "scene") +
-                                     " cannot be computed; their lines have the key \"error\" in place of results");
-        report.status = doubtful_result;
-    }
+    warn_of_failed_scenes(report, results.description().failed);
     return report;
 }
 
