@@ -18,8 +18,8 @@ public:
     using domain_error::domain_error;
 };
 
-/// Keeps \p message for fstiff_last_message(); a long one is cut.
-void set_message(std::string_view message) noexcept;
+/// Keeps \p text for fstiff_last_message(); a long one is cut.
+void set_message(std::string_view text) noexcept;
 /// The status of the exception that is being handled, whose sentence becomes the message.
 [[gnu::cold]] int status_of_exception() noexcept;
 

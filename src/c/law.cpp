@@ -64,10 +64,11 @@ int in_parts(const double* x, std::size_t count, double* first, double* second, 
         const std::size_t length = std::min(part, count - begin);
         const auto size = static_cast<Eigen::Index>(length);
         std::copy_n(x + begin, length, numbers.begin());  // the results may be written where the arguments were
+        Out out_a(a.data(), size), out_b(b.data(), size);
         bool good = false;
         try {
-            many(In(numbers.data(), size), Out(a.data(), size), Out(b.data(), size));
-            good = In(a.data(), size).isFinite().all() && In(b.data(), size).isFinite().all();
+            many(In(numbers.data(), size), out_a, out_b);
+            good = out_a.isFinite().all() && out_b.isFinite().all();
         } catch (const domain_error&) {
         }
         double* const to_first = first ? first + begin : nullptr;
@@ -173,7 +174,7 @@ int fstiff_law_at_separations(const fstiff_law* law, const double* separations, 
         require_array(separations, count, "separations");
         return in_parts(
             separations, count, pressures, stiffnesses, status,
-            [&](const In& d, Out p, Out k) { of.at_separation(d, p, k); },
+            [&](const In& d, Out& p, Out& k) { of.at_separation(d, p, k); },
             [&](double d, double* p, double* k) { return fstiff_law_at_separation(law, d, p, k, nullptr); });
     });
 }
@@ -185,7 +186,7 @@ int fstiff_law_at_pressures(const fstiff_law* law, const double* pressures, size
         require_array(pressures, count, "pressures");
         return in_parts(
             pressures, count, separations, stiffnesses, status,
-            [&](const In& p, Out d, Out k) {
+            [&](const In& p, Out& d, Out& k) {
                 of.stiffness(p, k);
                 for (Eigen::Index i = 0; i < p.size(); ++i) d[i] = separations ? of.separation(p[i]) : 0;
             },

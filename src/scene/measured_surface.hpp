@@ -70,7 +70,7 @@ struct MeasuredSurface {
 /// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder stands for its files in the order of
 /// their names, without those that begin with a dot. One file is measure_surface().
 /// \throws domain_error for a folder without files, files of unlike kinds, or files whose steps differ without one lambda_s.
-[[nodiscard]] MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::string>& files,
+[[nodiscard]] MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::string>& names,
                                             const ProgressHook& progress = {});
 
 /// Whether \p bytes look like the document of `fstiff measure`, not like a surface.

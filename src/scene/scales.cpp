@@ -94,13 +94,16 @@ Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const
         asked.emplace_back(of_short_waves, cut_offs);
     };
     ask(true, {}, own.lambda_c);
-    for (double cut = shortest * std::exp2(std::ceil(std::log2(2 * step / shortest) - 1e-9));
-         cut <= std::min(length / 20, own.lambda_c.value_or(length) / 5) * (1 + 1e-9); cut *= 2)
-        ask(true, cut, own.lambda_c);
+    // powers of two that differ from a bound by rounding alone are within it
+    const auto first_at_least = [](double ratio) { return static_cast<int>(std::ceil(std::log2(ratio) - 1e-9)); };
+    const auto last_at_most = [](double ratio) { return static_cast<int>(std::floor(std::log2(ratio) + 1e-9)); };
+    const double longest_s = std::min(length / 20, own.lambda_c.value_or(length) / 5);
+    for (int k = first_at_least(2 * step / shortest); k <= last_at_most(longest_s / shortest); ++k)
+        ask(true, std::ldexp(shortest, k), own.lambda_c);
     ask(false, own.lambda_s, {});
-    for (double cut = longest * std::exp2(std::floor(std::log2(length / 2 / longest) + 1e-9));
-         cut >= std::max(10 * own.lambda_s.value_or(0), 20 * step) * (1 - 1e-9); cut /= 2)
-        ask(false, own.lambda_s, cut);
+    const double shortest_c = std::max(10 * own.lambda_s.value_or(0), 20 * step);
+    for (int k = last_at_most(length / 2 / longest); k >= first_at_least(shortest_c / longest); --k)
+        ask(false, own.lambda_s, std::ldexp(longest, k));
     const auto same = [](const std::optional<double>& a, const std::optional<double>& b) {
         return a.has_value() == b.has_value() && (!a || std::abs(*a - *b) < 1e-9 * *b);
     };

@@ -316,14 +316,12 @@ void read_contact(Source& source, const toml::table& table, Scene& scene, bool r
         throw domain_error(source.at(*separations) + ": " + contact.key("separations") +
                            ": must not stand beside contact.pressures; give one of the two");
     scene.at_separations = separations != nullptr;
+    const toml::node& points =
+        separations ? *separations
+                    : contact.at("pressures", "is missing; the scene needs contact.pressures or contact.separations");
     const std::string key = contact.key(separations ? "separations" : "pressures");
-    if (separations)
-        scene.points = read_points(source, *separations, key, Dimension::length);
-    else if (pressures)
-        scene.points = read_points(source, *pressures, key, Dimension::pressure);
-    else
-        contact.at("pressures", "is missing; the scene needs contact.pressures or contact.separations");
-    scene.points_where = source.at(separations ? *separations : *pressures) + ": " + key + ": ";
+    scene.points = read_points(source, points, key, separations ? Dimension::length : Dimension::pressure);
+    scene.points_where = source.at(points) + ": " + key + ": ";
 
     read_laws(source, contact, scene, replaced);
     read_peaks(source, contact, scene, replaced);
@@ -473,7 +471,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
         scene.name = std::filesystem::path(file).stem().string();
     const bool replaced = from.measured || !surface.empty();
     if (from.surface_of) {
-        static_cast<Face&>(scene) = *from.surface_of;
+        static_cast<Face&>(scene) = static_cast<const Face&>(*from.surface_of);
         scene.faces = from.surface_of->faces;
         scene.shifts = from.surface_of->shifts;
     } else if (!replaced) {

@@ -141,7 +141,7 @@ struct SceneSource {
 };
 
 /// \throws domain_error "<name>:<line>: <key> = <value>: must be ...".
-[[nodiscard]] Scene read_scene(const std::string& text, const SceneSource& source);
+[[nodiscard]] Scene read_scene(const std::string& text, const SceneSource& from);
 
 /// The scene that is computed where none is given: data/sand_blasted_fine.toml.
 extern const char* const builtin_scene;

@@ -53,7 +53,11 @@ public:
     }
 
     /// Wave number of coefficient \p k, in units of 2 pi/L.
-    [[nodiscard]] T wave_number(std::size_t k) const { return edges_ == Edges::mirrored ? T(k) / 2 : T((k + 1) / 2); }
+    [[nodiscard]] T wave_number(std::size_t k) const {
+        if (edges_ == Edges::mirrored) return T(k) / 2;
+        const std::size_t wave = (k + 1) / 2;  // a cosine and a sine of each
+        return T(wave);
+    }
 
     void forward(T* line) {
         if (edges_ == Edges::periodic) {
@@ -112,7 +116,7 @@ public:
         require_positive("dx", dx);
         require_positive("dy", dy);
         const T unit_x = 2 * numbers::pi_v<T> / (dx * T(columns)), unit_y = 2 * numbers::pi_v<T> / (dy * T(rows));
-        compliance_.resize(columns, rows);
+        compliance_.resize(columns, rows);  // a line along y side by side: NOLINT(readability-suspicious-call-argument)
         for (Eigen::Index i = 0; i < columns; ++i)
             for (Eigen::Index j = 0; j < rows; ++j)
                 compliance_(i, j) = 2 / std::hypot(unit_x * along_x_.wave_number(static_cast<std::size_t>(i)),

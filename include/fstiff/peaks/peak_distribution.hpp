@@ -98,13 +98,14 @@ public:
         };
         T sum = 0;
         if (mean > (reach + 1) * width) {
-            const T step = width / 3;
-            for (T t = mean - reach * width; t < mean + reach * width; t += step) sum += integrand(t) * step;
+            const T first = mean - reach * width, step = width / 3;
+            for (int i = 0; T(i) < 6 * reach; ++i) sum += integrand(first + T(i) * step) * step;
         } else if (mean > -2 * reach) {
             const T step = T(0.06);
             const T scale = std::min(width, 1 / k);
-            const T last = std::log(std::max(mean + reach * width, scale) / scale) + step;
-            for (T u = T(-3.9); u < last; u += step) {
+            const T first = T(-3.9), last = std::log(std::max(mean + reach * width, scale) / scale) + step;
+            for (int i = 0; T(i) < (last - first) / step; ++i) {
+                const T u = first + T(i) * step;
                 const T fall = std::exp(-u);
                 const T t = scale * std::exp(u - fall);
                 sum += integrand(t) * t * (1 + fall) * step;

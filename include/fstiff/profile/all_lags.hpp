@@ -233,7 +233,8 @@ private:
         fft.inverse(product, x);
         constexpr F epsilon = std::max(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
         // the sums above grow segment by segment and step by step
-        const F steps = std::sqrt(static_cast<F>(to)) + std::sqrt(static_cast<F>(size_ / begins));
+        const std::size_t count = size_ / begins;
+        const F steps = std::sqrt(static_cast<F>(to)) + std::sqrt(static_cast<F>(count));
         for (std::size_t n = 1; n <= to; ++n) {
             const F segments = squares[n - 1] - 2 * x[n];
             const F bound = (16 + steps) * epsilon * zero;

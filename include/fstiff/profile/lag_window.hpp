@@ -137,7 +137,10 @@ struct LogStructure {
 
     /// Lags that are searched for a window, in samples.
     F shortest() const { return points < 400 ? F(1) : F(4); }
-    F longest() const { return static_cast<F>(points / (apart > 0 ? 5u : points < 400 ? 8u : 10u)); }
+    F longest() const {
+        const auto whole = points / (apart > 0 ? 5u : points < 400 ? 8u : 10u);
+        return static_cast<F>(whole);
+    }
     /// The highest ln S2 of a window: three quarters of where S2 ends, but for 5 % of scatter.
     F highest() const { return std::min(value.maxCoeff(), saturated) + F(0.05) - F(0.3); }
 };

@@ -111,12 +111,12 @@ public:
 
     const Vector<T>& y() const { return y_; }
 
-    /// The line in \p range. The columns a and b are those of the window \p band.
-    LogFit<T> fit(const IndexRange& range, const IndexRange& band) const {
-        LogFit<T> line = fit_with(range, band, false);
-        const T width = log_.lag[range.last] - log_.lag[range.first];
-        if (width > 2 * log_gamma_ && range.count() >= 12)
-            if (LogFit<T> waves = fit_with(range, band, true); waves.residual < line.residual / 2) line = waves;
+    /// The line in \p lags. The columns a and b are those of the window \p band.
+    LogFit<T> fit(const IndexRange& lags, const IndexRange& band) const {
+        LogFit<T> line = fit_with(lags, band, false);
+        const T width = log_.lag[lags.last] - log_.lag[lags.first];
+        if (width > 2 * log_gamma_ && lags.count() >= 12)
+            if (LogFit<T> waves = fit_with(lags, band, true); waves.residual < line.residual / 2) line = waves;
         return line;
     }
 

@@ -115,16 +115,16 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& ma
     F weights = log.lag[range.last] - log.lag[range.first], of_dimension = 0, of_log_g = 0;
     product = 0;
     const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
-    for (const IndexRange& beside : neighbours_of(log, range, result.automatic_window)) {
+    for (const IndexRange& lags : neighbours_of(log, range, result.automatic_window)) {
         const FractalLine<F> other =
-            fractal_line<F>(fitter.fit(beside, range), options.convention, static_cast<F>(options.gamma));
+            fractal_line<F>(fitter.fit(lags, range), options.convention, static_cast<F>(options.gamma));
         NeighbourWindow<T> neighbour;
-        neighbour.window = {lag(beside.first), lag(beside.last)};
-        neighbour.half = beside.first >= range.first && beside.last <= range.last;
+        neighbour.window = {lag(lags.first), lag(lags.last)};
+        neighbour.half = lags.first >= range.first && lags.last <= range.last;
         neighbour.dimension = static_cast<T>(other.dimension);
         const bool fractal = other.dimension > F(1) && other.dimension < F(2);
         if (!neighbour.half && !fractal) continue;  // no window of a self-affine profile
-        const F width = log.lag[beside.last] - log.lag[beside.first];
+        const F width = log.lag[lags.last] - log.lag[lags.first];
         if (!neighbour.half) weights += width;
         const auto excess = [&](const Vector<F>& row, F difference) {
             const F expected = fitter.covariance_of(row, row, range) * beyond_model;

@@ -91,10 +91,10 @@ struct ShellGrid {
 template <Real T>
 [[nodiscard]] SpectrumShells<T> map_spectrum(const HeightMap<T>& map, SpectrumWindow window = SpectrumWindow::hann) {
     using Index = Eigen::Index;
-    const Index rows = map.rows(), half = map.columns() / 2;
+    const Index rows = map.rows(), half = map.columns() / 2, half_rows = rows / 2;
     const detail::ShellGrid<T> grid(map);
     const auto count =
-        static_cast<std::size_t>(std::hypot(grid.unit_x * T(half), grid.unit_y * T(rows / 2)) / grid.width) + 2;
+        static_cast<std::size_t>(std::hypot(grid.unit_x * T(half), grid.unit_y * T(half_rows)) / grid.width) + 2;
     std::vector<T> q2_h2(count), q_h2(count), h2(count);
     detail::visit_waves(map, window, [&](Index i, Index j, T pairs, T square) {
         const T q = std::hypot(grid.unit_x * T(i), grid.unit_y * T(std::min(j, rows - j))), power = pairs * square;

@@ -105,8 +105,8 @@ MapRepair fill_missing(HeightMap<T>& map) {
         repair.longest = std::max(repair.longest, size);
     }
     repair.missing = holes.size();
-    if (holes.empty()) return repair;
     const auto size = static_cast<Index>(holes.size());
+    if (size < 1) return repair;
     const detail::MapHeights<T> scaled(map);
     std::vector<Eigen::Triplet<F>> entries;
     Eigen::Matrix<F, Eigen::Dynamic, 1> right = Eigen::Matrix<F, Eigen::Dynamic, 1>::Zero(size);

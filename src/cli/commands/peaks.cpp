@@ -102,7 +102,8 @@ std::vector<double> parse_heights(const std::string& text) {
         parts[2] > most || parts[2] != std::floor(parts[2]))
         throw refuse();
     std::vector<double> heights;
-    for (double i = 0; i < parts[2]; ++i) {
+    const int count = static_cast<int>(parts[2]);
+    for (int i = 0; i < count; ++i) {
         const double share = i / (parts[2] - 1);
         heights.push_back((1 - share) * parts[0] + share * parts[1]);
     }

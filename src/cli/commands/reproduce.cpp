@@ -345,9 +345,11 @@ Picture stiffness_figure(const Surface& surface, Reproduction& all) {
         of_theta.add(at_third[k] / at_quarter[k]);
         shift.add(points[k] * std::sqrt(nominal_area) / (modulus * surface.roughness.rms_height));
     }
-    for (double eta = 0; eta <= 3; eta += 0.125)
+    for (int eighths = 0; eighths <= 24; ++eighths) {
+        const double eta = eighths / 8.0;
         of_theta_at_gap.add(contact_integral(0.5, -0.5, third, eta).value /
                             contact_integral(0.5, -0.5, quarter, eta).value);
+    }
     const auto find = [&](Measure measure, const Bounds& range) {
         all.findings.push_back({measure, surface.name, range});
     };

@@ -271,13 +271,14 @@ Figure figure_of(const Options& options, const Result& result) {
         current->lines.push_back(std::move(line));
     }
     if (!psd) {
+        std::vector<PlotLine>& lines = figure.panels.front().lines;
         double end = 0;
-        for (const PlotLine& line : current->lines) end = std::max(end, line.x.back());
-        current->lines.push_back({.label = std::string("0.2, which gives ") + (map ? "Sal and Str" : "Ral"),
-                                  .x = {0, end},
-                                  .y = {0.2, 0.2},
-                                  .colour = neutral,
-                                  .stroke = Stroke::dashed});
+        for (const PlotLine& line : lines) end = std::max(end, line.x.back());
+        lines.push_back({.label = std::string("0.2, which gives ") + (map ? "Sal and Str" : "Ral"),
+                         .x = {0, end},
+                         .y = {0.2, 0.2},
+                         .colour = neutral,
+                         .stroke = Stroke::dashed});
     }
     return figure;
 }

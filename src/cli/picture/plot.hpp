@@ -90,15 +90,15 @@ struct Figure {
 Figure in_units(Figure figure);
 
 /// A file of its own, or an element inside a page.
-std::string svg(const Figure& figure);
+std::string svg(const Figure& given);
 /// Of the panel in a picture of its own, in pixels.
 double height_of(const Panel& panel);
 /// The SVG in a page.
 std::string html_page(const Figure& figure);
 /// curve,panel,label,x_quantity,x,y_quantity,y,low,high: the numbers that are drawn.
-std::string figure_csv(const Figure& figure);
+std::string figure_csv(const Figure& given);
 /// Draws the file \p csv beside it into \p picture.
-std::string gnuplot_script(const Figure& figure, const std::string& csv, const std::string& picture);
+std::string gnuplot_script(const Figure& given, const std::string& csv, const std::string& picture);
 
 /// The names of a picture and of what is written beside it: trace.svg, trace.plot.csv and trace.plot.gp.
 struct PictureFiles {
