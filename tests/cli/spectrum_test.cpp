@@ -122,6 +122,7 @@ TEST_CASE("Spectra of measured files are those that numpy and scipy find") {
     for (const auto& [name, options] : files) {
         const std::string path = measured_file(name);
         if (path.empty()) continue;
+        CAPTURE(name);
         const auto expected = roughness_reference(name);
         const bool profile = expected.contains("Ra_m");
         if (!expected.contains("psd_hann_1")) {  // points are missing
@@ -135,7 +136,7 @@ TEST_CASE("Spectra of measured files are those that numpy and scipy find") {
             const auto compare = [&](const std::string& prefix, const char* column) {
                 for (const auto& [parameter, value] : expected) {
                     if (!parameter.starts_with(prefix)) continue;
-                    CAPTURE(name, parameter);
+                    CAPTURE(parameter);
                     const auto k = std::stoul(parameter.substr(prefix.size()));
                     CHECK(relative_error(psd[column][k - 1].get<double>(), value) < 1e-9);
                     ++compared;
