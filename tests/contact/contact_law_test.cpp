@@ -642,7 +642,7 @@ TEST_CASE("the separation of every pressure in the range is one that the law tak
         }
 }
 
-TEST_CASE("a law goes to text and back bit for bit; other text is refused") {
+TEST_CASE("a law goes to text and back bit for bit, and other text is refused") {
     const Law law = Law::tabulate(hertz(), {1e5, 1e8, OutsideRange::clamp});
     const std::string text = law.to_text();
     const Law back = Law::from_text(text);

@@ -125,7 +125,7 @@ TEST_CASE("What the data do not see stands alone, and is fatal") {
     CHECK(name_of(FitConcern::correlated) == "correlated");
 }
 
-TEST_CASE("R and D_p of K(p) cannot be told apart; sigma alone has nothing against it") {
+TEST_CASE("R and D_p of K(p) cannot be told apart, sigma alone has nothing against it") {
     const ContactParameters<double> truth{0.832e-6, 40e-6, 500e6, 1.62, 112.6e9, 0.6, 1.1, 0};
     const auto hertz = [](double) { return HertzLaw<double>{}; };
     const RoughContact contact(Roughness<double>{truth.rms_height, truth.peak_radius, truth.peak_density, 0},

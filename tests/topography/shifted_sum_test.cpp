@@ -41,7 +41,7 @@ TEST_CASE("random shifts are those of the seed, and each other") {
     CHECK(!(first.heights == second.heights).all());
 }
 
-TEST_CASE("a missing point is missing in the sum; maps of two grids have none") {
+TEST_CASE("a missing point is missing in the sum, and maps of two grids have none") {
     auto upper = map_of(8, 8), lower = map_of(8, 8);
     lower.heights(2, 3) = std::nan("");
     const auto sum = shifted_sum(upper, lower, 1, 0);
