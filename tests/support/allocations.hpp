@@ -14,9 +14,13 @@ inline std::atomic<long>& allocation_count() {
 
 inline long allocations() { return allocation_count(); }
 
-inline void* counted(std::size_t size) {
+inline void* counted_or_null(std::size_t size) noexcept {
     ++allocation_count();
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+    return std::malloc(size == 0 ? 1 : size);
+}
+
+inline void* counted(std::size_t size) {
+    if (void* memory = counted_or_null(size)) return memory;
     throw std::bad_alloc();
 }
 
@@ -29,6 +33,9 @@ inline void* counted(std::size_t size) {
 
 void* operator new(std::size_t size) { return test::counted(size); }
 void* operator new[](std::size_t size) { return test::counted(size); }
+// else they are those of the address sanitizer, which does not take back what the operators below free
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return test::counted_or_null(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return test::counted_or_null(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
