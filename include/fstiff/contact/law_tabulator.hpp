@@ -263,7 +263,7 @@ private:
               moves(law_.own_stiffness, T(1), T(-1))))
             throw domain_error(
                 Refusal{.parameter = "pressure range",
-                        .reason = "the tabulated law would not be monotone; must be one where K and p are"});
+                        .reason = "the tabulated law would not be monotone; must be one in which K rises with p"});
     }
 
     const Contact& contact_;
