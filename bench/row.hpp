@@ -113,7 +113,7 @@ double median_time(std::size_t size, const Call& call) {
 
 /// \p method (from Problem to Values) on the problems that \p set() returns; ns_median_problem is the median over them.
 template <class Set, class Method>
-void row_on(const Set& set, const std::string& name, const Which& which, double bound, const Method& method,
+void row_on(const Set& set, const std::string& name, const Which& which, double bound, Method method,
             Expect expect = Expect::right) {
     verified_row(
         name, bound, [=] { return accuracy(set(), which, method); },
@@ -131,7 +131,7 @@ void row_on(const Set& set, const std::string& name, const Which& which, double 
 /// The same on a grid of tests/data. The rows are named integrals/<method>/<what>/<grid>/<setting>.
 template <class Method>
 void row(const std::string& method_name, const std::string& what, const char* grid, const std::string& setting,
-         const Which& which, double bound, const Method& method, Expect expect = Expect::right) {
+         const Which& which, double bound, Method method, Expect expect = Expect::right) {
     const auto set = [grid]() -> const std::vector<Problem>& { return problems(grid); };
     row_on(set, "integrals/" + method_name + "/" + what + "/" + grid + "/" + setting, which, bound, method, expect);
 }

@@ -16,10 +16,10 @@ Values nested(const Problem& p, const Which& which, const Setting& with) {
     const Window window(p, 0, 1);
     Values out{{}, no_estimate, 0};
     for (const std::size_t q : which) {
-        const auto [a, b] = powers[q];
+        const double a = powers[q][0], b = powers[q][1];
         const auto row = [&](double t) {
             const double x = window.x(t);
-            const auto integrand = [&, a = a](double v) {
+            const auto integrand = [&, a](double v) {
                 ++out.evaluations;
                 const double power = a == 0 ? 1 : a == 0.5 ? std::sqrt(v) : a == 1 ? v : v * std::sqrt(v);
                 const double value = power * std::exp(window.exponent(t, x, v));

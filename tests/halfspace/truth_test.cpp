@@ -11,7 +11,7 @@ using namespace fstiff;
 
 TEST_CASE("the change from one grid to the next covers the change to the one after", "[long]") {
     int covered = 0, all = 0;
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         SelfAffineOptions<double> of;
         of.hurst = 0.8;
         of.rms = 1e-3;
