@@ -46,7 +46,7 @@ TEST_CASE("A trace at every 1st to 16th point has one R, D_p and gradient behind
     if (!std::filesystem::exists(file)) SKIP_CASE("there is no measured surface " + file);
     const std::string text = test::read(file);
     std::vector<nlohmann::json> found, as_measured;
-    for (const std::size_t step : {1, 2, 4, 8, 16}) {
+    for (const std::size_t step : {1u, 2u, 4u, 8u, 16u}) {
         const std::string part = decimated(text, step);
         found.push_back(test::json_of("measure - --units m,m --lambda-s '1 um'", part)["surface"]);
         as_measured.push_back(test::json_of("measure - --units m,m --lambda-s none", part)["surface"]);

@@ -238,15 +238,15 @@ TEST_CASE("The picture of a spectrum has its curves, its numbers and its script,
 
 TEST_CASE("Of several files the roughness is the mean of theirs, and each file has its own") {
     const Folder folder;
-    std::string files;
+    std::string names;
     for (const std::string seed : {"1", "2", "3"})
-        files += " '" +
+        names += " '" +
                  folder.write(seed + ".csv", test::fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.7 "
                                                           "--rms '1 um' --shortest '8 um' --seed " +
                                                           seed)
                                                  .out) +
                  "'";
-    const auto document = document_of("measure" + files + " --resamples 2");
+    const auto document = document_of("measure" + names + " --resamples 2");
     const auto& pooled = document["roughness"];
     CHECK(pooled["mean_of_files"] == 3);
     CHECK(relative_error(pooled["section_length_m"].get<double>(), 80e-6) < 1e-12);
@@ -256,6 +256,6 @@ TEST_CASE("Of several files the roughness is the mean of theirs, and each file h
         mean += file["roughness"]["Rz_m"].get<double>() / 3;
     }
     CHECK(relative_error(pooled["Rz_m"].get<double>(), mean) < 1e-14);
-    const auto table = test::fstiff("measure" + files + " --resamples 2 --format table" + none);
+    const auto table = test::fstiff("measure" + names + " --resamples 2 --format table" + none);
     CHECK(contains(table.out, "means of 3 files"));
 }

@@ -192,7 +192,7 @@ TEST_CASE("Maps without sections to fit say why") {
 
 TEST_CASE("The interval of 95 % covers D along x and along y at every decimation of 40 maps of a kind", "[long]") {
     struct Kind {
-        Eigen::Index side;  // of the map that the part is cut from
+        std::size_t side;   // of the map that the part is cut from
         double longest;     // where the spectrum turns flat [m]; 0: nowhere
     };
     const double hurst = GENERATE(0.2, 0.5, 0.8);

@@ -63,7 +63,7 @@ TEST_CASE("The band of 5 to 95 % holds K(10 MPa) of the process in 80 % of trace
         double hurst, longest;  // where the spectrum turns flat: an eighth of the trace, or twice its length
     };
     const auto [hurst, longest] = GENERATE(Case{0.8, 1e-3}, Case{0.5, 1e-3}, Case{0.8, 0}, Case{0.5, 0});
-    for (const std::size_t step : {1, 4, 16}) {
+    for (const std::size_t step : {1u, 4u, 16u}) {
         const test::Folder folder;
         std::vector<std::string> files;
         for (std::uint64_t seed = 1; seed <= 100; ++seed)
