@@ -70,9 +70,9 @@ def main():
     if options.compiler:
         environment["CXX"] = options.compiler
     install = [python, "-m", "pip", "--disable-pip-version-check", "install", "--no-build-isolation", "--no-deps"]
-    install += [f"-Cbuild-dir={options.work / 'build'}", options.source]
+    install += [f"--config-settings=build-dir={options.work / 'build'}", options.source]
     if options.scene_library:
-        install.append(f"-Ccmake.define.FSTIFF_SCENE_LIBRARY={options.scene_library}")
+        install.append(f"--config-settings=cmake.define.FSTIFF_SCENE_LIBRARY={options.scene_library}")
     made = subprocess.run(install, env=environment, capture_output=True, text=True)
     if made.returncode != 0:
         print(made.stdout, made.stderr, sep="\n")
