@@ -143,14 +143,13 @@ std::vector<MeasuredConcern> concerns_of(const MeasuredSurface& whole) {
             }))
             all.push_back(concern);
     const auto& p = whole.parameters;
-    const auto relative = [&](Parameter which) { return p.error[index_of(which)] / p.value[index_of(which)]; };
-    if (whole.peaks < 30) all.push_back(MeasuredConcern::few_peaks);
-    if (relative(Parameter::peak_radius) > 0.3) all.push_back(MeasuredConcern::radius_uncertain);
-    if (relative(Parameter::peak_density) > 0.3) all.push_back(MeasuredConcern::density_uncertain);
+    const auto pooled = [&](std::size_t i) { return Measurement<double>{p.value[i], p.error[i]}; };
+    detail::add_peak_concerns(all, whole.peaks, pooled(index_of(Parameter::peak_radius)),
+                              pooled(index_of(Parameter::peak_density)));
     const bool long_waves = std::count(all.begin(), all.end(), MeasuredConcern::long_waves) > 0;
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         const bool told = long_waves && (i == index_of(Parameter::rms_height) || i == index_of(Parameter::r));
-        if (!told && p.known[i] && !is_known(Measurement<double>{p.value[i], p.error[i]})) {
+        if (!told && p.known[i] && !is_known(pooled(i))) {
             all.push_back(MeasuredConcern::parameter_unknown);
             break;
         }

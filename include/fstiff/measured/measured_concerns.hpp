@@ -130,11 +130,12 @@ template <Real T>
     std::vector<MeasuredConcern> found;
     if (surface.curved) found.push_back(MeasuredConcern::curved);
     if (surface.anisotropic) found.push_back(MeasuredConcern::anisotropic);
-    if (surface.long_wave_share > T(0.75)) found.push_back(MeasuredConcern::long_waves);
+    const bool long_waves = surface.long_wave_share > T(0.75);
+    if (long_waves) found.push_back(MeasuredConcern::long_waves);
     detail::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);
     if (surface.islands && is_densest_at_end(*surface.islands)) found.push_back(MeasuredConcern::no_densest_level);
     const auto known = [](const std::optional<Measurement<T>>& one) { return !one || is_known(*one); };
-    const bool heights = surface.long_wave_share > T(0.75) || (is_known(surface.rms_height) && known(surface.r));
+    const bool heights = long_waves || (is_known(surface.rms_height) && known(surface.r));
     if (!heights || !is_known(surface.peak_radius) || !is_known(surface.peak_density) ||
         !known(surface.fractal_dimension) || !known(surface.theta))
         found.push_back(MeasuredConcern::parameter_unknown);
