@@ -249,29 +249,27 @@ Figure figure_of(const Options& options, const Result& result) {
             (psd ? "Power spectral density of " : "Autocorrelation function of ") + display_name(options.surface.file),
         .panels = {},
         .note = "fstiff " FSTIFF_VERSION ", " + result.cut_offs.sentence() + (psd ? "; means over 2 % of q" : "")};
-    const auto panel = [&](const std::string& title, const std::string& label) -> Panel& {
+    const auto begin_panel = [&](const std::string& title, const std::string& label) {
         figure.panels.push_back(psd ? Panel{.title = title, .x = {.label = "q [rad/µm]"}, .y = {.label = label}}
                                     : Panel{.title = title,
                                             .x = {.label = "lag", .logarithmic = false, .si = "m"},
                                             .y = {.label = label, .logarithmic = false}});
-        return figure.panels.back();
     };
     const bool map = result.curves.size() > 1;
-    Panel* current = nullptr;
     for (std::size_t k = 0; k < result.curves.size(); ++k) {
         const Curve curve = psd ? thinned(result.curves[k]) : result.curves[k];
         // C(q) in m^4 and the sections in m^3 do not share an axis
-        if (k == 0) current = &panel(map && psd ? "All directions" : "", psd ? curve.shown : "A");
-        if (k == 1 && psd) current = &panel("Sections", "C_x, C_y [µm³]");
+        if (k == 0) begin_panel(map && psd ? "All directions" : "", psd ? curve.shown : "A");
+        if (k == 1 && psd) begin_panel("Sections", "C_x, C_y [µm³]");
         PlotLine line{.label = map ? curve.label : "", .x = curve.x, .y = curve.y};
         for (std::size_t i = 0; psd && i < line.x.size(); ++i) {
             line.x[i] *= curve.x_factor;
             line.y[i] *= curve.factor;
         }
-        current->lines.push_back(std::move(line));
+        figure.panels.back().lines.push_back(std::move(line));
     }
     if (!psd) {
-        std::vector<PlotLine>& lines = figure.panels.front().lines;
+        std::vector<PlotLine>& lines = figure.panels.back().lines;
         double end = 0;
         for (const PlotLine& line : lines) end = std::max(end, line.x.back());
         lines.push_back({.label = std::string("0.2, which gives ") + (map ? "Sal and Str" : "Ral"),
