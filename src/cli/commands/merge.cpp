@@ -25,8 +25,8 @@ Report execute(const Options& options) {
     if (!merged.problems.empty()) return {"", merged.problems, doubtful_result};
     if (lines != options.merged) sweep::write_hdf5(lines, options.merged);
     Report report;
-    report.document = "fstiff merge: " + std::to_string(merged.scenes) + " scenes of " + std::to_string(merged.shards) +
-                      " shards in " + options.merged + "\n";
+    report.document = "fstiff merge: " + counted(merged.scenes, "scene") + " of " + counted(merged.shards, "shard") +
+                      " in " + options.merged + "\n";
     warn_of_failed_scenes(report, merged.failed);
     return report;
 }
