@@ -2,7 +2,6 @@
 #include "sweep/hdf5.hpp"
 
 #include "scene/file.hpp"
-
 #include "sweep/results_file.hpp"
 #include "sweep/rows.hpp"
 

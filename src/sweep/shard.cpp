@@ -58,8 +58,7 @@ Shard of_environment() {
         }
     throw scene::option_error(
         "--shard auto: neither SLURM_ARRAY_TASK_ID nor OMPI_COMM_WORLD_RANK nor PMI_RANK is set; must run in a Slurm "
-        "job "
-        "array or under mpirun, or be given as i/n");
+        "job array or under mpirun, or be given as i/n");
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ TEST_CASE("For every step of the standard's table lambda_s is the one of its row
         CHECK(lambda_s_of_tip(row.tip_radius) == row.lambda_s);
         CHECK(row.lambda_c / row.lambda_s >= min_ratio_of_cut_offs);
     }
-    CHECK(test::ulps(cut_off_table[0].lambda_c / cut_off_table[0].lambda_s, 32.) <=
-          2);  // the smallest ratio, of rounded lengths
+    // the smallest ratio, of two rounded lengths
+    CHECK(test::ulps(cut_off_table[0].lambda_c / cut_off_table[0].lambda_s, 32.) <= 2);
 }
 
 TEST_CASE("The resolution and the tip lengthen lambda_s, and never shorten it") {
