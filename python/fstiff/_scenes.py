@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._contacts import Contact
+from ._errors import named
 from ._results import Table, axes, frame, label_axes, lines_of, shown, text_table
 from ._surfaces import Measurement
 
@@ -100,13 +101,13 @@ class Scene:
     ) -> None:
         self._made_of = (scene, surface)
         measured = surface._measured if isinstance(surface, Measurement) else None
-        file = "" if surface is None or isinstance(surface, Measurement) else os.fspath(surface)
+        file = "" if surface is None or isinstance(surface, Measurement) else named(surface, "surface")
         if scene is None:
             self._core = _core.Scene.of_text(_core.builtin_scene, "built-in scene", file, measured)
         elif isinstance(scene, str) and "\n" in scene:
             self._core = _core.Scene.of_text(scene, "scene", file, measured)
         else:
-            self._core = _core.Scene.of_file(os.fspath(scene), file, measured)
+            self._core = _core.Scene.of_file(named(scene, "scene"), file, measured)
 
     @property
     def name(self) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
 
 from . import _core
-from ._errors import FileError
+from ._errors import FileError, named
 from ._results import Table, axes, frame, lines_of, shown, text_table
 
 if TYPE_CHECKING:
@@ -197,7 +197,7 @@ def open_surface(file: str | os.PathLike[str], channel: str | int | None = None,
 
     The form is not removed, and nothing is filtered.
     """
-    path = os.fspath(file)
+    path = named(file, "file")
     if channel is not None:
         options["channel"] = channel
     try:
@@ -247,7 +247,7 @@ def _options(options: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
         elif name in ("crop", "window") and not isinstance(value, str):
             made[name] = ",".join(length(one, name) for one in value)
         elif name == "mask":
-            made[name] = os.fspath(value)
+            made[name] = named(value, name)
         elif name == "channel":
             made[name] = str(value)
         elif name in ("spikes", "hardness"):
@@ -264,9 +264,9 @@ def _of(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict
         raise TypeError(f"unexpected keyword argument: {', '.join(sorted(unknown))}")
     files: list[str] = []
     if isinstance(source, (str, os.PathLike)):
-        files = [os.fspath(source)]
+        files = [named(source, "surface")]
     elif isinstance(source, (list, tuple)) and source and all(isinstance(one, (str, os.PathLike)) for one in source):
-        files = [os.fspath(one) for one in source]
+        files = [named(one, "surface") for one in source]
     if files:
         if isinstance(options.get("spacing"), (tuple, list)):
             raise ValueError("spacing: of a file must be one length; dx and dy are of a map")
