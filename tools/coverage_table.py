@@ -36,7 +36,7 @@ def main():
     export = subprocess.run([tool("llvm-cov"), "export", "-summary-only", *sources], check=True, capture_output=True, text=True).stdout
     library = ROOT / "include/fstiff"
     files = [(pathlib.Path(file["filename"]).resolve(), file["summary"]["lines"]) for file in json.loads(export)["data"][0]["files"]]
-    lines = {path.relative_to(library): of for path, of in files if path.is_relative_to(library)}
+    lines = {path.relative_to(library): of for path, of in files if path.is_relative_to(library) and of["count"]}
 
     folders = {}
     for name, of in lines.items():
