@@ -4,7 +4,8 @@
 #   - a header includes nothing but <fstiff/...>, <Eigen/...> and the standard library (`optional_includes` aside),
 #   - fstiff.hpp includes every public header but those of io, which io.hpp includes, and the layer table of docs/architecture.md is what the includes say,
 #   - every header has a row "| <layer>/<name> | its one idea |" in docs/architecture.md,
-#   - every file that README.md and docs/*.md name exists: by its path, or a header or a test as <layer>/<name>.
+#   - every file that README.md and docs/*.md name exists: by its path, or a header or a test as <layer>/<name>;
+#     those of ../shared only where that folder is.
 #
 #   cmake -P tools/check_layers.cmake                  check
 #   cmake -D UPDATE=ON -P tools/check_layers.cmake     rewrite fstiff.hpp, io.hpp and the table
@@ -183,6 +184,9 @@ foreach(document IN LISTS documents)
     string(REGEX MATCHALL "[A-Za-z0-9_.*/-]*[A-Za-z0-9_*]/[A-Za-z0-9_.*/-]*[A-Za-z0-9_*]" names "${text}")
     list(REMOVE_DUPLICATES names)
     foreach(name IN LISTS names)
+        if(name MATCHES "\\.\\./shared/" AND NOT EXISTS ${ROOT}/../shared)
+            continue()
+        endif()
         if(name MATCHES "^(\\./|\\.\\./)?(include/fstiff|src|tests|bench|data|docs|tools)/")
             string(REGEX REPLACE "^(\\.\\./|\\./)" "" path "${name}")
             file(GLOB matches ${ROOT}/${path})
