@@ -34,12 +34,12 @@ std::vector<double> lengths(const std::string& text, const std::string& name) {
     return values;
 }
 
-struct Range {
+struct PointRange {
     std::size_t from, count;
 };
 
 /// The points of [from, to] among \p points of \p step; a bound that lies a rounding beside a point takes it.
-Range range_of(double from, double to, std::size_t points, double step, const std::string& name) {
+PointRange range_of(double from, double to, std::size_t points, double step, const std::string& name) {
     const double last = static_cast<double>(points - 1) * step, slack = 1e-6 * step;
     if (!(from >= 0 && from < to && to <= last + step))
         throw domain_error(name + ": from " + shown_length(from) + " to " + shown_length(to) +
@@ -61,7 +61,7 @@ void crop(const SurfaceOptions& options, io::Surface& surface) {
     std::string kept;
     if (surface.is_profile()) {
         auto& profile = std::get<0>(surface.data);
-        const Range x = range_of(box[0], box[1], profile.size(), profile.spacing, name);
+        const PointRange x = range_of(box[0], box[1], profile.size(), profile.spacing, name);
         kept = of(x.count, profile.size());
         const auto begin = profile.heights.begin() + static_cast<std::ptrdiff_t>(x.from);
         profile.heights = std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(x.count));
@@ -69,8 +69,8 @@ void crop(const SurfaceOptions& options, io::Surface& surface) {
         auto& map = std::get<1>(surface.data);
         const auto size = [](Eigen::Index n) { return static_cast<std::size_t>(n); };
         const auto index = [](std::size_t n) { return static_cast<Eigen::Index>(n); };
-        const Range x = range_of(box[0], box[1], size(map.columns()), map.dx, name);
-        const Range y = range_of(box[2], box[3], size(map.rows()), map.dy, name);
+        const PointRange x = range_of(box[0], box[1], size(map.columns()), map.dx, name);
+        const PointRange y = range_of(box[2], box[3], size(map.rows()), map.dy, name);
         kept = std::to_string(x.count) + " x " + std::to_string(y.count) + " of " + std::to_string(map.columns()) +
                " x " + std::to_string(map.rows()) + " points";
         const HeightMap<double>::Array part =

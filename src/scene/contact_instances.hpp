@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The kernel of the contact integrals is compiled once, in contact_instances.cpp, as the build type says.
+// The kernel of the contact integrals is compiled once, in instances.cpp, as the build type says.
 
 #include <fstiff/contact/contact_integrals.hpp>
+#include <fstiff/contact/paper_integrals.hpp>
+#include <fstiff/contact/tensor_integrals.hpp>
 
 #ifndef FSTIFF_SCENE_INSTANCE
 #define FSTIFF_SCENE_INSTANCE extern template
@@ -14,5 +16,8 @@ FSTIFF_SCENE_INSTANCE double detail::visit_nodes(const detail::PeakProblem<doubl
                                                  detail::PeakAccumulator<double>&);
 FSTIFF_SCENE_INSTANCE Estimate<double> contact_integral(double, double, const PeakDistribution<double>&, double,
                                                         const IntegralOptions<double>&);
+FSTIFF_SCENE_INSTANCE Estimate<double> tensor_integral(double, double, const PeakDistribution<double>&, double,
+                                                       const TensorOptions<double>&);
+FSTIFF_SCENE_INSTANCE Estimate<double> paper_integral(double, double, const PeakDistribution<double>&, double);
 
 }  // namespace fstiff

@@ -21,6 +21,76 @@
 namespace fstiff::scene {
 namespace {
 
+/// What ContactLaw::tabulate asks of a contact, through virtual functions: its tables are compiled once for all laws.
+class Model {
+public:
+    virtual ~Model() = default;
+    virtual ContactState<double> at_pressure(double pressure, Quantity wanted) const = 0;
+    virtual ContactState<double> at_separation(double separation, Quantity wanted) const = 0;
+    virtual LogSlope<double> log_pressure(double eta) const = 0;
+    virtual LogValue<double> log_stiffness(double eta) const = 0;
+};
+template <class Contact>
+class ModelOf final : public Model {
+public:
+    explicit ModelOf(Contact contact) : contact_(std::move(contact)) {}
+    ContactState<double> at_pressure(double pressure, Quantity wanted) const override {
+        return contact_.at_pressure(pressure, wanted);
+    }
+    ContactState<double> at_separation(double separation, Quantity wanted) const override {
+        return contact_.at_separation(separation, wanted);
+    }
+    LogSlope<double> log_pressure(double eta) const override { return contact_.log_pressure(eta); }
+    LogValue<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
+
+private:
+    Contact contact_;
+};
+
+/// A fstiff::Contact over a Model.
+class ModelContact {
+public:
+    template <class Contact>
+    explicit ModelContact(const Contact& contact)
+        : model_(std::make_shared<ModelOf<Contact>>(contact)),
+          rms_height_(contact.rms_height()),
+          bulk_compliance_(contact.bulk_compliance()),
+          interaction_(contact.interaction()) {}
+    ContactState<double> at_pressure(double pressure, Quantity wanted) const {
+        return model_->at_pressure(pressure, wanted);
+    }
+    ContactState<double> at_separation(double separation, Quantity wanted) const {
+        return model_->at_separation(separation, wanted);
+    }
+    ContactPoint<double> point_at_pressure(double pressure, Quantity wanted) const {
+        return ContactPoint<double>::of(at_pressure(pressure, wanted));
+    }
+    ContactPoint<double> point_at_separation(double separation, Quantity wanted) const {
+        return ContactPoint<double>::of(at_separation(separation, wanted));
+    }
+    LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
+    LogValue<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
+    double rms_height() const { return rms_height_; }
+    double bulk_compliance() const { return bulk_compliance_; }
+    Interaction<double> interaction() const { return interaction_; }
+
+private:
+    std::shared_ptr<const Model> model_;
+    double rms_height_, bulk_compliance_;
+    Interaction<double> interaction_;
+};
+/// One whose K is a constant times -dp/dd.
+class ProportionalModelContact : public ModelContact {
+public:
+    template <class Contact>
+    explicit ProportionalModelContact(const Contact& contact)
+        : ModelContact(contact), stiffness_over_slope_(contact.stiffness_over_slope()) {}
+    double stiffness_over_slope() const { return stiffness_over_slope_; }
+
+private:
+    double stiffness_over_slope_;
+};
+
 template <class Contact>
 class Holder : public AnyContact {
 public:
@@ -33,8 +103,10 @@ public:
         return curve_at_separations(contact_, separations, wanted);
     }
     ContactLaw<double> tabulate(const LawRange<double>& range) const override {
-        if constexpr (fstiff::Contact<Contact, double>)
-            return ContactLaw<double>::tabulate(contact_, range);
+        if constexpr (ProportionalContact<Contact, double>)
+            return ContactLaw<double>::tabulate(ProportionalModelContact(contact_), range);
+        else if constexpr (fstiff::Contact<Contact, double>)
+            return ContactLaw<double>::tabulate(ModelContact(contact_), range);
         else
             return AnyContact::tabulate(range);
     }

@@ -46,31 +46,35 @@ Title title_of(std::string_view cell) {
 }
 
 /// What a column may hold, the names that say so, and its dimension; none: a plain number.
+namespace column {
 enum Kind : std::size_t { pressure, stiffness, reflection, error };
+}
 struct Meaning {
-    Kind kind;
+    column::Kind kind;
     std::optional<io::Dimension> dimension;
     std::vector<std::string_view> names;
 };
 const std::vector<Meaning>& meanings() {
     static const std::vector<Meaning> all{
-        {pressure, io::Dimension::pressure, {"pressure", "p"}},
-        {stiffness, io::Dimension::stiffness_per_area, {"stiffness", "k", "k/a0"}},
-        {reflection, {}, {"reflection", "r", "|r|", "r12", "|r12|"}},
-        {error, io::Dimension::stiffness_per_area, {"stiffness_error", "stiffness error", "k_error"}},
-        {error, {}, {"reflection_error", "reflection error", "r_error"}},
+        {column::pressure, io::Dimension::pressure, {"pressure", "p"}},
+        {column::stiffness, io::Dimension::stiffness_per_area, {"stiffness", "k", "k/a0"}},
+        {column::reflection, {}, {"reflection", "r", "|r|", "r12", "|r12|"}},
+        {column::error, io::Dimension::stiffness_per_area, {"stiffness_error", "stiffness error", "k_error"}},
+        {column::error, {}, {"reflection_error", "reflection error", "r_error"}},
         // takes its unit from its title, or none
-        {error, io::Dimension::stiffness_per_area, {"error", "standard error", "standard_error", "uncertainty"}}};
+        {column::error,
+         io::Dimension::stiffness_per_area,
+         {"error", "standard error", "standard_error", "uncertainty"}}};
     return all;
 }
 
-struct Column {
+struct ReadColumn {
     std::size_t index;
     double factor;
 };
 
 struct Header {
-    std::array<std::optional<Column>, 4> columns;  ///< by Kind
+    std::array<std::optional<ReadColumn>, 4> columns;  ///< by column::Kind
     bool error_is_share = false;                   ///< a plain "error" column without a unit
     std::optional<std::size_t> law, theta, r;      ///< of fstiff run
     [[nodiscard]] bool computed() const { return law.has_value(); }
@@ -99,12 +103,12 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
             return std::find(one.names.begin(), one.names.end(), title.name) != one.names.end();
         });
         if (meaning == meanings().end() || i == header.r) continue;
-        if (header.computed() && meaning->kind == error) {
+        if (header.computed() && meaning->kind == column::error) {
             curve.decisions.push_back("column " + std::to_string(i + 1) + " \"" + std::string(cells[i]) +
                                       "\" left out: the bound of a computation is no standard error");
             continue;
         }
-        if (header.computed() && meaning->kind == reflection && has_stiffness) continue;
+        if (header.computed() && meaning->kind == column::reflection && has_stiffness) continue;
         const std::string column = where + "column \"" + std::string(cells[i]) + "\": ";
         double factor = 1;
         const bool is_plain_error = meaning == meanings().end() - 1;
@@ -119,7 +123,7 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
             }
         }
         if (header.columns[meaning->kind]) throw domain_error(column + "is there twice; must be once");
-        header.columns[meaning->kind] = Column{i, factor};
+        header.columns[meaning->kind] = ReadColumn{i, factor};
         curve.decisions.push_back("column " + std::to_string(i + 1) + " \"" + std::string(cells[i]) + "\" read as " +
                                   title.name + (title.unit.empty() ? "" : " in " + title.unit));
     }
@@ -128,18 +132,19 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
 
 void check_header(const Header& header, const std::string& where) {
     const auto& of = header.columns;
-    if (!of[pressure]) throw domain_error(where + "there is no column pressure; " + std::string(must_name_columns));
-    if (of[stiffness] && of[reflection])
+    if (!of[column::pressure])
+        throw domain_error(where + "there is no column pressure; " + std::string(must_name_columns));
+    if (of[column::stiffness] && of[column::reflection])
         throw domain_error(where + "there are both a stiffness and a reflection column; must be one of the two");
-    if (!of[stiffness] && !of[reflection])
+    if (!of[column::stiffness] && !of[column::reflection])
         throw domain_error(where + "there is no column stiffness or reflection; " + std::string(must_name_columns));
-    if (of[stiffness] && of[error] && header.error_is_share)
+    if (of[column::stiffness] && of[column::error] && header.error_is_share)
         throw domain_error(where + "the error column has no unit; must be one of " +
                            text::accepted_units(io::Dimension::stiffness_per_area));
 }
 
 MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_comma, const std::string& where) {
-    const auto number = [&](const Column& column, std::string_view name, bool zero_allowed) {
+    const auto number = [&](const ReadColumn& column, std::string_view name, bool zero_allowed) {
         const std::string at = where + std::string(name);
         if (column.index >= cells.size()) throw domain_error(at + ": is missing; must be a number");
         const auto found = text::number_in(cells[column.index], decimal_comma);
@@ -151,10 +156,12 @@ MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_co
     };
     const auto& of = header.columns;
     MeasuredPoint point{
-        number(*of[pressure], "pressure", false),
-        of[reflection] ? number(*of[reflection], "reflection", false) : number(*of[stiffness], "stiffness", false), 0,
+        number(*of[column::pressure], "pressure", false),
+        of[column::reflection] ? number(*of[column::reflection], "reflection", false)
+                               : number(*of[column::stiffness], "stiffness", false),
+        0,
         0, 0};
-    if (of[error]) point.error = number(*of[error], "error", true);
+    if (of[column::error]) point.error = number(*of[column::error], "error", true);
     return point;
 }
 
@@ -204,8 +211,8 @@ MeasuredCurve read_measured_curve(const std::string& file) {
         throw domain_error(at(lines.front()) + "is a row of numbers; " + std::string(must_name_columns));
     const Header header = read_header(cells, at(lines.front()), curve);
     check_header(header, at(lines.front()));
-    curve.is_reflection = header.columns[reflection].has_value();
-    curve.has_errors = header.columns[error].has_value();
+    curve.is_reflection = header.columns[column::reflection].has_value();
+    curve.has_errors = header.columns[column::error].has_value();
     for (std::size_t row = 1; row < lines.size(); ++row) {
         text::split_line(lines[row].text, separator, cells);
         MeasuredPoint& point = curve.points.emplace_back(read_row(cells, header, decimal_comma, at(lines[row])));

@@ -85,7 +85,7 @@ bool share_cut_offs(SurfaceOptions& options, const std::vector<MeasuredSurface>&
     return short_waves || long_waves;
 }
 
-MeasuredFace<double> face_of(const MeasuredSurface& one) {
+MeasuredFace<double> measured_face(const MeasuredSurface& one) {
     const UncertainSurface<double>& p = one.parameters;
     const auto known = [&](Parameter which) {
         const std::size_t i = index_of(which);
@@ -166,7 +166,7 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
     std::vector<double> sizes;
     std::string hashes;
     for (const MeasuredSurface& part : whole.parts) {
-        faces.push_back(face_of(part));
+        faces.push_back(measured_face(part));
         sizes.push_back(part.size());
         if (part.heights) heights.push_back(*part.heights);
         if (part.fractal_roughness)

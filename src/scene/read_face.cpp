@@ -60,7 +60,7 @@ struct ReadingKey {
 };
 
 template <std::string SurfaceOptions::*member>
-void text(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
+void read_text(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
     options.input.*member = source.text(node, key);
 }
 
@@ -98,34 +98,34 @@ void read_column(Source& source, const toml::node& node, const std::string& key,
 }
 
 constexpr std::array<ReadingKey, 25> reading_keys{{
-    {"format", text<&SurfaceOptions::format>},
-    {"units", text<&SurfaceOptions::units>},
-    {"spacing", text<&SurfaceOptions::spacing>},
+    {"format", read_text<&SurfaceOptions::format>},
+    {"units", read_text<&SurfaceOptions::units>},
+    {"spacing", read_text<&SurfaceOptions::spacing>},
     {"column", read_column},
-    {"dx", text<&SurfaceOptions::dx>},
-    {"dy", text<&SurfaceOptions::dy>},
-    {"width", text<&SurfaceOptions::width>},
-    {"height", text<&SurfaceOptions::height>},
-    {"detrend", text<&SurfaceOptions::detrend>},
-    {"cutoff", text<&SurfaceOptions::cutoff>},
+    {"dx", read_text<&SurfaceOptions::dx>},
+    {"dy", read_text<&SurfaceOptions::dy>},
+    {"width", read_text<&SurfaceOptions::width>},
+    {"height", read_text<&SurfaceOptions::height>},
+    {"detrend", read_text<&SurfaceOptions::detrend>},
+    {"cutoff", read_text<&SurfaceOptions::cutoff>},
     {"peaks", [](Source& source, const toml::node& node, const std::string& key,
                  MeasureOptions& options) { options.peaks = source.choice<PeakSource>(node, key); }},
-    {"tip_radius", text<&SurfaceOptions::tip_radius>},
-    {"resolution", text<&SurfaceOptions::resolution>},
+    {"tip_radius", read_text<&SurfaceOptions::tip_radius>},
+    {"resolution", read_text<&SurfaceOptions::resolution>},
     {"window", [](Source& source, const toml::node& node, const std::string& key,
                   MeasureOptions& options) { options.window = source.text(node, key); }},
     {"missing", read_missing},
     {"resample", flag<&SurfaceOptions::resample>},
-    {"x3p_increment", text<&SurfaceOptions::x3p_increment>},
-    {"lambda_s", text<&SurfaceOptions::lambda_s>},
-    {"lambda_c", text<&SurfaceOptions::lambda_c>},
+    {"x3p_increment", read_text<&SurfaceOptions::x3p_increment>},
+    {"lambda_s", read_text<&SurfaceOptions::lambda_s>},
+    {"lambda_c", read_text<&SurfaceOptions::lambda_c>},
     {"filter", [](Source& source, const toml::node& node, const std::string& key,
                   MeasureOptions& options) { options.input.filter = source.choice<CutOffFilter>(node, key); }},
-    {"crop", text<&SurfaceOptions::crop>},
+    {"crop", read_text<&SurfaceOptions::crop>},
     {"mask", read_mask},
     {"spikes", read_spikes},
     {"fill", flag<&SurfaceOptions::fill>},
-    {"channel", text<&SurfaceOptions::channel>},
+    {"channel", read_text<&SurfaceOptions::channel>},
 }};
 
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {

@@ -12,18 +12,18 @@ using Kind = Cell::Kind;
 
 /// \p real where the cell holds a number; \p nothing where it holds none.
 template <class Real>
-std::string written(const Cell& cell, const char* nothing, const Real& real) {
+std::string cell_text(const Cell& cell, const char* nothing, const Real& real) {
     if (cell.kind == Kind::absent || cell.kind == Kind::null) return nothing;
     if (cell.kind == Kind::real) return real(cell.number);
     return cell.kind == Kind::count ? std::to_string(cell.whole) : cell.words;
 }
 
 std::string text_of(const Cell& cell, const Heading& heading) {
-    return written(cell, "-", [&](double x) { return rounded(x * heading.factor, heading.digits); });
+    return cell_text(cell, "-", [&](double x) { return rounded(x * heading.factor, heading.digits); });
 }
 
 std::string csv_of(const Cell& cell) {
-    return written(cell, "", [](double x) { return exact(x); });
+    return cell_text(cell, "", [](double x) { return exact(x); });
 }
 
 Json json_of(const Cell& cell) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the subcommands compute of a profile or a map is compiled once, in surface_instances.cpp: files that include this
+// What the subcommands compute of a profile or a map is compiled once, in instances.cpp: files that include this
 // are quick to compile, and need no optimisation of their own.
 
 #include <fstiff/halfspace/truth.hpp>

@@ -31,7 +31,7 @@ struct Found {
 };
 
 /// A number of the grid: with a unit, or plain.
-struct Quantity {
+struct NumberWithUnit {
     double value;
     std::optional<Dimension> dimension;
     bool whole = false;
@@ -59,13 +59,13 @@ bool names_text(const std::vector<Step>& path) {
 }
 
 /// What \p node says as a number, with a unit of any kind; none for other texts, lists, tables.
-std::optional<Quantity> quantity_of(const toml::node& node) {
-    if (node.is_number()) return Quantity{*node.value<double>(), {}, node.is_integer()};
+std::optional<NumberWithUnit> quantity_of(const toml::node& node) {
+    if (node.is_number()) return NumberWithUnit{*node.value<double>(), {}, node.is_integer()};
     if (!node.is_string()) return std::nullopt;
     const std::string text = scene::written(node);
     for (const auto& [dimension, name] : names<Dimension>) {
         try {
-            return Quantity{io::parse_quantity(text, dimension, ""), dimension};
+            return NumberWithUnit{io::parse_quantity(text, dimension, ""), dimension};
         } catch (const domain_error&) {
         }
     }
@@ -73,7 +73,7 @@ std::optional<Quantity> quantity_of(const toml::node& node) {
 }
 
 /// Two quantities of one kind, such as the ends of a range.
-std::pair<Quantity, Quantity> two_quantities(const Source& source, const toml::node& first, const toml::node& second,
+std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, const toml::node& first, const toml::node& second,
                                              const std::string& first_key, const std::string& second_key) {
     const auto one = [&](const toml::node& node, const std::string& key) {
         const auto found = quantity_of(node);
@@ -170,7 +170,7 @@ void read_list(const Source& source, const toml::node& node, const std::string& 
     const auto* list = node.as_array();
     if (!list || list->empty()) source.refuse(node, key, "must be a list of one value at least");
     found.listed = *list;
-    std::optional<Quantity> first;
+    std::optional<NumberWithUnit> first;
     if (!names_text(found.path)) first = quantity_of((*list)[0]);
     for (std::size_t i = 0; i < list->size(); ++i) {
         const toml::node& item = (*list)[i];

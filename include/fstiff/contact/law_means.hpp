@@ -18,10 +18,55 @@
 #include <fstiff/math/double_exponential.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace fstiff::detail {
+
+/// A function of excess height and curvature with \p count kinks, called through a virtual function: the rule in two
+/// dimensions, which takes far longer to compile than any law, is compiled once for each count instead of once for each
+/// quantity of each law. One call serves eight nodes, so that its cost is small beside that of their exponentials.
+template <Real T, std::size_t count>
+class PeakFunction {
+public:
+    virtual TensorLanes<T> operator()(const TensorLanes<T>& excess, T t) const = 0;
+    /// The excess of the first kink over its multiple.
+    [[nodiscard]] T critical(T t) const requires(count > 0)
+    { return critical_of(t); }
+    [[nodiscard]] const std::array<T, count>& kinks() const { return kinks_; }
+
+protected:
+    explicit PeakFunction(const std::array<T, count>& kinks) : kinks_(kinks) {}
+    ~PeakFunction() = default;
+
+private:
+    [[nodiscard]] virtual T critical_of(T t) const = 0;
+    std::array<T, count> kinks_;  ///< as multiples of critical(t)
+};
+
+template <class F, class T>
+inline constexpr std::size_t kink_count = std::tuple_size_v<decltype(kinks_of<T>(std::declval<const F&>()))>;
+
+/// \p F as a PeakFunction.
+template <Real T, class F>
+class PeakFunctionOf final : public PeakFunction<T, kink_count<F, T>> {
+public:
+    explicit PeakFunctionOf(const F& f) : PeakFunction<T, kink_count<F, T>>(kinks_of<T>(f)), f_(f) {}
+    TensorLanes<T> operator()(const TensorLanes<T>& excess, T t) const override { return f_(excess, t); }
+
+private:
+    [[nodiscard]] T critical_of([[maybe_unused]] T t) const override {
+        if constexpr (KinkedLaw<F, T>)
+            return static_cast<T>(f_.critical(t));
+        else
+            return T(0);
+    }
+    const F& f_;
+};
 
 /// A quantity of any law as a function of the excess height over sigma and of the curvature over sigma_kappa.
 template <Real T, class Law, class F>
@@ -115,7 +160,9 @@ private:
     template <Axis axis, class F>
     Estimate<T> mean(T eta, const F& f) const {
         const ScaledLaw<T, Law, F> scaled{law_, scales_.rms_height, scales_.curvature, f};
-        return scaled_tensor_integral<axis>(scaled, peaks_, eta, options_);
+        const PeakFunctionOf<T, ScaledLaw<T, Law, F>> function(scaled);
+        return scaled_tensor_integral<axis>(static_cast<const PeakFunction<T, kink_count<decltype(scaled), T>>&>(function),
+                                            peaks_, eta, options_);
     }
 
     Law law_;

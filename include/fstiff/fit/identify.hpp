@@ -235,8 +235,11 @@ template <Real T, class MakeLaw>
     detail::require_start(wanted, start);
     detail::CurveModel<T, MakeLaw> model(data, wanted, start, law, options.wave, options.contact, known);
     const auto points = static_cast<Eigen::Index>(data.size());
-    LeastSquaresFit<T> fit = least_squares<T>(
-        model.start(), points, [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); }, options.search);
+    // as a std::function the search is compiled once for all laws
+    using Fit = LeastSquaresFit<T>;
+    const std::function<bool(const typename Fit::Vector&, typename Fit::Vector&, typename Fit::Matrix&)> evaluate =
+        [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); };
+    Fit fit = least_squares<T>(model.start(), points, evaluate, options.search);
 
     Identification<T> out;
     out.errors_known = known;

@@ -30,6 +30,7 @@ inline constexpr auto names<cli::Solver> = name_list<cli::Solver>({{cli::Solver:
 }  // namespace fstiff
 
 namespace fstiff::cli {
+namespace export_command {
 namespace {
 
 struct Options {
@@ -140,8 +141,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace export_command
 
 Command add_export(CLI::App& app) {
+    using namespace export_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "export", "The law of a scene as the contact law of a finite-element program");
     add_scene_options(

@@ -14,6 +14,7 @@
 #include <memory>
 
 namespace fstiff::cli {
+namespace fit_command {
 namespace {
 
 struct Options {
@@ -162,8 +163,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace fit_command
 
 Command add_fit(CLI::App& app) {
+    using namespace fit_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "fit", "Fractal dimension D and roughness G of a measured profile or map, with errors");
     command

@@ -10,6 +10,7 @@
 #include <memory>
 
 namespace fstiff::cli {
+namespace formats_command {
 namespace {
 
 /// A file that some command reads.
@@ -101,8 +102,10 @@ Json json() {
 }
 
 }  // namespace
+}  // namespace formats_command
 
 Command add_formats(CLI::App& app) {
+    using namespace formats_command;
     auto options = std::make_shared<OutputOptions>();
     Arguments command(app, "formats", "The files that are read: how they are recognised, and what is asked for");
     add_output_options(command, *options);

@@ -19,6 +19,7 @@
 #include <variant>
 
 namespace fstiff::cli {
+namespace generate_command {
 namespace {
 
 struct Options {
@@ -151,8 +152,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace generate_command
 
 Command add_generate(CLI::App& app) {
+    using namespace generate_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "generate", "Profiles and maps of known D or H, as files to read back");
     command

@@ -19,6 +19,7 @@
 #include <utility>
 
 namespace fstiff::cli {
+namespace identify_command {
 namespace {
 
 struct Options {
@@ -392,8 +393,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace identify_command
 
 Command add_identify(CLI::App& app) {
+    using namespace identify_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "identify",
                       "Parameters of a scene from a measured stiffness or reflection against pressure");

@@ -18,6 +18,7 @@
 #include <optional>
 
 namespace fstiff::cli {
+namespace integral_command {
 namespace {
 
 struct Options {
@@ -209,8 +210,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace integral_command
 
 Command add_integral(CLI::App& app) {
+    using namespace integral_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "integral", "Contact integrals J[a,b](eta; r, theta) of rows of a CSV table");
     command.option("file", options->file, "CSV table with the columns a,b,r,theta,eta; - is standard input (default)");

@@ -13,6 +13,7 @@
 #include <memory>
 
 namespace fstiff::cli {
+namespace islands_command {
 namespace {
 
 struct Options {
@@ -74,8 +75,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace islands_command
 
 Command add_islands(CLI::App& app) {
+    using namespace islands_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "islands", "Islands of a map at every cutting level, and peak radius R and density D_p");
     command.option("map", options->islands.surface.file, "map, as fstiff formats lists them; - is standard input")

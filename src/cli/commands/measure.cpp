@@ -18,6 +18,7 @@
 #include <memory>
 
 namespace fstiff::cli {
+namespace measure_command {
 namespace {
 
 struct Options {
@@ -160,8 +161,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace measure_command
 
 Command add_measure(CLI::App& app) {
+    using namespace measure_command;
     auto options = std::make_shared<Options>();
     MeasureOptions& measure = options->measure;
     Arguments command(app, "measure",

@@ -9,6 +9,7 @@
 #include <memory>
 
 namespace fstiff::cli {
+namespace merge_command {
 namespace {
 
 struct Options {
@@ -32,8 +33,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace merge_command
 
 Command add_merge(CLI::App& app) {
+    using namespace merge_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "merge", "The shards of a sweep as one file");
     command.option("files", options->files, "files of results of fstiff sweep; names in .sweep are left out")

@@ -16,6 +16,7 @@
 #include <optional>
 
 namespace fstiff::cli {
+namespace peaks_command {
 namespace {
 
 struct Options {
@@ -177,8 +178,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace peaks_command
 
 Command add_peaks(CLI::App& app) {
+    using namespace peaks_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "peaks", "Density of peak heights and curvatures: parameters, moments, height marginal");
     command.option("--r", options->r,

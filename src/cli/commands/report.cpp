@@ -30,6 +30,7 @@
 #include <span>
 
 namespace fstiff::cli {
+namespace report_command {
 namespace {
 
 struct Options {
@@ -576,8 +577,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace report_command
 
 Command add_report(CLI::App& app) {
+    using namespace report_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "report", "A scene and all that follows from it as one HTML file");
     add_scene_options(

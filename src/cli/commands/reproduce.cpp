@@ -36,6 +36,7 @@ namespace fstiff::cli {
 
 extern const char* const errata_page;  // docs/errata.md
 
+namespace reproduce_command {
 namespace {
 
 struct Options {
@@ -580,8 +581,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace reproduce_command
 
 Command add_reproduce(CLI::App& app) {
+    using namespace reproduce_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "reproduce", "The figures, tables and conclusions of the reference paper, into a folder");
     command.option("-o,--output", options->folder, "folder for the figures and index.html; made when missing")

@@ -24,6 +24,7 @@ namespace fstiff::cli {
 
 extern const char* const example_scene;  // data/example_scene.toml
 
+namespace run_command {
 namespace {
 
 struct Options {
@@ -393,8 +394,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace run_command
 
 Command add_run(CLI::App& app) {
+    using namespace run_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "run", "Stiffness, separation and real area of a scene against pressure");
     add_scene_options(command, options->scene,

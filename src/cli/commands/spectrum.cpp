@@ -30,6 +30,7 @@ inline constexpr auto names<cli::SpectrumKind> = name_list<cli::SpectrumKind>({{
 }  // namespace fstiff
 
 namespace fstiff::cli {
+namespace spectrum_command {
 namespace {
 
 struct Options {
@@ -297,8 +298,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace spectrum_command
 
 Command add_spectrum(CLI::App& app) {
+    using namespace spectrum_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "spectrum", "Power spectral density or autocorrelation of a measured profile or map");
     command.option("file", options->surface.file, "profile or map, as fstiff formats lists them; - is standard input")

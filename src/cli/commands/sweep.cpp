@@ -25,6 +25,7 @@ namespace fstiff::cli {
 
 extern const char* const example_grid;  // examples/sweeps/grid.toml
 
+namespace sweep_command {
 namespace {
 
 struct Options {
@@ -177,8 +178,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace sweep_command
 
 Command add_sweep(CLI::App& app) {
+    using namespace sweep_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "sweep", "Many scenes: ranges, lists and distributions in one scene file");
     command.option("grid", options->grid, "scene file (TOML) with swept quantities; - is standard input");

@@ -14,6 +14,7 @@
 #include <vector>
 
 namespace fstiff::cli {
+namespace truth_command {
 namespace {
 
 struct Options {
@@ -71,8 +72,10 @@ Report execute(const Options& options) {
 }
 
 }  // namespace
+}  // namespace truth_command
 
 Command add_truth(CLI::App& app) {
+    using namespace truth_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "truth", "Stiffness of a measured map by boundary elements on the map itself");
     command.option("file", options->truth.surface.file, "map of any form; - is standard input").required();

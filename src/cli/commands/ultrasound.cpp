@@ -14,6 +14,7 @@
 #include <optional>
 
 namespace fstiff::cli {
+namespace ultrasound_command {
 namespace {
 
 /// A body: its impedance, or the density and velocity that give it.
@@ -237,8 +238,10 @@ void add_body(Arguments& command, Body& body, const std::string& suffix, const s
 }
 
 }  // namespace
+}  // namespace ultrasound_command
 
 Command add_ultrasound(CLI::App& app) {
+    using namespace ultrasound_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "ultrasound", "Ultrasonic reflection from the stiffness of an interface, or back");
     command.option("--stiffness", options->stiffness,

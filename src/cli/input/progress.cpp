@@ -62,14 +62,14 @@ private:
     bool shown_ = false;
     Clock::time_point changed_{};
 };
-Line line;
+Line status_line;
 
 class Bar {
 public:
     explicit Bar(bool with_rate) : with_rate_(with_rate) {}
     Bar(const Bar&) = delete;
     Bar& operator=(const Bar&) = delete;
-    ~Bar() { line.wipe(); }
+    ~Bar() { status_line.wipe(); }
 
     void operator()(std::string_view what, std::size_t done, std::size_t all) {
         const auto now = Clock::now();
@@ -88,7 +88,7 @@ public:
             elapsed * static_cast<double>(all - std::min(done, all)) / static_cast<double>(done - first_);
         constexpr int width = 30;
         const auto full = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * width);
-        line.show(what_ + " [" + std::string(full, '#') + std::string(width - full, '.') + "] " +
+        status_line.show(what_ + " [" + std::string(full, '#') + std::string(width - full, '.') + "] " +
                   std::to_string(static_cast<int>(100 * share)) + " %, " +
                   (with_rate_ ? rounded_text(static_cast<double>(done - first_) / elapsed, 3) + "/s, " : "") +
                   duration(left) + " left");
@@ -123,10 +123,10 @@ struct Working::Clock {
         std::unique_lock lock(mutex);
         for (milliseconds wait = quiet; !end.wait_for(lock, wait, [&] { return ended; }); wait = milliseconds(250)) {
             const auto now = cli::Clock::now();
-            if (now - line.changed() >= std::max(quiet, milliseconds(200)))
-                line.show(what + ": working, " + duration(std::chrono::duration<double>(now - begun).count()));
+            if (now - status_line.changed() >= std::max(quiet, milliseconds(200)))
+                status_line.show(what + ": working, " + duration(std::chrono::duration<double>(now - begun).count()));
         }
-        line.wipe();
+        status_line.wipe();
     }
 };
 

@@ -10,7 +10,7 @@
 namespace fstiff::cli {
 namespace {
 
-constexpr double left = 84, title_height = 26, below = 54, row = 24, line_height = 17, gap = 24;
+constexpr double left = 84, title_height = 26, below = 54, row_height = 24, line_height = 17, gap = 24;
 
 /// Pixels to a tenth, as short as can be.
 std::string px(double value) {
@@ -205,7 +205,7 @@ std::string axes(const Drawing& d, double plot_top) {
 
 double height_of(const std::vector<Entry>& legend) {
     double height = 0;
-    for (const Entry& entry : legend) height += row + line_height * static_cast<double>(entry.text.size() - 1);
+    for (const Entry& entry : legend) height += row_height + line_height * static_cast<double>(entry.text.size() - 1);
     return height;
 }
 

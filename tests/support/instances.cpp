@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define FSTIFF_SCENE_INSTANCE template
-#include "scene/surface_instances.hpp"
+#include "support/instances.hpp"
