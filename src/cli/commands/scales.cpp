@@ -77,9 +77,9 @@ std::string scales_text(const Scales& scales, const ScalesOptions& how) {
 std::vector<Panel> scales_panels(const Scales& scales) {
     const auto panel = [](const std::vector<Scale>& rows, const std::string& name, auto cut_off) {
         Panel of;
-        of.title = "Behind other " + name + (name == "λc" ? ", none at the length of the surface" : "");
+        of.title = "Filtered with other " + name + (name == "λc" ? ", none at the length of the surface" : "");
         of.x = {.label = name, .si = "m"};
-        of.y = {.label = "over that behind the chosen one"};
+        of.y = {.label = "ratio to the value at the chosen " + name};
         const Scale* chosen = nullptr;
         for (const Scale& scale : rows)
             if (scale.chosen) chosen = &scale;
