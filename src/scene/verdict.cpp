@@ -129,7 +129,7 @@ std::vector<std::string> short_verdict(const Scene& scene, const Results& result
     for (std::string sentence :
          {heights.shorter,
           peaks_flow(results) ? "The peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
-                                    "): a wave sees K of plastic or jackson_green, above an elastic K."
+                                    "): a wave sees K of plastic or jackson_green."
                               : std::string(),
           heights.far_from_gaussian ? "" : shortly_about_pressures(scene, results)})
         if (!sentence.empty() && sentences.size() < 2) sentences.push_back(std::move(sentence));

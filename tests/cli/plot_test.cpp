@@ -221,7 +221,8 @@ TEST_CASE("At one pressure the curves stand next to one another with their error
     for (const std::string& bar : all_between(plot, "<path class=\"bar ", "/>")) {
         INFO(bar);
         // M <left> <high> h8 M <x> <high> V <low> ...
-        const double high = std::stod(bar.substr(bar.find(' ', bar.find("d=\"M")))), low = std::stod(bar.substr(bar.find('V') + 1));
+        const double high = std::stod(bar.substr(bar.find(' ', bar.find("d=\"M")))),
+                     low = std::stod(bar.substr(bar.find('V') + 1));
         CHECK(low - high > 10);  // pixels
         places.push_back(std::stod(bar.substr(bar.find("d=\"M") + 4)));
     }
@@ -239,7 +240,7 @@ TEST_CASE("At one pressure the curves stand next to one another with their error
     CHECK(contains(read(folder / "out.plot.gp"), "with yerrorbars"));
 }
 
-TEST_CASE("Of many laws the same distributions of peaks are drawn, one stroke for each, and those that are hidden are named") {
+TEST_CASE("Of many laws the same distributions of peaks are drawn, one stroke for each, and hidden ones are named") {
     const Folder folder;
     std::string text = read(FSTIFF_SCENES "/sand_blasted_fine.toml");
     const std::string laws = "laws         = [\"fractal\", \"hertz\", \"greenwood_williamson\"]";

@@ -137,7 +137,8 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 4 + 5);  // K, area, contacts, separation; profile, bearing curve, structure; λs, λc
+    // K, area, contacts, separation; profile, bearing curve, structure function, λs, λc
+    REQUIRE(seen.at("figures").size() == 4 + 5);
     CHECK(seen["figures"][0]["bands"].get<int>() > 0);
     CHECK(seen["figures"][4]["lines"] == 1);
     CHECK(seen["figures"][5]["lines"] == 1);
@@ -236,7 +237,8 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
     if (shell("command -v chromium").status != 0 || shell("command -v pdftotext").status != 0)
         SKIP_CASE("there is no chromium or no pdftotext (Debian packages chromium, poppler-utils): nothing is printed");
     const Folder folder;
-    const std::string how = " --points 128 --spacing '1 um' --hurst 0.7 --rms '0.5 um' --shortest '6 um' --longest '60 um'";
+    const std::string how =
+        " --points 128 --spacing '1 um' --hurst 0.7 --rms '0.5 um' --shortest '6 um' --longest '60 um'";
     REQUIRE(fstiff("generate map" + how + " -o '" + folder / "map.txt" + "'").status == 0);
     REQUIRE(fstiff("generate profile --points 8192 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --longest '1 mm' -o '" +
                    folder / "trace.txt" + "'")
@@ -264,7 +266,8 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
 TEST_CASE("A report gives no sentence three times") {
     const Folder folder;
     // too few lags for D: the reason stands among the warnings and under the surface
-    REQUIRE(fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '40 um' --longest '60 um' -o '" +
+    REQUIRE(fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '40 um' "
+                   "--longest '60 um' -o '" +
                    folder / "trace.txt" + "'")
                 .status == 0);
     REQUIRE(fstiff("report --surface '" + folder / "trace.txt" + "' -o '" + folder / "out" + "'").status % 4 == 0);

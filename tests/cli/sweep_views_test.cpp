@@ -14,7 +14,8 @@ namespace {
 std::string grid(const std::string& rms, const std::string& radius, const std::string& pressures,
                  const std::string& more = "", const std::string& laws = "\"hertz\"") {
     return "[surface]\nfractal_dimension = 1.6\nrms_height = " + rms + "\npeak_radius = " + radius +
-           "\npeak_density = \"500 /mm^2\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nyield_strength = \"400 MPa\"\n"
+           "\npeak_density = \"500 /mm^2\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+           "yield_strength = \"400 MPa\"\n"
            "[contact]\nlaws = [" +
            laws + "]\npeaks = [ { theta = \"pi/3\", r = 0.5 } ]\n" + pressures + "\n" + more;
 }
@@ -60,10 +61,10 @@ TEST_CASE("The picture of a sweep has K of the lines against the longer axis, a 
 
 TEST_CASE("Of many lines of a sweep the largest value is drawn, and the legend is unbroken") {
     const Folder folder;
-    const Csv rows = drawn(folder, grid("{ from = \"0.5 um\", to = \"2 um\", count = 20 }",
-                                        "[\"20 um\", \"30 um\", \"40 um\"]",
-                                        "pressures = [ { from = \"1 MPa\", to = \"100 MPa\", count = 12 } ]", "",
-                                        "\"fractal\", \"hertz\", \"greenwood_williamson\", \"plastic\", \"jackson_green\""));
+    const std::string laws = R"("fractal", "hertz", "greenwood_williamson", "plastic", "jackson_green")";
+    const Csv rows =
+        drawn(folder, grid("{ from = \"0.5 um\", to = \"2 um\", count = 20 }", "[\"20 um\", \"30 um\", \"40 um\"]",
+                           "pressures = [ { from = \"1 MPa\", to = \"100 MPa\", count = 12 } ]", "", laws));
     std::map<std::string, int> labels;
     for (std::size_t i = 0; i < rows.size(); ++i) ++labels[std::string(rows.text(i, "label"))];
     CHECK(labels.size() == 8);

@@ -158,8 +158,8 @@ void add_structure(Panel& panel, const FractalFit<double>& fit, const std::strin
 }
 
 constexpr const char* fit_caption =
-    "Mean square of the second differences of the heights, and the curve fitted to it, which gives D and G; its ends bend "
-    "where the waves end.";
+    "Mean square of the second differences of the heights, and the curve fitted to it, which gives D and G; its ends "
+    "bend where the waves end.";
 
 Panel structure_panel() {
     return {.title = "Structure function of second differences",
@@ -265,12 +265,13 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
     page.heading("Measured surface");
     Rows source{{"source", "value"}, {"file", surface.file}, {"kind", surface.kind}, {"SHA-256", surface.sha256}};
     page.table(source);
+    page.begin("div class=\"pair\"");
     page.list(surface.decisions);
-
     Rows rows{{"parameter", "value", "found by"}};
     for (const ParameterLine& line : parameter_lines(surface))
         rows.push_back({line.name, with_unit(line.measured.value, line.unit, 5, line.measured.error), line.how});
     page.table(rows);
+    page.end("div");
     if (!surface.fractal_refusal.empty()) page.paragraph("No D and G: " + surface.fractal_refusal);
     if (!surface.peaks_refusal.empty()) page.paragraph("No r and θ: " + surface.peaks_refusal);
 
@@ -398,10 +399,10 @@ Rows stiffness_rows(const Scene& scene, const Results& results, const Unit& unit
         std::vector<std::string> row{legend_of(curve)};
         for (const std::size_t i : points) {
             const bool known = i < curve.states.size() && std::isfinite(curve.states[i].stiffness.value);
-            row.push_back(known ? rounded(curve.states[i].stiffness.value / unit.size, 3) : "-");
+            const auto shown = [&](double stiffness) { return with_unit(stiffness / unit.size, "", 3); };
+            row.push_back(known ? shown(curve.states[i].stiffness.value) : "-");
             if (known && i < curve.band.size())
-                row.back() += " (" + rounded(curve.band[i].low / unit.size, 3) + " to " +
-                              rounded(curve.band[i].high / unit.size, 3) + ")";
+                row.back() += " (" + shown(curve.band[i].low) + " to " + shown(curve.band[i].high) + ")";
         }
         rows.push_back(std::move(row));
     }

@@ -28,7 +28,6 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
-#include <numeric>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -167,7 +166,7 @@ Picture figure_4(Reproduction& all) {
                     .height = 300};
     Panel radii{.title = "Radius of the mean island",
                 .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 50.0},
-                .y = {.label = "R [µm]"},
+                .y = {.label = "R [µm]", .high = 1000.0},
                 .height = 260};
     for (const Surface& surface : surfaces) {
         const double hurst = 2 - surface.fractal.dimension;
@@ -220,6 +219,31 @@ Picture figure_4(Reproduction& all) {
             figure};
 }
 
+/// \p value [m^2] at the lags of \p s, in µm and µm².
+template <class Value>
+PlotLine curve_of(const char* label, int colour, const StructureFunction<double>& s, const Value& value) {
+    PlotLine line = line_of(
+        label, s.size(), [&](auto k) { return s.lag[k] * 1e6; }, [&](auto k) { return value(k) * 1e12; });
+    line.colour = colour;
+    line.sets_range = false;
+    return line;
+}
+
+/// Nine points a decade of \p s.
+PlotLine points_of(const char* label, int colour, Marker marker, const StructureFunction<double>& s) {
+    StructureFunction<double> few;
+    for (std::size_t k = 0; k < s.size(); ++k)
+        if (few.lag.empty() || s.lag[k] >= 1.3 * few.lag.back()) {
+            few.lag.push_back(s.lag[k]);
+            few.value.push_back(s.value[k]);
+        }
+    PlotLine line = curve_of(label, colour, few, [&](auto k) { return few.value[k]; });
+    line.stroke = Stroke::none;
+    line.marker = marker;
+    line.sets_range = true;
+    return line;
+}
+
 Picture figure_6(Reproduction& all) {
     const Surface& surface = surfaces[0];
     const double spacing = 0.5e-6;
@@ -231,41 +255,16 @@ Picture figure_6(Reproduction& all) {
     FractalFitOptions<double> options;
     options.seed = seed;
     const FractalFit<double> fit = fit_fractal(profile, options);
-    const auto draw = [](const char* label, int colour, const StructureFunction<double>& s, const auto& shown,
-                         const auto& value) {
-        PlotLine line = line_of(
-            label, shown.size(), [&](auto k) { return s.lag[shown[k]] * 1e6; },
-            [&](auto k) { return value(shown[k]) * 1e12; });
-        line.colour = colour;
-        return line;
-    };
-    const auto points_of = [&](const char* label, int colour, Marker marker, const StructureFunction<double>& s) {
-        std::vector<std::size_t> shown;  // eight a decade, of those that there are
-        for (std::size_t k = 0; k < s.size(); ++k)
-            if (shown.empty() || s.lag[k] >= 1.3 * s.lag[shown.back()]) shown.push_back(k);
-        PlotLine line = draw(label, colour, s, shown, [&](auto k) { return s.value[k]; });
-        line.stroke = Stroke::none;
-        line.marker = marker;
-        return line;
-    };
-    const auto curve_of = [&](const char* label, int colour, Stroke stroke, const StructureFunction<double>& s,
-                              const auto& value) {
-        std::vector<std::size_t> every(s.size());
-        std::iota(every.begin(), every.end(), std::size_t(0));
-        PlotLine line = draw(label, colour, s, every, value);
-        line.stroke = stroke;
-        line.sets_range = false;
-        return line;
-    };
     const StructureFunction<double>&first = fit.structure_function, &second = fit.second_differences;
     const PlotLine measured = points_of("S of the profile, eq. (2.8)", 0, Marker::circle, first),
-                   expected = curve_of("S of the cosines that were summed", 0, Stroke::solid, first,
-                                       [&](auto k) { return wm.structure_function(first.lag[k]); }),
-                   law = curve_of("C τ^(4-2D), D and G of Table 2: a sum without ends", neutral, Stroke::dashed, first,
-                                  [&](auto k) { return structure_function_at(first.lag[k], surface.fractal); }),
-                   fitted_points = points_of("S₂ of its second differences", 1, Marker::triangle, second),
-                   fitted = curve_of("what is fitted to S₂, with D and G", 1, Stroke::solid, fit.fitted,
+                   summed = curve_of("S of the cosines that were summed", 0, first,
+                                     [&](auto k) { return wm.structure_function(first.lag[k]); }),
+                   differences = points_of("S₂ of its second differences", 1, Marker::triangle, second),
+                   fitted = curve_of("what is fitted to S₂, with D and G", 1, fit.fitted,
                                      [&](auto k) { return fit.fitted.value[k]; });
+    PlotLine law = curve_of("C τ^(4-2D), D and G of Table 2: a sum without ends", neutral, first,
+                            [&](auto k) { return structure_function_at(first.lag[k], surface.fractal); });
+    law.stroke = Stroke::dashed;
     const auto row = [&](const std::string& quantity, const std::string& value, const std::string& table) {
         all.generated.push_back({"Fig. 6", surface.name, quantity, value, table});
     };
@@ -278,14 +277,14 @@ Picture figure_6(Reproduction& all) {
     Figure figure{.title = "Fig. 6: structure function, sand blasted (fine), generated profile",
                   .panels = {{.x = {.label = "lag τ [µm]"},
                               .y = {.label = "S, S₂ [µm²]"},
-                              .lines = {measured, expected, law, fitted_points, fitted},
+                              .lines = {measured, summed, law, differences, fitted},
                               .windows = {{"window of the fit", fit.window.from * 1e6, fit.window.to * 1e6}}}},
                   .note = "sum of cosines (2.1), γ = 1.5, random phases of seed 2014, 16000 points 0.5 µm apart"};
     return {"fig6",
             "Fig. 6, from a generated profile with the D and G of Table 2: the measured one is not in the text. The "
             "longest "
-            "wave is the one that gives the σ of Table 1. D and G are fitted to the second differences, S₂, which do not see "
-            "the ends of the sum of cosines as S does.",
+            "wave is the one that gives the σ of Table 1. D and G are fitted to the second differences, S₂, which feel "
+            "the ends of the sum of cosines less than S does.",
             figure};
 }
 

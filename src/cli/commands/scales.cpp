@@ -4,6 +4,7 @@
 #include "scene/file.hpp"
 #include "scene/shown_unit.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace fstiff::cli {
@@ -105,7 +106,8 @@ std::vector<Panel> scales_panels(const Scales& scales) {
         panel(scales.short_waves, "λs", [](const Scale& scale) { return scale.cut_offs.lambda_s; }),
         panel(scales.long_waves, "λc",
               [&](const Scale& scale) { return std::optional(scale.cut_offs.lambda_c.value_or(scales.length)); })};
-    std::erase_if(panels, [](const Panel& one) { return one.lines.empty(); });
+    const auto is_curve = [](const PlotLine& line) { return line.x.size() > 1; };
+    std::erase_if(panels, [&](const Panel& one) { return std::none_of(one.lines.begin(), one.lines.end(), is_curve); });
     return panels;
 }
 

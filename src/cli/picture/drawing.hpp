@@ -43,7 +43,9 @@ struct Drawing {
     explicit Drawing(const Panel& drawn);
     double place_x(double x) const { return panel.width * x_scale(x); }
     double place_x(const PlotLine& line, std::size_t i) const { return place_x(line.x[i]) + line.aside; }
-    bool shows(const PlotLine& line, std::size_t i) const { return x_scale.shows(line.x[i]) && y_scale.shows(line.y[i]); }
+    bool shows(const PlotLine& line, std::size_t i) const {
+        return x_scale.shows(line.x[i]) && y_scale.shows(line.y[i]);
+    }
     double place_y(double y) const { return panel.height * (1 - y_scale(y)); }
     std::vector<Entry> legend() const;
 

@@ -15,8 +15,8 @@ namespace fstiff::cli {
 inline std::string sentence_case(std::string text) {
     std::size_t letters = 0;
     while (letters < text.size() && text[letters] >= 'a' && text[letters] <= 'z') ++letters;
-    const bool word = letters > 1 && letters < text.size() && (text[letters] == ' ' || text[letters] == ',' || text[letters] == ':');
-    if (word) text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    if (letters > 1 && letters < text.size() && std::string_view(" ,:").find(text[letters]) != std::string_view::npos)
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
 }
 
@@ -73,9 +73,9 @@ public:
                "@media screen and (prefers-color-scheme:dark){body{color:#ececf1;background:#16161a}"
                "th{background:#26262c}th,td,h2{border-color:#3a3a42}}\n"
                "@page{size:A4;margin:14mm}@media print{body{font-size:10pt;line-height:1.35;margin:0;padding:0;"
-               "max-width:none}table{font-size:8pt}th,td{padding:.1rem .35rem}figure,table,.verdict{break-inside:avoid}"
+               "max-width:none}table{font-size:8pt}th,td{padding:.1rem .35rem}figure,tr,li{break-inside:avoid}"
                "h1{font-size:1.4rem}h2{margin-top:.8rem;break-after:avoid}p,ul{margin:.4rem 0}.wide{margin:.4rem 0}"
-               "figure{margin:.4rem 0}figure svg{max-height:80mm;width:auto}.pair figure svg{max-height:66mm}"
+               "figure{margin:.4rem 0}figure svg{max-height:95mm;width:auto}.pair figure svg{max-height:64mm}"
                ".pair{display:grid;grid-template-columns:1fr 1fr;gap:0 1rem}}\n</style></head>\n<body>\n<h1>" +
                escaped(title_) + "</h1>\n" + body_ + "</body></html>\n";
     }

@@ -42,7 +42,8 @@ std::vector<std::vector<const Curve*>> by_law(const Results& results) {
             at->push_back(&curve);
     }
     while (laws.size() > most_curves) {  // the last ones go, but for the truth of the map
-        const auto last = std::find_if(laws.rbegin(), laws.rend(), [](const auto& of) { return !is_truth(*of.front()); });
+        const auto last =
+            std::find_if(laws.rbegin(), laws.rend(), [](const auto& of) { return !is_truth(*of.front()); });
         laws.erase(std::next(last).base());
     }
     return laws;
@@ -100,7 +101,7 @@ void add_band(PlotLine& line, const Curve& curve, const Ends& ends) {
     const bool sampled = !curve.band.empty() && curve.band.size() == curve.states.size();
     if (!sampled && !is_truth(curve)) return;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
-        const auto [value, error] = curve.states[i].stiffness;
+        const double value = curve.states[i].stiffness.value, error = curve.states[i].stiffness.error;
         const SampledBand<double> grid{error < 0.9 * value ? value - error : 0, value, value + error, 0};
         const auto [low, high] = ends(sampled ? curve.band[i] : grid);
         line.low.push_back(low);

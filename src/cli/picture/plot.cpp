@@ -114,7 +114,8 @@ std::string gnuplot_script(const Figure& given, const std::string& csv, const st
                                          ? "lines"
                                          : "linespoints";
             add(column(5) + ":7 with " + with + " linecolor rgb '" + colour + "'" +
-                (line.covered > 0 ? " linewidth " + std::to_string(2 + 2 * line.covered) : "") + (with == "points" ? "" : dash) +
+                (line.covered > 0 ? " linewidth " + std::to_string(2 + 2 * line.covered) : "") +
+                (with == "points" ? "" : dash) +
                 (line.label.empty()
                      ? " notitle"
                      : " title " + for_gnuplot(panel.lines[static_cast<std::size_t>(&line - d.lines.data())].label)));

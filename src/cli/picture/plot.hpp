@@ -100,8 +100,8 @@ std::string svg(const Figure& given);
 double height_of(const Panel& panel);
 /// The figure with plots as wide as a telephone shows, and the legends below them.
 Figure narrow(Figure figure);
-/// Gives \p lines colours and strokes by their \p kinds, such as a law and a density of peaks, so that each colour and each
-/// stroke means one thing; a second kind of none, where the first has no such kind, is drawn solid.
+/// Gives \p lines colours and strokes by their \p kinds, such as a law and a distribution of peaks, so that each colour
+/// and each stroke means one thing; what has no second kind is solid.
 void choose_look(std::vector<PlotLine>& lines,
                  const std::vector<std::pair<std::size_t, std::optional<std::size_t>>>& kinds);
 /// A page of its own: the title, the narrow picture and the note.

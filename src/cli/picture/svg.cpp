@@ -213,7 +213,9 @@ std::string axes(const Drawing& d, double plot_top) {
     for (const Tick& tick : d.y_scale.ticks())
         if (panel.y.ticks && !tick.label.empty())
             out += text_at(left - 7, plot_top + d.place_y(tick.value) + 4.5, tick.label, "text-anchor=\"end\"");
-    out += text_at(left + width / 2, plot_top + height + 40, d.x_scale.label(), "text-anchor=\"middle\"");
+    const bool aside = std::any_of(d.lines.begin(), d.lines.end(), [](const auto& line) { return line.aside != 0; });
+    out += text_at(left + width / 2, plot_top + height + 40, d.x_scale.label() + (aside ? ", marks side by side" : ""),
+                   "text-anchor=\"middle\"");
     return out + text_at(18, plot_top + height / 2, d.y_scale.label(),
                          "text-anchor=\"middle\" transform=\"rotate(-90 18 " + px(plot_top + height / 2) + ")\"");
 }
@@ -312,9 +314,9 @@ std::string svg(const Figure& given) {
     std::vector<std::string> verdict;
     for (const std::string& sentence : figure.verdict)
         for (std::string& line : lines_of(sentence, large)) verdict.push_back(std::move(line));
-    const double below_title = title.empty() ? 0 : 24 + line_height * static_cast<double>(title.size());
-    const double first =
-        verdict.empty() ? std::max(6.0, below_title) : std::max(8.0, below_title) + 8 + line_height * static_cast<double>(verdict.size());
+    const auto height_of_lines = [](const auto& lines) { return line_height * static_cast<double>(lines.size()); };
+    const double below_title = title.empty() ? 8 : 24 + height_of_lines(title);
+    const double first = verdict.empty() ? below_title : below_title + 8 + height_of_lines(verdict);
     std::string panels;
     double top = first;
     for (const Panel& panel : figure.panels) {
@@ -326,7 +328,7 @@ std::string svg(const Figure& given) {
            "\" width=\"" + px(width) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" + name +
            "\">\n<title>" + name + "</title>\n" + style() + rectangle("back", 0, 0, width, height) +
            paragraph_at(left, 27, title, "class=\"title\"") +
-           paragraph_at(left, std::max(8.0, below_title) + 10, verdict, "class=\"brief\"") + panels +
+           paragraph_at(left, below_title + 10, verdict, "class=\"brief\"") + panels +
            paragraph_at(left, top + 8, note, "class=\"small\"") + "</svg>\n";
 }
 

@@ -181,9 +181,8 @@ std::string shown_key(const std::string& key) {
 Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
     const Layout layout = layout_of(grid, file);
     const std::size_t curves = layout.curves.size();
-    const std::uint64_t lines_each =
-        layout.lines ? std::min(layout.lines->count, std::max<std::uint64_t>(2, most_lines / std::max<std::size_t>(curves, 1)))
-                     : 1;
+    const std::uint64_t room = std::max<std::uint64_t>(2, most_lines / std::max<std::size_t>(curves, 1));
+    const std::uint64_t lines_each = layout.lines ? std::min(layout.lines->count, room) : 1;
     const std::size_t curves_drawn = std::min<std::size_t>(curves, most_lines / lines_each);
     const Places x_places(layout.x ? layout.x->count : 1, most_places);
     const Places line_places(layout.lines ? layout.lines->count : 1, lines_each);
