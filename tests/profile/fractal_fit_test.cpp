@@ -54,7 +54,9 @@ TEST_CASE("D and G of a Weierstrass-Mandelbrot profile come back within their er
 
 TEST_CASE("The fitted curve runs through the second differences in the window of the fit") {
     const double d = GENERATE(1.3, 1.62, 1.8);
-    const auto fit = fit_fractal(wm_profile({d, 1.2e-10}, 16384, 7));
+    const auto profile = wm_profile({d, 1.2e-10}, 16384, 7);
+    const double length = profile.length();
+    const auto fit = fit_fractal(profile);
     CAPTURE(d, fit.window.from, fit.window.to);
     const auto& s = fit.second_differences;
     REQUIRE(fit.fitted.size() == fit.lags);
@@ -67,10 +69,11 @@ TEST_CASE("The fitted curve runs through the second differences in the window of
         CHECK(fit.fitted.lag[k] == s.lag[first + k]);
         const double off = std::log(s.value[first + k] / fit.fitted.value[k]);
         CAPTURE(s.lag[first + k], off);
-        CHECK(std::abs(off) < 0.25);  // waves of one phase each: S2 scatters about its mean
+        // S2 is a mean over about length/lag pieces, and the line takes 0.03 for what its form misses
+        CHECK(std::abs(off) < 0.06 + std::sqrt(s.lag[first + k] / length));
         mean += off / static_cast<double>(fit.lags);
     }
-    CHECK(std::abs(mean) < 0.03);
+    CHECK(std::abs(mean) < 0.05);
 }
 
 TEST_CASE("The printed constant makes G too large by the factors of the errata, and D stays") {
