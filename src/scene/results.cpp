@@ -320,6 +320,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     finish(scene, results, progress);
     add_warnings(scene, results);
     results.verdict = verdict(scene, results);
+    results.short_verdict = short_verdict(scene, results);
     return results;
 }
 

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace fstiff::scene {
 namespace {
@@ -21,6 +24,7 @@ std::string unless_there(const Scene& scene, std::string_view law) {
 
 struct AboutHeights {
     std::string sentence;            ///< empty for Gaussian heights
+    std::string shorter;             ///< for a picture
     bool far_from_gaussian = false;  ///< no law over a distribution of peaks holds
 };
 
@@ -44,32 +48,53 @@ AboutHeights about_heights(const Scene& scene) {
                     (scene.map ? "boundary_elements" + unless_there(scene, "boundary_elements") +
                                      ", then summits at light loads" + unless_there(scene, "summits")
                                : std::string("boundary_elements of a map of this surface (fstiff truth)")),
+                std::string("Heights far from Gaussian: use boundary_elements") + (scene.map ? "" : " of a map") +
+                    "; other laws may be wrong by 5 times.",
                 true};
     if (std::abs(skewness) > 0.3 || std::abs(kurtosis - 3) > 1)
         return {"the heights are not Gaussian (" + numbers + "): K of laws over Gaussian peaks is " +
                 (skewness > 0 ? "1.05 to 1.9 times too large at skewnesses of 0.35 to 0.9"
-                              : "too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23")};
+                              : "too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23"),
+                "Heights not Gaussian: K of laws over peaks may be wrong by 2 to 3 times."};
     return {};
+}
+
+/// Least and greatest p* of the scene; none where no gradient is known.
+std::optional<std::pair<double, double>> relative_pressures(const Results& results) {
+    const Curve* curve = nullptr;
+    for (const Curve& one : results.curves)
+        if (one.rms_gradient && !one.states.empty()) curve = &one;
+    if (!curve) return std::nullopt;
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const auto& state : curve->states) {
+        const double p = dimensionless_pressure(state.pressure.value, results.modulus, *curve->rms_gradient);
+        low = std::min(low, p);
+        high = std::max(high, p);
+    }
+    return std::pair(low, high);
 }
 
 /// Which elastic law holds at the pressures of the scene.
 std::string about_pressures(const Scene& scene, const Results& results) {
-    const Curve* curve = nullptr;
-    for (const Curve& one : results.curves)
-        if (one.rms_gradient && !one.states.empty()) curve = &one;
-    if (!curve) return "";
-    const auto relative = [&](double p) { return dimensionless_pressure(p, results.modulus, *curve->rms_gradient); };
-    double low = std::numeric_limits<double>::infinity(), high = 0;
-    for (const auto& state : curve->states) {
-        low = std::min(low, relative(state.pressure.value));
-        high = std::max(high, relative(state.pressure.value));
-    }
+    const auto range = relative_pressures(results);
+    if (!range) return "";
+    const auto [low, high] = *range;
     std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) +
                        ": of elastic contacts believe hybrid" + unless_there(scene, "hybrid") + ", to about ";
     text += low >= 0.003 ? "10 %" : low >= 0.001 ? "a quarter" : "a quarter above p* = 0.001 and a factor of two below";
     if (high > 0.01) text += "; hertz and the other sums over peaks give too little K above p* = 0.01, half at 0.1";
     if (high > 0.25) text += "; nothing was compared above p* = 0.25";
     return text;
+}
+
+std::string shortly_about_pressures(const Scene& scene, const Results& results) {
+    const auto range = relative_pressures(results);
+    if (!range) return "";
+    const auto [low, high] = *range;
+    if (low > 0.25) return "No law was compared at these pressures (p* above 0.25).";
+    return std::string("Recommended elastic law: hybrid") + (has_law(scene, "hybrid") ? "" : " (not in contact.laws)") +
+           ", to about " + (low >= 0.003 ? "10 %" : low >= 0.001 ? "a quarter" : "a factor of two") +
+           (high > 0.25 ? "; not compared above p* = 0.25." : ".");
 }
 
 std::string about_contacts(const Scene& scene, const Results& results) {
@@ -85,8 +110,10 @@ std::string about_contacts(const Scene& scene, const Results& results) {
            " there (rms); its own summits or boundary elements do not";
 }
 
+bool peaks_flow(const Results& results) { return results.plasticity_index && *results.plasticity_index > 1; }
+
 std::string about_flow(const Scene& scene, const Results& results) {
-    if (!results.plasticity_index || *results.plasticity_index <= 1) return "";
+    if (!peaks_flow(results)) return "";
     return "the peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
            "): what a wave sees is the unloading stiffness of plastic or jackson_green" +
            unless_there(scene, "plastic") +
@@ -96,11 +123,26 @@ std::string about_flow(const Scene& scene, const Results& results) {
 
 }  // namespace
 
+std::vector<std::string> short_verdict(const Scene& scene, const Results& results) {
+    const AboutHeights heights = about_heights(scene);
+    std::vector<std::string> sentences;
+    for (std::string sentence :
+         {heights.shorter,
+          peaks_flow(results) ? "The peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
+                                    "): a wave sees K of plastic or jackson_green."
+                              : std::string(),
+          heights.far_from_gaussian ? "" : shortly_about_pressures(scene, results)})
+        if (!sentence.empty() && sentences.size() < 2) sentences.push_back(std::move(sentence));
+    if (sentences.empty())
+        sentences.emplace_back("No law is recommended: the rms gradient of the surface is not known.");
+    return sentences;
+}
+
 std::vector<std::string> verdict(const Scene& scene, const Results& results) {
     std::vector<std::string> sentences;
-    const auto [heights, far_from_gaussian] = about_heights(scene);
+    const AboutHeights heights = about_heights(scene);
     for (std::string sentence :
-         {heights, about_flow(scene, results), far_from_gaussian ? "" : about_pressures(scene, results),
+         {heights.sentence, about_flow(scene, results), heights.far_from_gaussian ? "" : about_pressures(scene, results),
           about_contacts(scene, results)})
         if (!sentence.empty()) sentences.push_back(std::move(sentence));
     sentences.insert(sentences.end(), results.about_band.begin(), results.about_band.end());

@@ -14,4 +14,7 @@ namespace fstiff::scene {
 /// Empty where nothing is known that decides: no gradient, no measured heights, no yield strength.
 [[nodiscard]] std::vector<std::string> verdict(const Scene& scene, const Results& results);
 
+/// The same for a picture: two short sentences at most, and one where nothing decides.
+[[nodiscard]] std::vector<std::string> short_verdict(const Scene& scene, const Results& results);
+
 }  // namespace fstiff::scene

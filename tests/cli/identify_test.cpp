@@ -219,6 +219,8 @@ TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
     const std::string picture = test::read(folder / "fit.svg");
     CHECK(test::contains(picture, "</svg>"));
     CHECK(test::contains(picture, "Residuals"));
+    const auto title = picture.find("<title>");  // has no folders
+    CHECK_FALSE(test::contains(picture.substr(title, picture.find("</title>") - title), "/"));
     CHECK(test::contains(picture, "Stiffness: measured points and fitted models"));
     // measured points and their residuals, and a model so fine that it is smooth, through the same values
     const auto rows = test::lines(test::read(folder / "fit.plot.csv"));

@@ -159,6 +159,11 @@ TEST_CASE("Two pressures that are close are drawn as points between numbers") {
         drawn(folder, replaced(read(scene_file), range, "pressures = [\"10 MPa\", \"10.01 MPa\"]"));
     REQUIRE(plots(picture).size() == 2);
     for (const std::string& plot : plots(picture)) CHECK(all_between(plot, "<circle", "/>").size() >= 2 * 2);
+    // with error bars in place of a band, which would have no width
+    for (const std::string& plot : plots(picture)) {
+        CHECK(all_between(plot, "<path class=\"band", "/>").empty());
+        CHECK(all_between(plot, "<path class=\"bar", "/>").size() == 2);
+    }
     CHECK(contains(picture, "text-anchor=\"middle\">10<"));
     CHECK(contains(picture, "text-anchor=\"middle\">20<"));
 }
@@ -197,12 +202,118 @@ TEST_CASE("Many curves are few that can be told apart, and long names are broken
     CHECK(looks.size() == 9);  // and p/(0.48 sigma)
     // the legend tells those that lie on one another, which these nearly do
     CHECK(contains(picture, "(lies on"));
-    CHECK(contains(picture, " wide\""));
+    CHECK(contains(picture, " wide"));
+    for (std::string& look : looks) look = look.substr(0, look.find(" wide"));
     std::sort(looks.begin(), looks.end());
     looks.erase(std::unique(looks.begin(), looks.end()), looks.end());
     CHECK(looks.size() == 9);
     CHECK(std::stod(all_between(picture, "viewBox=\"0 0 ", " ").at(0)) < 1100);
     CHECK(all_between(picture, "class=\"title\">", "<").size() >= 3);
+}
+
+TEST_CASE("At one pressure the curves stand next to one another with their error bars") {
+    const Folder folder;
+    std::string text = replaced(read(scene_file), range, "pressures = [\"10 MPa\"]");
+    text = replaced(text, "peaks     = [ { theta = \"pi/4\", r = \"exponential\" } ]",
+                    "peaks = [ { theta = \"pi/4\", r = \"exponential\" }, { theta = \"pi/3\", r = \"exponential\" } ]");
+    const std::string picture = drawn(folder, text), plot = plots(picture).at(0);
+    std::vector<double> places;
+    for (const std::string& bar : all_between(plot, "<path class=\"bar ", "/>")) {
+        INFO(bar);
+        // M <left> <high> h8 M <x> <high> V <low> ...
+        const double high = std::stod(bar.substr(bar.find(' ', bar.find("d=\"M")))),
+                     low = std::stod(bar.substr(bar.find('V') + 1));
+        CHECK(low - high > 10);  // pixels
+        places.push_back(std::stod(bar.substr(bar.find("d=\"M") + 4)));
+    }
+    REQUIRE(places.size() == 4);
+    for (std::size_t k = 1; k < places.size(); ++k) CHECK(places[k] - places[k - 1] > 8);
+    // a mark for each distribution of peaks, as in the legend, and the linear law
+    CHECK(all_between(plot, "<circle", "/>").size() == 2);
+    CHECK(all_between(plot, "<polygon", "/>").size() == 3);
+    CHECK(contains(picture, "p/(0.48 σ)"));
+    const auto rows = curves(folder / "out.plot.csv");
+    REQUIRE(rows.size() == 5 + 4);
+    CHECK(rows[4].label == "p/(0.48 σ)");
+    CHECK(std::abs(rows[4].y.at(0) * 1e15 * 0.48 * 0.832e-6 / 10e6 - 1) < 1e-14);
+    for (const auto& row : rows) CHECK(row.x == std::vector<double>{10});  // the numbers stay where they are
+    CHECK(contains(read(folder / "out.plot.gp"), "with yerrorbars"));
+}
+
+TEST_CASE("Of many laws the same distributions of peaks are drawn, one stroke for each, and hidden ones are named") {
+    const Folder folder;
+    std::string text = read(FSTIFF_SCENES "/sand_blasted_fine.toml");
+    const std::string laws = "laws         = [\"fractal\", \"hertz\", \"greenwood_williamson\"]";
+    text = replaced(text, laws,
+                    "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\", \"plastic\", \"jackson_green\", "
+                    "\"kogut_etsion\"]");
+    const std::string picture = drawn(folder, text);
+    CHECK(contains(picture, "6 of 11 curves are drawn"));
+    for (const auto& curve : curves(folder / "out.plot.csv")) CHECK_FALSE(contains(curve.label, "π/3"));
+    for (const std::string& look : all_between(plots(picture).at(0), "<path class=\"line c", "\"")) {
+        INFO(look);
+        CHECK((look == "n dash" || !contains(look, "da")));
+    }
+    CHECK(contains(picture, "greenwood_williamson (lies on hertz"));
+    // four laws have room for both distributions: dashes are the second one, whatever lies on whatever
+    text = replaced(text, ", \"jackson_green\", \"kogut_etsion\"", "");
+    CHECK_FALSE(contains(drawn(folder, text), "curves are drawn"));
+    const auto four = curves(folder / "out.plot.csv");
+    const auto looks = all_between(plots(read(folder / "out.svg")).at(0), "<path class=\"line ", "\"");
+    REQUIRE(looks.size() == four.size());
+    for (std::size_t k = 0; k + 1 < looks.size(); ++k) {
+        INFO(four[k].label << ": " << looks[k]);
+        CHECK(contains(looks[k], "dash") == contains(four[k].label, "π/3"));
+    }
+}
+
+TEST_CASE("The picture has the verdict in short") {
+    const Folder folder;
+    const auto brief = [](const std::string& picture) {
+        std::string all;
+        for (const std::string& line : all_between(picture, "class=\"brief\">", "<")) all += line + " ";
+        return all;
+    };
+    const std::string steel = brief(drawn(folder, read(FSTIFF_SCENES "/sand_blasted_fine.toml")));
+    CHECK(contains(steel, "The peaks flow (plasticity index 14.5)"));
+    CHECK(contains(steel, "Recommended elastic law: hybrid (not in contact.laws)"));
+    CHECK(steel.size() < 220);
+    CHECK(brief(drawn(folder, read(scene_file))) ==
+          "No law is recommended: the rms gradient of the surface is not known. ");
+}
+
+TEST_CASE("The curve of boundary elements has the error that truth gives") {
+    const Folder folder;
+    REQUIRE(fstiff("generate map --points 32 --spacing '1 um' --hurst 0.7 --rms '0.3 um' --shortest '6 um' -o '" +
+                   folder / "map.txt" + "'")
+                .status == 0);
+    const std::string scene = "[surface]\nfrom = \"map.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+                              "poisson_ratio = 0.3\n[contact]\nlaws = [\"boundary_elements\"]\n"
+                              "pressures = [\"10 MPa\", \"100 MPa\", \"300 MPa\"]\n";
+    const std::string plot = plots(drawn(folder, scene)).at(0);
+    CHECK(all_between(plot, "<path class=\"bar ", "/>").size() == 1);
+    const auto curve = curves(folder / "out.plot.csv").at(0);
+    CHECK(curve.label == "boundary_elements");
+    const Csv truth(fstiff("truth '" + folder / "map.txt" + "' --pressures '10 MPa,100 MPa,300 MPa' --format csv").out);
+    REQUIRE(curve.low.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double value = truth.number(i, "stiffness_Pa_per_m"), error = truth.number(i, "stiffness_error_Pa_per_m"),
+                     unit = value / curve.y.at(i);
+        CHECK(error > 1e-4 * value);
+        CHECK(std::abs(curve.high.at(i) * unit / (value + error) - 1) < 1e-9);
+        if (error < 0.9 * value) CHECK(std::abs(curve.low.at(i) * unit / (value - error) - 1) < 1e-9);
+    }
+}
+
+TEST_CASE("A page of one picture can be read on a telephone") {
+    const Folder folder;
+    REQUIRE(fstiff("run '" + scene_file + "' --plot '" + folder / "k.html" + "'").status == 0);
+    const std::string page = read(folder / "k.html");
+    CHECK(contains(page, "content=\"width=device-width\""));
+    // letters of 16 pixels in a picture so narrow that 390 pixels show them with 10 at least
+    CHECK(contains(page, "@media screen and (max-width:40rem)"));
+    CHECK(16 * 368 / std::stod(all_between(page, "viewBox=\"0 0 ", " ").at(0)) > 10);
+    CHECK(contains(page, "<h1>Contact stiffness: sand blasted (fine) on steel</h1>"));
 }
 
 TEST_CASE("The axes of a picture are in the unit that fits") {

@@ -97,7 +97,7 @@ TEST_CASE("The report of given parameters shows stiffness, reflection, area, con
     }
     // the numbers are those of run
     const Csv run(fstiff("run '" + scene + "' --format csv").out);
-    const double stiffness = run.number(10, "stiffness_Pa_per_m") / 1e15;
+    const double stiffness = run.number(10, "stiffness_Pa_per_m") / 1e12;
     char shown[32];
     std::snprintf(shown, sizeof shown, "%.5g", stiffness);
     CHECK(contains(page, "<td>" + std::string(shown) + "</td>"));
@@ -137,7 +137,8 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 4 + 4);  // K, area, contacts, separation; profile, bearing curve, structure; cut-offs
+    // K, area, contacts, separation; profile, bearing curve, structure function, λs, λc
+    REQUIRE(seen.at("figures").size() == 4 + 5);
     CHECK(seen["figures"][0]["bands"].get<int>() > 0);
     CHECK(seen["figures"][4]["lines"] == 1);
     CHECK(seen["figures"][5]["lines"] == 1);
@@ -145,7 +146,10 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
     CHECK(seen["figures"][6]["lines"] == 1);
     CHECK(seen["figures"][6]["windows"] == 1);
     CHECK(seen["figures"][7]["lines"].get<int>() >= 5);  // K, sigma, gradient, R, D_p behind other cut-offs
-    CHECK(contains(page, "What hangs on the cut-offs"));
+    CHECK(contains(page, "Influence of the cut-offs"));
+    CHECK(contains(page, "Structure function of second differences"));
+    CHECK(contains(page, "share of peaks counted, which differs where heights are not Gaussian"));
+    CHECK_FALSE(contains(page, "<th></th>"));
 }
 
 TEST_CASE("The report of a measured map shows it in colours") {
@@ -176,7 +180,7 @@ TEST_CASE("The report of a measured map shows it in colours") {
     const Json seen = rendered(page);
     if (seen.is_null()) return;
     INFO(seen.dump(1));
-    REQUIRE(seen.at("figures").size() == 4 + 6);  // map, bearing curve, structure, islands and their radius; cut-offs
+    REQUIRE(seen.at("figures").size() == 4 + 7);  // map, bearing curve, structure, islands and their radius; λs, λc
     CHECK(seen["figures"][4]["images"] == 2);
     REQUIRE(seen["sizes"].size() == 2);
     CHECK(seen["sizes"][0] == 200 * 160);
@@ -209,8 +213,14 @@ TEST_CASE("The report begins with the answer and says which material was assumed
     // K at 3.16 MPa is that of run, in the unit of the table
     const Csv run(fstiff("run --format csv").out);
     char shown[32];
-    std::snprintf(shown, sizeof shown, "<td>%.3g</td>", run.number(15, "stiffness_Pa_per_m") / 1e15);
+    std::snprintf(shown, sizeof shown, "<td>%.3g</td>", run.number(15, "stiffness_Pa_per_m") / 1e12);
     CHECK(before_inputs(shown));
+    CHECK(before_inputs("<th>K/A₀ [MPa/µm]</th>"));  // the numbers of the table are between 1 and 1000
+    CHECK(before_inputs("K/A₀ [MPa/µm]</text>"));    // and the picture beside it has the same unit
+    CHECK(before_inputs("fractal roughness G = 12 nm"));
+    CHECK(before_inputs("<li>The peaks flow"));
+    CHECK(before_inputs("<li>Plasticity index 14.5"));
+    CHECK(before_inputs("class=\"brief\">The peaks flow"));  // the verdict in the picture
     const std::string scene = folder.write("scene.toml", replaced(read(FSTIFF_SCENES "/../docs/stiffness.toml"),
                                                                   "[material.lower]\nyoungs_modulus = "
                                                                   "\"205 GPa\"",
@@ -219,8 +229,56 @@ TEST_CASE("The report begins with the answer and says which material was assumed
     const std::string own = read(folder / "own/report.html");
     CHECK(contains(own, "Material: E = 205 GPa, ν = 0.3 on E = 70 GPa, ν = 0.3; no yield strength is given"));
     CHECK_FALSE(contains(own, "assumed"));
-    CHECK(contains(own, "0.00"));  // K with its band in brackets
+    CHECK(contains(own, "<td>0.86"));  // K with its band in brackets
     CHECK(contains(own, " to "));
+}
+
+TEST_CASE("The printed report of a measured surface begins with its answer and has few pages") {
+    if (shell("command -v chromium").status != 0 || shell("command -v pdftotext").status != 0)
+        SKIP_CASE("there is no chromium or no pdftotext (Debian packages chromium, poppler-utils): nothing is printed");
+    const Folder folder;
+    const std::string how =
+        " --points 128 --spacing '1 um' --hurst 0.7 --rms '0.5 um' --shortest '6 um' --longest '60 um'";
+    REQUIRE(fstiff("generate map" + how + " -o '" + folder / "map.txt" + "'").status == 0);
+    REQUIRE(fstiff("generate profile --points 8192 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --longest '1 mm' -o '" +
+                   folder / "trace.txt" + "'")
+                .status == 0);
+    for (const char* surface : {"map.txt", "trace.txt"}) {
+        INFO(surface);
+        REQUIRE(fstiff("report --surface '" + folder / surface + "' -o '" + folder / "out" + "'").status % 4 == 0);
+        const std::string pdf = folder / "out.pdf";
+        REQUIRE(shell("chromium --headless --no-sandbox --disable-gpu --host-resolver-rules='MAP * ~NOTFOUND' "
+                      "--virtual-time-budget=5000 --user-data-dir='" +
+                      folder / "profile" + "' --no-pdf-header-footer --print-to-pdf='" + pdf + "' 'file://" +
+                      folder / "out/report.html" + "'")
+                    .status == 0);
+        const std::string first = shell("pdftotext -l 1 '" + pdf + "' -").out, all = shell("pdftotext '" + pdf + "' -").out;
+        for (const char* part : {"Surface measured from", "K/A₀ [", "Verdict: "}) {
+            INFO(part);
+            CHECK(contains(first, part));
+        }
+        const auto pages = std::count(all.begin(), all.end(), '\f');
+        CHECK(pages >= 2);
+        CHECK(pages <= 6);
+    }
+}
+
+TEST_CASE("A report gives no sentence three times") {
+    const Folder folder;
+    // too few lags for D: the reason stands among the warnings and under the surface
+    REQUIRE(fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '40 um' "
+                   "--longest '60 um' -o '" +
+                   folder / "trace.txt" + "'")
+                .status == 0);
+    REQUIRE(fstiff("report --surface '" + folder / "trace.txt" + "' -o '" + folder / "out" + "'").status % 4 == 0);
+    const std::string page = read(folder / "out/report.html"), start = "No D and G: ";
+    const auto at = page.find(start);
+    REQUIRE(at != std::string::npos);
+    const std::string reason = page.substr(at + start.size(), 30);
+    std::size_t times = 0;
+    for (auto found = page.find(reason); found != std::string::npos; found = page.find(reason, found + 1)) ++times;
+    INFO(reason);
+    CHECK(times <= 2);
 }
 
 TEST_CASE("The report fits a telephone and is printed on few pages") {

@@ -180,6 +180,45 @@ TEST_CASE("Fig. 2 is the density (4.4) integrated over the curvature") {
         }
 }
 
+TEST_CASE("Fig. 6 shows what was fitted, and Fig. 4 holds the radii at the level with the most islands") {
+    const Folder folder;
+    REQUIRE(test::fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
+    const Curves six = curves(folder / "paper/fig6.plot.csv");
+    const auto &points = six.at({1, "S₂ of its second differences"}),
+               &fitted = six.at({1, "what is fitted to S₂, with D and G"});
+    std::size_t both = 0;
+    for (const auto& [lag, value] : points) {
+        if (!fitted.contains(lag)) continue;
+        INFO("lag " << lag << " µm");
+        CHECK(std::abs(value / fitted.at(lag) - 1) < 0.1);
+        ++both;
+    }
+    CHECK(both > 8);
+    const auto &first = six.at({1, "S of the profile, eq. (2.8)"}),
+               &expected = six.at({1, "S of the cosines that were summed"});
+    for (const auto& [lag, value] : first)
+        if (lag < 30) CHECK(std::abs(value / at(expected, lag) - 1) < 0.1);
+
+    const Curves four = curves(folder / "paper/fig4.plot.csv");
+    const std::string script = read(folder / "paper/fig4.plot.gp");
+    const auto range = script.rfind("set yrange [");
+    const double low = std::stod(script.substr(range + 12)),
+                 high = std::stod(script.substr(script.find(':', range) + 1));
+    for (const auto& [key, curve] : four)
+        if (key.first == 2)
+            for (const auto& [share, radius] : curve)
+                if (share < 45) CHECK((radius > low && radius < high));
+    // the curves that lie on one another are named, and dashes mean θ = π/3 alone
+    const std::string seven = read(folder / "paper/fig7.svg");
+    CHECK(contains(seven, "(lies on statistical"));
+    CHECK(contains(seven, "class=\"line c0 dash"));
+    for (const char* solid : {"c1 dash", "c2 dash", "c3 dash", "c4 dash"})
+        CHECK_FALSE(contains(seven, std::string("class=\"line ") + solid));
+    const std::string page = read(folder / "paper/index.html");
+    CHECK_FALSE(contains(page, "<th></th>"));
+    CHECK(contains(page, "<th>G [nm]</th>"));
+}
+
 TEST_CASE("The numbers behind the conclusions are the known ones") {
     const Folder folder;
     const Outcome outcome = test::fstiff("reproduce --format json -o '" + folder / "paper" + "'");

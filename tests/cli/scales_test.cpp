@@ -59,7 +59,8 @@ TEST_CASE("the table of --scales, its CSV and its picture are of one file") {
           "lambda_s_m,lambda_c_m,rms_height_m,rms_gradient,peak_radius_m,peak_density_per_m2,fractal_dimension,"
           "stiffness_Pa_per_"
           "m");
-    CHECK(test::contains(test::read(folder / "map.svg"), "<svg"));
+    CHECK(test::contains(test::read(folder / "map.svg"), "ratio to the value at the chosen λs"));
+    CHECK(test::contains(test::read(folder / "map.svg"), ">map.txt filtered with other cut-offs<"));
     CHECK(std::filesystem::exists(folder / "map.plot.csv"));
     CHECK(test::contains(test::fstiff("measure " + map + " --scales --format table").out, "settled to 10 %"));
     CHECK(test::fstiff("measure " + map + " " + map + " --scales").status == 2);

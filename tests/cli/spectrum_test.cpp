@@ -227,6 +227,14 @@ TEST_CASE("The picture of a spectrum has its curves, its numbers and its script,
         for (const char* part : of == "psd" ? std::vector<const char*>{"All directions", "sections along y", "rad/µm"}
                                             : std::vector<const char*>{"along x", "lag [µm]", "Sal and Str"})
             CHECK(contains(picture, part));
+        CHECK(contains(picture, " of map.csv</text>"));  // the file without its folders
+        CHECK_FALSE(contains(picture, "C_x"));
+        const std::string script = read(folder / (of + ".plot.gp"));
+        std::vector<std::string> ranges;  // of the panels, one for all
+        for (auto at = script.find("set xrange"); at != std::string::npos; at = script.find("set xrange", at + 1))
+            ranges.push_back(script.substr(at, script.find('\n', at) - at));
+        REQUIRE(ranges.size() == (of == "psd" ? 2 : 1));
+        CHECK(ranges.front() == ranges.back());
         CHECK(read(folder / (of + ".plot.csv")).starts_with("# fstiff "));
     }
     CHECK(folder.files() == 7);

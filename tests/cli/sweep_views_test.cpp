@@ -13,8 +13,9 @@ namespace {
 
 std::string grid(const std::string& rms, const std::string& radius, const std::string& pressures,
                  const std::string& more = "", const std::string& laws = "\"hertz\"") {
-    return "[surface]\nrms_height = " + rms + "\npeak_radius = " + radius +
+    return "[surface]\nfractal_dimension = 1.6\nrms_height = " + rms + "\npeak_radius = " + radius +
            "\npeak_density = \"500 /mm^2\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+           "yield_strength = \"400 MPa\"\n"
            "[contact]\nlaws = [" +
            laws + "]\npeaks = [ { theta = \"pi/3\", r = 0.5 } ]\n" + pressures + "\n" + more;
 }
@@ -56,6 +57,28 @@ TEST_CASE("The picture of a sweep has K of the lines against the longer axis, a 
     CHECK(labels.size() == 3);
     CHECK(labels["rms height = 0.5 µm"] == 5);
     CHECK(std::abs(rows.number(4, "x") - 100) < 1e-9);  // MPa
+}
+
+TEST_CASE("Of many lines of a sweep the largest value is drawn, and the legend is unbroken") {
+    const Folder folder;
+    const std::string laws = R"("fractal", "hertz", "greenwood_williamson", "plastic", "jackson_green")";
+    const Csv rows =
+        drawn(folder, grid("{ from = \"0.5 um\", to = \"2 um\", count = 20 }", "[\"20 um\", \"30 um\", \"40 um\"]",
+                           "pressures = [ { from = \"1 MPa\", to = \"100 MPa\", count = 12 } ]", "", laws));
+    std::map<std::string, int> labels;
+    for (std::size_t i = 0; i < rows.size(); ++i) ++labels[std::string(rows.text(i, "label"))];
+    CHECK(labels.size() == 8);
+    for (const char* law : {"fractal", "hertz", "greenwood_williamson", "plastic"})
+        for (const char* value : {"p = 1 MPa", "p = 100 MPa"}) {
+            INFO(law << " " << value);
+            CHECK(std::any_of(labels.begin(), labels.end(), [&](const auto& one) {
+                return one.first.starts_with(law) && one.first.ends_with(value);
+            }));
+        }
+    const std::string picture = read(folder / "k.svg");
+    CHECK(contains(picture, "8 of 60 curves are drawn"));
+    CHECK(contains(picture, "5\u00A0to\u00A095\u00A0%"));
+    CHECK(contains(picture, "scenes of grid.toml"));
 }
 
 TEST_CASE("Draws are drawn as their median with 5 to 95 %") {

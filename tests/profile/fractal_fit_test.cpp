@@ -52,6 +52,30 @@ TEST_CASE("D and G of a Weierstrass-Mandelbrot profile come back within their er
     }
 }
 
+TEST_CASE("The fitted curve runs through the second differences in the window of the fit") {
+    const double d = GENERATE(1.3, 1.62, 1.8);
+    const auto profile = wm_profile({d, 1.2e-10}, 16384, 7);
+    const double length = profile.length();
+    const auto fit = fit_fractal(profile);
+    CAPTURE(d, fit.window.from, fit.window.to);
+    const auto& s = fit.second_differences;
+    REQUIRE(fit.fitted.size() == fit.lags);
+    CHECK(fit.fitted.lag.front() == fit.window.from);
+    CHECK(fit.fitted.lag.back() == fit.window.to);
+    const auto first = static_cast<std::size_t>(std::find(s.lag.begin(), s.lag.end(), fit.window.from) - s.lag.begin());
+    REQUIRE(first + fit.lags <= s.size());
+    double mean = 0;
+    for (std::size_t k = 0; k < fit.lags; ++k) {
+        CHECK(fit.fitted.lag[k] == s.lag[first + k]);
+        const double off = std::log(s.value[first + k] / fit.fitted.value[k]);
+        CAPTURE(s.lag[first + k], off);
+        // S2 is a mean over about length/lag pieces, and the line takes 0.03 for what its form misses
+        CHECK(std::abs(off) < 0.06 + std::sqrt(s.lag[first + k] / length));
+        mean += off / static_cast<double>(fit.lags);
+    }
+    CHECK(std::abs(mean) < 0.05);
+}
+
 TEST_CASE("The printed constant makes G too large by the factors of the errata, and D stays") {
     const auto profile = wm_profile({1.62, 1.2e-10}, 16384, 5);
     const auto exact = fit_fractal(profile), printed = fit_fractal(profile, {.convention = StructureConvention::paper});

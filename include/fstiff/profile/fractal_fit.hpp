@@ -281,6 +281,7 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     using F = Accumulator<T>;  // the fit of a float profile is done in double
     FractalFit<T> result;
     result.structure_function = measured.structure_function;
+    result.second_differences = measured.second_differences;
     result.automatic_window = !options.window;
     const T spacing = measured.spacing;
     ReliableLags<T> reliable{options.resolution, WindowEnd::resolution};
@@ -345,6 +346,14 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
                    "finite, a row for every lag asked for, two columns or more");
     }
     set_fractal(result, line, log, *fitter, resampled, spacing, options);
+    for (Eigen::Index k = 0; k < range.count(); ++k) {
+        const auto at = static_cast<std::size_t>(range.first + k);
+        result.fitted.step.push_back(log.step[at]);
+        result.fitted.pairs.push_back(log.pairs[at]);
+        result.fitted.lag.push_back(static_cast<T>(log.step[at]) * spacing);
+        result.fitted.value.push_back(
+            static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<F>(spacing)))));
+    }
     result.curved =
         is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < F(0.2) ||
         flattens(log, range, line.slope) ||

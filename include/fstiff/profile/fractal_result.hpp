@@ -105,6 +105,8 @@ struct FractalFit {
     T flattest_slope{};  ///< that slope: near 0, a roughness that has saturated below the waviness of the window
     std::uint64_t seed{};
     StructureFunction<T> structure_function;  ///< all lags up to a quarter of the points, beyond the window too
+    StructureFunction<T> second_differences;  ///< S2, which is fitted, at all its lags
+    StructureFunction<T> fitted;  ///< what the fit gives for S2 at the lags of the window, ends of the band included
 };
 
 }  // namespace fstiff

@@ -81,6 +81,7 @@ struct LogFit {
     T reference{};       ///< ln n of the middle of the window
     T level{}, slope{};  ///< ln S2 there, without a and b, and p
     Vector<T> level_row, slope_row;
+    Vector<T> fitted;  ///< what the whole sum above gives at the lags of range, to be compared with ln S2
     T short_waves{}, long_waves{};  ///< a, b
     T residual{};                   ///< weighted sum of squares
     bool finite_band{};             ///< a or b differs from 0 by two of its standard deviations
@@ -173,8 +174,10 @@ private:
         line.level = found[0], line.slope = found[1], line.short_waves = found[2] + expected_short_,
         line.long_waves = found[3];
         line.finite_band = std::abs(found[2]) > 2 * spread(2) || std::abs(found[3]) > 2 * spread(3);
-        const Vector<T> left = inverse_root.lazyProduct(y - columns.lazyProduct(found));
+        const Vector<T> missed = y - columns.lazyProduct(found);
+        const Vector<T> left = inverse_root.lazyProduct(missed);
         line.residual = left.squaredNorm();
+        line.fitted = log_.value.segment(range.first, count) - missed;
         line.level_row = line.slope_row = Vector<T>::Zero(log_.lag.size());
         line.level_row.segment(range.first, count) = solver.row(0).transpose();
         line.slope_row.segment(range.first, count) = solver.row(1).transpose();

@@ -371,7 +371,7 @@ Figure picture(const Work& work) {
     }
     below.y.low = -widest;
     below.y.high = widest;
-    Figure figure{.title = "Parameters of " + work.scene.name + " from " + curve.name, .panels = {above}};
+    Figure figure{.title = "Parameters of " + work.scene.name + " from " + shown_file(curve.name), .panels = {above}};
     if (!below.lines.empty()) figure.panels.push_back(std::move(below));
     figure.note = "fstiff " FSTIFF_VERSION ", " + work.scene.file + ", " + curve.name;
     return figure;

@@ -120,7 +120,8 @@ Report execute_scales(const Options& options) {
     const Scales scales = scales_of(surface, input, how);
     std::vector<std::string> files;
     if (!options.picture.empty()) {
-        Figure figure{.title = surface.file + " behind other cut-offs", .panels = scales_panels(scales)};
+        Figure figure{.title = shown_file(surface.file) + " filtered with other cut-offs",
+                      .panels = scales_panels(scales)};
         if (figure.panels.empty()) throw domain_error(surface.file + ": holds no other cut-off; no picture is drawn");
         figure.note = "K by " + scales.law + " at " + rounded(how.pressure / 1e6) + " MPa, effective modulus " +
                       rounded(how.modulus / 1e9) + " GPa";

@@ -43,10 +43,8 @@ using Rows = std::vector<std::vector<std::string>>;
 constexpr double um = 1e-6;
 
 /// A figure as wide as a phone can show, with its legend below.
-void show(Page& page, std::vector<Panel> panels, std::string_view caption = "") {
-    for (Panel& panel : panels)
-        if (!panel.image) panel.width = 440;
-    page.figure({.title = "", .panels = std::move(panels), .legend_below = true}, caption);
+void show(Page& page, std::vector<Panel> panels, std::string_view caption = "", std::vector<std::string> verdict = {}) {
+    page.figure(narrow({.title = "", .verdict = std::move(verdict), .panels = std::move(panels)}), caption);
 }
 
 /// A long profile keeps the least and greatest height of every one of \p parts stretches; missing points leave gaps.
@@ -139,32 +137,41 @@ Panel bearing_panel(std::span<const double> heights) {
     return panel;
 }
 
+/// The second differences, which D and G come from, and what the fit gives for them in its window.
 void add_structure(Panel& panel, const FractalFit<double>& fit, const std::string& of) {
-    const auto& s = fit.structure_function;
+    const auto& s = fit.second_differences;
     std::vector<std::size_t> shown;  // about as many as can be told apart
     for (std::size_t k = 0; k < s.size(); ++k)
         if (shown.empty() || s.lag[k] >= 1.08 * s.lag[shown.back()]) shown.push_back(k);
-    const auto lag = [&](auto k) { return s.lag[shown[k]]; };
-    PlotLine measured = line_of("S" + of, shown.size(), lag, [&](auto k) { return s.value[shown[k]]; });
+    PlotLine measured = line_of(
+        "S₂" + of, shown.size(), [&](auto k) { return s.lag[shown[k]]; }, [&](auto k) { return s.value[shown[k]]; });
     measured.colour = static_cast<int>(panel.lines.size()) / 2;
     measured.stroke = Stroke::none;
     measured.marker = measured.colour == 0 ? Marker::circle : Marker::triangle;
-    PlotLine fitted = line_of("D = " + with_unit(fit.fractal.dimension, "", 4, fit.dimension_error) + of, shown.size(),
-                              lag, [&](auto k) { return structure_function_at(lag(k), fit.fractal); });
+    PlotLine fitted = line_of(
+        "D = " + with_unit(fit.fractal.dimension, "", 4, fit.dimension_error) + of, fit.fitted.size(),
+        [&](auto k) { return fit.fitted.lag[k]; }, [&](auto k) { return fit.fitted.value[k]; });
     fitted.colour = measured.colour;
-    fitted.stroke = Stroke::dashed;
-    fitted.sets_range = false;
     panel.windows.push_back(
         {.label = "window of the fit" + of, .low = fit.window.from, .high = fit.window.to, .colour = measured.colour});
     panel.lines.push_back(std::move(measured));
     panel.lines.push_back(std::move(fitted));
 }
 
+constexpr const char* fit_caption =
+    "Mean square of the second differences of the heights, and the curve fitted to it, which gives D and G; its ends "
+    "bend where the waves end.";
+
 Panel structure_panel() {
-    return {.title = "Structure function (2.8)",
+    return {.title = "Structure function of second differences",
             .x = {.label = "lag τ", .si = "m"},
-            .y = {.label = "S", .si = "m^2"},
+            .y = {.label = "S₂", .si = "m^2"},
             .height = 300};
+}
+
+/// In 1/µm or 1/mm.
+std::string per_length(double value) {
+    return std::abs(value) >= 1e6 ? rounded(value * um) + " 1/µm" : rounded(value * 1e-3) + " 1/mm";
 }
 
 /// The profile, its bearing curve and structure function. \returns its peak statistics for a table.
@@ -176,21 +183,20 @@ Rows profile_part(Page& page, const MeasuredSurface& surface) {
     if (surface.profile_fit) {
         Panel panel = structure_panel();
         add_structure(panel, *surface.profile_fit, "");
-        show(page, {panel}, "Structure function, its fit and the window.");
-    } else {
-        page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
+        show(page, {panel}, fit_caption);
     }
     try {
         const PeakStatistics<double> s = peak_statistics(profile);
         peaks.insert(peaks.end(), {{"r (4.1)", rounded(s.r)},
                                    {"θ (4.3) [rad]", rounded(s.theta)},
-                                   {"θ/π, peaks expected over ordinates", rounded(s.peak_ratio())},
-                                   {"peaks counted over ordinates", rounded(s.counted_peak_ratio)},
-                                   {"peaks per length [1/mm]", rounded(s.peaks_per_length * 1e-3)},
+                                   {"θ/π, share of peaks that Gaussian heights would have", rounded(s.peak_ratio())},
+                                   {"share of peaks counted, which differs where heights are not Gaussian",
+                                    rounded(s.counted_peak_ratio)},
+                                   {"peaks per length", per_length(s.peaks_per_length)},
                                    {"autocorrelation at one sample", rounded(s.rho1)},
                                    {"autocorrelation at two samples", rounded(s.rho2)},
                                    {"rms slope of neighbours", rounded(s.rms_slope)},
-                                   {"rms curvature σ_κ of triples [1/mm]", rounded(s.rms_curvature * 1e-3)}});
+                                   {"rms curvature σ_κ of triples", per_length(s.rms_curvature)}});
     } catch (const domain_error& error) {
         page.paragraph("No peak statistics: " + std::string(error.what()));
     }
@@ -244,14 +250,12 @@ Rows map_part(Page& page, const MeasuredSurface& surface) {
         for (const auto& [direction, refusal] : {std::pair("x", fit.why_no_fit_x), std::pair("y", fit.why_no_fit_y)})
             if (!refusal.empty()) page.paragraph("No fit along " + std::string(direction) + ": " + refusal);
         if (!panel.lines.empty())
-            show(page, {panel}, "Structure functions along both directions, their fits and windows.");
-    } else {
-        page.paragraph("No structure function is fitted: " + surface.fractal_refusal);
+            show(page, {panel}, fit_caption);
     }
     const ArealStatistics<double>& a = surface.map->areal;
-    peaks.insert(peaks.end(), {{"summits [1/mm²]", rounded(a.summit_density * 1e-6)},
-                               {"mean curvature of the summits [1/mm]", rounded(a.summit_curvature * 1e-3)},
-                               {"mean height of the summits [µm]", rounded(a.summit_height / um)},
+    peaks.insert(peaks.end(), {{"density of summits", with_unit(a.summit_density, "1/m^2")},
+                               {"mean curvature of the summits", per_length(a.summit_curvature)},
+                               {"mean height of the summits", with_unit(a.summit_height, "m")},
                                {"rms gradient", rounded(a.rms_gradient)},
                                {"α = m0 m4/m2²", rounded(a.nayak)}});
     islands_figure(page, surface);
@@ -260,14 +264,15 @@ Rows map_part(Page& page, const MeasuredSurface& surface) {
 
 void measured_section(Page& page, const MeasuredSurface& surface) {
     page.heading("Measured surface");
-    Rows source{{"", ""}, {"file", surface.file}, {"kind", surface.kind}, {"SHA-256", surface.sha256}};
+    Rows source{{"source", "value"}, {"file", surface.file}, {"kind", surface.kind}, {"SHA-256", surface.sha256}};
     page.table(source);
+    page.begin("div class=\"pair\"");
     page.list(surface.decisions);
-
     Rows rows{{"parameter", "value", "found by"}};
     for (const ParameterLine& line : parameter_lines(surface))
         rows.push_back({line.name, with_unit(line.measured.value, line.unit, 5, line.measured.error), line.how});
     page.table(rows);
+    page.end("div");
     if (!surface.fractal_refusal.empty()) page.paragraph("No D and G: " + surface.fractal_refusal);
     if (!surface.peaks_refusal.empty()) page.paragraph("No r and θ: " + surface.peaks_refusal);
 
@@ -296,7 +301,11 @@ Rows surface_rows(const Scene& scene) {
     add("fractal dimension D", scene.fractal_dimension, "", Parameter::fractal_dimension);
     add("r", scene.r, "", Parameter::r);
     add("θ", scene.theta, "rad", Parameter::theta);
-    if (scene.fractal_roughness) rows.push_back({"fractal roughness G", rounded(*scene.fractal_roughness, 4) + " m"});
+    if (scene.fractal_roughness) {
+        double error = 0;
+        if (scene.measured && scene.measured->fractal_roughness) error = scene.measured->fractal_roughness->error;
+        rows.push_back({"fractal roughness G", with_unit(*scene.fractal_roughness, "m", 4, error)});
+    }
     if (s.max_peak_height > 0) rows.push_back({"highest peak R_p", with_unit(s.max_peak_height, "m", 4)});
     return rows;
 }
@@ -305,6 +314,8 @@ std::string range_of(double low, double high, int digits = 3) {
     if (!(low <= high)) return "none";
     return low == high ? rounded(low, digits) : rounded(low, digits) + " to " + rounded(high, digits);
 }
+
+constexpr std::ptrdiff_t first_warnings = 5;  ///< that stand in the answer; the others under Validity
 
 void validity_section(Page& page, const Scene& scene, const Results& results) {
     page.heading("Validity");
@@ -336,7 +347,8 @@ void validity_section(Page& page, const Scene& scene, const Results& results) {
                                                   : "does not hold"});
     }
     page.table(rows);
-    if (results.warnings.size() > 5) page.list(results.warnings);
+    if (results.warnings.size() > first_warnings)
+        page.list({results.warnings.begin() + first_warnings, results.warnings.end()});
 }
 
 std::string body(const Material<double>& material) {
@@ -358,14 +370,28 @@ std::string material_sentence(const Scene& scene) {
     return text + (assumed ? ". Give your own in a scene, section [material]." : ".");
 }
 
-/// K of every curve at the first, the middle and the last point, with its band.
-Rows stiffness_rows(const Scene& scene, const Results& results) {
-    const auto& first = results.curves.front().states;
+/// The points that stand for all: the first, the middle and the last.
+std::vector<std::size_t> few_points(const Results& results) {
+    const std::size_t count = results.curves.front().states.size();
     std::vector<std::size_t> points;
-    for (const std::size_t i : {std::size_t(0), first.size() / 2, first.size() - 1})
+    for (const std::size_t i : {std::size_t(0), count / 2, count - 1})
         if (points.empty() || i != points.back()) points.push_back(i);
-    const Unit unit =
-        unit_for("Pa/m", std::sqrt(first.front().stiffness.value) * std::sqrt(first.back().stiffness.value));
+    return points;
+}
+
+/// The unit of K of the whole page.
+Unit unit_of_stiffness(const Results& results) {
+    std::vector<double> values;
+    for (const Curve& curve : results.curves)
+        for (const std::size_t i : few_points(results))
+            if (i < curve.states.size()) values.push_back(curve.states[i].stiffness.value);
+    return unit_for_all("Pa/m", values);
+}
+
+/// K of every curve at a few points, with its band.
+Rows stiffness_rows(const Scene& scene, const Results& results, const Unit& unit) {
+    const auto& first = results.curves.front().states;
+    const std::vector<std::size_t> points = few_points(results);
     Rows rows{{"K/A₀ [" + std::string(unit.name) + "]"}};
     for (const std::size_t i : points)
         rows[0].push_back(scene.at_separations ? "at d = " + with_unit(first[i].separation.value, "m", 3)
@@ -374,10 +400,10 @@ Rows stiffness_rows(const Scene& scene, const Results& results) {
         std::vector<std::string> row{legend_of(curve)};
         for (const std::size_t i : points) {
             const bool known = i < curve.states.size() && std::isfinite(curve.states[i].stiffness.value);
-            row.push_back(known ? rounded(curve.states[i].stiffness.value / unit.size, 3) : "-");
+            const auto shown = [&](double stiffness) { return with_unit(stiffness / unit.size, "", 3); };
+            row.push_back(known ? shown(curve.states[i].stiffness.value) : "-");
             if (known && i < curve.band.size())
-                row.back() += " (" + rounded(curve.band[i].low / unit.size, 3) + " to " +
-                              rounded(curve.band[i].high / unit.size, 3) + ")";
+                row.back() += " (" + shown(curve.band[i].low) + " to " + shown(curve.band[i].high) + ")";
         }
         rows.push_back(std::move(row));
     }
@@ -385,9 +411,11 @@ Rows stiffness_rows(const Scene& scene, const Results& results) {
 }
 
 /// The first screen: surface, K, what speaks against it, and the picture.
-void answer_section(Page& page, const Scene& scene, const Results& results) {
-    std::string surface = scene.measured ? "Surface measured from " + scene.measured->file + ": "
-                                         : "Surface as given in " + scene.file + ": ";
+void answer_section(Page& page, const Scene& scene, const Results& results, const Unit& unit) {
+    std::string surface;
+    for (const auto& [name, face] : measured_faces(scene))
+        surface += (surface.empty() ? "Surface measured from " : " and ") + shown_file(face->measured->file);
+    surface = surface.empty() ? "Surface as given in " + shown_file(scene.file) + ": " : surface + ": ";
     const Rows parameters = surface_rows(scene);
     for (std::size_t i = 0; i < parameters.size(); ++i)
         surface += (i ? ", " : "") + parameters[i][0] + " = " + parameters[i][1];
@@ -395,8 +423,8 @@ void answer_section(Page& page, const Scene& scene, const Results& results) {
     page.begin("div");
     page.paragraph(surface + ".");
     page.paragraph(material_sentence(scene));
-    Rows rows = stiffness_rows(scene, results);
-    constexpr std::size_t most = 7, sentences = 5;
+    Rows rows = stiffness_rows(scene, results, unit);
+    constexpr std::size_t most = 7;
     const std::size_t curves = rows.size() - 1;
     if (curves > most) rows.resize(most + 1);
     page.table(rows);
@@ -412,12 +440,16 @@ void answer_section(Page& page, const Scene& scene, const Results& results) {
                    : results.doubtful ? "Verdict: doubtful. Read the warnings before any of these numbers is used."
                                       : "Verdict: computed, but not all assumptions of the model hold.");
     page.list(results.verdict);
-    page.list(
-        {results.warnings.begin(), results.warnings.begin() + static_cast<std::ptrdiff_t>(std::min(count, sentences))});
-    if (count > sentences) page.paragraph(std::to_string(count - sentences) + " more under Validity.");
+    const std::ptrdiff_t shown = std::min(static_cast<std::ptrdiff_t>(count), first_warnings);
+    page.list({results.warnings.begin(), results.warnings.begin() + shown});
+    if (static_cast<std::ptrdiff_t>(count) > shown)
+        page.paragraph(std::to_string(static_cast<std::ptrdiff_t>(count) - shown) + " more under Validity.");
     page.end("div");
     page.end("div");
-    show(page, {stiffness_panel(scene, results)}, left_out(results));
+    Panel picture = stiffness_panel(scene, results);
+    picture.y.unit = unit;
+    const std::string some = left_out(results);
+    show(page, {std::move(picture)}, some.empty() ? some : some + ".", results.short_verdict);
     page.end("div");
 }
 
@@ -442,10 +474,11 @@ void other_figures(Page& page, const Scene& scene, const Results& results) {
 }
 
 /// Every number, one closed table for each curve.
-void numbers_section(Page& page, const Scene& scene, const Results& results) {
+void numbers_section(Page& page, const Scene& scene, const Results& results, const Unit& unit) {
     page.heading("Numbers");
     for (const Curve& curve : results.curves) {
-        std::vector<std::string> header{"p [MPa]", "η", "separation [µm]", "K/A₀ [GPa/µm]"};
+        std::vector<std::string> header{"p [MPa]", "η", "separation [µm]",
+                                        "K/A₀ [" + std::string(unit.name) + "]"};
         if (!curve.band.empty()) header.insert(header.end(), {"5 %", "95 %"});
         if (scene.ultrasound) header.push_back("|R|");
         if (scene.ultrasound && scene.ultrasound->shear) header.push_back("|R| shear");
@@ -454,9 +487,9 @@ void numbers_section(Page& page, const Scene& scene, const Results& results) {
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             const auto& s = curve.states[i];
             std::vector<std::string> row{rounded(s.pressure.value / 1e6), rounded(s.eta),
-                                         rounded(s.separation.value / um), rounded(s.stiffness.value / 1e15)};
+                                         rounded(s.separation.value / um), rounded(s.stiffness.value / unit.size)};
             if (!curve.band.empty())
-                row.insert(row.end(), {rounded(curve.band[i].low / 1e15), rounded(curve.band[i].high / 1e15)});
+                row.insert(row.end(), {rounded(curve.band[i].low / unit.size), rounded(curve.band[i].high / unit.size)});
             if (scene.ultrasound) {
                 const Waves& w = *scene.ultrasound;
                 row.push_back(rounded(reflection(s.stiffness.value, w.longitudinal, w.angular())));
@@ -477,8 +510,8 @@ void inputs_section(Page& page, const Scene& scene) {
     page.heading("Inputs");
     Rows inputs{{"key", "value", "as written"}};
     for (const Input& input : scene.inputs)
-        inputs.push_back({input.key, input.value ? with_unit(*input.value, input.unit) : "",
-                          input.key.ends_with("(measured)") ? "" : input.written});
+        if (!input.key.ends_with("(measured)"))  // those stand under Measured surface
+            inputs.push_back({input.key, input.value ? with_unit(*input.value, input.unit) : "", input.written});
     page.table(inputs);
     if (measured_faces(scene).empty())
         page.paragraph("The surface is given by its parameters; there is no measured profile or map to show.");
@@ -516,16 +549,19 @@ void scales_section(Page& page, const Scene& scene, const Results& results, cons
     const scene::Scales scales = scales_of(surface, read_surface_input(surface.how->input), how);
     std::vector<Panel> panels = scales_panels(scales);
     if (panels.empty()) return;
-    page.heading("What hangs on the cut-offs");
-    for (const std::string& sentence : what_is_settled(scales)) page.paragraph(sentence + ".");
-    show(page, std::move(panels),
-         "K by " + scales.law + " at " + rounded(how.pressure / 1e6) +
-             " MPa, and the parameters of the surface, over those behind the chosen cut-offs.");
+    page.heading("Influence of the cut-offs");
+    for (const std::string& sentence : what_is_settled(scales)) page.paragraph(sentence_case(sentence) + ".");
+    page.begin("div class=\"pair\"");
+    for (Panel& panel : panels) show(page, {std::move(panel)});
+    page.end("div");
+    page.paragraph("K by " + scales.law + " at " + with_unit(how.pressure, "Pa") +
+                   ", and the parameters of the surface, over their values at the chosen cut-offs.");
 }
 
 std::string page_of(const Scene& scene, const Results& results) {
     Page page(scene.name);
-    answer_section(page, scene, results);
+    const Unit unit = unit_of_stiffness(results);
+    answer_section(page, scene, results, unit);
     other_figures(page, scene, results);
     inputs_section(page, scene);
     for (const auto& [name, face] : measured_faces(scene)) {
@@ -534,7 +570,7 @@ std::string page_of(const Scene& scene, const Results& results) {
         for (const MeasuredSurface& part : face->measured->parts) measured_section(page, part);
     }
     validity_section(page, scene, results);
-    numbers_section(page, scene, results);
+    numbers_section(page, scene, results, unit);
     equations_section(page, scene, results);
     return page.str();
 }

@@ -167,7 +167,7 @@ Picture figure_4(Reproduction& all) {
                     .height = 300};
     Panel radii{.title = "Radius of the mean island",
                 .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 50.0},
-                .y = {.label = "R [µm]", .logarithmic = false, .low = 0.0, .high = 150.0},
+                .y = {.label = "R [µm]", .high = 1000.0},
                 .height = 260};
     for (const Surface& surface : surfaces) {
         const double hurst = 2 - surface.fractal.dimension;
@@ -220,6 +220,31 @@ Picture figure_4(Reproduction& all) {
             figure};
 }
 
+/// \p value [m^2] at the lags of \p s, in µm and µm².
+template <class Value>
+PlotLine curve_of(const char* label, int colour, const StructureFunction<double>& s, const Value& value) {
+    PlotLine line = line_of(
+        label, s.size(), [&](auto k) { return s.lag[k] * 1e6; }, [&](auto k) { return value(k) * 1e12; });
+    line.colour = colour;
+    line.sets_range = false;
+    return line;
+}
+
+/// Nine points a decade of \p s.
+PlotLine points_of(const char* label, int colour, Marker marker, const StructureFunction<double>& s) {
+    StructureFunction<double> few;
+    for (std::size_t k = 0; k < s.size(); ++k)
+        if (few.lag.empty() || s.lag[k] >= 1.3 * few.lag.back()) {
+            few.lag.push_back(s.lag[k]);
+            few.value.push_back(s.value[k]);
+        }
+    PlotLine line = curve_of(label, colour, few, [&](auto k) { return few.value[k]; });
+    line.stroke = Stroke::none;
+    line.marker = marker;
+    line.sets_range = true;
+    return line;
+}
+
 Picture figure_6(Reproduction& all) {
     const Surface& surface = surfaces[0];
     const double spacing = 0.5e-6;
@@ -231,42 +256,36 @@ Picture figure_6(Reproduction& all) {
     FractalFitOptions<double> options;
     options.seed = seed;
     const FractalFit<double> fit = fit_fractal(profile, options);
-    const auto& s = fit.structure_function;
-    const auto shown = logarithmic_lags(s.size(), 8);
-    const auto lag = [&](auto k) { return s.lag[shown[k] - 1]; };
-    const auto draw = [&](const char* label, int colour, const auto& value) {
-        PlotLine line = line_of(
-            label, shown.size(), [&](auto k) { return lag(k) * 1e6; }, [&](auto k) { return value(k) * 1e12; });
-        line.colour = colour;
-        return line;
-    };
-    PlotLine measured = draw("S of the profile, eq. (2.8)", 0, [&](auto k) { return s.value[shown[k] - 1]; });
-    measured.stroke = Stroke::none;
-    measured.marker = Marker::circle;
-    PlotLine law = draw("C τ^(4-2D), D and G of Table 2", neutral,
-                        [&](auto k) { return structure_function_at(lag(k), surface.fractal); });
-    PlotLine line = draw("fitted D and G", 1, [&](auto k) { return structure_function_at(lag(k), fit.fractal); });
-    line.stroke = Stroke::dashed;
-    law.sets_range = line.sets_range = false;
+    const StructureFunction<double>&first = fit.structure_function, &second = fit.second_differences;
+    const PlotLine measured = points_of("S of the profile, eq. (2.8)", 0, Marker::circle, first),
+                   summed = curve_of("S of the cosines that were summed", 0, first,
+                                     [&](auto k) { return wm.structure_function(first.lag[k]); }),
+                   differences = points_of("S₂ of its second differences", 1, Marker::triangle, second),
+                   fitted = curve_of("what is fitted to S₂, with D and G", 1, fit.fitted,
+                                     [&](auto k) { return fit.fitted.value[k]; });
+    PlotLine law = curve_of("C τ^(4-2D), D and G of Table 2: a sum without ends", neutral, first,
+                            [&](auto k) { return structure_function_at(first.lag[k], surface.fractal); });
+    law.stroke = Stroke::dashed;
     const auto row = [&](const std::string& quantity, const std::string& value, const std::string& table) {
         all.generated.push_back({"Fig. 6", surface.name, quantity, value, table});
     };
     row("longest wave [mm]", rounded(longest * 1e3, 3), "from σ, D, G");
     row("D", rounded(fit.fractal.dimension, 4) + " ± " + rounded(fit.dimension_error, 2),
         rounded(surface.fractal.dimension));
-    row("G [m]", rounded(fit.fractal.roughness, 3) + " ± " + rounded(fit.roughness_error, 2),
-        rounded(surface.fractal.roughness));
+    row("G [nm]", rounded(fit.fractal.roughness * 1e9, 3) + " ± " + rounded(fit.roughness_error * 1e9, 2),
+        rounded(surface.fractal.roughness * 1e9));
     row("rms height [µm]", rounded(rms_height(profile) * 1e6, 3), rounded(surface.roughness.rms_height * 1e6));
     Figure figure{.title = "Fig. 6: structure function, sand blasted (fine), generated profile",
                   .panels = {{.x = {.label = "lag τ [µm]"},
-                              .y = {.label = "S [µm²]"},
-                              .lines = {measured, law, line},
+                              .y = {.label = "S, S₂ [µm²]"},
+                              .lines = {measured, summed, law, differences, fitted},
                               .windows = {{"window of the fit", fit.window.from * 1e6, fit.window.to * 1e6}}}},
                   .note = "sum of cosines (2.1), γ = 1.5, random phases of seed 2014, 16000 points 0.5 µm apart"};
     return {"fig6",
             "Fig. 6, from a generated profile with the D and G of Table 2: the measured one is not in the text. The "
             "longest "
-            "wave is the one that gives the σ of Table 1.",
+            "wave is the one that gives the σ of Table 1. D and G are fitted to the second differences, S₂, which feel "
+            "the ends of the sum of cosines less than S does.",
             figure};
 }
 
@@ -330,7 +349,7 @@ Picture stiffness_figure(const Surface& surface, Reproduction& all) {
     draw(without, "Greenwood-Williamson", 2, Stroke::solid, classic);
     int colour = 3;
     for (const auto& [label, values] : plastic_curves(surface, quarter, points))
-        draw(without, label, colour++, Stroke::dashed, values);
+        draw(without, label, colour++, Stroke::solid, values);
     draw(with, "fractal, θ = π/4", 0, Stroke::solid,
          stiffness(RoughContact(surface.roughness, quarter, fractal, modulus, interacting)));
     draw(with, "fractal, θ = π/3", 0, Stroke::dashed,
@@ -429,6 +448,7 @@ Reproduction compute() {
     for (const Surface& surface : surfaces) all.pictures.push_back(stiffness_figure(surface, all));
     std::stable_sort(all.findings.begin(), all.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.measure < b.measure; });
+    for (Picture& picture : all.pictures) picture.figure.legend_below = true;  // for a telephone too
     all.conclusions = judge(all.findings);
     all.errata = errata();
     return all;
@@ -436,11 +456,11 @@ Reproduction compute() {
 
 std::vector<std::vector<std::string>> tables() {
     std::vector<std::vector<std::string>> rows{
-        {"surface", "σ [µm]", "R [µm]", "D_p [1/mm²]", "R_p [µm]", "D", "G [m]"}};
+        {"surface", "σ [µm]", "R [µm]", "D_p [1/mm²]", "R_p [µm]", "D", "G [nm]"}};
     for (const Surface& s : surfaces)
         rows.push_back({s.name, rounded(s.roughness.rms_height * 1e6), rounded(s.roughness.peak_radius * 1e6),
                         rounded(s.roughness.peak_density * 1e-6), rounded(s.roughness.max_peak_height * 1e6),
-                        rounded(s.fractal.dimension), rounded(s.fractal.roughness)});
+                        rounded(s.fractal.dimension), rounded(s.fractal.roughness * 1e9)});
     return rows;
 }
 
@@ -462,7 +482,7 @@ std::string page(const Reproduction& all) {
     page.table(tables());
     page.paragraph("E₁ = E₂ = 205 GPa, ν = 0.3, Y = 400 MPa, A₀ = 195 mm².");
     page.heading("Conclusions");
-    std::vector<std::vector<std::string>> rows{{"", "the paper", "verdict", "numbers"}};
+    std::vector<std::vector<std::string>> rows{{"conclusion", "the paper", "verdict", "numbers"}};
     for (const Conclusion& c : all.conclusions)
         rows.push_back({std::to_string(c.number), c.paper, c.verdict, c.because});
     page.table(rows);

@@ -4,6 +4,7 @@
 #include "scene/file.hpp"
 #include "scene/shown_unit.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace fstiff::cli {
@@ -77,9 +78,9 @@ std::string scales_text(const Scales& scales, const ScalesOptions& how) {
 std::vector<Panel> scales_panels(const Scales& scales) {
     const auto panel = [](const std::vector<Scale>& rows, const std::string& name, auto cut_off) {
         Panel of;
-        of.title = "Behind other " + name + (name == "λc" ? ", none at the length of the surface" : "");
+        of.title = "Filtered with other " + name + (name == "λc" ? ", none at the length of the surface" : "");
         of.x = {.label = name, .si = "m"};
-        of.y = {.label = "over that behind the chosen one"};
+        of.y = {.label = "ratio to the value at the chosen " + name};
         const Scale* chosen = nullptr;
         for (const Scale& scale : rows)
             if (scale.chosen) chosen = &scale;
@@ -105,7 +106,8 @@ std::vector<Panel> scales_panels(const Scales& scales) {
         panel(scales.short_waves, "λs", [](const Scale& scale) { return scale.cut_offs.lambda_s; }),
         panel(scales.long_waves, "λc",
               [&](const Scale& scale) { return std::optional(scale.cut_offs.lambda_c.value_or(scales.length)); })};
-    std::erase_if(panels, [](const Panel& one) { return one.lines.empty(); });
+    const auto is_curve = [](const PlotLine& line) { return line.x.size() > 1; };
+    std::erase_if(panels, [&](const Panel& one) { return std::none_of(one.lines.begin(), one.lines.end(), is_curve); });
     return panels;
 }
 

@@ -5,6 +5,7 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
+#include "picture/scale.hpp"
 #include "scene/documents.hpp"
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
@@ -243,11 +244,22 @@ Curve thinned(const Curve& curve) {
     return few;
 }
 
+/// The same horizontal axis in all panels.
+void share_x(Figure& figure) {
+    Range range;
+    for (const Panel& panel : figure.panels)
+        for (const PlotLine& line : panel.lines)
+            for (const double x : line.x) range.add(x, panel.x.logarithmic);
+    if (range.low < range.high && figure.panels.size() > 1)
+        for (Panel& panel : figure.panels) panel.x.low = range.low, panel.x.high = range.high;
+}
+
 Figure figure_of(const Options& options, const Result& result) {
     const bool psd = options.of == SpectrumKind::psd;
     Figure figure{
         .title =
-            (psd ? "Power spectral density of " : "Autocorrelation function of ") + display_name(options.surface.file),
+            (psd ? "Power spectral density of " : "Autocorrelation function of ") +
+            shown_file(display_name(options.surface.file)),
         .panels = {},
         .note = "fstiff " FSTIFF_VERSION ", " + result.cut_offs.sentence() + (psd ? "; means over 2 % of q" : "")};
     const auto begin_panel = [&](const std::string& title, const std::string& label) {
@@ -261,7 +273,7 @@ Figure figure_of(const Options& options, const Result& result) {
         const Curve curve = psd ? thinned(result.curves[k]) : result.curves[k];
         // C(q) in m^4 and the sections in m^3 do not share an axis
         if (k == 0) begin_panel(map && psd ? "All directions" : "", psd ? curve.shown : "A");
-        if (k == 1 && psd) begin_panel("Sections", "C_x, C_y [µm³]");
+        if (k == 1 && psd) begin_panel("Sections", "C of a section [µm³]");
         PlotLine line{.label = map ? curve.label : "", .x = curve.x, .y = curve.y};
         for (std::size_t i = 0; psd && i < line.x.size(); ++i) {
             line.x[i] *= curve.x_factor;
@@ -269,6 +281,7 @@ Figure figure_of(const Options& options, const Result& result) {
         }
         figure.panels.back().lines.push_back(std::move(line));
     }
+    share_x(figure);
     if (!psd) {
         std::vector<PlotLine>& lines = figure.panels.back().lines;
         double end = 0;

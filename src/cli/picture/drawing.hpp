@@ -29,6 +29,9 @@ inline Colour colour_of(int colour) {
     return colour < 0 ? grey : palette[static_cast<std::size_t>(colour) % palette.size()];
 }
 
+/// Points within this many pixels are at one place: a line through them cannot be seen.
+inline constexpr double one_place = 12;
+
 /// One sample and its text, of which the lines stand below one another.
 struct Entry {
     const PlotLine* line;      ///< with its band, or
@@ -39,6 +42,10 @@ struct Entry {
 struct Drawing {
     explicit Drawing(const Panel& drawn);
     double place_x(double x) const { return panel.width * x_scale(x); }
+    double place_x(const PlotLine& line, std::size_t i) const { return place_x(line.x[i]) + line.aside; }
+    bool shows(const PlotLine& line, std::size_t i) const {
+        return x_scale.shows(line.x[i]) && y_scale.shows(line.y[i]);
+    }
     double place_y(double y) const { return panel.height * (1 - y_scale(y)); }
     std::vector<Entry> legend() const;
 
@@ -47,8 +54,9 @@ struct Drawing {
     Scale x_scale, y_scale;
 
 private:
+    void set_aside();
     void tell_apart();
-    bool on_one_another(const PlotLine& one, const PlotLine& other) const;
+    bool covers(const PlotLine& upper, const PlotLine& lower) const;
 };
 
 /// Characters of UTF-8 text.

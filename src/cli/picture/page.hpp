@@ -11,14 +11,24 @@
 
 namespace fstiff::cli {
 
+/// A sentence that begins with a capital, unless it begins with a symbol or a name of the program.
+inline std::string sentence_case(std::string text) {
+    std::size_t letters = 0;
+    while (letters < text.size() && text[letters] >= 'a' && text[letters] <= 'z') ++letters;
+    if (letters > 1 && letters < text.size() && std::string_view(" ,:").find(text[letters]) != std::string_view::npos)
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 class Page {
 public:
     explicit Page(std::string title) : title_(std::move(title)) {}
     void heading(std::string_view text) { body_ += "<h2>" + escaped(text) + "</h2>\n"; }
     void paragraph(std::string_view text) { body_ += "<p>" + escaped(text) + "</p>\n"; }
     void list(const std::vector<std::string>& items) {
+        if (items.empty()) return;
         body_ += "<ul>\n";
-        for (const auto& item : items) body_ += "<li>" + escaped(item) + "</li>\n";
+        for (const auto& item : items) body_ += "<li>" + escaped(sentence_case(item)) + "</li>\n";
         body_ += "</ul>\n";
     }
     /// A part of the page, such as <div class="answer">, until end("div").
@@ -63,9 +73,10 @@ public:
                "@media screen and (prefers-color-scheme:dark){body{color:#ececf1;background:#16161a}"
                "th{background:#26262c}th,td,h2{border-color:#3a3a42}}\n"
                "@page{size:A4;margin:14mm}@media print{body{font-size:10pt;line-height:1.35;margin:0;padding:0;"
-               "max-width:none}table{font-size:8pt}th,td{padding:.1rem .35rem}figure,table,.verdict{break-inside:avoid}"
-               "h2{margin-top:1rem;break-after:avoid}figure{margin:.4rem 0}figure svg{max-height:85mm;width:auto}"
-               ".answer,.pair{display:grid;grid-template-columns:1fr 1fr;gap:0 1rem}}\n</style></head>\n<body>\n<h1>" +
+               "max-width:none}table{font-size:8pt}th,td{padding:.1rem .35rem}figure,tr,li{break-inside:avoid}"
+               "h1{font-size:1.4rem}h2{margin-top:.8rem;break-after:avoid}p,ul{margin:.4rem 0}.wide{margin:.4rem 0}"
+               "figure{margin:.4rem 0}figure svg{max-height:95mm;width:auto}.pair figure svg{max-height:64mm}"
+               ".pair{display:grid;grid-template-columns:1fr 1fr;gap:0 1rem}}\n</style></head>\n<body>\n<h1>" +
                escaped(title_) + "</h1>\n" + body_ + "</body></html>\n";
     }
 

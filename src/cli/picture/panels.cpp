@@ -20,36 +20,57 @@ namespace {
 
 constexpr std::size_t most_curves = 8;
 
-/// Those that are drawn: all, or so many that they can be told apart, spread over the list.
-std::vector<const Curve*> drawn(const Results& results) {
-    std::vector<const Curve*> curves;
-    const std::size_t all = results.curves.size(), some = std::min(all, most_curves);
-    for (std::size_t k = 0; k < some; ++k) curves.push_back(&results.curves[some < 2 ? 0 : k * (all - 1) / (some - 1)]);
-    return curves;
+/// Boundary elements, whose error is that of their grid.
+bool is_truth(const Curve& curve) { return curve.law->name == "boundary_elements"; }
+
+/// A curve that is drawn, the place of its law and, of a law with a joint distribution, that of the distribution.
+struct Chosen {
+    const Curve* curve;
+    std::size_t law;
+    std::optional<std::size_t> peaks;
+};
+
+/// The laws in the order of the scene, each with its curves.
+std::vector<std::vector<const Curve*>> by_law(const Results& results) {
+    std::vector<std::vector<const Curve*>> laws;
+    for (const Curve& curve : results.curves) {
+        const auto same = [&](const auto& of) { return of.front()->law == curve.law; };
+        const auto at = std::find_if(laws.begin(), laws.end(), same);
+        if (at == laws.end())
+            laws.push_back({&curve});
+        else
+            at->push_back(&curve);
+    }
+    while (laws.size() > most_curves) {  // the last ones go, but for the truth of the map
+        const auto last =
+            std::find_if(laws.rbegin(), laws.rend(), [](const auto& of) { return !is_truth(*of.front()); });
+        laws.erase(std::next(last).base());
+    }
+    return laws;
 }
 
-/// Laws by their colours, the joint distributions of one law by their strokes; where the strokes are not enough, every
-/// curve has a colour of its own.
-void choose_look(std::vector<PlotLine>& lines, const std::vector<const Curve*>& curves) {
-    std::vector<const Law*> laws;
-    std::vector<int> same_law;
-    bool enough = true;
-    for (std::size_t k = 0; k < curves.size(); ++k) {
-        auto at = std::find(laws.begin(), laws.end(), curves[k]->law);
-        if (at == laws.end()) {
-            at = laws.insert(at, curves[k]->law);
-            same_law.push_back(0);
+/// Those that are drawn: all, or of every law the same joint distributions, spread over the list, so that all can be
+/// told apart.
+std::vector<Chosen> drawn(const Results& results) {
+    const auto laws = by_law(results);
+    std::size_t most = 1, longest = 1;
+    for (const auto& law : laws) longest = std::max(longest, law.size());
+    const auto curves_of = [&](std::size_t each) {
+        std::size_t sum = 0;
+        for (const auto& law : laws) sum += std::min(each, law.size());
+        return sum;
+    };
+    while (most < longest && curves_of(most + 1) <= most_curves) ++most;
+    std::vector<Chosen> chosen;
+    for (std::size_t law = 0; law < laws.size(); ++law) {
+        const std::size_t all = laws[law].size(), some = std::min(all, most);
+        for (std::size_t k = 0; k < some; ++k) {
+            const std::size_t at = some < 2 ? 0 : k * (all - 1) / (some - 1);
+            const Curve* const curve = laws[law][at];
+            chosen.push_back({curve, law, curve->theta ? std::optional(at) : std::nullopt});
         }
-        const auto law = at - laws.begin();
-        const int before = same_law[static_cast<std::size_t>(law)]++;
-        enough = enough && before < 3;
-        lines[k].colour = static_cast<int>(law);
-        lines[k].stroke = static_cast<Stroke>(std::min(before, 2));
     }
-    for (std::size_t k = 0; k < curves.size() && !enough; ++k) {
-        lines[k].colour = static_cast<int>(k);
-        lines[k].stroke = Stroke::solid;
-    }
+    return chosen;
 }
 
 /// K that a wave of the scene's frequency tells from a weld and from a gap.
@@ -73,6 +94,21 @@ void frame_reflection(Panel& panel) {
     const double span = high ? std::max(1 - least, 1e-6) : low ? greatest : 1;
     panel.y.low = (high ? 1 - span : 0) - 0.04 * span;
     panel.y.high = (low ? span : 1) + 0.04 * span;
+}
+
+/// The band of the stiffness, or the error of boundary elements; a lower end below a tenth of K is drawn at 0.
+void add_band(PlotLine& line, const Curve& curve, const Ends& ends) {
+    const bool sampled = !curve.band.empty() && curve.band.size() == curve.states.size();
+    if (!sampled && !is_truth(curve)) return;
+    for (std::size_t i = 0; i < curve.states.size(); ++i) {
+        const double value = curve.states[i].stiffness.value, error = curve.states[i].stiffness.error;
+        const SampledBand<double> grid{error < 0.9 * value ? value - error : 0, value, value + error, 0};
+        const auto [low, high] = ends(sampled ? curve.band[i] : grid);
+        line.low.push_back(low);
+        line.high.push_back(high);
+    }
+    line.bars = !sampled;
+    line.band = sampled ? shown_band : "± error";
 }
 
 Panel reflection_panel(const Scene& scene, const Results& results, const char* title, const Impedances<double>& media,
@@ -108,7 +144,6 @@ std::string shown_angle(double theta) {
 
 std::string legend_of(std::string_view law, std::optional<double> theta, std::optional<double> r) {
     std::string text(law);
-    std::replace(text.begin(), text.end(), '_', ' ');
     if (theta) text += ", θ = " + shown_angle(*theta) + ", r = " + rounded(*r, 3);
     return text;
 }
@@ -126,9 +161,10 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
     Range pressures;
     for (const Curve& curve : results.curves)
         for (const auto& state : curve.states) pressures.add(state.pressure.value, true);
-    if (pressures.low < pressures.high) {
+    if (pressures.low <= pressures.high) {
         // a straight line on logarithmic axes: two points are enough
-        PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low, pressures.high}, .y = {}};
+        PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low}, .y = {}};
+        if (pressures.low < pressures.high) reference.x.push_back(pressures.high);
         for (const double p : reference.x) reference.y.push_back(linear_stiffness(p, scene.surface.rms_height));
         reference.colour = neutral;
         reference.stroke = Stroke::dashed;
@@ -138,38 +174,33 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
 }
 
 Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
-                     const std::function<std::pair<double, double>(const SampledBand<double>&)>& ends) {
+                     const Ends& ends) {
     Panel panel{.x = {.label = "nominal pressure p", .si = "Pa"}, .y = std::move(axis), .height = 240};
-    const auto curves = drawn(results);
-    for (const Curve* curve : curves) {
+    std::vector<std::pair<std::size_t, std::optional<std::size_t>>> kinds;
+    for (const auto& [curve, law, peaks] : drawn(results)) {
         PlotLine line{.label = legend_of(*curve), .x = {}, .y = {}};
         for (const auto& state : curve->states) {
             line.x.push_back(state.pressure.value);
             line.y.push_back(value(state));
         }
-        if (ends && !curve->band.empty() && curve->band.size() == curve->states.size()) {
-            for (const SampledBand<double>& band : curve->band) {
-                const auto [low, high] = ends(band);
-                line.low.push_back(low);
-                line.high.push_back(high);
-            }
-            line.band = "5 to 95 %";
-        }
+        if (ends) add_band(line, *curve, ends);
         panel.lines.push_back(std::move(line));
+        kinds.emplace_back(law, peaks);
     }
-    choose_look(panel.lines, curves);
+    choose_look(panel.lines, kinds);
     return panel;
 }
 
 std::string left_out(const Results& results) {
-    const std::size_t all = results.curves.size(), some = drawn(results).size();
-    return some == all ? "" : std::to_string(some) + " of " + std::to_string(all) + " curves are drawn";
+    return some_of(drawn(results).size(), results.curves.size());
 }
 
 Figure results_figure(const Scene& scene, const Results& results) {
     if (!scene.needs_stiffness())
         throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
-    Figure figure{.title = "Contact stiffness: " + scene.name, .panels = {stiffness_panel(scene, results)}};
+    Figure figure{.title = "Contact stiffness: " + scene.name,
+                  .verdict = results.short_verdict,
+                  .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
     figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " + with_unit(scene.surface.rms_height, "m", 4);
     if (const std::string some = left_out(results); !some.empty())

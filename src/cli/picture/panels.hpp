@@ -20,11 +20,14 @@ std::string shown_angle(double theta);
 std::string legend_of(std::string_view law, std::optional<double> theta, std::optional<double> r);
 std::string legend_of(const Curve& curve);
 
+/// From the ends of a band of K to those of what is drawn.
+using Ends = std::function<std::pair<double, double>(const SampledBand<double>&)>;
+
 /// K(p) of all curves, with the bands there are.
 Panel stiffness_panel(const Scene& scene, const Results& results);
 /// One panel of a quantity of the states against the pressure, with \p ends of its band where it is given.
 Panel quantity_panel(const Results& results, Axis axis, const std::function<double(const ContactState<double>&)>& value,
-                     const std::function<std::pair<double, double>(const SampledBand<double>&)>& ends = {});
+                     const Ends& ends = {});
 /// "8 of 30 curves are drawn": more cannot be told apart; empty where all are.
 std::string left_out(const Results& results);
 /// |R| of longitudinal waves, and of shear waves where they are known; none without [ultrasound].

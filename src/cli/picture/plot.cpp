@@ -4,6 +4,7 @@
 
 #include "document/output.hpp"
 #include "picture/drawing.hpp"
+#include "picture/page.hpp"
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
@@ -29,11 +30,11 @@ std::string for_gnuplot(const std::string& text) { return quoted(text, '\'', "''
 }  // namespace
 
 std::string html_page(const Figure& figure) {
-    return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(figure.title) +
-           "</title>\n<style>:root{color-scheme:light dark}body{margin:1rem}@media screen and "
-           "(prefers-color-scheme:dark){body{background:#16161a}}svg{max-width:100%;height:auto}</style></head>\n"
-           "<body>\n" +
-           svg(figure) + "</body></html>\n";
+    Figure picture = narrow(figure);
+    Page page(picture.title);
+    picture.title = picture.note = "";
+    page.figure(picture, figure.note);
+    return page.str();
 }
 
 std::string figure_csv(const Figure& given) {
@@ -67,6 +68,7 @@ std::string gnuplot_script(const Figure& given, const std::string& csv, const st
                        "\nset datafile separator ','\nset encoding utf8\nset grid\nset key outside right top\n"
                        "set multiplot layout " +
                        std::to_string(figure.panels.size()) + ",1 title " + for_gnuplot(figure.title) + "\n";
+    for (const std::string& sentence : figure.verdict) text += "# " + sentence + "\n";
     std::size_t curve = 0;
     for (const Panel& panel : figure.panels) {
         text += "set title " + for_gnuplot(panel.title) + "\nset xlabel " + for_gnuplot(panel.x.label) +
@@ -98,7 +100,10 @@ std::string gnuplot_script(const Figure& given, const std::string& csv, const st
                 plots += (plots.empty() ? "plot " : ", \\\n     ") + for_gnuplot(csv) + " skip 2 using " + what;
             };
             const std::string colour = colour_of(line.colour).light;
-            if (!line.low.empty())
+            if (line.bars)
+                add(column(5) + ":7:8:9 with yerrorbars linecolor rgb '" + colour + "' pointtype 0 title " +
+                    for_gnuplot(line.band));
+            else if (!line.low.empty())
                 add(column(5) + ":8:9 with filledcurves fillcolor rgb '" + colour +
                     "' fillstyle transparent solid 0.18 title " + for_gnuplot(line.band));
             const std::string dash = line.stroke == Stroke::dashed   ? " dashtype 2"
@@ -109,7 +114,8 @@ std::string gnuplot_script(const Figure& given, const std::string& csv, const st
                                          ? "lines"
                                          : "linespoints";
             add(column(5) + ":7 with " + with + " linecolor rgb '" + colour + "'" +
-                (line.beneath ? " linewidth 4" : "") + (with == "points" ? "" : dash) +
+                (line.covered > 0 ? " linewidth " + std::to_string(2 + 2 * line.covered) : "") +
+                (with == "points" ? "" : dash) +
                 (line.label.empty()
                      ? " notitle"
                      : " title " + for_gnuplot(panel.lines[static_cast<std::size_t>(&line - d.lines.data())].label)));
@@ -117,6 +123,15 @@ std::string gnuplot_script(const Figure& given, const std::string& csv, const st
         text += plots.empty() ? "plot NaN notitle\n" : plots + "\n";
     }
     return text + "unset multiplot\n";
+}
+
+std::string some_of(std::size_t some, std::size_t all) {
+    return some == all ? "" : std::to_string(some) + " of " + std::to_string(all) + " curves are drawn";
+}
+
+std::string shown_file(const std::string& file) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    return name.empty() ? file : name;
 }
 
 PictureFiles::PictureFiles(const std::string& file) : picture(file) {

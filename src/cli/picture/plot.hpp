@@ -7,6 +7,7 @@
 // svg.cpp draws it; scale.hpp chooses its ticks, unit.hpp its units, drawing.hpp its colours and legend; raster.cpp makes maps.
 
 #include "document/output.hpp"
+#include "picture/unit.hpp"
 
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct Axis {
     std::optional<double> low = {}, high = {};  ///< none: from the curves
     bool ticks = true;
     std::string si = {};  ///< unit of the values, such as "Pa": the picture chooses nm or mm and adds it to the label
+    std::optional<Unit> unit = {};  ///< of \p si, where something next to the picture has chosen one
 };
 
 enum class Stroke { solid, dashed, dotted, none };
@@ -37,11 +39,13 @@ struct PlotLine {
     std::vector<double> x, y;
     std::vector<double> low = {}, high = {};  ///< of the band, one for every x
     std::string band = {};                    ///< what the band is, for the legend
+    bool bars = false;                        ///< an error bar at every point in place of the band
     int colour = next_colour;
     Stroke stroke = Stroke::solid;
     Marker marker = Marker::none;
     bool sets_range = true;  ///< whether the axes are chosen to show it
-    bool beneath = false;    ///< drawn wide, since another lies on it; svg() finds those
+    int covered = 0;         ///< how many lines lie on it, which is drawn the wider for it; svg() finds those
+    double aside = 0;        ///< pixels to the right, which svg() chooses where all points have one place
 };
 
 /// A curve of \p size points.
@@ -81,7 +85,8 @@ struct Panel {
 
 struct Figure {
     std::string title;
-    std::vector<Panel> panels;  ///< from top to bottom
+    std::vector<std::string> verdict = {};  ///< short sentences below the title
+    std::vector<Panel> panels;              ///< from top to bottom
     std::string note = {};      ///< below, small
     bool legend_below = false;  ///< else at the right
 };
@@ -93,7 +98,13 @@ Figure in_units(Figure figure);
 std::string svg(const Figure& given);
 /// Of the panel in a picture of its own, in pixels.
 double height_of(const Panel& panel);
-/// The SVG in a page.
+/// The figure with plots as wide as a telephone shows, and the legends below them.
+Figure narrow(Figure figure);
+/// Gives \p lines colours and strokes by their \p kinds, such as a law and a distribution of peaks, so that each colour
+/// and each stroke means one thing; what has no second kind is solid.
+void choose_look(std::vector<PlotLine>& lines,
+                 const std::vector<std::pair<std::size_t, std::optional<std::size_t>>>& kinds);
+/// A page of its own: the title, the narrow picture and the note.
 std::string html_page(const Figure& figure);
 /// curve,panel,label,x_quantity,x,y_quantity,y,low,high: the numbers that are drawn.
 std::string figure_csv(const Figure& given);
@@ -116,6 +127,12 @@ std::vector<OutputFile> figure_files(const Figure& figure, const std::string& fi
 /// Writes all three. \returns their names. \throws file_error for a file that cannot be written.
 std::vector<std::string> write_figure(const Figure& figure, const std::string& file);
 
+/// What a band is, unbroken, for a legend.
+inline constexpr const char* shown_band = "5\u00A0to\u00A095\u00A0%";
+/// "8 of 30 curves are drawn"; empty where all are.
+std::string some_of(std::size_t some, std::size_t all);
+/// The name of \p file without its folders, for a title.
+std::string shown_file(const std::string& file);
 /// \p text between the tags of SVG or HTML.
 std::string escaped(std::string_view text);
 

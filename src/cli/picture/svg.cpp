@@ -51,7 +51,7 @@ std::string stroke_class(const PlotLine& line) {
            (line.stroke == Stroke::dashed   ? " dash"
             : line.stroke == Stroke::dotted ? " dot"
                                             : "") +
-           (line.beneath ? " wide" : "");
+           (line.covered > 1 ? " wider" : line.covered > 0 ? " wide" : "");
 }
 std::string window_class(const PlotWindow& window) {
     const std::string colour = colour_class(window.colour);
@@ -93,6 +93,7 @@ std::string style() {
         ".fstiff .title{font-size:15px;font-weight:600}.fstiff .small{font-size:11px}"
         ".fstiff .line{fill:none;stroke-width:2;stroke-linejoin:round}.fstiff .dash{stroke-dasharray:7 4}"
         ".fstiff .dot{stroke-dasharray:2 4}.fstiff .wide{stroke-width:6;stroke-opacity:.45}.fstiff "
+        ".wider{stroke-width:10;stroke-opacity:.3}.fstiff .bar{fill:none;stroke-width:1.4}.fstiff "
         ".band{stroke:none;opacity:.18}"
         ".fstiff .window{fill-opacity:.14;stroke-opacity:.7;fill:";
     light += std::string(window_colour.light) + "}";
@@ -141,16 +142,30 @@ std::string background(const Drawing& d) {
     return out;
 }
 
+/// From the upper to the lower end, with a short line across both.
+std::string bar(double x, double high, double low) {
+    return "M" + px(x - 4) + " " + px(high) + "h8M" + px(x) + " " + px(high) + "V" + px(low) + "M" + px(x - 4) + " " +
+           px(low) + "h8";
+}
+
+/// The bands, and the error bars of what has those.
 std::string bands(const Drawing& d) {
     std::string out;
     for (const PlotLine& line : d.lines) {
         if (line.low.size() != line.x.size() || line.high.size() != line.x.size() || line.x.empty()) continue;
+        const auto low = [&](std::size_t i) {
+            return d.y_scale.shows(line.low[i]) ? d.place_y(line.low[i]) : d.panel.height + 10;
+        };
         std::string path;
+        if (line.bars) {
+            for (std::size_t i = 0; i < line.x.size(); ++i)
+                if (d.shows(line, i)) path += bar(d.place_x(line, i), d.place_y(line.high[i]), low(i));
+            out += "<path class=\"bar " + colour_class(line.colour) + "\" d=\"" + path + "\"/>\n";
+            continue;
+        }
         for (std::size_t i = 0; i < line.x.size(); ++i)
             path += (i ? "L" : "M") + px(d.place_x(line.x[i])) + " " + px(d.place_y(line.high[i]));
-        for (std::size_t i = line.x.size(); i-- > 0;)
-            path += "L" + px(d.place_x(line.x[i])) + " " +
-                    px(d.y_scale.shows(line.low[i]) ? d.place_y(line.low[i]) : d.panel.height + 10);
+        for (std::size_t i = line.x.size(); i-- > 0;) path += "L" + px(d.place_x(line.x[i])) + " " + px(low(i));
         out += "<path class=\"band f" + colour_class(line.colour) + "\" d=\"" + path + "Z\"/>\n";
     }
     return out;
@@ -162,19 +177,19 @@ std::string line_and_marks(const Drawing& d, const PlotLine& line) {
     std::vector<std::pair<double, double>> stretch;
     const auto end_stretch = [&] {
         const auto far = [&](const auto& at) {
-            return std::hypot(at.first - stretch[0].first, at.second - stretch[0].second) > 12;
+            return std::hypot(at.first - stretch[0].first, at.second - stretch[0].second) > one_place;
         };
         if (line.marker == Marker::none && !line.label.empty() && std::none_of(stretch.begin(), stretch.end(), far))
             for (const auto& [x, y] : stretch) marks += mark(Marker::circle, x, y);
         stretch.clear();
     };
     for (std::size_t i = 0; i < line.x.size(); ++i) {
-        if (!d.x_scale.shows(line.x[i]) || !d.y_scale.shows(line.y[i])) {
+        if (!d.shows(line, i)) {
             end_stretch();
             continue;
         }
         // far outside the frame is as good as anywhere there; numbers stay short
-        const double x = std::clamp(d.place_x(line.x[i]), -1e4, 1e4), y = std::clamp(d.place_y(line.y[i]), -1e4, 1e4);
+        const double x = std::clamp(d.place_x(line, i), -1e4, 1e4), y = std::clamp(d.place_y(line.y[i]), -1e4, 1e4);
         path += (stretch.empty() ? "M" : "L") + px(x) + " " + px(y);
         marks += mark(line.marker, x, y);
         stretch.emplace_back(x, y);
@@ -198,7 +213,9 @@ std::string axes(const Drawing& d, double plot_top) {
     for (const Tick& tick : d.y_scale.ticks())
         if (panel.y.ticks && !tick.label.empty())
             out += text_at(left - 7, plot_top + d.place_y(tick.value) + 4.5, tick.label, "text-anchor=\"end\"");
-    out += text_at(left + width / 2, plot_top + height + 40, d.x_scale.label(), "text-anchor=\"middle\"");
+    const bool aside = std::any_of(d.lines.begin(), d.lines.end(), [](const auto& line) { return line.aside != 0; });
+    out += text_at(left + width / 2, plot_top + height + 40, d.x_scale.label() + (aside ? ", marks side by side" : ""),
+                   "text-anchor=\"middle\"");
     return out + text_at(18, plot_top + height / 2, d.y_scale.label(),
                          "text-anchor=\"middle\" transform=\"rotate(-90 18 " + px(plot_top + height / 2) + ")\"");
 }
@@ -215,13 +232,15 @@ std::string draw(const std::vector<Entry>& legend, double x, double y) {
         if (entry.window)
             out += rectangle(window_class(*entry.window), x, y - 7, 30, 14);
         else {
-            if (!entry.line->band.empty())
-                out += rectangle("band f" + colour_class(entry.line->colour), x, y - 7, 30, 14);
+            const std::string colour = colour_class(entry.line->colour);
+            if (entry.line->bars)
+                out += "<path class=\"bar " + colour + "\" d=\"" + bar(x + 15, y - 7, y + 7) + "\"/>\n";
+            else if (!entry.line->band.empty())
+                out += rectangle("band f" + colour, x, y - 7, 30, 14);
             if (entry.line->stroke != Stroke::none)
                 out += line_at("line " + stroke_class(*entry.line), x, y, x + 30, y);
             if (entry.line->marker != Marker::none)
-                out += "<g class=\"f" + colour_class(entry.line->colour) + "\">" + mark(entry.line->marker, x + 15, y) +
-                       "</g>\n";
+                out += "<g class=\"f" + colour + "\">" + mark(entry.line->marker, x + 15, y) + "</g>\n";
         }
         out += paragraph_at(x + 38, y + 4.5, entry.text);
         y += height_of({entry});
@@ -290,8 +309,14 @@ std::string svg(const Figure& given) {
         return text.empty() ? std::vector<std::string>{}
                             : wrapped(text, static_cast<std::size_t>((width - left - 16) / character));
     };
+    const double large = figure.legend_below ? 9 : 7.3;  // a telephone shows the letters of a narrow picture larger
     const auto title = lines_of(figure.title, 8.4), note = lines_of(figure.note, 6.3);
-    const double first = title.empty() ? 6 : 24 + line_height * static_cast<double>(title.size());
+    std::vector<std::string> verdict;
+    for (const std::string& sentence : figure.verdict)
+        for (std::string& line : lines_of(sentence, large)) verdict.push_back(std::move(line));
+    const auto height_of_lines = [](const auto& lines) { return line_height * static_cast<double>(lines.size()); };
+    const double below_title = title.empty() ? 8 : 24 + height_of_lines(title);
+    const double first = verdict.empty() ? below_title : below_title + 8 + height_of_lines(verdict);
     std::string panels;
     double top = first;
     for (const Panel& panel : figure.panels) {
@@ -302,7 +327,8 @@ std::string svg(const Figure& given) {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fstiff\" viewBox=\"0 0 " + px(width) + " " + px(height) +
            "\" width=\"" + px(width) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" + name +
            "\">\n<title>" + name + "</title>\n" + style() + rectangle("back", 0, 0, width, height) +
-           paragraph_at(left, 27, title, "class=\"title\"") + panels +
+           paragraph_at(left, 27, title, "class=\"title\"") +
+           paragraph_at(left, below_title + 10, verdict, "class=\"brief\"") + panels +
            paragraph_at(left, top + 8, note, "class=\"small\"") + "</svg>\n";
 }
 

@@ -54,13 +54,12 @@ using CurveKey = std::tuple<std::string, std::optional<double>, std::optional<do
 struct Layout {
     std::optional<Dimension> x, lines;
     std::uint64_t points = 1;
-    std::size_t curves = 1;
+    std::vector<CurveKey> curves;  ///< in the order of the scene
     bool pools = false;  ///< several scenes fall on one place
 };
 
 Layout layout_of(const sweep::Grid& grid, const std::string& file) {
     Layout layout;
-    std::set<CurveKey> curves;
     std::uint64_t first = 0;
     bool any = false;
     sweep::for_each_row(file, [&](const sweep::Row& row) {
@@ -68,10 +67,11 @@ Layout layout_of(const sweep::Grid& grid, const std::string& file) {
         first = row.index;
         any = true;
         layout.points = std::max<std::uint64_t>(layout.points, row.point + 1);
-        curves.insert({std::string(row.law), row.theta, row.r});
+        const CurveKey curve{std::string(row.law), row.theta, row.r};
+        if (std::find(layout.curves.begin(), layout.curves.end(), curve) == layout.curves.end())
+            layout.curves.push_back(curve);
         return true;
     });
-    layout.curves = std::max<std::size_t>(curves.size(), 1);
     std::vector<Dimension> all;
     if (layout.points > 1) all.push_back({none, layout.points, true});
     for (std::size_t i = 0; i < grid.axes.size(); ++i)
@@ -111,6 +111,8 @@ using Cells = std::map<std::uint64_t, std::pair<double, std::vector<double>>>;  
 
 struct Series {
     std::string label;
+    std::size_t curve;
+    std::optional<std::size_t> place;  ///< among the lines of a curve
     Cells cells;
 };
 
@@ -128,7 +130,7 @@ PlotLine line_of_cells(Series& series) {
         line.low.push_back(sorted_quantile(sorted, 0.05));
         line.high.push_back(sorted_quantile(sorted, 0.95));
     }
-    if (!one) line.band = "5 to 95 %";
+    if (!one) line.band = shown_band;
     if (line.x.size() == 1) line.marker = Marker::circle;
     return line;
 }
@@ -178,7 +180,10 @@ std::string shown_key(const std::string& key) {
 
 Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
     const Layout layout = layout_of(grid, file);
-    const std::uint64_t lines_each = std::max<std::uint64_t>(2, most_lines / layout.curves);
+    const std::size_t curves = layout.curves.size();
+    const std::uint64_t room = std::max<std::uint64_t>(2, most_lines / std::max<std::size_t>(curves, 1));
+    const std::uint64_t lines_each = layout.lines ? std::min(layout.lines->count, room) : 1;
+    const std::size_t curves_drawn = std::min<std::size_t>(curves, most_lines / lines_each);
     const Places x_places(layout.x ? layout.x->count : 1, most_places);
     const Places line_places(layout.lines ? layout.lines->count : 1, lines_each);
     const auto place_in = [](const Dimension& of, const std::vector<sweep::Value>& values, const sweep::Row& row) {
@@ -187,7 +192,7 @@ Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
     const bool chooses_point =
         layout.points > 1 && !(layout.x && layout.x->is_points()) && !(layout.lines && layout.lines->is_points());
 
-    std::map<std::pair<CurveKey, std::uint64_t>, std::size_t> known;
+    std::map<std::pair<std::size_t, std::uint64_t>, std::size_t> known;
     std::vector<Series> all;
     std::vector<sweep::Value> values;
     sweep::for_each_row(file, [&](const sweep::Row& row) {
@@ -196,11 +201,17 @@ Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
         const std::uint64_t at = layout.x ? place_in(*layout.x, values, row) : 0;
         const std::uint64_t line = layout.lines ? place_in(*layout.lines, values, row) : 0;
         if (!x_places.has(at) || !line_places.has(line)) return true;
-        const auto [found, is_new] = known.try_emplace({{std::string(row.law), row.theta, row.r}, line}, all.size());
+        const CurveKey key{std::string(row.law), row.theta, row.r};
+        const auto curve = static_cast<std::size_t>(
+            std::find(layout.curves.begin(), layout.curves.end(), key) - layout.curves.begin());
+        if (curve >= curves_drawn) return true;
+        const auto [found, is_new] = known.try_emplace({curve, line}, all.size());
         if (is_new)
-            all.push_back({(layout.curves > 1 || !layout.lines ? legend_of(row.law, row.theta, row.r) : "") +
-                               (layout.curves > 1 && layout.lines ? ", " : "") +
+            all.push_back({(curves > 1 || !layout.lines ? legend_of(row.law, row.theta, row.r) : "") +
+                               (curves > 1 && layout.lines ? ", " : "") +
                                (layout.lines ? value_text(grid, *layout.lines, values, row) : ""),
+                           curve,
+                           layout.lines ? std::optional<std::size_t>(line) : std::nullopt,
                            {}});
         auto& [x, stiffness] = all[found->second].cells[at];
         x = !layout.x ? 0 : layout.x->is_points() ? row.pressure : values[layout.x->axis].number;
@@ -217,15 +228,19 @@ Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
         panel.x = {.label = "K/A₀", .logarithmic = false, .si = "Pa/m"};
         panel.y = {.label = "share of scenes below", .logarithmic = false, .low = 0.0, .high = 1.0};
     }
-    const std::size_t drawn = std::min<std::size_t>(all.size(), most_lines);
-    for (std::size_t k = 0; k < drawn; ++k)
-        panel.lines.push_back(layout.x ? line_of_cells(all[k]) : distribution_of(all[k]));
-    Figure figure{.title = "K over " + std::to_string(grid.size) + " scenes of " + grid.file,
+    std::vector<std::pair<std::size_t, std::optional<std::size_t>>> kinds;
+    for (Series& series : all) {
+        panel.lines.push_back(layout.x ? line_of_cells(series) : distribution_of(series));
+        kinds.emplace_back(series.curve, series.place);
+    }
+    choose_look(panel.lines, kinds);
+    Figure figure{.title = "K over " + std::to_string(grid.size) + " scenes of " + shown_file(grid.file),
                   .panels = {std::move(panel)},
                   .note = "fstiff " FSTIFF_VERSION};
     if (layout.pools && layout.x) figure.note += "; lines are medians, bands 5 to 95 % of the scenes at each place";
-    if (all.size() > drawn || (layout.lines && layout.lines->count > lines_each))
-        figure.note += "; of the lines " + std::to_string(drawn) + " are drawn";
+    const std::size_t lines_of_all = curves * (layout.lines ? layout.lines->count : 1);
+    if (const std::string some = some_of(curves_drawn * lines_each, lines_of_all); !some.empty())
+        figure.note += "; " + some;
     return figure;
 }
 

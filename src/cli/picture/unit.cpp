@@ -3,7 +3,7 @@
 
 #include <fstiff/core/text.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -51,6 +51,20 @@ Unit unit_for(std::string_view si, double size) {
         return best;
     }
     return {si, 1};
+}
+
+Unit unit_for_all(std::string_view si, std::span<const double> values) {
+    Unit best{si, 1};
+    std::ptrdiff_t most = -1;
+    for (const Ladder& ladder : ladders()) {
+        if (ladder.si != si) continue;
+        for (const Unit& unit : ladder.units) {
+            const auto fits = [&](double value) { return value >= unit.size && value < 1000 * unit.size; };
+            const auto count = std::count_if(values.begin(), values.end(), fits);
+            if (count > most) best = unit, most = count;
+        }
+    }
+    return best;
 }
 
 std::string with_unit(double value, std::string_view si, int digits, double error) {
