@@ -157,9 +157,10 @@ TEST_CASE("laws of a map: its summits and boundary elements") {
 
 TEST_CASE("Every law of a measured surface divides by one sigma: that of the heights without their form") {
     const MapFile file(200, 0.7), other(120, 0.4);
-    const std::string rest = "\n[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.0\n"
-                             "[contact]\npressures = [\"1 MPa\", \"5 MPa\"]\nlaws = [\"hertz\", \"hybrid\", \"persson\"]\n"
-                             "[uncertainty]\nsamples = 0\n";
+    const std::string rest =
+        "\n[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.0\n[contact]\n"
+        "pressures = [\"1 MPa\", \"5 MPa\"]\nlaws = [\"hertz\", \"hybrid\", \"persson\"]\n"
+        "[uncertainty]\nsamples = 0\n";
     const std::string one = "from = \"" + file.path() + "\"\nlambda_s = \"none\"\n";
     const double sigma = rms_height(remove_form(file.map, MapForm::plane)),
                  second = rms_height(remove_form(other.map, MapForm::plane));

@@ -152,14 +152,14 @@ TEST_CASE("The spectrum of a map is that of the map with its mirror images, whic
         CAPTURE(rows, columns);
         const HeightMap<double> map = long_waved_map(rows, columns), whole = with_mirror_images(map);
         auto repeated = map_spectrum(whole, Edges::periodic);
-        std::erase_if(repeated.shells, [](const auto& shell) { return shell.q2_h2 < 1e-20; });  // zigzags, which it has not
+        std::erase_if(repeated.shells, [](const auto& shell) { return shell.q2_h2 < 1e-20; });  // zigzags: none
         check_same(map_spectrum(map), repeated, 1e-10);
     }
 }
 
 TEST_CASE("A spectrum knows neither the unit of length nor which way the map lies") {
     const Edges edges = GENERATE(Edges::mirrored, Edges::periodic);
-    for (const Eigen::Index columns : {44, 30, 53}) {  // of 30 the sides are 2:3, and waves lie half way between two shells
+    for (const Eigen::Index columns : {44, 30, 53}) {  // of 30 some waves lie half way between two shells
         const HeightMap<double> map = long_waved_map(30, columns);
         CAPTURE(name_of(edges), columns);
         const auto spectrum = map_spectrum(map, edges);

@@ -131,7 +131,7 @@ std::vector<Curve> curves_of(const Options& options, const HeightMap<double>& ma
     return {all, x, y};
 }
 
-/// What a psd was windowed with; laws take that of a map and its mirror images instead.
+/// The window of a psd. The laws take the spectrum of a map and its mirror images, without one (topography/map_spectrum.hpp).
 std::string window_of(const Options& options) {
     return options.taper == SpectrumWindow::hann ? "Hann window, divided by its mean square" : "no window";
 }
@@ -253,7 +253,8 @@ Figure figure_of(const Options& options, const Result& result) {
         .title =
             (psd ? "Power spectral density of " : "Autocorrelation function of ") + display_name(options.surface.file),
         .panels = {},
-        .note = "fstiff " FSTIFF_VERSION ", " + result.cut_offs.sentence() + (psd ? "; " + window_of(options) + "; means over 2 % of q" : "")};
+        .note = "fstiff " FSTIFF_VERSION ", " + result.cut_offs.sentence() +
+                (psd ? "; " + window_of(options) + "; means over 2 % of q" : "")};
     const auto begin_panel = [&](const std::string& title, const std::string& label) {
         figure.panels.push_back(psd ? Panel{.title = title, .x = {.label = "q [rad/µm]"}, .y = {.label = label}}
                                     : Panel{.title = title,
