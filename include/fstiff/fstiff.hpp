@@ -78,6 +78,7 @@
 #include <fstiff/topography/island_levels.hpp>
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
+#include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/radial_spectrum.hpp>
 #include <fstiff/topography/repair.hpp>

@@ -28,9 +28,8 @@ Scene with_surface(Scene scene, const std::array<double, surface_parameter_count
         const auto& of_shifts = scene.map->summits;
         const Summits<double>& one =
             of_shifts.size() == 1 ? of_shifts.front() : of_shifts[splitmix64(tiles) % of_shifts.size()];
-        MapOfSurface map{{}, {resampled(one, 4, tiles)}, scene.map->spectrum};
-        map.spectrum.rms_height *= taller;
-        for (auto& shell : map.spectrum.shells) shell.q2_h2 *= taller * taller, shell.q_h2 *= taller * taller;
+        MapOfSurface map{{}, {resampled(one, 4, tiles)}, scene.map->spectra};
+        for (SpectrumShells<double>& spectrum : map.spectra) spectrum = scaled(std::move(spectrum), taller);
         scene.map = std::make_shared<const MapOfSurface>(std::move(map));
     }
     for (Peaks& peaks : scene.peaks)

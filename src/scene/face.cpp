@@ -44,7 +44,7 @@ double hurst_exponent(const Face& face) {
 
 std::string no_spectrum(const Face& face) {
     if (face.map && face.spectrum_of_map)
-        return face.map->spectrum.shells.empty() ? "points of the map are missing, or it has fewer than 4 a side"
+        return face.map->spectrum().shells.empty() ? "points of the map are missing, or it has fewer than 4 a side"
                : face.map->summits.front().summits.empty() ? "no point of the map stands above its eight neighbours"
                                                            : "";
     const double alpha = spectral_moments(face).bandwidth();
@@ -63,13 +63,11 @@ std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<c
         area += map->area();
         whole = whole && map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
     }
-    if (whole)
+    for (const Edges edges : {Edges::mirrored, Edges::periodic})
         for (const auto& map : of.maps) {
-            SpectrumShells<double> spectrum = map_spectrum(*map);
-            const double share = map->area() / area;
-            for (auto& shell : spectrum.shells) shell.q2_h2 *= share, shell.q_h2 *= share;
-            spectrum.rms_height *= std::sqrt(share);
-            of.spectrum = of.spectrum.shells.empty() ? spectrum : sum_of_spectra(of.spectrum, spectrum);
+            if (!whole) continue;
+            SpectrumShells<double>& sum = of.spectra[static_cast<std::size_t>(edges)];
+            sum = sum_of_spectra(sum, scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
         }
     return std::make_shared<const MapOfSurface>(std::move(of));
 }
@@ -146,8 +144,9 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
         of.summits.push_back(summits_of(map));
         of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }
-    if (!upper.map->spectrum.shells.empty() && !lower.map->spectrum.shells.empty())
-        of.spectrum = sum_of_spectra(upper.map->spectrum, lower.map->spectrum);
+    if (!upper.map->spectrum().shells.empty() && !lower.map->spectrum().shells.empty())
+        for (std::size_t i = 0; i < of.spectra.size(); ++i)
+            of.spectra[i] = sum_of_spectra(upper.map->spectra[i], lower.map->spectra[i]);
     face.map = std::make_shared<const MapOfSurface>(std::move(of));
     return face;
 }

@@ -220,7 +220,8 @@ std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
 
 PerssonContact<double> crowded(const ContactInputs& inputs) {
     return inputs.map && inputs.spectrum_of_map
-               ? PerssonContact<double>(inputs.map->spectrum, inputs.effective_modulus, inputs.gamma)
+               ? PerssonContact<double>(inputs.map->spectrum(inputs.elements.edges), inputs.effective_modulus,
+                                        inputs.gamma)
                : PerssonContact<double>(band_of_moments(inputs.moments, inputs.hurst), inputs.effective_modulus,
                                         inputs.gamma);
 }

@@ -10,13 +10,15 @@
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/fit/identify.hpp>
-#include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/io/quantity.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
+#include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/summits.hpp>
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -70,14 +72,18 @@ struct LawOption {
 struct MapOfSurface {
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  ///< without form; of two faces one sum for each shift
     std::vector<Summits<double>> summits;                        ///< one for each map
-    SpectrumShells<double> spectrum;                             ///< without shells where points are missing
+    std::array<SpectrumShells<double>, 2> spectra;  ///< of mirrored and periodic edges; no shells where points are missing
+
+    [[nodiscard]] const SpectrumShells<double>& spectrum(Edges edges = Edges::mirrored) const {
+        return spectra[static_cast<std::size_t>(edges)];
+    }
 };
 
 /// The section [boundary_elements].
 struct ElementInputs {
-    Eigen::Index points = 256;  ///< a side
-    Edges edges = Edges::mirrored;
-    double hardness = 0;  ///< [Pa]; 0: elastic
+    Eigen::Index points = 256;      ///< a side
+    Edges edges = Edges::mirrored;  ///< of summits and spectra too
+    double hardness = 0;            ///< [Pa]; 0: elastic
 };
 
 /// What a contact is made of.

@@ -69,7 +69,7 @@ FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const Levelle
 FSTIFF_SCENE_INSTANCE SurfaceParameters<double> surface_parameters(const LevelledMap<double>&,
                                                                    const SurfaceParameterOptions<double>&);
 
-FSTIFF_SCENE_INSTANCE SpectrumShells<double> map_spectrum(const HeightMap<double>&, SpectrumWindow);
+FSTIFF_SCENE_INSTANCE SpectrumShells<double> map_spectrum(const HeightMap<double>&, Edges);
 FSTIFF_SCENE_INSTANCE Summits<double> summits_of(const HeightMap<double>&);
 FSTIFF_SCENE_INSTANCE HeightStatistics<double> height_statistics(const Profile<double>&);
 FSTIFF_SCENE_INSTANCE HeightStatistics<double> height_statistics(const HeightMap<double>&);

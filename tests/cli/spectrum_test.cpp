@@ -224,6 +224,7 @@ TEST_CASE("The picture of a spectrum has its curves, its numbers and its script,
         CHECK(made.status == 0);
         const std::string picture = read(folder / (of + ".svg"));
         CHECK(picture.starts_with("<svg"));
+        CHECK(test::contains(picture, "Hann window") == (of == "psd"));
         for (const char* part : of == "psd" ? std::vector<const char*>{"All directions", "sections along y", "rad/µm"}
                                             : std::vector<const char*>{"along x", "lag [µm]", "Sal and Str"})
             CHECK(contains(picture, part));

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem.csv.
+// Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem.csv and bem_maps.csv; the exact spectrum of maps
+// that repeat themselves.
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/half_space_maps.hpp"
 #include "support/table.hpp"
 
 #include <map>
@@ -110,6 +115,57 @@ TEST_CASE("the hybrid law of three moments against boundary elements") {
     CHECK(ten >= 90);
     CHECK(fifteen >= 102);
     CHECK(worst < 0.234);
+}
+
+TEST_CASE("Of a map's own summits and its spectrum hybrid is as near to boundary elements as docs/validation.md says") {
+    const test::Table bem("bem_maps.csv");
+    double least = 2, largest = 0, least_skewed = 2, largest_skewed = 0;
+    for (std::size_t row = 0; row < bem.size(); ++row) {
+        const std::string name = bem.text(row, "map");
+        const HeightMap<double> map = test::half_space_map(name);
+        const HybridContact hybrid(SummitContact<double>(summits_of(map), 1.0),
+                                   PerssonContact<double>(map_spectrum(map), 1.0));
+        const double ratio = hybrid.stiffness(bem.input(row, "p_over_E")) / bem.input(row, "stiffness_times_L_over_E");
+        CAPTURE(name, bem.input(row, "p_star"), ratio);
+        if (name == "skewed")
+            least_skewed = std::min(least_skewed, ratio), largest_skewed = std::max(largest_skewed, ratio);
+        else
+            CHECK(std::abs(ratio - 1) < 0.095);
+        if (std::abs(bem.input(row, "p_star") - 0.03) < 1e-3)
+            least = std::min(least, ratio), largest = std::max(largest, ratio);
+    }
+    CHECK(std::abs(least - 0.67) < 0.005);
+    CHECK(std::abs(largest - 0.97) < 0.005);
+    CHECK(std::abs(least_skewed - 0.67) < 0.005);
+    CHECK(std::abs(largest_skewed - 0.95) < 0.005);
+}
+
+TEST_CASE("Mirror images change K of persson of maps that repeat themselves as little as docs/scene.md says") {
+    const auto rms = [](double longest, std::initializer_list<double> hursts) {
+        double squares = 0;
+        int points = 0;
+        for (const double hurst : hursts)
+            for (const std::uint64_t seed : {1u, 2u}) {
+                const auto map = self_affine_map<double>({.hurst = hurst,
+                                                          .rms = 1e-3,
+                                                          .longest_wavelength = longest,
+                                                          .shortest_wavelength = 1.0 / 32,
+                                                          .seed = seed},
+                                                         256, 256, 1.0 / 256, 1.0 / 256);
+                const auto exact = map_spectrum(map, Edges::periodic);
+                const PerssonContact<double> mirrored(map_spectrum(map), 1.0), repeated(exact, 1.0);
+                for (const double p_star : {0.01, 0.03, 0.1, 0.25}) {
+                    const double p = p_star * exact.rms_gradient();
+                    squares += std::pow(std::log(mirrored.stiffness(p) / repeated.stiffness(p)), 2);
+                    ++points;
+                }
+            }
+        return std::sqrt(squares / points);
+    };
+    CHECK(std::abs(rms(1.0 / 16, {0.8}) - 0.004) < 0.0005);
+    CHECK(std::abs(rms(1.0 / 8, {0.8, 0.5}) - 0.007) < 0.0005);
+    CHECK(std::abs(rms(1.0 / 4, {0.8, 0.5, 0.3}) - 0.018) < 0.0005);
+    CHECK(std::abs(rms(1.0 / 2, {0.8}) - 0.08) < 0.005);
 }
 
 TEST_CASE("Persson's and the hybrid contact are tabulated like any other") {

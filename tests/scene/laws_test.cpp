@@ -6,6 +6,8 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/io/write_csv.hpp>
+#include <fstiff/topography/form.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
@@ -15,6 +17,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 using namespace fstiff;
 
@@ -35,24 +38,28 @@ std::string refused(const std::string& text) {
 
 const std::string moments = "rms_height = \"1.1 um\"\nrms_gradient = 0.1\nalpha = 8.24\nhurst = 0.7";
 
-/// The Gaussian map of tests/data, in SI over (100 um)^2, in a file.
+/// The Gaussian map of tests/data, in SI over (100 um)^2, or \p rows of it with \p waves along y of its own height, in a file.
 class MapFile {
 public:
-    MapFile() {
+    explicit MapFile(Eigen::Index rows = 256, double waves = 0) {
         map = test::half_space_map("gaussian");
-        map.heights *= 1e-4;
+        map.heights = (1e-4 * map.heights.topRows(rows)).eval();
         map.dx *= 1e-4;
         map.dy *= 1e-4;
+        const double sigma = rms_height(map);
+        for (Eigen::Index j = 0; j < rows; ++j)
+            map.heights.row(j) += sigma * std::sin(2 * std::numbers::pi * waves * static_cast<double>(j) /
+                                                   static_cast<double>(rows));
         std::ofstream file(path());
         io::write_csv(file, map);
     }
     [[nodiscard]] std::string surface() const {
         return "from = \"" + path() + "\"\ndetrend = \"mean\"\nlambda_s = \"none\"";
     }
+    [[nodiscard]] std::string path() const { return folder_ / "map.csv"; }
     HeightMap<double> map;
 
 private:
-    [[nodiscard]] std::string path() const { return folder_ / "map.csv"; }
     test::Folder folder_;  // of this test alone: tests run side by side
 };
 
@@ -146,6 +153,49 @@ TEST_CASE("laws of a map: its summits and boundary elements") {
     CHECK(results.curves[2].band.empty());
     CHECK_FALSE(results.curves[1].band.empty());
     CHECK_FALSE(results.verdict.empty());
+}
+
+TEST_CASE("Every law of a measured surface divides by one sigma: that of the heights without their form") {
+    const MapFile file(200, 0.7), other(120, 0.4);
+    const std::string rest =
+        "\n[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.0\n[contact]\n"
+        "pressures = [\"1 MPa\", \"5 MPa\"]\nlaws = [\"hertz\", \"hybrid\", \"persson\"]\n"
+        "[uncertainty]\nsamples = 0\n";
+    const std::string one = "from = \"" + file.path() + "\"\nlambda_s = \"none\"\n";
+    const double sigma = rms_height(remove_form(file.map, MapForm::plane)),
+                 second = rms_height(remove_form(other.map, MapForm::plane));
+    const struct { std::string surface; double sigma; } cases[] = {
+        {"[surface]\n" + one, sigma},
+        {"[surface.upper]\n" + one + "[surface.lower]\n" + one, std::sqrt(2.0) * sigma},
+        {"[surface]\nfrom = [\"" + file.path() + "\", \"" + other.path() + "\"]\nlambda_s = \"none\"\n",
+         std::sqrt((200 * sigma * sigma + 120 * second * second) / 320)}};
+    for (const auto& of : cases) {
+        CAPTURE(of.surface);
+        const scene::Scene scene = scene::read_scene(of.surface + rest, {.name = "s.toml"});
+        CHECK(test::relative_error(scene.surface.rms_height, of.sigma) < 1e-7);  // the file has nine digits
+        CHECK(test::relative_error(scene.map->spectrum().rms_height, scene.surface.rms_height) < 1e-12);
+        const auto results = scene::compute(scene);
+        REQUIRE(results.curves.size() == 3);
+        for (const auto& curve : results.curves)
+            for (const auto& state : curve.states) {
+                CAPTURE(curve.law->name);
+                CHECK(test::relative_error(state.separation.value / state.eta, scene.surface.rms_height) < 1e-12);
+            }
+    }
+}
+
+TEST_CASE("persson takes the spectrum of a map with its mirror images, or of one that repeats itself") {
+    const MapFile file;
+    for (const Edges edges : {Edges::mirrored, Edges::periodic}) {
+        CAPTURE(name_of(edges));
+        const auto results = computed(scene_of(file.surface(), "\"persson\"",
+                                               "[boundary_elements]\nedges = \"" + std::string(name_of(edges)) +
+                                                   "\"\n[uncertainty]\nsamples = 0\n"));
+        const PerssonContact<double> persson(map_spectrum(file.map, edges), 1e9);
+        for (std::size_t i = 0; i < 2; ++i)
+            CHECK(test::relative_error(results.curves[0].states[i].stiffness.value,
+                                       persson.stiffness(i == 0 ? 1e6 : 5e6)) < 1e-6);
+    }
 }
 
 TEST_CASE("hybrid is the first law of a measured surface") {

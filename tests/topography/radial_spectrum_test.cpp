@@ -69,7 +69,7 @@ TEST_CASE("The shells of a map whose waves end early hold its variance") {
     for (std::size_t k = 0; k < found.value.size(); ++k)
         variance += found.value[k] * static_cast<double>(found.waves[k]) * unit * unit;
     CHECK(test::relative_error(std::sqrt(variance), 1e-6) < 1e-12);
-    CHECK(test::relative_error(std::sqrt(variance), map_spectrum(map, SpectrumWindow::none).rms_height) < 1e-12);
+    CHECK(test::relative_error(std::sqrt(variance), map_spectrum(map, Edges::periodic).rms_height) < 1e-12);
 }
 
 TEST_CASE("The sections of an isotropic map are the projection of its C(q)") {

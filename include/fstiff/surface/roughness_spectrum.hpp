@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace fstiff {
@@ -104,6 +105,14 @@ struct SpectrumShells {
         return std::sqrt(sum);
     }
 };
+
+/// \p spectrum of heights \p factor times as high.
+template <Real T>
+[[nodiscard]] SpectrumShells<T> scaled(SpectrumShells<T> spectrum, std::type_identity_t<T> factor) {
+    for (auto& shell : spectrum.shells) shell.q2_h2 *= factor * factor, shell.q_h2 *= factor * factor;
+    spectrum.rms_height *= factor;
+    return spectrum;
+}
 
 /// The band without a flat part that has the moments \p moments and the Hurst exponent \p hurst.
 /// \throws domain_error unless 0 < H <= 1 and alpha > 3/2, with ln(q2/q1) between 0.001 and 60.

@@ -3,85 +3,82 @@
 /// \file
 /// The roughness spectrum of a map in shells of |q|, which Persson's theory takes as it is.
 ///
-///     h_q = 1/N sum over the points of (z - mean) w/sqrt(mean w^2) exp(-i q x),    sum of |h_q|^2 = sigma^2
-///     shell i: |q| within half a wave number of i 2 pi/L,  L the longer side
+///     z - mean = sum of h_q times the waves of the map as it goes on beyond its edges,    sum of |h_q|^2 = sigma^2
+///     mirrored   waves cos pi k x/L_x cos pi l y/L_y at cell centres: those of the map and its mirror images, of period 2L
+///     periodic   waves exp(i q x) of a map that repeats itself
+///     shell i: |q| within half a wave number of i pi/L (mirrored), i 2 pi/L (periodic),  L the longer side
 ///
-/// w is Hann's window, or 1 for a map that repeats itself. Without a window the steps between opposite edges of a measured map
-/// are taken for roughness: its gradient grows with the number of points.
+/// Mirror images have no step at the edges, which a measured map has when it is repeated, and which would be taken for roughness:
+/// the gradient grows with the number of points. A window, which takes that step away too, weighs the middle of the map, so that
+/// the sum is not sigma^2: by a fifth where the longest waves are those of the map.
 ///
-/// Reference   Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
+/// Reference   Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001 (shells, windows); Makhoul, IEEE Trans.
+///             Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform).
 /// Units       heights [m], q [rad/m]
 /// Valid       maps of 4 x 4 points at least, without missing points; remove the form first
-/// Accuracy    1e-13 relative of each shell of a sum of waves (tests/topography/map_spectrum_test.cpp)
+/// Accuracy    1e-13 relative of the sum, 1e-11 of each shell of a sum of waves (tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
-#include <fstiff/math/fft.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
-#include <fstiff/surface/spectrum_window.hpp>
 #include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/line_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace fstiff {
 
 namespace detail {
 
-/// Calls \p use(i, j, pairs, |h_q|^2) for the waves of q = (2 pi/L_x i, 2 pi/L_y j), j beyond half the rows counted back from
-/// them, of \p map about its mean; \p pairs is 2 where the conjugate wave at -q is not visited, else 1.
+/// Calls \p use(k, l, |h_q|^2) for the waves of \p heights [m] but their mean: k along x, l along y, in units of 2 pi over the
+/// side. A cosine and a sine are a wave each.
 template <Real T, class Use>
-void visit_waves(const HeightMap<T>& map, SpectrumWindow window, const Use& use) {
-    using Complex = std::complex<T>;
+void visit_waves(GridField<T> heights, Edges edges, const Use& use) {
     using Index = Eigen::Index;
-    const Index rows = map.rows(), columns = map.columns(), half = columns / 2;
-    const auto weights = [&](Index points) {  // of mean square 1
-        std::vector<T> all(static_cast<std::size_t>(points), T(1));
-        for (std::size_t i = 0; i < all.size() && window == SpectrumWindow::hann; ++i)
-            all[i] = window_weight<T>(window, i, all.size()) * std::sqrt(T(8) / 3);
-        return all;
-    };
-    const std::vector<T> across = weights(columns), up = weights(rows);
-    const T mean = map.heights.mean(), scale = (map.heights - mean).abs().maxCoeff();
-    RealFft<T> along_x(static_cast<std::size_t>(columns));
-    ComplexFft<T> along_y(static_cast<std::size_t>(rows));
-    Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic> waves(rows, half + 1);
-    std::vector<T> line(static_cast<std::size_t>(columns));
-    std::vector<Complex> in, out;
-    for (Index j = 0; j < rows; ++j) {
-        for (Index i = 0; i < columns; ++i)
-            line[static_cast<std::size_t>(i)] = (map.heights(j, i) - mean) / scale *
-                                                across[static_cast<std::size_t>(i)] * up[static_cast<std::size_t>(j)];
-        along_x.forward(line, out);
-        for (Index i = 0; i <= half; ++i) waves(j, i) = out[static_cast<std::size_t>(i)];
-    }
-    const T size = T(map.size());
-    in.resize(static_cast<std::size_t>(rows));
-    for (Index i = 0; i <= half; ++i) {
-        std::copy(waves.col(i).begin(), waves.col(i).end(), in.begin());
-        along_y.forward(in, out);
-        const T pairs = i == 0 || 2 * i == columns ? T(1) : T(2);
-        for (Index j = 0; j < rows; ++j)
-            if (i != 0 || j != 0)
-                use(i, j, pairs, std::norm(out[static_cast<std::size_t>(j)] / size) * (scale * scale));
+    const auto columns = static_cast<std::size_t>(heights.cols()), rows = static_cast<std::size_t>(heights.rows());
+    const T scale = heights.abs().maxCoeff();
+    heights /= scale;
+    LineTransform<T> along_x(columns, edges), along_y(rows, edges);
+    for (Index j = 0; j < heights.rows(); ++j) along_x.forward(&heights(j, 0));
+    GridField<T> turned = heights.transpose();
+    const T unit = scale / T(heights.size());
+    for (std::size_t i = 0; i < columns; ++i) {
+        T* const line = &turned(static_cast<Index>(i), 0);
+        along_y.forward(line);
+        for (std::size_t j = 0; j < rows; ++j) {
+            const T h = line[j] * unit;
+            if (i + j > 0)
+                use(along_x.wave_number(i), along_y.wave_number(j), along_x.weight(i) * along_y.weight(j) * h * h);
+        }
     }
 }
 
 /// Shells of |q| about whole multiples of a width, for a map that has a spectrum.
 template <Real T>
 struct ShellGrid {
-    T unit_x{}, unit_y{}, width{};  ///< 2 pi over the sides, and over the longer one [rad/m]
+    T unit_x{}, unit_y{};  ///< 2 pi over the sides [rad/m]
+    T width{};             ///< least wave number [rad/m]
 
     /// \throws domain_error for missing points and what HeightMap::validate says.
-    explicit ShellGrid(const HeightMap<T>& map) {
+    explicit ShellGrid(const HeightMap<T>& map, Edges edges = Edges::periodic) {
         map.validate(4);
         map.require_whole("before its spectrum is taken");
         unit_x = 2 * numbers::pi_v<T> / (T(map.columns()) * map.dx);
         unit_y = 2 * numbers::pi_v<T> / (T(map.rows()) * map.dy);
-        width = std::min(unit_x, unit_y);
+        width = std::min(unit_x, unit_y) / (edges == Edges::mirrored ? 2 : 1);
     }
-    [[nodiscard]] std::size_t shell_of(T q) const { return static_cast<std::size_t>(std::lround(q / width)); }
+    /// |q| of the wave k along x, l along y, in units of 2 pi over the sides.
+    [[nodiscard]] T wave_number(T k, T l) const {
+        const T x = unit_x / width * k, y = unit_y / width * l;  // squares stay within the range of numbers
+        return width * std::sqrt(x * x + y * y);
+    }
+    /// Half way between two shells the outer one, whatever the rounding: sides of 3:2 have such waves.
+    [[nodiscard]] std::size_t shell_of(T q) const {
+        return static_cast<std::size_t>(q / width * (1 + 16 * std::numeric_limits<T>::epsilon()) + T(0.5));
+    }
 };
 
 }  // namespace detail
@@ -89,15 +86,13 @@ struct ShellGrid {
 /// The spectrum of \p map about its mean. Shells without any wave are left out.
 /// \throws domain_error for missing points and what HeightMap::validate says.
 template <Real T>
-[[nodiscard]] SpectrumShells<T> map_spectrum(const HeightMap<T>& map, SpectrumWindow window = SpectrumWindow::hann) {
-    using Index = Eigen::Index;
-    const Index rows = map.rows(), half = map.columns() / 2, half_rows = rows / 2;
-    const detail::ShellGrid<T> grid(map);
-    const auto count =
-        static_cast<std::size_t>(std::hypot(grid.unit_x * T(half), grid.unit_y * T(half_rows)) / grid.width) + 2;
+[[nodiscard]] SpectrumShells<T> map_spectrum(const HeightMap<T>& map, Edges edges = Edges::mirrored) {
+    const detail::ShellGrid<T> grid(map, edges);
+    const T highest = grid.wave_number(T(map.columns()) / 2, T(map.rows()) / 2);
+    const std::size_t count = grid.shell_of(highest) + 1;
     std::vector<T> q2_h2(count), q_h2(count), h2(count);
-    detail::visit_waves(map, window, [&](Index i, Index j, T pairs, T square) {
-        const T q = std::hypot(grid.unit_x * T(i), grid.unit_y * T(std::min(j, rows - j))), power = pairs * square;
+    detail::visit_waves<T>(map.heights - map.heights.mean(), edges, [&](T k, T l, T power) {
+        const T q = grid.wave_number(k, l);
         const std::size_t shell = grid.shell_of(q);
         q2_h2[shell] += q * q * power;
         q_h2[shell] += q * power;

@@ -9,7 +9,9 @@
 ///     int C_x dq = the mean variance of a row about its own mean; the last value counts half where the points are even in number
 ///     C_x(q)  = 4 int_q^inf C(q') q'/sqrt(q'^2 - q^2) dq'              of an isotropic surface
 ///
-/// h_q and the shells are those of topography/map_spectrum; a shell stands at the mean |q| of its waves. Shells end where |q|
+/// h_q are the waves of the heights about their mean times w/sqrt(mean w^2), w Hann's window, or 1 for a map that repeats itself;
+/// shells are those of topography/map_spectrum of a map that repeats itself. This is a picture: a window takes the step between
+/// opposite edges away, and with it some of sigma. A shell stands at the mean |q| of its waves. Shells end where |q|
 /// reaches the shortest wave of the coarser direction: behind it they have waves in some directions only.
 /// This C is Persson's C(q) and that of surface/roughness_spectrum; Jacobs et al. write (2 pi)^2 C and pi C_x.
 ///
@@ -19,7 +21,10 @@
 /// Valid       maps of 4 x 4 points at least, without missing points; remove the form first
 /// Accuracy    1e-12 relative of each shell of a sum of waves (tests/topography/radial_spectrum_test.cpp)
 
+#include <fstiff/surface/spectrum_window.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+
+#include <limits>
 
 namespace fstiff {
 
@@ -48,6 +53,27 @@ struct RadialSpectrum {
     SectionSpectrum<T> along_x, along_y;
 };
 
+namespace detail {
+
+/// \p map about its mean, times \p window over its rms.
+template <Real T>
+[[nodiscard]] GridField<T> windowed(const HeightMap<T>& map, SpectrumWindow window) {
+    GridField<T> heights = map.heights - map.heights.mean();
+    if (window == SpectrumWindow::none) return heights;
+    const auto weights = [window](Eigen::Index points) {  // of mean square 1
+        Eigen::Array<T, Eigen::Dynamic, 1> all(points);
+        for (Eigen::Index i = 0; i < points; ++i)
+            all[i] = window_weight<T>(window, static_cast<std::size_t>(i), static_cast<std::size_t>(points)) *
+                     std::sqrt(T(8) / 3);
+        return all;
+    };
+    heights.colwise() *= weights(map.rows());
+    heights.rowwise() *= weights(map.columns()).transpose();
+    return heights;
+}
+
+}  // namespace detail
+
 /// The spectra of \p map about its mean.
 /// \throws domain_error for missing points and what HeightMap::validate says.
 template <Real T>
@@ -75,16 +101,15 @@ template <Real T>
     const auto put = [](SectionSpectrum<T>& one, Index k, T square) {
         if (k > 0) one.value[static_cast<std::size_t>(k) - 1] += square;
     };
-    detail::visit_waves(map, window, [&](Index i, Index j, T pairs, T square) {
-        const Index y = std::min(j, rows - j);
-        put(result.along_x, i, pairs * square);
-        put(result.along_y, y, pairs * square);
-        const T q = std::hypot(grid.unit_x * T(i), grid.unit_y * T(y));
+    detail::visit_waves(detail::windowed(map, window), Edges::periodic, [&](T k, T l, T square) {
+        put(result.along_x, static_cast<Index>(k), square);
+        put(result.along_y, static_cast<Index>(l), square);
+        const T q = grid.wave_number(k, l);
         const std::size_t shell = grid.shell_of(q);
         if (q > end * (1 + 4 * std::numeric_limits<T>::epsilon()) || shell > shells) return;
-        power[shell] += pairs * square;
-        lengths[shell] += pairs * q;
-        waves[shell] += pairs > 1 ? 2 : 1;
+        power[shell] += square;
+        lengths[shell] += q;
+        ++waves[shell];
     });
     for (auto* one : {&result.along_x, &result.along_y}) {
         for (T& value : one->value) value /= one->step;

@@ -133,13 +133,18 @@ std::vector<Curve> curves_of(const Options& options, const HeightMap<double>& ma
     return {all, x, y};
 }
 
+/// The window of a psd. The laws take the spectrum of a map and its mirror images, without one (topography/map_spectrum.hpp).
+std::string window_of(const Options& options) {
+    return options.taper == SpectrumWindow::hann ? "Hann window, divided by its mean square" : "no window";
+}
+
 std::string convention_of(const Options& options, bool profile) {
     if (options.of == SpectrumKind::acf)
         return "mean over the pairs of points of a lag of the product of their heights, over the mean square";
     const std::string scale = profile
                                   ? "one-sided, int C dq = mean square height; "
                                   : "2 pi int q C dq = mean square height; C_x, C_y one-sided, means of all sections; ";
-    return scale + (options.taper == SpectrumWindow::hann ? "Hann window, divided by its mean square" : "no window");
+    return scale + window_of(options);
 }
 
 std::string source_of(const Options& options, bool profile) {
@@ -261,7 +266,8 @@ Figure figure_of(const Options& options, const Result& result) {
             (psd ? "Power spectral density of " : "Autocorrelation function of ") +
             shown_file(display_name(options.surface.file)),
         .panels = {},
-        .note = "fstiff " FSTIFF_VERSION ", " + result.cut_offs.sentence() + (psd ? "; means over 2 % of q" : "")};
+        .note = "fstiff " FSTIFF_VERSION ", " + result.cut_offs.sentence() +
+                (psd ? "; " + window_of(options) + "; means over 2 % of q" : "")};
     const auto begin_panel = [&](const std::string& title, const std::string& label) {
         figure.panels.push_back(psd ? Panel{.title = title, .x = {.label = "q [rad/µm]"}, .y = {.label = label}}
                                     : Panel{.title = title,
