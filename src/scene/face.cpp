@@ -52,7 +52,7 @@ std::string no_spectrum(const Face& face) {
     const double alpha = spectral_moments(face).bandwidth();
     if (alpha > 1.5) return "";
     return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(alpha, 3) +
-           ", and every isotropic surface has more than 1.5; must be told " +
+           ", and isotropic surfaces have more than 1.5; must be told " +
            (face.rms_gradient ? "surface.alpha" : "surface.rms_gradient and surface.alpha");
 }
 

@@ -106,7 +106,7 @@ TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
     }
 }
 
-TEST_CASE("The options of a law are in contact.<law>; persson and boundary_elements may also be at the root") {
+TEST_CASE("The options of persson and of boundary_elements are below contact, as those of summits, or at the root") {
     for (const char* path : {"persson", "contact.persson"}) {
         CHECK(read(text_of(moments, "[" + std::string(path) + "]\ngamma = 0.5\n")).gamma == 0.5);
         CHECK(contains(refused(text_of(moments, "[" + std::string(path) + "]\ngamma = 2\n")),
