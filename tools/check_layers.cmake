@@ -5,7 +5,8 @@
 #   - fstiff.hpp includes every public header but those of io, which io.hpp includes, and the layer table of docs/architecture.md is what the includes say,
 #   - every header has a row "| <layer>/<name> | its one idea |" in docs/architecture.md,
 #   - every file that README.md and docs/*.md name exists: by its path, or a header or a test as <layer>/<name>;
-#     those of ../shared only where that folder is.
+#     those of ../shared only where that folder is,
+#   - every document, source, test or table that a comment or a docstring of the code names exists.
 #
 #   cmake -P tools/check_layers.cmake                  check
 #   cmake -D UPDATE=ON -P tools/check_layers.cmake     rewrite fstiff.hpp, io.hpp and the table
@@ -198,6 +199,40 @@ foreach(document IN LISTS documents)
         endif()
         if(NOT matches)
             problem("${document}: '${name}' does not exist")
+        endif()
+    endforeach()
+endforeach()
+
+# The same of comments and docstrings: names with an ending, of files of the project.
+set(code "")
+foreach(folder include src python bench examples tests tools fortran)
+    foreach(ending hpp h cpp in c py pyi f90)
+        list(APPEND code ${folder}/*.${ending})
+    endforeach()
+endforeach()
+list(TRANSFORM code PREPEND ${ROOT}/)
+file(GLOB_RECURSE code LIST_DIRECTORIES false RELATIVE ${ROOT} ${code})
+set(endings "(md|hpp|h|cpp|csv|cmake|c|py|f90|toml|f32)")
+foreach(file IN LISTS code)
+    file(READ ${ROOT}/${file} text)
+    string(REGEX MATCHALL "[A-Za-z0-9_./-]*[A-Za-z0-9_]/[A-Za-z0-9_.-]*[A-Za-z0-9_]\\.${endings}" names "${text}")
+    list(REMOVE_DUPLICATES names)
+    foreach(name IN LISTS names)
+        if(name MATCHES "^(\\./)?((include/fstiff|src|tests|bench|docs|tools)/.*)$")
+            set(places ${ROOT}/${CMAKE_MATCH_2} ${ROOT}/python/${CMAKE_MATCH_2})
+        elseif(name MATCHES "^(fstiff/)?((${layer})/[a-z0-9_]+\\.[hc]pp)$")
+            set(places ${include}/${CMAKE_MATCH_2} ${ROOT}/tests/${CMAKE_MATCH_2} ${ROOT}/tests/support/${CMAKE_MATCH_2})
+        else()
+            continue()
+        endif()
+        set(found FALSE)
+        foreach(place IN LISTS places)
+            if(EXISTS ${place})
+                set(found TRUE)
+            endif()
+        endforeach()
+        if(NOT found)
+            problem("${file}: '${name}' does not exist")
         endif()
     endforeach()
 endforeach()

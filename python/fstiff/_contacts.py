@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def law_names() -> list[str]:
-    """The laws that a contact can have, such as "hertz" and "hybrid"; docs/theory.md says what each of them is."""
+    """The laws that a contact can have, such as "hertz" and "hybrid"; docs/scene.md says what each of them is."""
     return _core.law_names()
 
 

@@ -38,7 +38,7 @@ class SurfaceOptions(TypedDict, total=False):
     lambda_s, lambda_c   shortest and longest waves that are kept; "auto" is by the standards' table, "none" keeps all
     filter               of lambda_c: "gaussian" or "robust"
     tip_radius, resolution   of the instrument
-    format, units, column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/io.md
+    format, units, column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/formats.md
     """
 
     spacing: Length | tuple[Length, Length]
@@ -427,7 +427,7 @@ class Truth(Document):
         return ax
 
     def __repr__(self) -> str:
-        rows = [["p [Pa]", "K [Pa/m]", "+-", "mean gap [m]", "real area"]]
+        rows = [["p [Pa]", "K [Pa/m]", "+-", "separation [m]", "real area"]]
         keys = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_error_Pa_per_m", "separation_m", "real_area_fraction")
         rows += [[shown(row[key], 5) for key in keys] for row in self["rows"]]
         return f"<fstiff.Truth of {self['map']}>\n{text_table(rows)}" + lines_of(self.warnings)

@@ -5,6 +5,7 @@
 #include "scene/file.hpp"
 #include "scene/shown_unit.hpp"
 
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 
 #include <algorithm>
@@ -14,8 +15,20 @@
 namespace fstiff::scene {
 namespace {
 
-/// The scene with the surface \p drawn about its own. Of a map the tiles are drawn anew, with the random \p tiles.
-Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn, std::uint64_t& tiles) {
+/// The states of random numbers that a band draws besides those of the parameters.
+struct RandomStates {
+    std::uint64_t tiles, gradients;
+};
+
+/// The rms gradient of \p scene drawn by its own error, over what it was; lognormal as rms height.
+double drawn_gradient(const Scene& scene, std::uint64_t& state) {
+    if (!(scene.gradient_error > 0)) return 1;
+    const double relative = scene.gradient_error / *scene.rms_gradient;
+    return std::exp(std::sqrt(std::log1p(relative * relative)) * normal_pair<double>(state).real());
+}
+
+/// The scene with the surface \p drawn about its own. Of a map the tiles are drawn anew.
+Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn, RandomStates& random) {
     const double rms_height = scene.surface.rms_height;
     const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
     scene.surface.rms_height = value(Parameter::rms_height);
@@ -23,12 +36,17 @@ Scene with_surface(Scene scene, const std::array<double, surface_parameter_count
     scene.surface.peak_density = value(Parameter::peak_density);
     if (scene.fractal_dimension) scene.fractal_dimension = value(Parameter::fractal_dimension);
     const double taller = scene.surface.rms_height / rms_height;
-    if (scene.rms_gradient) *scene.rms_gradient *= taller;
+    if (scene.rms_gradient) {
+        const double steeper = drawn_gradient(scene, random.gradients);
+        *scene.rms_gradient *= taller * steeper;
+        if (scene.radius_follows) scene.surface.peak_radius /= steeper * steeper;
+        if (scene.density_follows) scene.surface.peak_density *= steeper * steeper;
+    }
     if (scene.map) {
         const auto& of_shifts = scene.map->summits;
         const Summits<double>& one =
-            of_shifts.size() == 1 ? of_shifts.front() : of_shifts[splitmix64(tiles) % of_shifts.size()];
-        MapOfSurface map{{}, {resampled(one, 4, tiles)}, scene.map->spectra};
+            of_shifts.size() == 1 ? of_shifts.front() : of_shifts[splitmix64(random.tiles) % of_shifts.size()];
+        MapOfSurface map{{}, {resampled(one, 4, random.tiles)}, scene.map->spectra};
         for (SpectrumShells<double>& spectrum : map.spectra) spectrum = scaled(std::move(spectrum), taller);
         scene.map = std::make_shared<const MapOfSurface>(std::move(map));
     }
@@ -135,10 +153,10 @@ std::string dominating(const Scene& scene, const Curve& curve) {
 
 void add_bands(const Scene& scene, Results& results, const ProgressHook& progress) {
     const Scene lean = lean_scene(scene);
-    std::uint64_t tiles = scene.seed;
+    RandomStates random{scene.seed, ~scene.seed};
     const auto bands =
         sampled_band(scene.uncertain,
-                     [&](const auto& drawn) { return stiffnesses(with_surface(lean, drawn, tiles), results.modulus); },
+                     [&](const auto& drawn) { return stiffnesses(with_surface(lean, drawn, random), results.modulus); },
                      {static_cast<std::size_t>(scene.samples), scene.seed, progress});
     const std::vector<double> quick = stiffnesses(lean, results.modulus);
     std::vector<std::vector<double>> of_neighbours;

@@ -43,14 +43,25 @@ double hurst_exponent(const Face& face) {
 }
 
 std::string no_spectrum(const Face& face) {
-    if (face.map && face.spectrum_of_map)
-        return face.map->spectrum().shells.empty() ? "points of the map are missing, or it has fewer than 4 a side"
+    if (face.map && face.spectrum_of_map) {
+        if (const std::string missing = missing_points(*face.map); !missing.empty()) return missing;
+        return face.map->spectrum().shells.empty()           ? "the map has fewer than 4 points a side"
                : face.map->summits.front().summits.empty() ? "no point of the map stands above its eight neighbours"
                                                            : "";
+    }
     const double alpha = spectral_moments(face).bandwidth();
     if (alpha > 1.5) return "";
     return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(alpha, 3) +
-           ", and every isotropic surface has more than 1.5; must be told surface.rms_gradient";
+           ", and isotropic surfaces have more than 1.5; must be told " +
+           (face.rms_gradient ? "surface.alpha" : "surface.rms_gradient and surface.alpha");
+}
+
+std::string missing_points(const MapOfSurface& map) {
+    Eigen::Index missing = 0;
+    for (const auto& one : map.maps) missing += one->size() - one->present();
+    if (missing == 0) return "";
+    return std::to_string(missing) + (missing == 1 ? " point of the map is" : " points of the map are") +
+           " missing; fill = true next to surface.from, or --fill, fills them";
 }
 
 std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
@@ -118,7 +129,12 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     face.fractal_roughness = sum.fractal_roughness;
     face.r = sum.r;
     face.theta = sum.theta;
-    if (upper.rms_gradient || lower.rms_gradient) face.rms_gradient = std::sqrt(2 * sum.moments.m2);
+    if (upper.rms_gradient || lower.rms_gradient) {
+        face.rms_gradient = std::sqrt(2 * sum.moments.m2);
+        face.gradient_error = std::hypot(std::sqrt(2 * a.moments.m2) * upper.gradient_error,
+                                         std::sqrt(2 * b.moments.m2) * lower.gradient_error) /
+                              *face.rms_gradient;
+    }
     if (upper.alpha || lower.alpha) face.alpha = sum.moments.bandwidth();
     if (upper.hurst || lower.hurst)
         face.hurst = (a.moments.m2 * hurst_exponent(upper) + b.moments.m2 * hurst_exponent(lower)) / sum.moments.m2;

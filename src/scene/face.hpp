@@ -20,6 +20,9 @@
 
 namespace fstiff::scene {
 
+/// The greatest D that a scene may give: K of the fractal laws, which goes as 1/(2 - D), is 67 times that of hertz there.
+inline constexpr double greatest_dimension = 1.99;
+
 /// One rough face, or the sum of two that a smooth face meets instead.
 struct Face {
     Roughness<double> surface;
@@ -27,6 +30,8 @@ struct Face {
     std::optional<double> fractal_roughness;           ///< [m]
     std::optional<double> r, theta;                    ///< of the surface [1, rad]; both or none
     std::optional<double> rms_gradient, alpha, hurst;  ///< written, or measured; alpha is Nayak's m0 m4/m2^2
+    double gradient_error = 0;  ///< standard error of rms_gradient that is independent of all others
+    bool radius_follows = false, density_follows = false;  ///< R, D_p: of rms_height, rms_gradient and alpha
     bool spectrum_of_map = true;                       ///< [persson] spectrum = "map", where there is one
     std::shared_ptr<const MapOfSurface> map;           ///< where the surface was measured as a map
     UncertainSurface<double> uncertain;                ///< the same with errors
@@ -38,7 +43,8 @@ struct Face {
 
     /// Whether a band can be given: some parameter that enters has an error.
     [[nodiscard]] bool has_errors() const {
-        return std::any_of(uncertain.error.begin(), uncertain.error.end(), [](double error) { return error > 0; });
+        return gradient_error > 0 ||
+               std::any_of(uncertain.error.begin(), uncertain.error.end(), [](double error) { return error > 0; });
     }
 };
 
@@ -46,8 +52,10 @@ struct Face {
 /// alpha where they are known, else from R and D_p with eq. (4.10) and Nayak.
 [[nodiscard]] SpectralMoments<double> spectral_moments(const Face& face);
 [[nodiscard]] double hurst_exponent(const Face& face);
-/// Why \p face has no spectrum for Persson's theory; empty where it has one.
+/// Why \p face has no spectrum for Persson's theory, and what gives it one; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Face& face);
+/// How many points of the maps of \p map are missing, and how they are filled; empty where none is.
+[[nodiscard]] std::string missing_points(const MapOfSurface& map);
 
 /// What was measured, as the contact sees it.
 [[nodiscard]] Face face_of(const MeasuredSurface& measured);

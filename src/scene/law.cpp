@@ -230,7 +230,7 @@ std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(c
 
 /// Whether summits push each other down; 0 for a sum of summits that do not, as which a band varies.
 constexpr std::array<double, 1> quick_summits{0};
-constexpr std::array<LawOption, 1> summit_options{{{.key = "mutual", .otherwise = 1}}};
+constexpr std::array<LawOption, 1> summit_options{{{.key = "mutual", .is_flag = true, .otherwise = 1}}};
 
 /// The mean of what \p make makes of the summits of every shift.
 template <class Make>

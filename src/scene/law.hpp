@@ -65,6 +65,7 @@ struct PlasticRange {
 struct LawOption {
     std::string_view key;
     std::optional<io::Dimension> dimension{};  ///< none: a plain number
+    bool is_flag = false;                      ///< true or false, or 1 or 0; no other number
     std::optional<double> otherwise{};         ///< [SI] where the scene does not say; none: the scene must say
 };
 

@@ -224,18 +224,28 @@ MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::str
                               const ProgressHook& progress) {
     const std::vector<std::string> files = without_folders(names);
     std::vector<MeasuredSurface> parts;
+    std::vector<std::string> copies;  // warnings of them
     const auto measure = [&] {
-        parts.clear();
+        parts.clear(), copies.clear();
         for (const std::string& file : files) {
             options.input.file = file;
-            parts.push_back(measure_surface(options, read_all(file), progress));
+            MeasuredSurface part = measure_surface(options, read_all(file), progress);
+            const auto same = std::find_if(parts.begin(), parts.end(),
+                                           [&](const MeasuredSurface& other) { return other.sha256 == part.sha256; });
+            if (same == parts.end())
+                parts.push_back(std::move(part));
+            else
+                copies.push_back(part.file + ": is the same file as " + same->file +
+                                 ", byte for byte (SHA-256), and is not counted again");
         }
     };
     measure();
     const bool once = std::count(files.begin(), files.end(), "-") > 0;  // standard input is read once
     if (!once && share_cut_offs(options.input, parts)) measure();
     for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input.prefix);
-    return parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts));
+    MeasuredSurface whole = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts));
+    whole.warnings.insert(whole.warnings.begin(), copies.begin(), copies.end());
+    return whole;
 }
 
 }  // namespace fstiff::scene

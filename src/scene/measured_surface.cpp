@@ -66,8 +66,8 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     if (has(surface.concerns, MeasuredConcern::anisotropic))
         warned.push_back("the map differs along x and y; the models take it for isotropic");
     if (has(surface.concerns, MeasuredConcern::long_waves))
-        warned.push_back(rounded(100 * found.long_wave_share, 2) +
-                         " % of the mean square height are waves longer than an eighth of the " + surface.kind +
+        warned.push_back(shown_percent(found.long_wave_share) +
+                         " of the mean square height are waves longer than an eighth of the " + surface.kind +
                          ": sigma is that of this length, and a longer one may have more; K goes about as 1/sigma");
     for (std::string& line : peak_warnings(surface.concerns, found.peaks_counted, surface.parameters))
         warned.push_back(std::move(line));
@@ -77,16 +77,17 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
 
 std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
                                        const UncertainSurface<double>& values) {
-    const auto percent = [&](Parameter which) {
-        const auto one = of(values, which);
-        return std::string(row_of(which).symbol) + " is known to " +
-               std::to_string(std::lround(100 * one.error / one.value)) + " % only";
-    };
     std::vector<std::string> lines;
+    const auto add_percent = [&](MeasuredConcern concern, Parameter which) {
+        const auto one = of(values, which);
+        if (has(concerns, concern) && is_known(one))  // what is not known to a factor of two is named below
+            lines.push_back(std::string(row_of(which).symbol) + " is known to " +
+                            shown_percent(one.error / one.value) + " only");
+    };
     if (has(concerns, MeasuredConcern::few_peaks))
         lines.push_back("R and D_p come from " + std::to_string(peaks) + " peaks only; their errors are rough");
-    if (has(concerns, MeasuredConcern::radius_uncertain)) lines.push_back(percent(Parameter::peak_radius));
-    if (has(concerns, MeasuredConcern::density_uncertain)) lines.push_back(percent(Parameter::peak_density));
+    add_percent(MeasuredConcern::radius_uncertain, Parameter::peak_radius);
+    add_percent(MeasuredConcern::density_uncertain, Parameter::peak_density);
     if (has(concerns, MeasuredConcern::no_densest_level))
         lines.push_back(
             "the islands are densest at the highest or the lowest level: this is no maximum, and the pair R, D_p "
@@ -97,7 +98,9 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
         for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>())
             if (values.known[index_of(row.parameter)] && !is_known(of(values, row.parameter)) &&
                 !(long_waves && (row.parameter == Parameter::rms_height || row.parameter == Parameter::r)))
-                names += (names.empty() ? "" : ", ") + std::string(row.symbol);
+                names += (names.empty() ? "" : ", ") + std::string(row.symbol) + " (" +
+                         shown_percent(values.error[index_of(row.parameter)] / values.value[index_of(row.parameter)]) +
+                         ")";
         lines.push_back(names + ": not known to a factor of two; a result that rests on it, and its band, is in doubt");
     }
     return lines;
@@ -182,7 +185,7 @@ void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Leve
     if (surface.cut_offs.lambda_c && !surface.cut_offs.why_c.empty() && levelled.rms < levelled.rms_levelled / 2)
         surface.warnings.push_back(
             "lambda_c " + shown_length(*surface.cut_offs.lambda_c) + ", chosen by the table, leaves " +
-            rounded(100 * levelled.rms / levelled.rms_levelled, 2) + " % of the rms height of " +
+            shown_percent(levelled.rms / levelled.rms_levelled) + " of the rms height of " +
             shown_length(levelled.rms_levelled) +
             ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
     try {

@@ -68,7 +68,8 @@ struct MeasuredSurface {
                                               const ProgressHook& progress = {});
 
 /// The same of several files of one surface, pooled (measured/pooled_surface.hpp); a folder stands for its files in the order of
-/// their names, without those that begin with a dot. One file is measure_surface().
+/// their names, without those that begin with a dot. One file is measure_surface(). A file that is there twice, by its SHA-256,
+/// counts once, with a warning.
 /// \throws domain_error for a folder without files, files of unlike kinds, or files whose steps differ without one lambda_s.
 [[nodiscard]] MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::string>& names,
                                             const ProgressHook& progress = {});

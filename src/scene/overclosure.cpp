@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fstiff::scene {
 namespace {
@@ -37,7 +38,7 @@ const ChosenLaw& law_of(const Scene& scene, const std::string& name) {
                        list_of(names));
 }
 
-/// \p scene with one law and the separation alone, at pressures so close that sixteen or so lie between two rows.
+/// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows.
 Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     if (scene.at_separations && !(options.from && options.to))
         throw domain_error("the scene has separations; --from and --until must give the range of pressures");
@@ -57,7 +58,8 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     }
     fine.samples = 0;
     fine.separation = true;
-    fine.stiffness = fine.real_area = fine.contacts = fine.loading_stiffness = fine.tangential_stiffness = false;
+    fine.stiffness = fine.loading_stiffness = true;
+    fine.real_area = fine.contacts = fine.tangential_stiffness = false;
     fine.reflection = fine.shear_reflection = fine.at_separations = false;
     // the chord of an exponential is off by (log ratio)^2/8
     const double decades = std::log(to / from), between_rows = std::sqrt(8 * options.tolerance);
@@ -66,6 +68,19 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     for (std::size_t i = 0; i <= steps; ++i)
         fine.points.push_back(from * std::exp(decades * static_cast<double>(i) / static_cast<double>(steps)));
     return fine;
+}
+
+/// The least and the greatest -dp/dd over K.
+std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve) {
+    if (!has(curve.law->quantities, Quantity::stiffness) || !has(curve.law->quantities, Quantity::loading_stiffness))
+        return std::nullopt;
+    PressureTable::Range range{std::numeric_limits<double>::infinity(), 0};
+    for (const auto& state : curve.states) {
+        const double ratio = state.loading_stiffness.value / state.stiffness.value;
+        if (!(ratio > 0)) return std::nullopt;  // boundary elements that flow know K of unloading alone
+        range = {std::min(range.least, ratio), std::max(range.greatest, ratio)};
+    }
+    return range;
 }
 
 }  // namespace
@@ -98,9 +113,11 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
         throw domain_error("law " + std::string(curve.law->name) + ": has no range of pressures there");
 
     PressureTable table{.title = title(curve),
+                        .law = std::string(curve.law->name),
                         .from = points.front().pressure,
                         .to = points.back().pressure,
                         .compared = points.size(),
+                        .slope_over_stiffness = slope_over_stiffness(curve),
                         .warnings = results.warnings,
                         .doubtful = results.doubtful};
     // between the points of the fine grid the error is up to 1/16^2 larger than at them

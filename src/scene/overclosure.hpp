@@ -34,12 +34,17 @@ struct PressureTable {
         double pressure;     ///< [Pa]
         double overclosure;  ///< [m]
     };
+    struct Range {
+        double least, greatest;
+    };
     std::string title{};         ///< of the law, with theta and r where it has them
+    std::string law{};           ///< its name alone
     double from = 0, to = 0;     ///< [Pa]: where the tolerance holds
     double zero_separation = 0;  ///< of the mean planes at overclosure 0 [m]
     std::vector<Row> rows{};     ///< both rise from row to row
     double error = 0;            ///< the largest relative one of the interpolated pressure between `from` and `to`
     std::size_t compared = 0;    ///< pressures at which it was measured
+    std::optional<Range> slope_over_stiffness{};  ///< -dp/dd over K of the law; none: one of them is not known
     std::vector<std::string> warnings{};
     bool doubtful = false;  ///< as Results::doubtful
 };

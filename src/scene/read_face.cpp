@@ -176,13 +176,22 @@ void read_spectrum(Source& source, const Section& surface, Face& face) {
     read("hurst", face.hurst, 0, 1, "must be greater than 0 and at most 1");
 }
 
+/// surface.errors.rms_gradient.
+void read_gradient_error(Source& source, const Section& errors, const toml::node& node, Face& face) {
+    const std::string key = errors.key("rms_gradient");
+    if (!face.rms_gradient)
+        source.refuse(node, key, "has no value next to it; must stand next to surface.rms_gradient");
+    face.gradient_error = source.number(node, key);
+    if (!(face.gradient_error >= 0)) source.refuse(node, key, "must be finite and not negative");
+}
+
 /// surface.errors: standard errors of parameters that are known.
-void read_errors(Source& source, const Section& surface, const toml::node& errors,
-                 UncertainSurface<double>& uncertain) {
+void read_errors(Source& source, const Section& surface, const toml::node& errors, Face& face) {
+    UncertainSurface<double>& uncertain = face.uncertain;
     if (!errors.is_table()) source.refuse(errors, surface.key("errors"), "must be a table of standard errors");
-    constexpr auto keys = choices<Parameter>();
-    const Section section(source, *errors.as_table(), surface.key("errors"),
-                          std::span(keys).first<surface_parameter_count>());
+    std::vector<std::string_view> keys{"rms_gradient"};
+    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) keys.push_back(row.key);
+    const Section section(source, *errors.as_table(), surface.key("errors"), keys);
     for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) {
         const std::size_t i = index_of(row.parameter);
         const toml::node* node = section.find(row.key);
@@ -193,7 +202,12 @@ void read_errors(Source& source, const Section& surface, const toml::node& error
         uncertain.error[i] = read_parameter(source, section, row, *node, true);
         if (!(uncertain.error[i] >= 0 && std::isfinite(uncertain.error[i])))
             source.refuse(*node, key, "must be finite and not negative");
+        const double half = static_cast<double>(row.high.value - row.low.value) / 2;
+        if (row.variation == Variation::between && uncertain.error[i] > half)
+            source.refuse(*node, key,
+                          "must be at most " + rounded(half, 3) + ", half the range of " + std::string(row.key));
     }
+    if (const toml::node* node = section.find("rms_gradient")) read_gradient_error(source, section, *node, face);
 }
 
 /// What is written in place of what was measured of \p face holds for its \p neighbour too.
@@ -205,7 +219,8 @@ void keep_written(const Section& surface, const Face& face, Face& neighbour) {
     if (surface.find("peak_radius")) neighbour.surface.peak_radius = face.surface.peak_radius;
     if (surface.find("peak_density")) neighbour.surface.peak_density = face.surface.peak_density;
     if (surface.find("fractal_dimension")) neighbour.fractal_dimension = face.fractal_dimension;
-    if (surface.find("r")) neighbour.r = face.r, neighbour.theta = face.theta;
+    if (surface.find("r") || !neighbour.r) neighbour.r = face.r;
+    if (surface.find("theta") || !neighbour.theta) neighbour.theta = face.theta;
     if (surface.find("rms_gradient")) neighbour.rms_gradient = face.rms_gradient;
     if (surface.find("alpha")) neighbour.alpha = face.alpha;
     neighbour.hurst = face.hurst;
@@ -249,6 +264,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
         const toml::node* node = needed ? &surface.at(row.key) : surface.find(row.key);
         if (!node) {
             if (!face.measured && row.parameter <= Parameter::peak_density) {
+                (row.parameter == Parameter::peak_radius ? face.radius_follows : face.density_follows) = true;
                 const auto moments = moments_of_gradient(uncertain.value[index_of(Parameter::rms_height)],
                                                          *face.rms_gradient, *face.alpha);
                 const double value =
@@ -262,10 +278,14 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
         uncertain.set(row.parameter, {read_parameter(source, surface, row, *node), 0});
         if (!parameter_in_range(row.parameter, uncertain.value[i]))
             source.refuse(*node, surface.key(row.key), "must be " + row.range());
+        if (row.parameter == Parameter::fractal_dimension && uncertain.value[i] > greatest_dimension)
+            source.refuse(*node, surface.key(row.key),
+                          "must be greater than 1 and at most " + rounded(greatest_dimension) +
+                              "; K of the fractal laws goes as 1/(2 - D)");
         for (std::size_t j = 0; j < surface_parameter_count; ++j)  // written by hand: independent of what was measured
             uncertain.correlation[i][j] = uncertain.correlation[j][i] = i == j ? 1 : 0;
     }
-    if (const auto* errors = surface.find("errors")) read_errors(source, surface, *errors, uncertain);
+    if (const auto* errors = surface.find("errors")) read_errors(source, surface, *errors, face);
     const auto value = [&](Parameter which) -> std::optional<double> {
         const std::size_t i = index_of(which);
         return uncertain.known[i] ? std::optional(uncertain.value[i]) : std::nullopt;

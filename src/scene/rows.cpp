@@ -55,7 +55,13 @@ std::string TextTable::str(std::string_view indent) const {
 
 std::string csv_line(const std::vector<std::string>& cells) {
     std::string text;
-    for (std::size_t i = 0; i < cells.size(); ++i) text += (i ? "," : "") + cells[i];
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        text += i ? "," : "";
+        const bool plain = cells[i].find_first_of(",\"\r\n") == std::string::npos;
+        if (!plain) text += '"';
+        for (const char c : cells[i]) text += !plain && c == '"' ? "\"\"" : std::string(1, c);
+        if (!plain) text += '"';
+    }
     return text + '\n';
 }
 

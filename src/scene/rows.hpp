@@ -34,7 +34,8 @@ private:
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// Cells joined by commas, with a line end.
+/// Cells joined by commas, with a line end: the one writer of CSV. A cell with a comma, a quotation mark or a line end is quoted
+/// (RFC 4180).
 std::string csv_line(const std::vector<std::string>& cells);
 
 /// A value of a column.

@@ -225,6 +225,14 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
                            ": is missing; interaction length \"nominal\" is its square root");
 }
 
+/// true or false, or 1 or 0, as 1 or 0.
+double read_flag(Source& source, const toml::node& node, const std::string& key) {
+    const auto flag = node.is_boolean() ? std::optional(node.as_boolean()->get() ? 1.0 : 0.0) : node.value<double>();
+    if (!flag || (*flag != 0 && *flag != 1)) source.refuse(node, key, "must be true or false, or 1 or 0");
+    source.record(key, written(node), *flag);
+    return *flag;
+}
+
 /// What the section contact.<law> says, in the order of Law::options.
 std::vector<double> read_law_options(Source& source, const Section& contact, const Law& law) {
     std::vector<double> values;
@@ -237,6 +245,7 @@ std::vector<double> read_law_options(Source& source, const Section& contact, con
     for (const LawOption& option : law.options) {
         const toml::node* node = option.otherwise ? section.find(option.key) : &section.at(option.key);
         values.push_back(!node              ? *option.otherwise
+                         : option.is_flag   ? read_flag(source, *node, section.key(option.key))
                          : option.dimension ? section.positive(option.key, *option.dimension)
                                             : source.number(*node, section.key(option.key)));
         if (!node) source.record(section.key(option.key), shortest(values.back()) + " (default)", values.back());
@@ -303,10 +312,27 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
     }
 }
 
+/// Laws whose section may also stand at the root of the scene.
+constexpr std::array<std::string_view, 2> sections_of_laws{"persson", "boundary_elements"};
+
+/// The section contact.\p law, or \p law at the root; null where there is neither. \p path is where it was found.
+const toml::table* section_of_law(Source& source, const Section& root, std::string_view law, std::string& path) {
+    const toml::node* contact = root.find("contact");
+    const toml::node* within = contact && contact->is_table() ? contact->as_table()->get(law) : nullptr;
+    path = std::string(within ? "contact." : "") + std::string(law);
+    if (!within) return root.find(law) ? &root.subtable(law) : nullptr;
+    if (root.find(law))
+        throw domain_error(source.at(*root.find(law)) + ": " + std::string(law) + ": must not stand next to " + path +
+                           "; give one of the two");
+    if (!within->is_table()) source.refuse(*within, path, "must be a section of keys");
+    return within->as_table();
+}
+
 void read_contact(Source& source, const toml::table& table, Scene& scene, bool replaced) {
     std::vector<std::string_view> keys{"nominal_area", "pressures", "separations", "laws", "peaks", "interaction"};
     for (const Law& law : laws())
         if (!law.options.empty()) keys.push_back(law.name);
+    keys.insert(keys.end(), sections_of_laws.begin(), sections_of_laws.end());
     const Section contact(source, table, "contact", keys);
     scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
 
@@ -377,8 +403,11 @@ void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
     if (const auto seed = whole("seed", (1LL << 53) - 1)) scene.seed = static_cast<std::uint64_t>(*seed);
 }
 
-void read_persson(Source& source, const toml::table& table, Scene& scene) {
-    const Section section(source, table, "persson", {"gamma", "spectrum"});
+void read_persson(Source& source, const Section& root, Scene& scene) {
+    std::string path;
+    const toml::table* table = section_of_law(source, root, "persson", path);
+    if (!table) return;
+    const Section section(source, *table, path, {"gamma", "spectrum"});
     if (const toml::node* node = section.find("gamma")) {
         scene.gamma = source.number(*node, section.key("gamma"));
         if (!(scene.gamma > 0 && scene.gamma <= 1))
@@ -393,8 +422,11 @@ void read_persson(Source& source, const toml::table& table, Scene& scene) {
     }
 }
 
-void read_elements(Source& source, const toml::table& table, Scene& scene) {
-    const Section section(source, table, "boundary_elements", {"points", "edges", "hardness"});
+void read_elements(Source& source, const Section& root, Scene& scene) {
+    std::string path;
+    const toml::table* table = section_of_law(source, root, "boundary_elements", path);
+    if (!table) return;
+    const Section section(source, *table, path, {"points", "edges", "hardness"});
     if (const toml::node* node = section.find("points")) {
         const auto* points = node->as_integer();
         if (!points || points->get() < 16 || points->get() > 4096)
@@ -407,7 +439,33 @@ void read_elements(Source& source, const toml::table& table, Scene& scene) {
     scene.elements.hardness = section.optional_positive("hardness", Dimension::pressure).value_or(0);
 }
 
+/// Of a Hurst exponent and a fractal dimension that do not belong together.
+void warn_of_hurst(const Face& face, const std::string& path, std::vector<std::string>& warnings) {
+    if (!face.hurst || !face.fractal_dimension) return;
+    const double of_dimension = 2 - *face.fractal_dimension;
+    const double error = face.uncertain.error[index_of(Parameter::fractal_dimension)];
+    if (std::abs(*face.hurst - of_dimension) <= std::max(0.05, 2 * error)) return;
+    warnings.push_back(path + ".hurst = " + shortest(*face.hurst) + " contradicts the fractal dimension " +
+                       rounded(*face.fractal_dimension) + ", of which H = 2 - D is " + rounded(of_dimension, 3) +
+                       ": hybrid and persson take hurst, the fractal laws D");
+}
+
 }  // namespace
+
+std::vector<Assumed> assumed(const Scene& scene) {
+    std::vector<Assumed> all;
+    const bool of_map = scene.map && scene.spectrum_of_map;
+    if (of_map || std::none_of(scene.laws.begin(), scene.laws.end(),
+                               [](const ChosenLaw& chosen) { return chosen.law->needs_spectrum; }))
+        return all;
+    if (!scene.hurst)
+        all.push_back({"hurst", "H", scene.fractal_dimension ? "2 - D" : "assumed, since D is not known",
+                       hurst_exponent(scene)});
+    if (!scene.alpha)
+        all.push_back({"alpha", "alpha", scene.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
+                       spectral_moments(scene).bandwidth()});
+    return all;
+}
 
 PeakDistribution<double> peak_density(const Peaks& peaks) {
     try {
@@ -426,13 +484,12 @@ std::string refusal_of(const Law& law, const Scene& scene) {
                                          no_sum_of_maps(scene.faces.front(), scene.faces.back());
     if (law.needs_summits && scene.map->summits.front().summits.empty())
         return "needs summits: no point of the map stands above its eight neighbours";
-    if (law.needs_whole_map)
-        for (const auto& map : scene.map->maps) {
+    if (law.needs_whole_map) {
+        if (const std::string missing = missing_points(*scene.map); !missing.empty())
+            return "needs a map without missing points: " + missing;
+        for (const auto& map : scene.map->maps)
             if (std::min(map->rows(), map->columns()) < 16) return "needs a map of at least 16 points a side";
-            if (map->present() != map->size())
-                return "needs a map without missing points; " + std::to_string(map->size() - map->present()) +
-                       " are missing";
-        }
+    }
     if (law.needs_spectrum)
         if (const std::string why = no_spectrum(scene); !why.empty()) return "needs a spectrum: " + why;
     if (law.needs_hardness && !scene.hardness && !scene.yield_strength)
@@ -489,9 +546,14 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
             scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + warning);
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.subtable("material"), scene);
-    if (top.find("persson")) read_persson(source, top.subtable("persson"), scene);
-    if (top.find("boundary_elements")) read_elements(source, top.subtable("boundary_elements"), scene);
+    read_persson(source, top, scene);
+    read_elements(source, top, scene);
     read_contact(source, top.subtable("contact"), scene, replaced);
+    for (const Assumed& one : assumed(scene))
+        source.record("surface." + std::string(one.key), one.how + " (default)", one.value);
+    if (scene.faces.empty()) warn_of_hurst(scene, "surface", scene.warnings);
+    for (std::size_t i = 0; i < scene.faces.size(); ++i)
+        warn_of_hurst(scene.faces[i], i == 0 ? "surface.upper" : "surface.lower", scene.warnings);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs = std::move(source.inputs);

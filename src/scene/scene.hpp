@@ -126,6 +126,15 @@ struct NamedFace {
 };
 [[nodiscard]] std::vector<NamedFace> measured_faces(const Scene& scene);
 
+/// H or alpha of a spectrum that is a band: not given, so taken from other numbers or for a usual one.
+struct Assumed {
+    std::string_view key, symbol;  ///< "hurst" and "H", "alpha" and "alpha"
+    std::string how;               ///< where the value comes from
+    double value;
+};
+/// What the laws of \p scene assume; empty where no law takes a band, or both numbers were given or measured.
+[[nodiscard]] std::vector<Assumed> assumed(const Scene& scene);
+
 /// Why \p law cannot be computed of \p scene; empty where it can.
 [[nodiscard]] std::string refusal_of(const Law& law, const Scene& scene);
 

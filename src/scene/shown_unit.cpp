@@ -3,6 +3,7 @@
 
 #include "scene/file.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fstiff::scene {
@@ -38,6 +39,16 @@ std::string shown_change(double factor) {
     const double change = 100 * (factor - 1);
     if (change >= 100) return rounded(factor, 2) + " times";
     return (change < 0 ? "" : "+") + rounded(change, 2) + " %";
+}
+
+std::string shown_percent(double share) {
+    const double percent = 100 * share;
+    return (std::abs(percent) < 10 ? rounded(percent, 2) : rounded(std::round(percent), 15)) + " %";
+}
+
+std::string shown_count(double count, int digits) {
+    const double step = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) + 1 - digits));
+    return rounded(std::round(count / step) * step, 15);
 }
 
 }  // namespace fstiff::scene

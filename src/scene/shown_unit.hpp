@@ -32,4 +32,9 @@ inline constexpr ShownUnit unit_of_stiffness{"GPa/µm", 1e-15};
 /// A factor as a change: "-3 %", "+41 %", or "2.8 times" where that is clearer.
 [[nodiscard]] std::string shown_change(double factor);
 
+/// A share in percent, without an exponent: "0.12 %", "8.5 %", "85 %", "181 %".
+[[nodiscard]] std::string shown_percent(double share);
+/// A count as a whole number of \p digits digits and zeros: "3", "110", "1670" of 1672 with three.
+[[nodiscard]] std::string shown_count(double count, int digits = 2);
+
 }  // namespace fstiff::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/truth_of_map.hpp"
 
+#include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/contact/validity.hpp>
@@ -33,11 +34,27 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     solved.rms_gradient = map.areal.rms_gradient;
     solved.points = std::min<Eigen::Index>(options.points, std::max(map.map.columns(), map.map.rows()));
     solved.edges = options.edges;
+    if (!(options.hardness > 0)) solved.flows_above = options.known_hardness;
     solved.at = truth(
         map.map, solved.modulus, options.pressures,
         {.points = options.points, .edges = options.edges, .hardness = options.hardness, .progress = options.progress});
     return solved;
 }
+
+namespace {
+
+std::string shown_pressure(double pressure) { return unit_of_pressure(pressure)(pressure, 3); }
+
+/// The first pressure at which a contact carries more than its hardness; null where none does.
+const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
+    if (!(solved.flows_above > 0)) return nullptr;
+    const auto found = std::find_if(solved.at.begin(), solved.at.end(), [&](const TruthPoint<double>& point) {
+        return point.state.max_pressure > solved.flows_above;
+    });
+    return found == solved.at.end() ? nullptr : &*found;
+}
+
+}  // namespace
 
 std::vector<std::string> warnings_of(const TruthOfMap& solved) {
     std::vector<std::string> warnings;
@@ -48,6 +65,11 @@ std::vector<std::string> warnings_of(const TruthOfMap& solved) {
                            ", or a finer map)");
     if (const std::size_t failed = solved.failed())
         warnings.push_back(std::to_string(failed) + " solutions did not converge");
+    if (const TruthPoint<double>* most = first_flowing(solved))
+        warnings.push_back("elastic pressures of up to " + shown_pressure(most->state.max_pressure) + " at p = " +
+                           shown_pressure(most->state.pressure) + " exceed the hardness of the softer body, " +
+                           shown_pressure(solved.flows_above) +
+                           ": the contacts flow, and K is not theirs (--hardness cuts the pressures)");
     return warnings;
 }
 
@@ -72,7 +94,7 @@ Rows rows_of(const TruthOfMap& solved) {
     rows.add({"p_star", "p*", 1, 3}, relative);
     rows.add({"stiffness_Pa_per_m", "K/A0 [GPa/µm]", 1e-15}, stiffness);
     rows.add({"stiffness_error_Pa_per_m", "+- grid", 1e-15, 2}, error);
-    rows.add({"separation_m", "mean gap [µm]", 1e6}, gap);
+    rows.add({"separation_m", "separation [µm]", 1e6}, gap);
     rows.add({"separation_error_m", "+- grid", 1e6, 2}, gap_error);
     rows.add({"real_area_fraction", "contact share"}, area);
     rows.add({"contacts", "contacts"}, spots);

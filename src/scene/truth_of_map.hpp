@@ -19,6 +19,7 @@ struct TruthRequest {
     double modulus = 0;             ///< effective [Pa]
     std::vector<double> pressures;  ///< nominal [Pa]
     double hardness = 0;            ///< at which pressures are cut [Pa]; 0: elastic
+    double known_hardness = 0;      ///< of the softer body [Pa], for a warning where it flows; 0: not known
     int points = 256;               ///< along the longer side, 16 or more, that the map is made coarser to
     Edges edges = Edges::mirrored;
     ProgressHook progress{};
@@ -30,6 +31,7 @@ struct TruthOfMap {
     double modulus = 0, rms_height = 0, rms_gradient = 0;
     Eigen::Index points = 0;  ///< along the longer side, after coarsening
     Edges edges = Edges::mirrored;
+    double flows_above = 0;  ///< the hardness that elastic pressures may exceed [Pa]; 0: not known, or cut there
     std::vector<TruthPoint<double>> at;
 
     /// Points that the grid does not resolve (K changes by more than a fifth from the grid half as fine), or that did not

@@ -2,6 +2,8 @@
 #include "scene/verdict.hpp"
 
 #include "scene/file.hpp"
+#include "scene/shown_unit.hpp"
+#include "scene/validated_ratio.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +19,11 @@ bool has_law(const Scene& scene, std::string_view name) {
                        [&](const ChosenLaw& chosen) { return chosen.law->name == name; });
 }
 
-/// "add law "x" to contact.laws", unless it is there.
-std::string unless_there(const Scene& scene, std::string_view law) {
-    return has_law(scene, law) ? "" : " (add \"" + std::string(law) + "\" to contact.laws)";
+/// "x (add "x" to contact.laws)", without the advice where it is there; empty where the scene cannot have the law.
+std::string advised(const Scene& scene, std::string_view law) {
+    if (has_law(scene, law)) return std::string(law);
+    if (!refusal_of(*find_law(law), scene).empty()) return "";
+    return std::string(law) + " (add \"" + std::string(law) + "\" to contact.laws)";
 }
 
 struct AboutHeights {
@@ -28,33 +32,56 @@ struct AboutHeights {
     bool far_from_gaussian = false;  ///< no law over a distribution of peaks holds
 };
 
+/// Whether \p one is farther from \p gaussian than \p limit, and than two standard errors.
+bool departs(const Measurement<double>& one, double gaussian, double limit) {
+    const double distance = std::abs(one.value - gaussian);
+    return distance > limit && distance > 2 * one.error;
+}
+
+/// What can be computed in place of laws over a distribution of peaks.
+std::string without_distribution(const Scene& scene) {
+    if (!scene.map) return "believe boundary_elements of a map of this surface (fstiff truth)";
+    const std::string elements = advised(scene, "boundary_elements"), summits = advised(scene, "summits");
+    const std::string refused = "boundary_elements " + refusal_of(*find_law("boundary_elements"), scene);
+    if (elements.empty()) return summits.empty() ? refused : "at light loads believe " + summits + "; " + refused;
+    return "believe " + elements + (summits.empty() ? "" : ", then " + summits + " at light loads");
+}
+
+/// To which side laws over Gaussian peaks are off.
+std::string side_of_error(const Measurement<double>& skewness) {
+    if (!departs(skewness, 0, 0))
+        return "K of laws over Gaussian peaks is off, and the skewness, zero within two standard errors, leaves open "
+               "to which side";
+    return std::string("K of laws over Gaussian peaks is ") +
+           (skewness.value > 0 ? "too large, 1.05 to 1.9 times at skewnesses of 0.35 to 0.9"
+                               : "too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23");
+}
+
 /// What the distribution of the heights does to every law over Gaussian peaks.
 AboutHeights about_heights(const Scene& scene) {
     if (!scene.heights) return {};
-    const double skewness = scene.heights->skewness.value, kurtosis = scene.heights->kurtosis.value;
-    if (kurtosis == 0) return {};  // a document without it
+    const Measurement<double>&skewness = scene.heights->skewness, &kurtosis = scene.heights->kurtosis;
+    if (kurtosis.value == 0) return {};  // a document without it
     const double highest = scene.surface.max_peak_height / scene.surface.rms_height;
     const double summits = scene.map ? static_cast<double>(scene.map->summits.front().summits.size()) : 0;
     const double gaussian = std::sqrt(2 * std::log(std::max(summits, 2.0)));
-    std::string numbers = "skewness " + rounded(skewness, 2) + ", kurtosis " + rounded(kurtosis, 2);
+    const auto with_error = [](const Measurement<double>& one) {
+        return rounded(one.value, 2) + " ± " + rounded(one.error, 2);
+    };
+    std::string numbers = "skewness " + with_error(skewness) + ", kurtosis " + with_error(kurtosis);
     if (summits > 0 && highest > 0)
-        numbers += ", highest point " + rounded(highest, 2) + " sigma, where " + rounded(summits, 3) +
+        numbers += ", highest point " + rounded(highest, 2) + " sigma, where " + shown_count(summits, 3) +
                    " Gaussian summits reach " + rounded(gaussian, 2);
     const bool too_high = summits > 0 && highest > 1.6 * gaussian;
-    if (std::abs(skewness) > 1 || std::abs(kurtosis - 3) > 2 || too_high)
+    if (departs(skewness, 0, 1) || departs(kurtosis, 3, 2) || too_high)
         return {"the heights are far from Gaussian (" + numbers +
-                    "): no law over a distribution of peaks is near the truth " +
-                    "here, and K may be wrong by 5 times; believe " +
-                    (scene.map ? "boundary_elements" + unless_there(scene, "boundary_elements") +
-                                     ", then summits at light loads" + unless_there(scene, "summits")
-                               : std::string("boundary_elements of a map of this surface (fstiff truth)")),
+                    "): no law over a distribution of peaks is near the truth here, and K may be wrong by 5 times; " +
+                    without_distribution(scene),
                 std::string("Heights far from Gaussian: use boundary_elements") + (scene.map ? "" : " of a map") +
                     "; other laws may be wrong by 5 times.",
                 true};
-    if (std::abs(skewness) > 0.3 || std::abs(kurtosis - 3) > 1)
-        return {"the heights are not Gaussian (" + numbers + "): K of laws over Gaussian peaks is " +
-                (skewness > 0 ? "1.05 to 1.9 times too large at skewnesses of 0.35 to 0.9"
-                              : "too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23"),
+    if (departs(skewness, 0, 0.3) || departs(kurtosis, 3, 1))
+        return {"the heights are not Gaussian (" + numbers + "): " + side_of_error(skewness),
                 "Heights not Gaussian: K of laws over peaks may be wrong by 2 to 3 times."};
     return {};
 }
@@ -74,27 +101,42 @@ std::optional<std::pair<double, double>> relative_pressures(const Results& resul
     return std::pair(low, high);
 }
 
+/// How far hybrid may be believed down to \p least p*, as docs/validation.md found, with \p below for light loads.
+std::string accuracy_of_hybrid(double least, const char* below) {
+    if (least >= min_validated_pressure)
+        return ", to about " + std::to_string(std::lround(100 * largest_departure("hybrid"))) + " %";
+    return std::string(", to about ") + (least >= 0.001 ? "a quarter" : below);
+}
+
 /// Which elastic law holds at the pressures of the scene.
 std::string about_pressures(const Scene& scene, const Results& results) {
     const auto range = relative_pressures(results);
     if (!range) return "";
     const auto [low, high] = *range;
-    std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) +
-                       ": of elastic contacts believe hybrid" + unless_there(scene, "hybrid") + ", to about ";
-    text += low >= 0.003 ? "10 %" : low >= 0.001 ? "a quarter" : "a quarter above p* = 0.001 and a factor of two below";
+    std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) + ": ";
+    const std::string beyond = "nothing was compared above p* = " + rounded(max_validated_pressure);
+    if (low > max_validated_pressure) return text + beyond;
+    const std::string hybrid = advised(scene, "hybrid");
+    text += hybrid.empty() ? "hybrid, the law for elastic contacts, " +
+                                 refusal_of(*find_law("hybrid"), scene) +
+                                 "; hertz is good to a fifth at p* of 0.002 to 0.008"
+                           : "of elastic contacts believe " + hybrid +
+                                 accuracy_of_hybrid(low, "a quarter above p* = 0.001 and a factor of two below");
     if (high > 0.01) text += "; hertz and the other sums over peaks give too little K above p* = 0.01, half at 0.1";
-    if (high > 0.25) text += "; nothing was compared above p* = 0.25";
-    return text;
+    return high > max_validated_pressure ? text + "; " + beyond : text;
 }
 
 std::string shortly_about_pressures(const Scene& scene, const Results& results) {
     const auto range = relative_pressures(results);
     if (!range) return "";
     const auto [low, high] = *range;
-    if (low > 0.25) return "No law was compared at these pressures (p* above 0.25).";
+    const std::string limit = rounded(max_validated_pressure);
+    if (low > max_validated_pressure) return "No law was compared at these pressures (p* above " + limit + ").";
+    if (advised(scene, "hybrid").empty())
+        return "No elastic law is recommended: hybrid cannot be computed for this surface.";
     return std::string("Recommended elastic law: hybrid") + (has_law(scene, "hybrid") ? "" : " (not in contact.laws)") +
-           ", to about " + (low >= 0.003 ? "10 %" : low >= 0.001 ? "a quarter" : "a factor of two") +
-           (high > 0.25 ? "; not compared above p* = 0.25." : ".");
+           accuracy_of_hybrid(low, "a factor of two") +
+           (high > max_validated_pressure ? "; not compared above p* = " + limit + "." : ".");
 }
 
 std::string about_contacts(const Scene& scene, const Results& results) {
@@ -105,20 +147,22 @@ std::string about_contacts(const Scene& scene, const Results& results) {
             if (state.contact_density.value > 0) least = std::min(least, state.contact_density.value * area);
     if (!(area > 0) || !(least < 200)) return "";
     const char* scatter = least > 100 ? "7 %" : least > 40 ? "11 %" : least > 15 ? "16 %" : "34 % or more";
-    return "as few as " + rounded(least, 2) + " contacts are expected on the " +
-           (scene.nominal_area ? "nominal area" : "map") + ": one surface departs from a law by about " + scatter +
-           " there (rms); its own summits or boundary elements do not";
+    return (least < 0.95  ? "less than one contact is expected on the "
+            : least < 1.5 ? "as few as one contact is expected on the "
+                          : "as few as " + shown_count(least) + " contacts are expected on the ") +
+           (scene.nominal_area ? "nominal area" : "map") + std::string(": one surface departs from a law by about ") +
+           scatter + " there (rms); its own summits or boundary elements do not";
 }
 
 bool peaks_flow(const Results& results) { return results.plasticity_index && *results.plasticity_index > 1; }
 
 std::string about_flow(const Scene& scene, const Results& results) {
-    if (!peaks_flow(results)) return "";
+    const std::string plastic = advised(scene, "plastic");
+    if (!peaks_flow(results) || plastic.empty()) return "";
     return "the peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
-           "): what a wave sees is the unloading stiffness of plastic or jackson_green" +
-           unless_there(scene, "plastic") +
-           ", several times K of an elastic law; plastic is good to a fifth up to p = 0.03 H where H/(E g) is 0.05 or "
-           "less";
+           "): what a wave sees is the unloading stiffness of " + plastic +
+           " or jackson_green, several times K of an elastic law; plastic is good to a fifth up to p = 0.03 H where "
+           "H/(E g) is 0.05 or less";
 }
 
 }  // namespace

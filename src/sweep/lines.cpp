@@ -5,6 +5,7 @@
 #include "scene/results.hpp"
 
 #include <fstiff/core/text.hpp>
+#include <fstiff/io/number.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -168,20 +169,37 @@ private:
     }
 };
 
+/// How many bytes the UTF-8 character takes that \p text begins with; 0 where there is none.
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0xF0) return io::detail::utf8_length(text);
+    if (byte(0) > 0xF4 || text.size() < 4) return 0;
+    for (std::size_t i = 1; i < 4; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    if (byte(0) == 0xF0 && byte(1) < 0x90) return 0;  // three bytes would do
+    if (byte(0) == 0xF4 && byte(1) > 0x8F) return 0;  // beyond U+10FFFF
+    return 4;
+}
+
 }  // namespace
 
 std::string json_text(std::string_view text) {
     std::string quoted = "\"";
-    for (const char c : text) {
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const char c = text.front();
         if (c == '"' || c == '\\') quoted += '\\';
-        if (static_cast<unsigned char>(c) < 32) {
+        if (length == 0) {
+            quoted += "\xEF\xBF\xBD";  // U+FFFD, as in the documents of all commands
+        } else if (static_cast<unsigned char>(c) < 32) {
             constexpr const char* digits = "0123456789abcdef";
             quoted += "\\u00";
             quoted += digits[c / 16];
             quoted += digits[c % 16];
         } else {
-            quoted += c;
+            quoted += text.substr(0, length);
         }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return quoted + '"';
 }

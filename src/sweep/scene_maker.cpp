@@ -65,7 +65,7 @@ SceneMaker::Setter SceneMaker::setter_of(std::size_t axis) const {
     if (of.unit == "1/m^2" && of.key == "surface.peak_density")
         return {put_parameter<Parameter::peak_density>, 0, 0, infinity};
     if (of.unit.empty() && of.key == "surface.fractal_dimension")
-        return {put_parameter<Parameter::fractal_dimension>, 0, 1, 2};
+        return {put_parameter<Parameter::fractal_dimension>, 0, 1, scene::greatest_dimension};
     return {};
 }
 

@@ -8,6 +8,7 @@ set(ideas "| core/error | errors |\n| math/root | roots; and brackets |\n| io/te
 # check(expected path text): the good tree with one more header; `expected` is "" or a part of the complaint.
 function(check expected path text)
     file(REMOVE_RECURSE ${WORK})
+    file(WRITE ${WORK}/tools/check_layers.cmake "")  # which fstiff.hpp names
     file(WRITE ${WORK}/include/fstiff/core/error.hpp "#include <string>\n")
     file(WRITE ${WORK}/include/fstiff/math/root.hpp "#include <Eigen/Core>\n#include <fstiff/core/error.hpp>\n")
     file(WRITE ${WORK}/include/fstiff/io/text.hpp "#include <fstiff/math/root.hpp>\n")
@@ -42,4 +43,8 @@ check("must hold the lines" docs/architecture.md "no table\n")
 check("" docs/more.md "[root](../include/fstiff/math/root.hpp), math/root `f`, io/text.hpp; docs/*.md, and/or, 1/2\n")
 check("'math/none' does not exist" docs/more.md "| math/none | nothing |\n")
 check("'tests/math/root_test.cpp' does not exist" docs/more.md "Test: tests/math/root_test.cpp.\n")
+check("python/fstiff/a.py: 'docs/none.md' does not exist" python/fstiff/a.py "\"\"\"See docs/none.md; [1].\"\"\"\n")
+check("'tests/math/root_test.cpp' does not exist" src/a.cpp "// (tests/math/root_test.cpp)\n")
+check("'math/none.hpp' does not exist" src/a.cpp "// see math/none.hpp\n")
+check("" src/a.cpp "// docs/architecture.md, math/root.hpp, include/fstiff/io/text.hpp, scene/none.hpp\n")
 check("'include/fstiff/core/none.hpp' does not exist" README.md "in include/fstiff/core/none.hpp\n")

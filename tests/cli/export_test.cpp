@@ -71,7 +71,9 @@ TEST_CASE("The ends of the table are as far apart as the separations that run pr
 TEST_CASE("The comments say where the table comes from and what it is good for") {
     const std::string text = test::fstiff("export --to calculix --law hertz --peaks 2 --tolerance 5%").out;
     for (const std::string part :
-         {"** fstiff " FSTIFF_VERSION ": contact law for calculix\n", "(built-in scene), SHA-256 ",
+         {"** fstiff " FSTIFF_VERSION
+          ": contact law for calculix, pressure against overclosure; its slope is -dp/dd, which is K of law hertz\n",
+          "(built-in scene), SHA-256 ",
           "hertz, theta = 1.0472, r = ", "mm, N, MPa; pressure [MPa] against overclosure [mm]", "0.1 to 100 MPa",
           "tolerance 5 %", "faces drawn in touch have overclosure 0", "the pressure stays what it is"}) {
         INFO(part);
@@ -83,6 +85,19 @@ TEST_CASE("The comments say where the table comes from and what it is good for")
     const auto odd = test::shell("fstiff export '" + folder / "a\n*STEP.toml" + "' --to abaqus");
     CHECK(odd.status == 0);
     CHECK_FALSE(test::contains(odd.out, "\n*STEP"));
+}
+
+TEST_CASE("export writes the first law that run prints, and its first line says where its slope is not K") {
+    const auto outcome = test::fstiff("export --to abaqus");
+    const std::string first = test::lines(outcome.out).front();
+    const test::Csv run(test::fstiff("run --format csv").out);
+    CHECK(first.starts_with("** fstiff " FSTIFF_VERSION ": contact law for abaqus, pressure against overclosure; "));
+    CHECK(first.ends_with(" of K of law " + run.text(0, "law")));
+    // (2/3) (3 - D)/(2 - D) of D = 1.62
+    CHECK(test::contains(first, "its slope is -dp/dd, 0.413 of K of law fractal"));
+    CHECK(test::contains(outcome.err, "warning: the slope of the table is -dp/dd, 0.413 of K of law fractal"));
+    CHECK(outcome.status == 0);
+    CHECK(test::fstiff("export --to abaqus --law hertz").err.find("slope") == std::string::npos);
 }
 
 TEST_CASE("export replaces its own files and no others") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the load that falls as exp(-separation/(0.48 sigma)), whose slope the law is. Against boundary elements:
-// docs/validation_test.cpp.
+// tests/docs/validation_test.cpp.
 #include <fstiff/contact/linear_law.hpp>
 
 #include "support/accuracy.hpp"

@@ -26,3 +26,16 @@ TEST_CASE("The median of few numbers") {
     CHECK(median(one) == 7);
     CHECK_THROWS_AS(median(none), domain_error);
 }
+
+TEST_CASE("Spikes are far from the median by its robust deviation, and nothing is where most are equal") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    // median 3.5, deviations 2.5 1.5 0.5 0.5 1.5 96.5: their median is 1.5, a standard deviation 1.4826 times that
+    const std::vector<double> some{1, 2, 3, nan, 4, 5, 100};
+    const auto far = detail::far_from_median(some, 5.);
+    CHECK(far == std::vector<bool>{false, false, false, false, false, false, true});
+    const double limit = 96.5 / (1.5 * tukey_factor<double> / 3);
+    CHECK(detail::far_from_median(some, 0.999 * limit).back());
+    CHECK_FALSE(detail::far_from_median(some, 1.001 * limit).back());
+    CHECK_FALSE(detail::far_from_median(std::vector<double>{0, 0, 0, 0, 9}, 5.).back());
+    CHECK_FALSE(detail::far_from_median(std::vector<double>{nan}, 5.).front());
+}

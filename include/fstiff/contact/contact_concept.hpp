@@ -27,7 +27,7 @@ concept Contact = requires(const C& contact, T x, Quantity wanted) {
     { contact.bulk_compliance() } -> std::convertible_to<T>;
 };
 
-/// One whose K is a constant times -dp/dd, so that one table by gap serves both; of any other contact K has a table of
+/// One whose K is a constant times -dp/dd, so that one table by separation serves both; of any other contact K has a table of
 /// its own, and with interaction K itself is in series with the bulk.
 template <class C, class T>
 concept ProportionalContact = Contact<C, T> && requires(const C& contact) {

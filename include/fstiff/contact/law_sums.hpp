@@ -12,7 +12,7 @@
 ///     any other       contact/law_means.hpp
 ///     peaks of one R  <omega^x R^y> = sigma^x R^y G_x(eta)                                                closed
 ///
-/// Which of them is chosen when the contact is compiled. A quantity whose powers are those of another costs nothing
+/// Which of them is chosen when the contact is made. A quantity whose powers are those of another costs nothing
 /// more.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9).

@@ -28,7 +28,7 @@
 
 namespace fstiff::detail {
 
-/// The work of ContactLaw::compile, in the order of its functions.
+/// The work of ContactLaw::tabulate, in the order of its functions.
 template <ReadableReal T, class Contact>
 class LawTabulator {
 public:

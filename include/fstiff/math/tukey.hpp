@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace fstiff {
@@ -41,5 +42,27 @@ template <Real T>
     if (values.size() % 2 == 1) return *middle;
     return (*std::max_element(values.begin(), middle) + *middle) / 2;
 }
+
+namespace detail {
+
+/// The rule for spikes, of profiles and maps: marks what is farther than \p limit robust standard deviations, 1.4826 times the
+/// median of |d - median d|, from the median of \p differences (NaN: none). Marks nothing where that deviation is 0: more
+/// than half of the differences are equal, and rounded heights do not show their spread.
+template <Real T>
+[[nodiscard]] std::vector<bool> far_from_median(const std::vector<T>& differences, T limit) {
+    std::vector<T> some;
+    for (const T d : differences)
+        if (!std::isnan(d)) some.push_back(d);
+    std::vector<bool> far(differences.size(), false);
+    if (some.empty()) return far;
+    const T middle = median(some);
+    for (T& d : some) d = std::abs(d - middle);
+    const T scale = tukey_factor<T> / 3 * median(some);
+    if (scale > T(0))
+        for (std::size_t i = 0; i < far.size(); ++i) far[i] = std::abs(differences[i] - middle) > limit * scale;
+    return far;
+}
+
+}  // namespace detail
 
 }  // namespace fstiff

@@ -32,26 +32,6 @@ Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remo
 template <Real T>
 Repair fill_missing(Profile<T>& profile);
 
-namespace detail {
-
-/// Marks what stands farther than \p limit robust standard deviations from the median of \p differences (NaN: none).
-template <Real T>
-std::vector<bool> far_from_median(const std::vector<T>& differences, T limit) {
-    std::vector<T> some;
-    for (const T d : differences)
-        if (!std::isnan(d)) some.push_back(d);
-    std::vector<bool> far(differences.size(), false);
-    if (some.empty()) return far;
-    const T middle = median(some);
-    for (T& d : some) d = std::abs(d - middle);
-    const T scale = tukey_factor<T> / 3 * median(some);
-    if (scale > T(0))  // more than half of the differences equal: rounded heights tell nothing of their spread
-        for (std::size_t i = 0; i < far.size(); ++i) far[i] = std::abs(differences[i] - middle) > limit * scale;
-    return far;
-}
-
-}  // namespace detail
-
 template <Real T>
 Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove) {
     require_positive("spikes", limit);

@@ -40,8 +40,7 @@ MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool rem
     require_positive("spikes", limit);
     const Eigen::Index rows = map.rows(), columns = map.columns();
     require(rows >= 3 && columns >= 3, "points a side of a map with spikes", std::min(rows, columns), "at least 3");
-    std::vector<T> differences(static_cast<std::size_t>(map.size()), std::numeric_limits<T>::quiet_NaN()), neighbours,
-        some;
+    std::vector<T> differences(static_cast<std::size_t>(map.size()), std::numeric_limits<T>::quiet_NaN()), neighbours;
     for (Eigen::Index j = 0; j < rows; ++j)
         for (Eigen::Index i = 0; i < columns; ++i) {
             if (std::isnan(map.heights(j, i))) continue;
@@ -50,18 +49,12 @@ MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool rem
                 for (Eigen::Index k = std::max<Eigen::Index>(0, i - 1); k < std::min(columns, i + 2); ++k)
                     if ((l != j || k != i) && !std::isnan(map.heights(l, k))) neighbours.push_back(map.heights(l, k));
             if (neighbours.size() < 3) continue;
-            const T d = map.heights(j, i) - median(neighbours);
-            differences[static_cast<std::size_t>(j * columns + i)] = d;
-            some.push_back(d);
+            differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - median(neighbours);
         }
+    const std::vector<bool> far = detail::far_from_median(differences, limit);
     MapRepair repair;
-    if (some.empty()) return repair;
-    const T middle = median(some);
-    for (T& d : some) d = std::abs(d - middle);
-    const T scale = tukey_factor<T> / 3 * median(some);
-    if (!(scale > T(0))) return repair;  // more than half of the differences equal: they tell nothing of the spread
     for (Eigen::Index k = 0; k < map.size(); ++k)
-        if (std::abs(differences[static_cast<std::size_t>(k)] - middle) > limit * scale) {
+        if (far[static_cast<std::size_t>(k)]) {
             ++repair.removed;
             if (remove) map.heights.data()[k] = std::numeric_limits<T>::quiet_NaN();
         }

@@ -86,13 +86,29 @@ std::string one_line(std::string text) {
     return text;
 }
 
-std::string document_of(const Scene& scene, const PressureTable& table, const Options& options, const Units& units) {
+bool is_stiffness(const std::optional<scene::PressureTable::Range>& slope_over_stiffness) {
+    constexpr double rounding = 1e-6;
+    return slope_over_stiffness && std::abs(slope_over_stiffness->least - 1) < rounding &&
+           std::abs(slope_over_stiffness->greatest - 1) < rounding;
+}
+
+/// The slope of the table against the K that run prints: the rest of a sentence "its slope is ...".
+std::string slope_of(const scene::PressureTable& table) {
+    const auto& ratio = table.slope_over_stiffness;
+    if (!ratio) return "-dp/dd of law " + table.law + ", not the K of its unloading";
+    if (is_stiffness(ratio)) return "-dp/dd, which is K of law " + table.law;
+    const std::string least = rounded(ratio->least, 3), greatest = rounded(ratio->greatest, 3);
+    return "-dp/dd, " + least + (least == greatest ? "" : " to " + greatest) + " of K of law " + table.law;
+}
+
+std::string document_of(const Scene& scene, const scene::PressureTable& table, const Options& options, const Units& units) {
     const bool calculix = options.solver == Solver::calculix;
     const auto pressure = [&](double p) { return rounded(p * units.pascal, 10); };
     const auto length = [&](double x) { return rounded(x * units.metre, 10); };
     std::string text;
     const auto say = [&](const std::string& line) { text += "** " + one_line(line) + "\n"; };
-    say("fstiff " FSTIFF_VERSION ": contact law for " + std::string(name_of(options.solver)));
+    say("fstiff " FSTIFF_VERSION ": contact law for " + std::string(name_of(options.solver)) +
+        ", pressure against overclosure; its slope is " + slope_of(table));
     say("scene     " + scene.name + " (" + scene.file + "), SHA-256 " + scene.sha256);
     for (const auto& [name, face] : measured_faces(scene))
         say(std::string(name) + "   " + face->measured->file + ", SHA-256 " + face->measured->sha256);
@@ -136,6 +152,9 @@ Report execute(const Options& options) {
     const scene::PressureTable table = pressure_table(scene, wanted);
     Report report{.document = document_of(scene, table, options, units), .diagnostics = {}};
     for (const std::string& warning : table.warnings) report.diagnostics.push_back("warning: " + warning);
+    if (!is_stiffness(table.slope_over_stiffness))
+        report.diagnostics.push_back("warning: the slope of the table is " + slope_of(table) +
+                                     ", which fstiff run prints");
     if (table.doubtful) report.status = doubtful_result;
     return report;
 }

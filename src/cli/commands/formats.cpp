@@ -62,7 +62,7 @@ Rows columns() {
     Rows all;
     const auto add = [&](const char* key, std::string_view Row::*of) {
         std::vector<std::string> cells;
-        for (const Row& row : rows) cells.push_back('"' + std::string(row.*of) + '"');
+        for (const Row& row : rows) cells.emplace_back(row.*of);
         all.add({key}, cells);
     };
     add("name", &Row::name);

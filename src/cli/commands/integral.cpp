@@ -37,7 +37,19 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Cells of a CSV line as they stand; a comma inside quotation marks does not end a cell.
+/// What a cell holds, without quotation marks about it.
+std::string plain(std::string_view cell) {
+    cell = trimmed(cell);
+    if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return std::string(cell);
+    std::string text;
+    for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+        text += cell[i];
+        if (cell[i] == '"' && i + 2 < cell.size() && cell[i + 1] == '"') ++i;  // "" stands for one
+    }
+    return text;
+}
+
+/// The cells of a CSV line; a comma inside quotation marks does not end a cell.
 std::vector<std::string> split(std::string_view line) {
     std::vector<std::string> cells{""};
     bool quoted = false;
@@ -48,12 +60,8 @@ std::vector<std::string> split(std::string_view line) {
         else
             cells.back() += c;
     }
-    for (std::string& cell : cells) cell = trimmed(cell);
+    for (std::string& cell : cells) cell = plain(cell);
     return cells;
-}
-
-std::string plain(const std::string& cell) {
-    return cell.size() > 1 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2) : cell;
 }
 
 /// The rows of a table with a header; lines are counted for messages.
@@ -81,7 +89,6 @@ Input read_input(const std::string& file) {
         if (trimmed(line).empty()) continue;
         auto cells = split(line);
         if (input.header.empty()) {
-            for (std::string& cell : cells) cell = plain(cell);
             input.header = std::move(cells);
             continue;
         }
@@ -134,7 +141,7 @@ Estimate<double> compute(const Input& input, std::size_t row, const Integral& me
     return located(Place{.file = input.name, .line = input.lines[row], .before_line = ":"}, [&] {
         std::array<double, inputs.size()> x{};
         for (std::size_t i = 0; i < inputs.size(); ++i)
-            x[i] = io::parse_number(plain(input.rows[row][input.column[i]]), inputs[i]);
+            x[i] = io::parse_number(input.rows[row][input.column[i]], inputs[i]);
         const auto [a, b, r, theta, eta] = x;
         return method(a, b, PeakDistribution<double>(r, theta), eta);
     });
@@ -187,7 +194,7 @@ Report execute(const Options& options) {
             Json row;
             for (std::size_t k = 0; k < input.header.size(); ++k) {
                 const bool number = std::find(input.column.begin(), input.column.end(), k) != input.column.end();
-                const std::string cell = plain(input.rows[i][k]);
+                const std::string& cell = input.rows[i][k];
                 row[input.header[k]] = number ? io::parse_number(cell, input.header[k]) : Json(cell);
             }
             row["value"] = computed[i].value;

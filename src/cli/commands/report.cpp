@@ -604,7 +604,7 @@ Report execute(const Options& options) {
         answer["warnings"] = results.warnings;
         report.document = answer.str();
     } else {
-        report.document = format == Format::csv ? csv_line({"file"}) + csv_line({"\"" + file + "\""})
+        report.document = format == Format::csv ? csv_line({"file"}) + csv_line({file})
                                                 : "fstiff " FSTIFF_VERSION ": report of " + scene.name + " (" +
                                                       scene.file + ")\n  " + file + "\n";
         for (const std::string& warning : results.warnings) report.diagnostics.push_back("warning: " + warning);

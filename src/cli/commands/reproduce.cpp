@@ -519,14 +519,12 @@ std::string table(const Reproduction& all, const std::vector<std::string>& files
     return text;
 }
 
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
-
 std::string csv(const Reproduction& all) {
     std::string text = csv_line({"conclusion", "surface", "key", "quantity", "least", "greatest", "verdict"});
     for (const Finding& f : all.findings)
-        text += csv_line({std::to_string(f.words().conclusion), quoted(f.surface), f.words().key,
-                          quoted(f.words().text), exact(f.range.low), exact(f.range.high),
-                          quoted(all.conclusions[static_cast<std::size_t>(f.words().conclusion - 1)].verdict)});
+        text += csv_line({std::to_string(f.words().conclusion), f.surface, f.words().key,
+                          f.words().text, exact(f.range.low), exact(f.range.high),
+                          all.conclusions[static_cast<std::size_t>(f.words().conclusion - 1)].verdict});
     return text;
 }
 

@@ -143,6 +143,8 @@ std::string introduction(const Scene& scene, const Results& results) {
         parts.push_back("r " + rounded(*scene.r, digits(Parameter::r)));
         parts.push_back("theta " + rounded(*scene.theta, digits(Parameter::theta)));
     }
+    for (const Assumed& one : assumed(scene))
+        parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
     if (scene.faces.empty()) parts.push_back("the other face smooth");
     std::string text = "fstiff " FSTIFF_VERSION ": " + scene.name + " (" + scene.file + ")\n";
     text += believed(results) + in_lines("surface", parts);
@@ -159,7 +161,7 @@ std::string introduction(const Scene& scene, const Results& results) {
         for (std::size_t i = 0; i < surface_parameter_count; ++i)
             if (u.known[i])
                 parts.push_back(std::string(parameter_table[i].symbol) + " " +
-                                rounded(100 * u.error[i] / u.value[i], 2) + " %");
+                                shown_percent(u.error[i] / u.value[i]));
         parts.front() = measured.file + " (" + measured.kind + "), errors of " + parts.front();
         if (measured.cut_offs.any()) parts.push_back(measured.cut_offs.sentence());
         text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);

@@ -7,6 +7,7 @@
 #include "input/surface_options.hpp"
 #include "scene/truth_of_map.hpp"
 
+#include <fstiff/contact/validity.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <memory>
@@ -44,8 +45,14 @@ TruthRequest request_of(const Options& options) {
     if (options.pressures.empty() && scene.at_separations)
         throw domain_error("the scene has separations; must have contact.pressures, or --pressures must be given");
     request.pressures = options.pressures.empty() ? scene.points : pressures_of(options.pressures);
-    if (!options.hardness.empty())
+    if (!options.hardness.empty()) {
         request.hardness = io::parse_quantity(options.hardness, io::Dimension::pressure, "--hardness");
+        require_positive("--hardness", request.hardness);
+    }
+    if (options.modulus.empty())  // else the bodies are not those of the scene
+        request.known_hardness = scene.hardness         ? *scene.hardness
+                                 : scene.yield_strength ? hardness_over_yield_strength<double> * *scene.yield_strength
+                                                        : 0;
     request.progress = progress_bar();
     return request;
 }

@@ -14,18 +14,16 @@
 namespace fstiff::cli {
 namespace {
 
-std::string quoted(const std::string& text, char quote, const char* escaped_quote) {
-    std::string result(1, quote);
+/// In a script of gnuplot: between single quotes nothing but the quote itself means anything.
+std::string for_gnuplot(const std::string& text) {
+    std::string result = "'";
     for (const char c : text)
-        if (c == quote)
-            result += escaped_quote;
+        if (c == '\'')
+            result += "''";
         else
             result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-    return result + quote;
+    return result + "'";
 }
-
-/// In a script of gnuplot: between single quotes nothing but the quote itself means anything.
-std::string for_gnuplot(const std::string& text) { return quoted(text, '\'', "''"); }
 
 }  // namespace
 
@@ -41,15 +39,14 @@ std::string figure_csv(const Figure& given) {
     const Figure figure = in_units(given);
     std::string text = "# fstiff " FSTIFF_VERSION ": the numbers of a picture\n" +
                        csv_line({"curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"});
-    const auto cell = [](const std::string& s) { return quoted(s, '"', "\"\""); };
     std::size_t curve = 0;
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         const Panel& panel = figure.panels[p];
         for (const PlotLine& line : panel.lines) {
             ++curve;
             for (std::size_t i = 0; i < line.x.size(); ++i)
-                text += csv_line({std::to_string(curve), std::to_string(p + 1), cell(line.label), cell(panel.x.label),
-                                  exact(line.x[i]), cell(panel.y.label), exact(line.y[i]),
+                text += csv_line({std::to_string(curve), std::to_string(p + 1), line.label, panel.x.label,
+                                  exact(line.x[i]), panel.y.label, exact(line.y[i]),
                                   line.low.empty() ? "" : exact(line.low[i]),
                                   line.high.empty() ? "" : exact(line.high[i])});
         }

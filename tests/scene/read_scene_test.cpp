@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene may say, and what is said of it: ranges of keys, values that contradict each other, values that were assumed, files
+// that are there twice.
+#include "scene/results.hpp"
+
+#include "cli/command.hpp"
+
+#include "scene/file.hpp"
+#include "scene/rows.hpp"
+#include "scene/shown_unit.hpp"
+#include "scene/truth_of_map.hpp"
+
+#include <fstiff/io/write_csv.hpp>
+#include <fstiff/math/random.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/half_space_maps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scene = fstiff::scene;
+using fstiff::Parameter;
+using test::contains;
+
+namespace {
+
+const std::string islands =
+    "rms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"2000 /mm^2\"\n";
+const std::string moments = "rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\n";
+
+/// A scene of \p surface, whose section [contact] ends with \p contact.
+std::string text_of(const std::string& surface, const std::string& contact = "laws = [\"hertz\"]\n") {
+    return "[surface]\n" + surface +
+           "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0\n[contact]\npressures = [\"10 MPa\"]\n"
+           "peaks = [{ theta = 1.0, r = 0.5 }]\n" +
+           contact;
+}
+
+scene::Scene read(const std::string& text) { return scene::read_scene(text, {.name = "s.toml"}); }
+std::string refused(const std::string& text) {
+    return test::refusal([&] { (void)read(text); });
+}
+std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line + "\n";
+    return all;
+}
+
+/// The relative width of the band of the first curve at its first point.
+double width(const std::string& text) {
+    const auto results = scene::compute(read(text));
+    const auto& band = results.curves.front().band.at(0);
+    return std::log(band.high / band.low);
+}
+
+/// A trace of \p points heights in a file.
+std::string trace(const test::Folder& folder, const std::string& name, int points, double phase = 0) {
+    std::string text;
+    std::uint64_t state = 7;
+    double z = phase;
+    for (int i = 0; i < points; ++i) {
+        z = 0.9 * z + fstiff::normal_pair<double>(state).real();
+        text += scene::exact(i * 0.5) + " " + scene::exact(z + std::sin(0.02 * i)) + "\n";
+    }
+    return folder.write(name, text);
+}
+
+}  // namespace
+
+TEST_CASE("theta written next to a measured r holds for the neighbours of lambda_s too") {
+    const test::Folder folder;
+    const std::string from =
+        "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
+    const scene::Scene measured = read(text_of(from)), theta = read(text_of(from + "theta = 1.5\n")),
+                       r = read(text_of(from + "r = 0.25\n"));
+    REQUIRE(measured.neighbours.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        REQUIRE(measured.neighbours[k].r);
+        CHECK(*measured.neighbours[k].theta != 1.5);
+        CHECK(*theta.neighbours[k].theta == 1.5);
+        CHECK(*theta.neighbours[k].r == *measured.neighbours[k].r);
+        CHECK(*r.neighbours[k].r == 0.25);
+        CHECK(*r.neighbours[k].theta == *measured.neighbours[k].theta);
+    }
+}
+
+TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
+    const test::Folder folder;
+    fstiff::HeightMap<double> map = test::half_space_map("gaussian");
+    map.heights = (1e-4 * map.heights.topLeftCorner(48, 48)).eval();
+    map.dx = map.dy = 1e-4 / 256;
+    std::ofstream file(folder / "map.csv");
+    fstiff::io::write_csv(file, map);
+    file.close();
+    const std::string from = "from = \"" + folder / "map.csv" + "\"\nlambda_s = \"none\"\n";
+    const auto with = [&](const std::string& mutual) {
+        return text_of(from, "laws = [\"summits\"]\n[contact.summits]\nmutual = " + mutual + "\n");
+    };
+    for (const char* yes : {"true", "1", "1.0"}) CHECK(read(with(yes)).laws.front().options.front() == 1);
+    for (const char* no : {"false", "0"}) CHECK(read(with(no)).laws.front().options.front() == 0);
+    for (const char* other : {"-1", "0.5", "1e9", "\"yes\""}) {
+        INFO(other);
+        CHECK(contains(refused(with(other)), "contact.summits.mutual = "));
+        CHECK(contains(refused(with(other)), "must be true or false, or 1 or 0"));
+    }
+}
+
+TEST_CASE("The options of persson and of boundary_elements are below contact, as those of summits, or at the root") {
+    for (const char* path : {"persson", "contact.persson"}) {
+        CHECK(read(text_of(moments, "[" + std::string(path) + "]\ngamma = 0.5\n")).gamma == 0.5);
+        CHECK(contains(refused(text_of(moments, "[" + std::string(path) + "]\ngamma = 2\n")),
+                       std::string(path) + ".gamma = 2"));
+    }
+    for (const char* path : {"boundary_elements", "contact.boundary_elements"})
+        CHECK(read(text_of(moments, "[" + std::string(path) + "]\npoints = 64\n")).elements.points == 64);
+    CHECK(contains(refused(text_of(moments, "[persson]\ngamma = 0.5\n[contact.persson]\ngamma = 0.5\n")),
+                   "must not stand next to contact.persson"));
+    CHECK(contains(refused(text_of(moments, "persson = 3\n")), "contact.persson = 3: must be a section"));
+}
+
+TEST_CASE("D, its error and the Hurst exponent stay within what a surface can have") {
+    const auto of_dimension = [](const std::string& d) { return islands + "fractal_dimension = " + d + "\n"; };
+    CHECK(contains(refused(text_of(of_dimension("1.9999999999999998"))), "greater than 1 and at most 1.99"));
+    CHECK(contains(refused(text_of(of_dimension("1.995"))), "fractal_dimension = 1.995"));
+    CHECK(read(text_of(of_dimension("1.99"))).fractal_dimension == 1.99);
+    const auto with_error = [&](const std::string& errors) {
+        return text_of(of_dimension("1.5") + "errors = { " + errors + " }\n");
+    };
+    CHECK(contains(refused(with_error("fractal_dimension = 5.0")),
+                   "must be at most 0.5, half the range of fractal_dimension"));
+    CHECK(read(with_error("fractal_dimension = 0.2")).uncertain.error[3] == 0.2);
+
+    const scene::Scene odd = read(text_of(of_dimension("1.62") + "hurst = 0.8\n"));
+    CHECK(contains(joined(odd.warnings),
+                   "surface.hurst = 0.8 contradicts the fractal dimension 1.62, of which H = 2 - D is 0.38"));
+    CHECK_FALSE(contains(joined(read(text_of(of_dimension("1.3") + "hurst = 0.7\n")).warnings), "contradicts"));
+    CHECK_FALSE(contains(joined(read(text_of(islands + "hurst = 0.7\n")).warnings), "contradicts"));
+}
+
+TEST_CASE("The error of rms_gradient widens the band, of R and D_p too where they follow from it") {
+    const std::string laws = "laws = [\"persson\", \"hertz\"]\n";
+    CHECK(contains(refused(text_of(islands + "errors = { rms_gradient = 0.01 }\n")),
+                   "must stand next to surface.rms_gradient"));
+    CHECK(contains(refused(text_of(moments + "errors = { rms_gradient = -0.01 }\n")), "not negative"));
+    const std::string error = "errors = { rms_gradient = 0.02 }\n";
+    CHECK(read(text_of(moments + error)).gradient_error == 0.02);
+    // p* falls with g: at a light load K of either law does, by R and D_p or by the spectrum
+    CHECK(width(text_of(moments + error, "laws = [\"persson\"]\n")) > 0.002);
+    const double follows = width(text_of(moments + error, "laws = [\"hertz\"]\n"));
+    CHECK(follows > 0.02);
+    // R and D_p that are written do not follow; hertz takes these alone
+    CHECK(width(text_of(moments + "peak_radius = \"40 um\"\npeak_density = \"2000 /mm^2\"\n" + error,
+                        "laws = [\"hertz\"]\n")) < 1e-9);
+    const double twice = width(text_of(moments + "errors = { rms_gradient = 0.04 }\n", "laws = [\"hertz\"]\n"));
+    CHECK(twice > 1.5 * follows);
+}
+
+TEST_CASE("H and alpha that were assumed are among the inputs, and those that were given are not assumed") {
+    const auto input = [](const scene::Scene& of, const std::string& key) {
+        const auto found =
+            std::find_if(of.inputs.begin(), of.inputs.end(), [&](const scene::Input& one) { return one.key == key; });
+        return found == of.inputs.end() ? std::string() : found->written + " " + scene::rounded(*found->value, 3);
+    };
+    const std::string persson = "laws = [\"persson\"]\n";
+    const std::string spectrum = "rms_height = \"1 um\"\npeak_radius = \"4 um\"\npeak_density = \"20000 /mm^2\"\n";
+    const scene::Scene plain = read(text_of(spectrum, persson));
+    CHECK(input(plain, "surface.hurst") == "assumed, since D is not known (default) 0.8");
+    CHECK(contains(input(plain, "surface.alpha"), "of sigma, R and D_p (default) "));
+    CHECK(scene::assumed(plain).size() == 2);
+    const scene::Scene fractal = read(text_of(spectrum + "fractal_dimension = 1.4\n", persson));
+    CHECK(input(fractal, "surface.hurst") == "2 - D (default) 0.6");
+    CHECK(scene::assumed(read(text_of(moments + "hurst = 0.7\n", persson))).empty());
+    CHECK(scene::assumed(read(text_of(spectrum))).empty());  // no law takes a spectrum
+}
+
+TEST_CASE("A file that is there twice counts once, and both names are said") {
+    const test::Folder folder;
+    std::filesystem::create_directory(folder / "traces");
+    const std::string a = trace(folder, "traces/a.txt", 1200), c = trace(folder, "traces/c.txt", 1200, 30);
+    std::filesystem::copy_file(a, folder / "traces/b.txt");
+    scene::MeasureOptions options;
+    options.input.units = "um";
+    options.neighbours = false;
+    options.resamples = 20;
+    const auto error_of = [](const scene::MeasuredSurface& of) { return of.parameters.error[0]; };
+    const scene::MeasuredSurface once = scene::measure_files(options, {a}),
+                                 nine = scene::measure_files(options, std::vector<std::string>(9, a));
+    CHECK(nine.parts.empty());
+    CHECK(error_of(nine) == error_of(once));
+    CHECK(contains(joined(nine.warnings), a + ": is the same file as " + a));
+    const scene::MeasuredSurface both = scene::measure_files(options, {a, c}),
+                                 all = scene::measure_files(options, {folder / "traces"});
+    CHECK(all.parts.size() == 2);
+    CHECK(error_of(all) == error_of(both));
+    CHECK(contains(joined(all.warnings), folder / "traces/b.txt" + ": is the same file as " + a));
+    CHECK_FALSE(contains(joined(both.warnings), "same file"));
+}
+
+TEST_CASE("truth warns where elastic pressures exceed the hardness of the body, and not where they are cut") {
+    fstiff::HeightMap<double> map = test::half_space_map("gaussian");
+    map.heights = (1e-4 * map.heights.topLeftCorner(32, 32)).eval();
+    map.dx = map.dy = 1e-4 / 256;
+    scene::TruthRequest request;
+    request.surface.file = "map";
+    request.modulus = 100e9;
+    request.pressures = {1e6};
+    request.known_hardness = 5e8;
+    const scene::SurfaceInput input = scene::surface_of_heights(request.surface, {map}, "made here");
+    const scene::TruthOfMap flows = scene::truth_of_map(request, input);
+    REQUIRE(flows.at.front().state.max_pressure > 5e8);
+    CHECK(contains(joined(scene::warnings_of(flows)), "exceed the hardness of the softer body, 500 MPa"));
+    request.known_hardness = 2 * flows.at.front().state.max_pressure;
+    CHECK_FALSE(contains(joined(scene::warnings_of(scene::truth_of_map(request, input))), "exceed"));
+    request.known_hardness = request.hardness = 5e8;
+    CHECK_FALSE(contains(joined(scene::warnings_of(scene::truth_of_map(request, input))), "exceed"));
+    test::check_refused("truth - --hardness '0 Pa'", 3, {"--hardness = 0", "greater than 0"}, "1 2\n");
+}
+
+TEST_CASE("The separation of boundary elements is that of the mean planes: of the highest point at a light load") {
+    fstiff::HeightMap<double> map = test::half_space_map("gaussian");
+    map.heights = (1e-4 * map.heights.topLeftCorner(64, 64)).eval();
+    map.dx = map.dy = 1e-4 / 256;
+    scene::TruthRequest request;
+    request.surface.file = "map";
+    request.surface.detrend = "mean";
+    request.surface.lambda_s = request.surface.lambda_c = "none";
+    request.modulus = 100e9;
+    request.pressures = {10};
+    const auto solved = scene::truth_of_map(request, scene::surface_of_heights(request.surface, {map}, "made here"));
+    const double highest = map.heights.maxCoeff() - map.heights.mean();
+    CHECK(test::relative_error(solved.at.front().state.mean_gap, highest) < 1e-3);
+    CHECK(contains(scene::rows_of(solved).text(), "separation [µm]"));
+}
+
+TEST_CASE("A cell of CSV with a comma, a quotation mark or a line end is quoted, and no other") {
+    CHECK(scene::csv_line({"a", "b c", "", "1.5"}) == "a,b c,,1.5\n");
+    CHECK(scene::csv_line({"b,c.csv", "5\" pipe", "two\nlines"}) == "\"b,c.csv\",\"5\"\" pipe\",\"two\nlines\"\n");
+    CHECK(test::csv_cells("\"b,c.csv\",x") == std::vector<std::string>{"b,c.csv", "x"});
+}
+
+TEST_CASE("Percents and counts are shown without an exponent") {
+    CHECK(scene::shown_percent(0.998) == "100 %");
+    CHECK(scene::shown_percent(1.81) == "181 %");
+    CHECK(scene::shown_percent(0.085) == "8.5 %");
+    CHECK(scene::shown_percent(0.0012) == "0.12 %");
+    CHECK(scene::shown_count(106.4) == "110");
+    CHECK(scene::shown_count(1672, 3) == "1670");
+    CHECK(scene::shown_count(1.1) == "1");
+    CHECK(scene::shown_count(34.2) == "34");
+}
+
+TEST_CASE("What is not known to a factor of two is said once") {
+    fstiff::UncertainSurface<double> values;
+    values.set(Parameter::rms_height, {1e-6, 1e-7});
+    values.set(Parameter::peak_radius, {40e-6, 72e-6});
+    values.set(Parameter::peak_density, {5e8, 2e8});
+    using Concern = fstiff::MeasuredConcern;
+    const auto lines = scene::peak_warnings(
+        {Concern::radius_uncertain, Concern::density_uncertain, Concern::parameter_unknown}, 100, values);
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0] == "D_p is known to 40 % only");
+    CHECK(contains(lines[1], "R (180 %): not known to a factor of two"));
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines of results. Truth: every scene of the grid read from its own table and computed by itself.
+#include "sweep/lines.hpp"
+
+#include "scene/read_table.hpp"
+#include "support/catch.hpp"
+#include "sweep/template.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+using namespace fstiff::sweep;
+namespace scene = fstiff::scene;
+
+namespace {
+
+/// Numbers that are put into a scene that was read before, numbers and texts for which it is read anew, a draw, and a D that
+/// no scene may have.
+const std::string text =
+    "[surface]\nrms_height = [\"0.5 um\", \"1 um\"]\npeak_radius = { lognormal = [\"40 um\", 0.2] }\n"
+    "peak_density = \"500 /mm^2\"\nfractal_dimension = { values = [1.3, 1.995, 1.62] }\n"
+    "errors = { rms_height = \"0.05 um\" }\n[material.upper]\n"
+    "youngs_modulus = { from = \"100 GPa\", to = \"210 GPa\", count = 2 }\npoisson_ratio = { values = [0.2, 0.4] }\n"
+    "[uncertainty]\nsamples = 20\n[contact]\nlaws = [\"hertz\", \"fractal\"]\npeaks = [ { theta = 1, r = 0.5 } ]\n"
+    "pressures = [ { values = [\"1 MPa\", \"3 MPa\"] } ]\n[sweep]\nsamples = 2\n";
+
+}  // namespace
+
+TEST_CASE("The lines of a grid are those of its scenes, each read and computed by itself") {
+    const Grid grid = read_grid(text, "grid.toml");
+    REQUIRE(grid.size == 2 * 3 * 2 * 2 * 2 * 2);
+    SceneMaker maker(grid);
+    SceneMaker::Work work;
+    const Block block = lines_of(grid, maker, work, 0, grid.size);
+    CHECK(block.failed == grid.size / 3);
+    std::istringstream lines(block.text);
+    std::vector<Value> values;
+    for (std::uint64_t index = 0; index < grid.size; ++index) {
+        grid.values(index, values);
+        std::string line;
+        try {
+            const scene::Scene slow = scene::read_table(table_of(grid, values), {.name = grid.file});
+            for (const scene::Curve& curve : scene::compute(slow).curves) {
+                REQUIRE(std::getline(lines, line));
+                const auto row = nlohmann::json::parse(line);
+                INFO(line);
+                CHECK(row["index"] == index);
+                CHECK(row["law"] == curve.law->name);
+                for (const scene::Column& column : curve.columns) CHECK(row[column.key] == column.values.at(0));
+            }
+        } catch (const fstiff::domain_error& error) {
+            REQUIRE(std::getline(lines, line));
+            CHECK(nlohmann::json::parse(line)["error"] == error.what());
+        }
+    }
+    std::string rest;
+    CHECK_FALSE(std::getline(lines, rest));
+}
+
+TEST_CASE("A text of a line is JSON whatever its bytes are") {
+    const auto read = [](const std::string& bytes) {
+        return nlohmann::json::parse(json_text(bytes)).get<std::string>();
+    };
+    const std::string plain = "a \"b\" \\ \n\t 5 \xC2\xB5m \xE2\x80\x93 \xF0\x9F\x94\xA9";
+    CHECK(read(plain) == plain);
+    const std::string unknown = "\xEF\xBF\xBD";
+    CHECK(read("5 \xB5m") == "5 " + unknown + "m");  // Latin-1
+    CHECK(read("\xF5\x80\x80\x80") == unknown + unknown + unknown + unknown);
+    CHECK(read("\xE2\x80") == unknown + unknown);
+    CHECK(read("\xF0\x80\x80\x80") == unknown + unknown + unknown + unknown);  // three bytes would do
+}
