@@ -276,9 +276,9 @@ class Law:
         return self._core.relative_error
 
     @property
-    def tangent_is_exact(self) -> bool:
-        """Whether K is exactly -dp/dd of the returned p."""
-        return self._core.tangent_is_exact
+    def stiffness_is_slope(self) -> bool:
+        """Whether K is the slope -dp/dd of the returned p; tangent_at_separation() returns that slope for every law."""
+        return self._core.stiffness_is_slope
 
     @property
     def outside(self) -> str:

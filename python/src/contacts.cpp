@@ -206,7 +206,7 @@ void add_laws(nb::module_& m) {
         .def_prop_ro("separations",
                      [](const TabulatedLaw& law) { return std::pair(law.separations()[0], law.separations()[1]); })
         .def_prop_ro("relative_error", &TabulatedLaw::relative_error)
-        .def_prop_ro("tangent_is_exact", &TabulatedLaw::tangent_is_exact)
+        .def_prop_ro("stiffness_is_slope", &TabulatedLaw::stiffness_is_slope)
         .def_prop_ro("outside", [](const TabulatedLaw& law) { return std::string(name_of(law.outside())); });
 }
 

@@ -26,7 +26,7 @@ template <std::size_t N, Real T>
 T box_rule(T a, T b, const PeakDistribution<T>& peaks, T eta) {
     const auto& rule = GaussLegendre<T, N>::get();
     constexpr T half = 4;
-    const T half_height = half + (std::max(eta, T(0)) - eta) / 2;
+    const T half_height = half + ((std::max)(eta, T(0)) - eta) / 2;
     T sum = 0;
     for (std::size_t i = 0; i < N; ++i) {
         const T t = half * (1 + rule.node[i]);

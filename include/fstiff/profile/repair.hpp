@@ -40,14 +40,14 @@ std::vector<bool> far_from_median(const std::vector<T>& differences, T limit) {
     std::vector<T> some;
     for (const T d : differences)
         if (!std::isnan(d)) some.push_back(d);
-    std::vector<bool> far(differences.size(), false);
-    if (some.empty()) return far;
+    std::vector<bool> spikes(differences.size(), false);
+    if (some.empty()) return spikes;
     const T middle = median(some);
     for (T& d : some) d = std::abs(d - middle);
     const T scale = tukey_factor<T> / 3 * median(some);
     if (scale > T(0))  // more than half of the differences equal: rounded heights tell nothing of their spread
-        for (std::size_t i = 0; i < far.size(); ++i) far[i] = std::abs(differences[i] - middle) > limit * scale;
-    return far;
+        for (std::size_t i = 0; i < spikes.size(); ++i) spikes[i] = std::abs(differences[i] - middle) > limit * scale;
+    return spikes;
 }
 
 }  // namespace detail
@@ -61,14 +61,14 @@ Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remo
     for (std::size_t i = 0; i < size; ++i) {
         if (std::isnan(profile.heights[i])) continue;
         neighbours.clear();
-        for (std::size_t k = i < 2 ? 0 : i - 2; k < std::min(size, i + 3); ++k)
+        for (std::size_t k = i < 2 ? 0 : i - 2; k < (std::min)(size, i + 3); ++k)
             if (k != i && !std::isnan(profile.heights[k])) neighbours.push_back(profile.heights[k]);
         if (neighbours.size() >= 2) differences[i] = profile.heights[i] - median(neighbours);
     }
-    const std::vector<bool> far = detail::far_from_median(differences, limit);
+    const std::vector<bool> spikes = detail::far_from_median(differences, limit);
     Repair repair;
     for (std::size_t i = 0; i < size; ++i) {
-        if (!far[i]) continue;
+        if (!spikes[i]) continue;
         ++repair.removed;
         if (remove) profile.heights[i] = std::numeric_limits<T>::quiet_NaN();
     }
@@ -91,7 +91,7 @@ Repair fill_missing(Profile<T>& profile) {
                 profile.heights[k] = (1 - share) * before + share * after;
             }
             repair.missing += count;
-            repair.longest = std::max(repair.longest, count);
+            repair.longest = (std::max)(repair.longest, count);
         }
         from = i + 1;
     }

@@ -79,7 +79,7 @@ struct ShellGrid {
         map.require_whole("before its spectrum is taken");
         unit_x = 2 * numbers::pi_v<T> / (T(map.columns()) * map.dx);
         unit_y = 2 * numbers::pi_v<T> / (T(map.rows()) * map.dy);
-        width = std::min(unit_x, unit_y);
+        width = (std::min)(unit_x, unit_y);
     }
     [[nodiscard]] std::size_t shell_of(T q) const { return static_cast<std::size_t>(std::lround(q / width)); }
 };
@@ -97,7 +97,7 @@ template <Real T>
         static_cast<std::size_t>(std::hypot(grid.unit_x * T(half), grid.unit_y * T(half_rows)) / grid.width) + 2;
     std::vector<T> q2_h2(count), q_h2(count), h2(count);
     detail::visit_waves(map, window, [&](Index i, Index j, T pairs, T square) {
-        const T q = std::hypot(grid.unit_x * T(i), grid.unit_y * T(std::min(j, rows - j))), power = pairs * square;
+        const T q = std::hypot(grid.unit_x * T(i), grid.unit_y * T((std::min)(j, rows - j))), power = pairs * square;
         const std::size_t shell = grid.shell_of(q);
         q2_h2[shell] += q * q * power;
         q_h2[shell] += q * power;

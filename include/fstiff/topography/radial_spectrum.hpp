@@ -55,7 +55,7 @@ template <Real T>
     using Index = Eigen::Index;
     const detail::ShellGrid<T> grid(map);
     const Index rows = map.rows(), columns = map.columns();
-    const T end = std::min(grid.unit_x * T(columns), grid.unit_y * T(rows)) / 2;
+    const T end = (std::min)(grid.unit_x * T(columns), grid.unit_y * T(rows)) / 2;
     const std::size_t shells = grid.shell_of(end);  // those behind hold no more than a part of their waves
     std::vector<T> power(shells + 1), lengths(shells + 1);
     std::vector<std::size_t> waves(shells + 1);
@@ -76,7 +76,7 @@ template <Real T>
         if (k > 0) one.value[static_cast<std::size_t>(k) - 1] += square;
     };
     detail::visit_waves(map, window, [&](Index i, Index j, T pairs, T square) {
-        const Index y = std::min(j, rows - j);
+        const Index y = (std::min)(j, rows - j);
         put(result.along_x, i, pairs * square);
         put(result.along_y, y, pairs * square);
         const T q = std::hypot(grid.unit_x * T(i), grid.unit_y * T(y));
