@@ -6,7 +6,7 @@
 #   - the code of a header is ASCII, and attributes of one compiler stand in core/config.hpp alone,
 #   - fstiff.hpp includes every public header but those of io, which io.hpp includes, and the layer table of docs/architecture.md is what the includes say,
 #   - every header has a row "| <layer>/<name> | its one idea |" in docs/architecture.md,
-#   - every file that README.md and docs/*.md name exists: by its path, or a header or a test as <layer>/<name>;
+#   - every file that README.md, docs/*.md, the headers and the Python package name exists: by its path, or a header or a test as <layer>/<name>;
 #     those of ../shared only where that folder is.
 #
 #   cmake -P tools/check_layers.cmake                  check
@@ -192,7 +192,8 @@ foreach(folder IN LISTS folders)
     endforeach()
 endforeach()
 
-file(GLOB documents RELATIVE ${ROOT} ${ROOT}/README.md ${ROOT}/docs/*.md)
+file(GLOB documents RELATIVE ${ROOT} ${ROOT}/README.md ${ROOT}/docs/*.md ${ROOT}/include/fstiff/*/*.hpp
+     ${ROOT}/python/fstiff/*.py)
 list(JOIN folders "|" layer)
 foreach(document IN LISTS documents)
     file(READ ${ROOT}/${document} text)

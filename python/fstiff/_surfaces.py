@@ -38,7 +38,7 @@ class SurfaceOptions(TypedDict, total=False):
     lambda_s, lambda_c   shortest and longest waves that are kept; "auto" is by the standards' table, "none" keeps all
     filter               of lambda_c: "gaussian" or "robust"
     tip_radius, resolution   of the instrument
-    format, units, column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/io.md
+    format, units, column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/formats.md
     """
 
     spacing: Length | tuple[Length, Length]

@@ -44,5 +44,7 @@ check("has no row '| math/root | what it is for |'" docs/architecture.md
 check("must hold the lines" docs/architecture.md "no table\n")
 check("" docs/more.md "[root](../include/fstiff/math/root.hpp), math/root `f`, io/text.hpp; docs/*.md, and/or, 1/2\n")
 check("'math/none' does not exist" docs/more.md "| math/none | nothing |\n")
+check("'docs/none.md' does not exist" include/fstiff/math/root.hpp "/// docs/none.md says why.\n#include <Eigen/Core>\n")
+check("'docs/none.md' does not exist" python/fstiff/more.py "\"\"\"docs/none.md says why.\"\"\"\n")
 check("'tests/math/root_test.cpp' does not exist" docs/more.md "Test: tests/math/root_test.cpp.\n")
 check("'include/fstiff/core/none.hpp' does not exist" README.md "in include/fstiff/core/none.hpp\n")

@@ -46,7 +46,7 @@ struct LeastSquaresOptions {
 enum class FitStatus {
     converged,
     singular,  ///< a combination of the parameters leaves the residuals as they are: no covariance
-    at_bound,  ///< a parameter came to the end of its range, which only a caller knows (contact/identify): no covariance
+    at_bound,  ///< a parameter came to the end of its range, which only a caller knows (fit/identify): no covariance
     not_converged  ///< steps used up, or no step made the residuals smaller before the end was reached
 };
 template <>
