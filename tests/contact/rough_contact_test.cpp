@@ -40,10 +40,12 @@ TEST_CASE("a modulus is converted to the scalar of the surface, an integer or a 
     const Roughness<float> surface_in_float{.rms_height = 0.8e-6F, .peak_radius = 40e-6F, .peak_density = 500e6F};
     const RoughContact rough(surface, third, HertzLaw<double>{}, 112600000000);
     const RoughContact in_float(surface_in_float, PeakDistribution<float>(0, 0.5F), HertzLaw<float>{}, 0x1p37);
-    const GreenwoodWilliamson single(surface, 112600000000), single_in_float(surface_in_float, 0x1p37);
+    const GreenwoodWilliamson single(surface, 112600000000);
+    const GreenwoodWilliamson single_in_float(surface_in_float, 0x1p37);
     const BandSpectrum<double> band{1e-10, 0.8, 1e5, 1e5, 1e7};
     const BandSpectrum<float> band_in_float{1e-10F, 0.8F, 1e5F, 1e5F, 1e7F};
-    const PerssonContact persson(band, 112600000000, 1), persson_in_float(band_in_float, 0x1p37);
+    const PerssonContact persson(band, 112600000000, 1);
+    const PerssonContact persson_in_float(band_in_float, 0x1p37);
     const Summits<double> map{{{1e-6, 1e5, 1e5, 0, 0}}, 1e-8, 1e-4, 1e-4, 1e-6};
     const SummitContact summit(map, 112600000000);
 
