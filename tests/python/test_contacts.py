@@ -251,7 +251,7 @@ def test_a_plot_and_a_data_frame():
     "change, sentence",
     [
         ({"rms_height": -1}, "rms_height = -1: must be"),
-        ({"rms_height": None}, "rms_height = 0: must be"),
+        ({"rms_height": None}, "rms_height: missing; a contact needs rms_height, peak_radius and peak_density, or surface"),
         ({"peak_density": float("nan")}, "peak_density = nan: must be"),
         ({"effective_modulus": 0}, "effective_modulus = 0: must be finite and greater than 0"),
         ({"r": 2}, "r = 2: must be"),
