@@ -58,7 +58,7 @@ module fstiff
     type, bind(c) :: fstiff_law_facts
         integer(c_size_t) :: size = 56
         real(c_double) :: min_pressure = 0, max_pressure = 0, min_separation = 0, max_separation = 0, relative_error = 0
-        integer(c_int) :: tangent_is_exact = 0, outside = 0
+        integer(c_int) :: stiffness_is_slope = 0, outside = 0
     end type
     type, bind(c) :: fstiff_measure_options
         integer(c_size_t) :: size = 80

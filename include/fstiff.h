@@ -149,7 +149,7 @@ typedef struct fstiff_law_facts {
     double min_pressure, max_pressure;     /**< [Pa] */
     double min_separation, max_separation; /**< [m] */
     double relative_error;                 /**< the largest of p, K and d over the rms height, measured */
-    int tangent_is_exact;                  /**< 1 where K is -dp/dd of the returned p */
+    int stiffness_is_slope;                /**< 1 where K is -dp/dd of the returned p */
     int outside;                           /**< FSTIFF_OUTSIDE_... */
 } fstiff_law_facts;
 /** facts->size must be set. */

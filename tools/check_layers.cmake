@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Reads the includes of include/fstiff and checks that
 #   - a folder includes only itself and what stands above it in `levels` (folders on one level never include each other),
-#   - a header includes nothing but <fstiff/...>, <Eigen/...> and the standard library (`optional_includes` aside),
+#   - a header includes nothing but <fstiff/...>, <Eigen/...> and the standard library (`optional_includes` aside), and
+#     nothing of it that needs a threads library,
+#   - the code of a header is ASCII, and attributes of one compiler stand in core/config.hpp alone,
 #   - fstiff.hpp includes every public header but those of io, which io.hpp includes, and the layer table of docs/architecture.md is what the includes say,
 #   - every header has a row "| <layer>/<name> | its one idea |" in docs/architecture.md,
-#   - every file that README.md and docs/*.md name exists: by its path, or a header or a test as <layer>/<name>;
+#   - every file that README.md, docs/*.md, the headers and the Python package name exists: by its path, or a header or a test as <layer>/<name>;
 #     those of ../shared only where that folder is,
 #   - every document, source, test or table that a comment or a docstring of the code names exists.
 #
@@ -18,6 +20,7 @@ set(levels core math surface "profile topography" halfspace synthetic asperity p
 # Opt-in headers, left out of fstiff.hpp: which ones (regex), and what else they may include (regex).
 set(optional_headers "^io/(x3p|zip_archive|inflate)\\.hpp$")
 set(optional_includes "^(zip\\.h|pugixml\\.hpp|zlib\\.h)$")
+set(of_threads "^(barrier|condition_variable|future|latch|mutex|semaphore|shared_mutex|stop_token|thread)$")
 
 if(NOT ROOT)
     cmake_path(SET ROOT NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/..)
@@ -85,8 +88,20 @@ foreach(header IN LISTS found)
         elseif(NOT name MATCHES "^[a-z_]+$" AND NOT name MATCHES "^(unsupported/)?Eigen/[A-Za-z]+$"
                AND NOT name MATCHES "${allowed}")
             problem("${header}: <${name}>: public headers use only the standard library and Eigen")
+        elseif(name MATCHES "${of_threads}")
+            problem("${header}: <${name}>: needs a threads library, which the target does not link")
         endif()
     endforeach()
+
+    file(READ ${include}/${header} code)
+    string(REGEX REPLACE "//[^\n]*" "" code "${code}")
+    string(REGEX MATCH "[^\n]*[^\n\t -~][^\n]*" line "${code}")
+    if(line)
+        problem("${header}: '${line}': must be ASCII, which no compiler reads in a code page")
+    endif()
+    if(code MATCHES "(gnu|clang|msvc)::" AND NOT header STREQUAL "core/config.hpp")
+        problem("${header}: ${CMAKE_MATCH_0}: attributes of one compiler must stand in core/config.hpp")
+    endif()
 endforeach()
 
 # The umbrella headers and the table, as they should be.
@@ -178,7 +193,8 @@ foreach(folder IN LISTS folders)
     endforeach()
 endforeach()
 
-file(GLOB documents RELATIVE ${ROOT} ${ROOT}/README.md ${ROOT}/docs/*.md)
+file(GLOB documents RELATIVE ${ROOT} ${ROOT}/README.md ${ROOT}/docs/*.md ${ROOT}/include/fstiff/*/*.hpp
+     ${ROOT}/python/fstiff/*.py)
 list(JOIN folders "|" layer)
 foreach(document IN LISTS documents)
     file(READ ${ROOT}/${document} text)

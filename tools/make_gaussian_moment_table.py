@@ -9,8 +9,8 @@
     piece 32          x >= 30: exp(x^2/2) F_a(x) x^(a+1) in powers of s = 1/x^2
     pieces 33 to 64   as 0 to 31, x < 0: F_a(x)
     piece 65          x <= -30: F_a(x) / |x|^a       in powers of s = 1/x^2
-    erf, near         y in [0, 5/2]: erf(y)/y        in powers of u, from -1 to 1 as y^2 goes through its range
-    erf, middle, far  y in [5/2, 9/2], [9/2, 13/2]: erf(y) in powers of u = y - middle of the range
+    erf, inner          y in [0, 5/2]: erf(y)/y        in powers of u, from -1 to 1 as y^2 goes through its range
+    erf, middle, outer  y in [5/2, 9/2], [9/2, 13/2]: erf(y) in powers of u = y - middle of the range
 
 Each function is interpolated in Chebyshev points with 50 digits and cut to the terms of its scalar type (erf: to the error of
 the type, and once more to 3e-5). A coefficient is printed with as many digits as count at the end of its piece. `cut[n]` is
@@ -170,8 +170,8 @@ def erf_over_y(square):
 
 
 def erf_arrays(scalar, suffix, digits, error, name):
-    ranges = (("near", erf_over_y, mpf(0), ERF_NEAR**2, error * erf(ERF_NEAR) / ERF_NEAR),
-              ("middle", erf, ERF_NEAR, ERF_MIDDLE, error), ("far", erf, ERF_MIDDLE, ERF_FAR, error))
+    ranges = (("inner", erf_over_y, mpf(0), ERF_NEAR**2, error * erf(ERF_NEAR) / ERF_NEAR),
+              ("middle", erf, ERF_NEAR, ERF_MIDDLE, error), ("outer", erf, ERF_MIDDLE, ERF_FAR, error))
     out = ""
     for part, f, low, high, size in ranges:
         n, body = erf_range(f, low, high, size, digits, suffix)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _core
 from ._results import Table, axes, frame, label_axes, lines_of, shown, text_table
+from ._surfaces import metres
 
 if TYPE_CHECKING:
     import numpy as np
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._results import Numbers
-    from ._surfaces import Measurement, Source
+    from ._surfaces import Length, Measurement, Source
 
     Outside = Literal["refuse", "clamp", "exact", "extrapolate"]
 
@@ -93,7 +94,7 @@ class Points(Table["Numbers"]):
 
 
 class Contact:
-    """A contact with one law, of plain numbers in SI units or of a measured surface.
+    """A contact with one law, of plain numbers in SI units or of a measured surface. A length may be a text such as "0.8 um".
 
     law                 one of law_names()
     surface             what measure() returned, in place of the numbers of the surface; laws that need a map take its heights
@@ -101,13 +102,14 @@ class Contact:
     rms_height          sigma [m]
     peak_radius         R, mean radius of the peaks [m]
     peak_density        D_p, peaks per area [1/m^2]
-    r, theta            of the joint distribution of heights and curvatures [1, rad]; laws without it do not need them
+    r, theta            of the joint distribution of heights and curvatures [1, rad]; both must be given for a law that
+                        takes it, and r = 0 says that heights and curvatures are independent
     fractal_dimension   D of a profile, 1 to 2, for the fractal laws
     rms_gradient, max_peak_height   of the surface [1, m]; None where not known
-    poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws
+    poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws, which say what they need
     interaction         "none", "effective_separation" or "as_printed", over interaction_length [m]
 
-    A number that is wrong raises ValueError. Threads may share a contact; evaluations do not hold the GIL.
+    A number that is wrong or missing raises ValueError. Threads may share a contact; evaluations do not hold the GIL.
     """
 
     _core: _core.Contact
@@ -119,19 +121,19 @@ class Contact:
         *,
         effective_modulus: float,
         surface: Measurement | None = None,
-        rms_height: float | None = None,
-        peak_radius: float | None = None,
+        rms_height: Length | None = None,
+        peak_radius: Length | None = None,
         peak_density: float | None = None,
         r: float | None = None,
         theta: float | None = None,
         fractal_dimension: float | None = None,
         rms_gradient: float | None = None,
-        max_peak_height: float | None = None,
-        poisson_ratio: float = 0.0,
+        max_peak_height: Length | None = None,
+        poisson_ratio: float | None = None,
         yield_strength: float | None = None,
         hardness: float | None = None,
         interaction: Literal["none", "effective_separation", "as_printed"] = "none",
-        interaction_length: float | None = None,
+        interaction_length: Length | None = None,
     ) -> None:
         of_surface = {
             "rms_height": rms_height,
@@ -150,11 +152,13 @@ class Contact:
             "hardness": hardness,
             "interaction_length": interaction_length,
         }
-        if surface is not None:
-            both = [name for name, value in of_surface.items() if value is not None]
-            if both:
-                raise ValueError(f"{both[0]}: must not stand beside surface, which has it")
-        given = {name: float(value) for name, value in {**of_surface, **of_bodies}.items() if value is not None}
+        known = [name for name, value in of_surface.items() if value is not None]
+        if surface is not None and known:
+            raise ValueError(f"{known[0]}: must not stand beside surface, which has it")
+        missing = [name for name in ("rms_height", "peak_radius", "peak_density") if name not in known]
+        if surface is None and missing:
+            raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface")
+        given = {name: _number(value, name) for name, value in {**of_surface, **of_bodies}.items() if value is not None}
         measured = None if surface is None else surface._measured
         self._core = _core.Contact.of_numbers(law, given, interaction, measured)
         self._recipe = (_remade, (law, given, interaction, surface))
@@ -199,6 +203,21 @@ class Contact:
 
 def _remade(law: str, given: dict[str, Any], interaction: Any, surface: Measurement | None) -> Contact:
     return Contact(law, surface=surface, interaction=interaction, **given)
+
+
+#: The numbers of a contact that may be texts with a unit.
+LENGTHS = {"rms_height", "peak_radius", "max_peak_height", "interaction_length"}
+
+
+def _number(value: Any, name: str) -> float:
+    """A number in SI units, or the number of metres of a text."""
+    if isinstance(value, str) and name in LENGTHS:
+        return metres(value, name)
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        what = 'a length in m, or a text such as "0.5 um"' if name in LENGTHS else "a number in SI units"
+        raise ValueError(f"{name} = {value!r}: must be {what}") from None
 
 
 def _list(quantities: Sequence[str] | None) -> list[str] | None:
@@ -250,11 +269,19 @@ class Law:
         """dK/dp [1/m] at the pressure [Pa]."""
         return _same(self._core.stiffness_slope(numbers(pressure, "pressure")))
 
+    @overload
+    def at_separation(self, separation: float) -> tuple[float, float]: ...
+    @overload
+    def at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers, Numbers]: ...
     def at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers | float, Numbers | float]:
         """p [Pa] and K per area [Pa/m] at the separation [m]."""
         pressure, stiffness = self._core.at_separation(numbers(separation, "separation"))
         return _same(pressure), _same(stiffness)
 
+    @overload
+    def tangent_at_separation(self, separation: float) -> tuple[float, float]: ...
+    @overload
+    def tangent_at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers, Numbers]: ...
     def tangent_at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers | float, Numbers | float]:
         """p [Pa] and -dp/dd [Pa/m] at the separation [m]: what Newton's method needs."""
         pressure, slope = self._core.tangent_at_separation(numbers(separation, "separation"))
@@ -276,9 +303,9 @@ class Law:
         return self._core.relative_error
 
     @property
-    def tangent_is_exact(self) -> bool:
-        """Whether K is exactly -dp/dd of the returned p."""
-        return self._core.tangent_is_exact
+    def stiffness_is_slope(self) -> bool:
+        """Whether K is the slope -dp/dd of the returned p; tangent_at_separation() returns that slope for every law."""
+        return self._core.stiffness_is_slope
 
     @property
     def outside(self) -> str:

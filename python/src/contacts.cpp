@@ -128,19 +128,20 @@ Evaluated evaluate(const OneContact& contact, const In& x, const std::optional<s
 OneContact of_numbers(const std::string& law, const std::map<std::string, double>& numbers,
                       const std::string& interaction, const scene::MeasuredSurface* measured) {
     const nb::gil_scoped_release free;
-    const auto number = [&](const char* name) {
+    const auto optional = [&](const char* name) {
         const auto found = numbers.find(name);
-        return found == numbers.end() ? 0. : found->second;
+        return found == numbers.end() ? std::optional<double>() : found->second;
     };
+    const auto number = [&](const char* name) { return optional(name).value_or(0); };
     return scene::contact_of(
         law,
         {.surface = {number("rms_height"), number("peak_radius"), number("peak_density"), number("max_peak_height")},
-         .r = number("r"),
-         .theta = number("theta"),
+         .r = optional("r"),
+         .theta = optional("theta"),
          .fractal_dimension = number("fractal_dimension"),
          .rms_gradient = number("rms_gradient"),
          .effective_modulus = number("effective_modulus"),
-         .poisson_ratio = number("poisson_ratio"),
+         .poisson_ratio = optional("poisson_ratio"),
          .yield_strength = number("yield_strength"),
          .hardness = number("hardness"),
          .reading = parse<InteractionReading>(interaction, "interaction"),
@@ -206,7 +207,7 @@ void add_laws(nb::module_& m) {
         .def_prop_ro("separations",
                      [](const TabulatedLaw& law) { return std::pair(law.separations()[0], law.separations()[1]); })
         .def_prop_ro("relative_error", &TabulatedLaw::relative_error)
-        .def_prop_ro("tangent_is_exact", &TabulatedLaw::tangent_is_exact)
+        .def_prop_ro("stiffness_is_slope", &TabulatedLaw::stiffness_is_slope)
         .def_prop_ro("outside", [](const TabulatedLaw& law) { return std::string(name_of(law.outside())); });
 }
 

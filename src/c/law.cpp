@@ -137,7 +137,7 @@ int fstiff_law_facts_of(const fstiff_law* law, fstiff_law_facts* facts) {
         to.min_pressure = of.pressures()[0], to.max_pressure = of.pressures()[1];
         to.min_separation = of.separations()[0], to.max_separation = of.separations()[1];
         to.relative_error = of.relative_error();
-        to.tangent_is_exact = of.tangent_is_exact();
+        to.stiffness_is_slope = of.stiffness_is_slope();
         to.outside = static_cast<int>(of.outside());
         return FSTIFF_OK;
     });

@@ -33,6 +33,12 @@ OneContact contact_of(Scene of, double modulus, std::size_t law, std::size_t pea
     return one;
 }
 
+/// \p value, without which there is no contact with \p law.
+double needed(const std::string& law, const char* name, const std::optional<double>& value) {
+    if (!value) throw domain_error("law " + law + ": needs " + name);
+    return *value;
+}
+
 /// Numbers as a scene with one law.
 Scene scene_of(const std::string& law, const ContactNumbers& numbers, const MeasuredSurface* measured) {
     const Law* const found = find_law(law);
@@ -56,14 +62,15 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
     }
     of.yield_strength = optional("yield_strength", numbers.yield_strength);
     of.hardness = optional("hardness", numbers.hardness);
-    require(numbers.poisson_ratio > -1 && numbers.poisson_ratio <= 0.5, "poisson_ratio", numbers.poisson_ratio,
-            "greater than -1 and at most 0.5");
-    of.softer_poisson = numbers.poisson_ratio;
+    const double poisson = found->needs_yield ? needed(law, "poisson_ratio", numbers.poisson_ratio)
+                                              : numbers.poisson_ratio.value_or(0);
+    require(poisson > -1 && poisson <= 0.5, "poisson_ratio", poisson, "greater than -1 and at most 0.5");
+    of.softer_poisson = poisson;
     if (measured && is_joint(*found, of)) {
         if (!of.r) throw domain_error("law " + law + ": needs r and theta of the surface: " + measured->peaks_refusal);
         of.peaks.push_back({.theta = *of.theta, .r = of.r});
     } else if (!measured && found->has_peaks) {
-        const PeakDistribution<double> peaks(numbers.r, numbers.theta);
+        const PeakDistribution<double> peaks(needed(law, "r", numbers.r), needed(law, "theta", numbers.theta));
         of.r = peaks.r(), of.theta = peaks.theta();
         of.peaks.push_back({.theta = *of.theta, .r = of.r});
     }

@@ -6,17 +6,19 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace fstiff::scene {
 
-/// Plain numbers of a contact [SI]. A number that is 0 is not known, or not needed by the law.
+/// Plain numbers of a contact [SI]. A number that is 0 is not known, or not needed by the law; those that may be 0 are
+/// optional.
 struct ContactNumbers {
     Roughness<double> surface{};
-    double r = 0, theta = 0;  ///< [1, rad]
+    std::optional<double> r{}, theta{};  ///< [1, rad]
     double fractal_dimension = 0, rms_gradient = 0;
     double effective_modulus = 0;             ///< [Pa]
-    double poisson_ratio = 0;                 ///< of the softer body
+    std::optional<double> poisson_ratio{};    ///< of the softer body
     double yield_strength = 0, hardness = 0;  ///< of it [Pa]
     InteractionReading reading = InteractionReading::none;
     double interaction_length = 0;  ///< [m]

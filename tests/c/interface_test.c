@@ -216,7 +216,7 @@ static void test_law(const char* file) {
     check_law(read);
     fstiff_law_facts facts = {.size = sizeof facts};
     CHECK(fstiff_law_facts_of(read, &facts) == FSTIFF_OK);
-    CHECK(facts.min_pressure == 1e5 && facts.max_pressure == 1e8 && facts.tangent_is_exact == 1);
+    CHECK(facts.min_pressure == 1e5 && facts.max_pressure == 1e8 && facts.stiffness_is_slope == 1);
     CHECK(facts.outside == FSTIFF_OUTSIDE_EXTRAPOLATE && facts.relative_error > 0 && facts.relative_error < 1e-9);
     /* an open contact bears nothing, and NaN is refused point by point */
     const double some[] = {10, facts.max_separation, (double)NAN};

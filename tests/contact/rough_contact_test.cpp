@@ -2,7 +2,9 @@
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/contact/validity.hpp>
 
 #include "support/accuracy.hpp"
@@ -13,6 +15,7 @@
 
 #include <numbers>
 #include <string>
+#include <type_traits>
 
 using namespace fstiff;
 
@@ -31,6 +34,32 @@ RoughContact<double, Law> contact(const Law& law, const RoughContactOptions<doub
 }
 
 }  // namespace
+
+TEST_CASE("a modulus is converted to the scalar of the surface, an integer or a number of another scalar") {
+    const Roughness<double> surface{.rms_height = 0.8e-6, .peak_radius = 40e-6, .peak_density = 500e6};
+    const Roughness<float> surface_in_float{.rms_height = 0.8e-6F, .peak_radius = 40e-6F, .peak_density = 500e6F};
+    const RoughContact rough(surface, third, HertzLaw<double>{}, 112600000000);
+    const RoughContact in_float(surface_in_float, PeakDistribution<float>(0, 0.5F), HertzLaw<float>{}, 0x1p37);
+    const GreenwoodWilliamson single(surface, 112600000000);
+    const GreenwoodWilliamson single_in_float(surface_in_float, 0x1p37);
+    const BandSpectrum<double> band{1e-10, 0.8, 1e5, 1e5, 1e7};
+    const BandSpectrum<float> band_in_float{1e-10F, 0.8F, 1e5F, 1e5F, 1e7F};
+    const PerssonContact persson(band, 112600000000, 1);
+    const PerssonContact persson_in_float(band_in_float, 0x1p37);
+    const Summits<double> map{{{1e-6, 1e5, 1e5, 0, 0}}, 1e-8, 1e-4, 1e-4, 1e-6};
+    const SummitContact summit(map, 112600000000);
+
+    static_assert(std::is_same_v<decltype(in_float), const RoughContact<float, HertzLaw<float>, PeakDistribution<float>>>);
+    static_assert(std::is_same_v<decltype(persson), const PerssonContact<double>>);
+    static_assert(std::is_same_v<decltype(persson_in_float), const PerssonContact<float>>);
+    CHECK(rough.effective_modulus() == 112.6e9);
+    CHECK(in_float.effective_modulus() == 0x1p37F);
+    CHECK(single.effective_modulus() == 112.6e9);
+    CHECK(single_in_float.effective_modulus() == 0x1p37F);
+    CHECK(persson.effective_modulus() == 112.6e9);
+    CHECK(persson_in_float.effective_modulus() == 0x1p37F);
+    CHECK(summit.at_pressure(1e5).stiffness.value == SummitContact<double>(map, 112.6e9).at_pressure(1e5).stiffness.value);
+}
 
 TEST_CASE("the curves of Table 1 to 1e-10") {
     const test::Table table("table1_curves.csv");

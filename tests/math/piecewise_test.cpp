@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 
 using namespace fstiff;
@@ -18,12 +20,13 @@ namespace {
 template <class T, class Rows, class Edge, class F>
 void fit(Rows& rows, T half, const Edge& edge, const F& f) {
     const auto& lobatto = LobattoPiece<T, Row::terms>::get();
-    for (Eigen::Index i = 0; i < rows.cols(); ++i) {
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const auto i = static_cast<Eigen::Index>(row);
         std::array<T, Row::terms> value;
         for (std::size_t k = 0; k < value.size(); ++k)
             value[k] = f(edge(i) + (edge(i + 1) - edge(i)) * (1 + lobatto.node[k]) / 2);
-        lobatto.fit(Lanes<T, Row::terms>::load(value.data())).store(rows.col(i).data());
-        for (Eigen::Index k = 0; k < Row::terms; ++k) rows(k, i) /= std::pow(half, T(k));
+        lobatto.fit(Lanes<T, Row::terms>::load(value.data())).store(rows[row].c);
+        for (int k = 0; k < Row::terms; ++k) rows[row].c[k] /= std::pow(half, T(k));
     }
 }
 
@@ -38,7 +41,7 @@ TEMPLATE_TEST_CASE("pieces by the binary exponent: log x and 1/x, one and four a
         [](T x) { return std::log(x); });
     CHECK(pieces.edge(0) <= low);
     CHECK(pieces.edge(1) > low);
-    CHECK(pieces.edge(pieces.rows.cols()) > high);
+    CHECK(pieces.edge(std::ssize(pieces.rows)) > high);
     // interpolation of log over [1, 9/8] in 8 points: 4 / (8 rho^8) with rho = 34 is 3e-13; the conversion to powers has a
     // condition of some hundreds of the largest value, 16, and the slope that over the 1/16 of half a piece
     const T bound = 256 * epsilon + T(3e-13), slope_bound = 100000 * epsilon + T(1e-10);

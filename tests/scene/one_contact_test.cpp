@@ -122,3 +122,17 @@ TEST_CASE("heights and numbers that are none are refused in one sentence") {
               return contact_of("herz", {.effective_modulus = 1e11});
           }).starts_with("law = \"herz\": must be one of \"fractal\""));
 }
+
+TEST_CASE("a number that may be 0 is not taken for 0 where it was not given") {
+    const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
+    ContactNumbers numbers{.surface = surface, .theta = 1.0, .effective_modulus = 112.6e9, .yield_strength = 1e9};
+    CHECK(sentence_of([&] { return contact_of("hertz", numbers); }) == "law hertz: needs r");
+    numbers.r = 0;
+    CHECK(contact_of("hertz", numbers).contact);
+    CHECK(sentence_of([&] { return contact_of("jackson_green", numbers); }) == "law jackson_green: needs poisson_ratio");
+    CHECK(sentence_of([&] { return contact_of("kogut_etsion", numbers); }) == "law kogut_etsion: needs poisson_ratio");
+    numbers.poisson_ratio = 0;
+    CHECK(contact_of("jackson_green", numbers).contact);
+    numbers.theta.reset();
+    CHECK(sentence_of([&] { return contact_of("hertz", numbers); }) == "law hertz: needs theta");
+}

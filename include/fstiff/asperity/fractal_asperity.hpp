@@ -136,7 +136,7 @@ T truncation_share(T truncation_diameter, T base_diameter) {
 
 template <Real T>
 T fractal_stiffness_from_area(T area, T fractal_dimension) {
-    require(area >= 0 && area <= std::numeric_limits<T>::max(), "area", area, "finite and not negative");
+    require(area >= 0 && area <= (std::numeric_limits<T>::max)(), "area", area, "finite and not negative");
     return 2 * fractal_stiffness_factor(fractal_dimension) * numbers::inv_sqrtpi_v<T> * std::sqrt(area);
 }
 
@@ -162,8 +162,8 @@ T FractalAsperity<T>::profile(T x) const {
 template <Real T>
 T FractalAsperity<T>::truncation_diameter(T approach) const {
     // Rounding may put the sine just above 1 at omega = 2 delta.
-    const T sine = std::min(T(1), std::sqrt(checked(approach) / height_ / 2));
-    return std::min(base_, base_ * (2 / numbers::pi_v<T> * std::asin(sine)));
+    const T sine = (std::min)(T(1), std::sqrt(checked(approach) / height_ / 2));
+    return (std::min)(base_, base_ * (2 / numbers::pi_v<T> * std::asin(sine)));
 }
 
 template <Real T>

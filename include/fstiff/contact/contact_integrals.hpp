@@ -80,7 +80,7 @@ public:
         problem_.move_to(static_cast<S>(eta));
         sums_.clear();
         const PeakSums<S> sums = sums_.result(visit_nodes(problem_, log_accuracy_, sums_));
-        const T floor = std::max(eta, T(0));
+        const T floor = (std::max)(eta, T(0));
         ScaledIntegrals<T> out{{}, -floor * floor / 2};
         // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error
         // may miss: more with few nodes
@@ -156,7 +156,7 @@ template <Real T>
                                                     Quantity wanted = Quantity::all,
                                                     const IntegralOptions<T>& options = {}) {
     const ContactIntegrals<T> j = scaled_contact_integrals(peaks, eta, wanted, options);
-    const T scale = detail::gaussian(std::max(eta, T(0)));
+    const T scale = detail::gaussian((std::max)(eta, T(0)));
     return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, T(0)};
 }
 
@@ -166,7 +166,7 @@ template <Real T>
 [[nodiscard]] Estimate<T> contact_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
                                            const IntegralOptions<T>& options = {}) {
     const auto j = detail::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
-    return j.of_power[static_cast<std::size_t>(2 * a)] * detail::gaussian(std::max(eta, T(0)));
+    return j.of_power[static_cast<std::size_t>(2 * a)] * detail::gaussian((std::max)(eta, T(0)));
 }
 
 /// log J[a,b] and its absolute error: goes on where J itself underflows. \throws as contact_integral.

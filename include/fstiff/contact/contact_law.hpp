@@ -11,7 +11,7 @@
 /// nor a search, and an array of them is evaluated four at a time where the processor can. The slope -dp/dd is the
 /// derivative of the very polynomial that returns p(separation), for every law: it is the tangent that Newton's method
 /// in an implicit solver needs. K is that slope with HertzLaw, FractalConsistentLaw and GreenwoodWilliamson; with
-/// FractalLaw it is the slope times (2/3)(3-D)/(2-D), and tangent_is_exact() says no. Where K is no constant times the
+/// FractalLaw it is the slope times (2/3)(3-D)/(2-D), and stiffness_is_slope() says no. Where K is no constant times the
 /// slope (plastic and elastic-plastic peaks, and any law whose stiffness is not the derivative of its load)
 /// K(separation) has a table of its own, made in the same way. Neighbouring polynomials meet at their ends; p falls and
 /// K rises monotonically (checked when the law is tabulated), up to the rounding of the last digits.
@@ -137,7 +137,7 @@ public:
         const Whole at = whole_at(separation);
         return {at.pressure, at.stiffness};
     }
-    /// p [Pa] and -dp/dd [Pa/m], which is K only where tangent_is_exact(). \throws as at_separation.
+    /// p [Pa] and -dp/dd [Pa/m], which is K only where stiffness_is_slope(). \throws as at_separation.
     [[nodiscard]] Tangent tangent_at_separation(T separation) const {
         const Whole at = whole_at(separation);
         return {at.pressure, at.slope};
@@ -185,8 +185,9 @@ public:
 
     /// The largest relative error of p, K and (over the rms height) separation, measured when the law was tabulated.
     [[nodiscard]] T relative_error() const { return tables_.relative_error; }
-    /// Whether K is exactly -dp/dd of the returned p, where that is not constant (OutsideRange::clamp).
-    [[nodiscard]] bool tangent_is_exact() const { return tables_.stiffness_over_slope == T(1); }
+    /// Whether K is the slope -dp/dd of the returned p, where that is not constant (OutsideRange::clamp). The slope of
+    /// tangent_at_separation is that of the returned p for every law.
+    [[nodiscard]] bool stiffness_is_slope() const { return tables_.stiffness_over_slope == T(1); }
     /// The range [Pa] and [m]; of an empty law 0 and NaN.
     [[nodiscard]] std::array<T, 2> pressures() const { return {tables_.min_pressure, tables_.max_pressure}; }
     [[nodiscard]] std::array<T, 2> separations() const {
@@ -310,7 +311,7 @@ ContactLaw<T> ContactLaw<T>::with(OutsideRange outside) const {
 template <ReadableReal T>
 template <Contact<T> Model>
 ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
-    require(range.min_pressure >= std::numeric_limits<T>::min(), "min_pressure", range.min_pressure,
+    require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,
             "finite and greater than 0, and no denormal number");
     require(range.max_pressure > range.min_pressure && std::isfinite(range.max_pressure), "max_pressure",
             range.max_pressure, "finite and greater than min_pressure");

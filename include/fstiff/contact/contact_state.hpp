@@ -123,7 +123,7 @@ struct StateOrRefusal {
 
 /// What require() would throw.
 template <Real T>
-[[nodiscard, gnu::cold]] domain_error refusal_of(std::string_view parameter, T value, std::string_view allowed) {
+[[nodiscard]] FSTIFF_COLD domain_error refusal_of(std::string_view parameter, T value, std::string_view allowed) {
     using Shown = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
     const std::string shown = rounded_text(static_cast<Shown>(value), std::numeric_limits<T>::digits10);
     return domain_error(Refusal{.parameter = parameter, .value = shown, .allowed = allowed});
@@ -132,11 +132,11 @@ template <Real T>
 /// Where the tail of a Gaussian underflows, and an exponential one; short of it for the algebraic factors.
 template <Real T>
 T max_gaussian_eta() {
-    return std::sqrt(-2 * std::log(std::numeric_limits<T>::min())) - 1;
+    return std::sqrt(-2 * std::log((std::numeric_limits<T>::min)())) - 1;
 }
 template <Real T>
 T max_exponential_eta() {
-    return -std::log(std::numeric_limits<T>::min()) - 10;
+    return -std::log((std::numeric_limits<T>::min)()) - 10;
 }
 
 /// Tolerance of the evaluations that only show where the root is.
@@ -155,8 +155,8 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
     LogSlope<T> at = log_slope(T(0), true);
     const T at_zero = at.log - target;
     const T guess = at_zero > 0 ? std::sqrt(at.slope * at.slope + 2 * at_zero) + at.slope
-                                : -std::cbrt(std::exp(std::min(-2 * at_zero, T(60)))) + 1;
-    const T near = T(0.05), close = std::sqrt(Limits::epsilon());  // the next step is its square or less
+                                : -std::cbrt(std::exp((std::min)(-2 * at_zero, T(60)))) + 1;
+    const T last_rough = T(0.05), close = std::sqrt(Limits::epsilon());  // the next step is its square or less
     bool rough = true;
     T x = guess, last_x = 0;
     for (int i = 0; i < 12 && x >= min_eta && x <= highest; ++i) {
@@ -169,7 +169,7 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
         x += step;
         if (!rough && std::abs(step) <= close)
             return {{x, step * step + (at.error + rounding) / -at.slope + Limits::epsilon() * std::abs(x)}};
-        if (std::abs(step) <= near) rough = false;
+        if (std::abs(step) <= last_rough) rough = false;
     }
 
     const auto residual = [&](T eta) {
@@ -186,7 +186,7 @@ EtaSearch<T> eta_of(T target, T highest, const F& log_slope) {
 
 /// Why there is no eta for \p pressure, of which \p search looked for the logarithm.
 template <Real T>
-[[nodiscard, gnu::cold]] domain_error unreachable_pressure(T pressure, const EtaSearch<T>& search) {
+[[nodiscard]] FSTIFF_COLD domain_error unreachable_pressure(T pressure, const EtaSearch<T>& search) {
     const T low = std::log(pressure) + search.log_lowest, high = std::log(pressure) + search.log_highest;
     if (!std::isfinite(low) || !std::isfinite(high))
         return refusal_of("pressure", pressure, "possible for the scales of this surface");

@@ -27,9 +27,10 @@ struct GradientPiece {
     S from, to;  ///< G
     S low, rate, power;
     /// 1/q at G.
-    S inverse_q(S G) const {
-        return power == 0 ? std::exp(-low - rate * (G - from) * (G + from))  // H = 1: q = exp(low + rate (...))
-                          : std::pow(low + rate * (G - from) * (G + from), -power);
+    S inverse_q(S gradient) const {
+        const S risen = rate * (gradient - from) * (gradient + from);
+        return power == 0 ? std::exp(-low - risen)  // H = 1: q = exp(low + rate (...))
+                          : std::pow(low + risen, -power);
     }
 };
 

@@ -27,11 +27,11 @@
 #include <fstiff/contact/slope_contact.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -85,7 +85,7 @@ public:
         if (above <= 0) return {T(0), rms_height() * std::numeric_limits<T>::epsilon(), 0};
         const auto whole = static_cast<std::size_t>(above);
         const std::vector<T>& at = knots();
-        T d = at[std::min(whole, at.size() - 1)];
+        T d = at[(std::min)(whole, at.size() - 1)];
         for (std::size_t i = at.size() - 1; i < whole; ++i) d += panel(log_end() - T(i + 1), log_end() - T(i));
         d += panel(std::log(pressure), log_end() - T(whole));
         return {d, (T(1e-11) + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
@@ -112,7 +112,7 @@ private:
 
     /// (a^5 + b^5)^(1/5), without overflow.
     static T joined(T a, T b) {
-        const T most = std::max(a, b), ratio = std::min(a, b) / most, square = ratio * ratio;
+        const T most = (std::max)(a, b), ratio = (std::min)(a, b) / most, square = ratio * ratio;
         return most * std::exp(std::log1p(square * square * ratio) / 5);
     }
 
@@ -129,18 +129,28 @@ private:
 
     Peaks peaks_;
     PerssonContact<T> crowded_;
-    /// Separations at 2 E g, and one e-fold of pressure below each other: made when the first is asked for, by one thread.
+    /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of them
+    /// publishes its own: std::call_once would need the threads library, which the target does not link.
     struct Knots {
-        std::once_flag once;
-        std::vector<T> at;
+        std::atomic<const std::vector<T>*> at{nullptr};
+        Knots() = default;
+        Knots(const Knots&) = delete;
+        Knots& operator=(const Knots&) = delete;
+        ~Knots() { delete at.load(); }
     };
     [[nodiscard]] const std::vector<T>& knots() const {
-        std::call_once(knots_->once, [this] {
-            knots_->at = {T(0)};
-            for (int i = 0; i < panels; ++i)
-                knots_->at.push_back(knots_->at.back() + panel(log_end() - T(i + 1), log_end() - T(i)));
-        });
-        return knots_->at;
+        if (const std::vector<T>* at = knots_->at.load(std::memory_order_acquire)) return *at;
+        auto made = std::make_unique<const std::vector<T>>(separations_of_knots());
+        const std::vector<T>* published = nullptr;
+        if (knots_->at.compare_exchange_strong(published, made.get(), std::memory_order_acq_rel))
+            published = made.release();
+        return *published;
+    }
+    /// Separations at 2 E g, and one e-fold of pressure below each other.
+    [[nodiscard]] std::vector<T> separations_of_knots() const {
+        std::vector<T> at{T(0)};
+        for (int i = 0; i < panels; ++i) at.push_back(at.back() + panel(log_end() - T(i + 1), log_end() - T(i)));
+        return at;
     }
     std::shared_ptr<Knots> knots_ = std::make_shared<Knots>();  ///< copies share it
 };

@@ -94,8 +94,7 @@ constexpr Axis axis_of() {
 }
 
 /// Load, stiffness, area and -dp/dd of any law; the contacts are left 0. \p mean(f) is the mean of f(omega, R) over the
-/// peaks,
-/// \p mean_of_area the same for an area, and \p mean_of_loading(f) the slope of the mean of f against -eta.
+/// peaks, \p mean_of_area the same for an area, and \p mean_of_loading(f) the slope of the mean of f against -eta.
 template <Real T, class Law, class Mean, class MeanOfArea, class MeanOfLoading>
 LawSums<T> means_of_law(const Law& law, const PeakScales<T>& scales, Quantity wanted, const Mean& mean,
                         const MeanOfArea& mean_of_area, const MeanOfLoading& mean_of_loading) {
@@ -144,7 +143,7 @@ public:
                     return load(omega, radius) * ((excess + (eta - r * t)) / c2);
                 });
             });
-        const T floor = std::max(eta, T(0));
+        const T floor = (std::max)(eta, T(0));
         out.log_scale = -floor * floor / 2;
         if (has(wanted_, Quantity::contacts))
             out.contacts =
@@ -155,7 +154,7 @@ public:
     }
 
 private:
-    static T tolerance_for(T tolerance) { return std::max(tolerance, TensorOptions<T>{}.relative_tolerance); }
+    static T tolerance_for(T tolerance) { return (std::max)(tolerance, TensorOptions<T>{}.relative_tolerance); }
 
     template <Axis axis, class F>
     Estimate<T> mean(T eta, const F& f) const {
@@ -178,7 +177,7 @@ requires(!PowerLaw<Law, T>) class LawIntegrator<T, Law, SingleRadius<T>> {
 public:
     LawIntegrator(const Law& law, const SingleRadius<T>& peaks, const PeakScales<T>& scales, Quantity wanted,
                   T tolerance)
-        : law_(law), peaks_(peaks), scales_(scales), wanted_(wanted), tolerance_(std::max(tolerance, T(1e-13))) {}
+        : law_(law), peaks_(peaks), scales_(scales), wanted_(wanted), tolerance_((std::max)(tolerance, T(1e-13))) {}
 
     LawSums<T> operator()(T eta) const {
         const T sigma = scales_.rms_height, radius = 1 / scales_.curvature, density = scales_.peak_density;
@@ -207,16 +206,17 @@ private:
     template <class F>
     Estimate<T> mean(T eta, const F& f) const {
         const bool gaussian = peaks_.heights == Heights::gaussian;
-        const T floor = std::max(eta, T(0));
+        const T floor = (std::max)(eta, T(0));
         const auto integrand = [&](const TensorLanes<T>& e) -> TensorLanes<T> {
             if (gaussian)
                 return f(e) * ((floor * floor - (eta + e).square()) / 2).exp() *
                        (numbers::inv_sqrtpi_v<T> / numbers::sqrt2_v<T>);
             return f(e) * (floor - (eta + e)).exp();
         };
-        const T reach = gaussian ? std::max(-eta, T(0)) + 2 * std::sqrt(-std::log(std::numeric_limits<T>::min()) / 8)
-                                 : std::max(-eta, T(0)) - std::log(std::numeric_limits<T>::epsilon()) * 2;
-        T from = gaussian ? T(0) : std::max(-eta, T(0));
+        const T reach = gaussian
+                            ? (std::max)(-eta, T(0)) + 2 * std::sqrt(-std::log((std::numeric_limits<T>::min)()) / 8)
+                            : (std::max)(-eta, T(0)) - std::log(std::numeric_limits<T>::epsilon()) * 2;
+        T from = gaussian ? T(0) : (std::max)(-eta, T(0));
         Estimate<T> out;
         const auto add = [&](const Estimate<T>& part) {
             out.value += part.value;
@@ -236,7 +236,7 @@ private:
                 split(critical);
         }
         if (eta + from < 0) split(-eta);  // the middle of the heights
-        add(integral_over_half_line(integrand, from, 1 / (1 + std::max(eta + from, T(0))), reach, tolerance_));
+        add(integral_over_half_line(integrand, from, 1 / (1 + (std::max)(eta + from, T(0))), reach, tolerance_));
         return out;
     }
 

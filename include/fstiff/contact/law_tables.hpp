@@ -59,7 +59,7 @@ struct LawTables {
     UniformPieces<T> own_stiffness;  ///< K by separation, of the same pieces; empty where it is a constant times -dp/dd
     BinaryPieces<T> stiffness, separation;  ///< by pressure
 
-    [[nodiscard]] bool empty() const { return by_separation.rows.cols() == 0; }
+    [[nodiscard]] bool empty() const { return by_separation.rows.empty(); }
     [[nodiscard]] bool has_own_stiffness() const noexcept { return stiffness_over_slope == T(0); }
 
     [[nodiscard]] Whole at_separation(T g) const {
@@ -102,19 +102,18 @@ struct LawTables {
 
     [[nodiscard]] bool operator==(const LawTables& other) const {
         if (empty() || other.empty()) return empty() && other.empty();
-        const auto same = [](const auto& a, const auto& b) { return a.cols() == b.cols() && (a == b).all(); };
         return min_pressure == other.min_pressure && max_pressure == other.max_pressure &&
                by_separation.begin == other.by_separation.begin && by_separation.end == other.by_separation.end &&
                stiffness_over_slope == other.stiffness_over_slope && relative_error == other.relative_error &&
                outside == other.outside && evaluations == other.evaluations &&
-               same(by_separation.rows, other.by_separation.rows) && same(stiffness.rows, other.stiffness.rows) &&
-               same(separation.rows, other.separation.rows) && same(own_stiffness.rows, other.own_stiffness.rows);
+               by_separation.rows == other.by_separation.rows && stiffness.rows == other.stiffness.rows &&
+               separation.rows == other.separation.rows && own_stiffness.rows == other.own_stiffness.rows;
     }
 };
 
 template <ReadableReal T>
 auto LawTables<T>::continued_pressure(T pressure) const -> AtPressure {
-    require(pressure >= 0 && pressure <= std::numeric_limits<T>::max(), "pressure", pressure,
+    require(pressure >= 0 && pressure <= (std::numeric_limits<T>::max)(), "pressure", pressure,
             "finite and at least 0 Pa: the contact does not pull");
     if (pressure < min_pressure) {
         const AtPressure end = at_pressure(min_pressure);

@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -105,7 +106,7 @@ private:
         return Nodes::all(from) + multiply_add(half, Nodes::load(lobatto_.node.data()), half);
     }
 
-    [[nodiscard]] static auto* row(auto& pieces, Eigen::Index i) { return pieces.rows.data() + i * Row::terms; }
+    [[nodiscard]] static auto* row(auto& pieces, Eigen::Index i) { return pieces.rows[static_cast<std::size_t>(i)].c; }
 
     /// log p, over the middle of its range to keep its digits, against the effective eta; from the separation of the
     /// highest pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach.
@@ -119,7 +120,7 @@ private:
         // rounding
         const T beyond = T(0.13);  // log(9/8) and 10 %
         const T slack =
-            std::max(-beyond / contact_.log_pressure(closest_).slope, T(0.1) * (1 - (furthest_ - closest_)));
+            (std::max)(-beyond / contact_.log_pressure(closest_).slope, T(0.1) * (1 - (furthest_ - closest_)));
         begin_ = closest_ - slack;
         end_ = furthest_ + slack;
         sections_ = static_cast<std::size_t>(std::ceil((end_ - begin_) / 3));
@@ -128,7 +129,7 @@ private:
         const auto sample = [this, log_middle = std::log(middle_)](T eta) {
             ++law_.evaluations;
             const LogSlope<T> p = contact_.log_pressure(eta);
-            error_ = std::max(error_, p.error);
+            error_ = (std::max)(error_, p.error);
             return p.log - log_middle;
         };
         log_pressure_ = {begin_, end_, sections_, points_, sample, error_};
@@ -143,7 +144,7 @@ private:
             const LogValue<T> k = contact_.log_stiffness(eta);
             require(std::isfinite(k.log), "stiffness", std::exp(k.log),
                     "finite and greater than 0 for a tabulated law");
-            error = std::max(error, k.error);
+            error = (std::max)(error, k.error);
             return k.log;
         };
         const T unit = log_at(closest_);
@@ -155,7 +156,7 @@ private:
     void cut_by_separation() {
         const auto low = at(One::all(closest_)), high = at(One::all(furthest_));
         const T from = low.separation.p, length = high.separation.p - from;
-        const T steepest = std::max(low.minus_dp_dd.p / low.pressure.p, high.minus_dp_dd.p / high.pressure.p);
+        const T steepest = (std::max)(low.minus_dp_dd.p / low.pressure.p, high.minus_dp_dd.p / high.pressure.p);
         const auto pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * length)) + 1;
         const T width = length / T(pieces);
         law_.by_separation = UniformPieces<T>(from, high.separation.p, pieces);
@@ -172,7 +173,7 @@ private:
             // against the series the slope is worst at the ends of a piece
             std::array<T, Row::terms> tangent;
             (found.minus_dp_dd * Nodes::all(-width / 2)).store(tangent.data());
-            at_ends_ = std::max({at_ends_, std::abs(Row::derivative(c, T(-1)) / tangent.front() - 1),
+            at_ends_ = (std::max)({at_ends_, std::abs(Row::derivative(c, T(-1)) / tangent.front() - 1),
                                  std::abs(Row::derivative(c, T(1)) / tangent.back() - 1)});
         }
     }
@@ -186,8 +187,8 @@ private:
         for (int iteration = 0; iteration < 50; ++iteration) {
             const State<Nodes> found = at(eta);
             const Nodes step = (separation - found.separation) / (found.stretch * Nodes::all(rms_));
-            eta = min(max(eta + step, Nodes::all(begin_)), Nodes::all(end_));
-            max(step, Nodes::all(0) - step).store(one.data());
+            eta = smaller(larger(eta + step, Nodes::all(begin_)), Nodes::all(end_));
+            larger(step, Nodes::all(0) - step).store(one.data());
             if (*std::max_element(one.begin(), one.end()) <= close_enough_) break;
         }
         eta.store(one.data());
@@ -208,15 +209,15 @@ private:
             return eta;
         };
         const auto log_of_edge = [&](Eigen::Index i) { return std::log(law_.stiffness.edge(i) / middle_); };
-        eta_of_ = {log_of_edge(0), log_of_edge(law_.stiffness.rows.cols()), sections_, points_,
-                   solve,          std::max(error_, 20000 * epsilon)};
+        eta_of_ = {log_of_edge(0), log_of_edge(std::ssize(law_.stiffness.rows)), sections_, points_,
+                   solve,          (std::max)(error_, 20000 * epsilon)};
     }
 
     void cut_by_pressure() {
         std::array<T, Row::terms> power{1};  // from s in [-1, 1] to that of the pieces
         for (std::size_t k = 1; k < power.size(); ++k) power[k] = power[k - 1] / BinaryPieces<T>::half;
         const Nodes scale = Nodes::load(power.data());
-        for (Eigen::Index i = 0; i < law_.stiffness.rows.cols(); ++i) {
+        for (Eigen::Index i = 0; i < std::ssize(law_.stiffness.rows); ++i) {
             const Nodes p = nodes(law_.stiffness.edge(i), law_.stiffness.edge(i + 1));
             const Nodes eta = eta_of_(log(p / Nodes::all(middle_)));
             const State<Nodes> found = in_series(eta, p, slope_(eta));
@@ -229,7 +230,7 @@ private:
     void measure_error() {
         const std::size_t checks = 8 + 4 * log_pressure_.size();
         T found = slope_.relative_jump();
-        const auto worst = [&found](T difference) { found = std::max(found, std::abs(difference)); };
+        const auto worst = [&found](T difference) { found = (std::max)(found, std::abs(difference)); };
         for (std::size_t i = 0; i < checks; ++i) {
             const T eta = closest_ + (furthest_ - closest_) * (T(i) + T(0.37)) / T(checks);
             const LogSlope<T> model = contact_.log_pressure(eta);
@@ -248,13 +249,13 @@ private:
         // short range carries the rounding of the few digits in which p changes there
         constexpr T rounding = T(4 * Row::terms * Row::terms) * epsilon;
         law_.relative_error =
-            6 * found + T(1.5) * at_ends_ + rounding * std::max(T(1), 1 / (pieces_per_e * shortest_change_));
+            6 * found + T(1.5) * at_ends_ + rounding * (std::max)(T(1), 1 / (pieces_per_e * shortest_change_));
     }
 
     /// p and K move one way from node to node; closer than that the polynomials are smooth.
     void require_monotone() const {
         const auto moves = [](const auto& pieces, T half, T way) {
-            for (Eigen::Index i = 0; i < pieces.rows.cols(); ++i)
+            for (Eigen::Index i = 0; i < std::ssize(pieces.rows); ++i)
                 for (int k = -8; k <= 8; ++k)
                     if (!(way * Row::derivative(row(pieces, i), half * T(k) / 8) > 0)) return false;
             return true;

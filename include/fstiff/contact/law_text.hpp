@@ -36,7 +36,7 @@ template <ReadableReal T>
 template <ReadableReal T>
 [[nodiscard]] std::string law_text(const LawTables<T>& law) {
     std::string text = law_text_head<T>(law.has_own_stiffness() ? 4 : 3) + '\n';
-    text += std::to_string(law.by_separation.rows.cols()) + ' ' + std::to_string(static_cast<int>(law.outside)) + ' ' +
+    text += std::to_string(law.by_separation.rows.size()) + ' ' + std::to_string(static_cast<int>(law.outside)) + ' ' +
             std::to_string(law.evaluations) + '\n';
     const auto add = [&text](const T* numbers, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) text += hexadecimal_text(numbers[i]) + (i + 1 < count ? ' ' : '\n');
@@ -46,7 +46,7 @@ template <ReadableReal T>
     add(head, std::size(head));
     for (const auto* rows :
          {&law.by_separation.rows, &law.stiffness.rows, &law.separation.rows, &law.own_stiffness.rows})
-        for (Eigen::Index i = 0; i < rows->cols(); ++i) add(rows->col(i).data(), Row::terms);
+        for (const Coefficients<T>& row : *rows) add(row.c, Row::terms);
     return text;
 }
 
@@ -93,7 +93,7 @@ template <ReadableReal T>
     for (T* x : {&law.min_pressure, &law.max_pressure, &separation_min, &separation_max, &law.stiffness_over_slope,
                  &law.relative_error})
         *x = number(T{});
-    if (!(law.min_pressure >= std::numeric_limits<T>::min() && law.max_pressure > law.min_pressure &&
+    if (!(law.min_pressure >= (std::numeric_limits<T>::min)() && law.max_pressure > law.min_pressure &&
           separation_max > separation_min &&
           (own_stiffness ? law.stiffness_over_slope == 0 : law.stiffness_over_slope > 0)))
         throw wrong("contradicts itself");
@@ -108,7 +108,8 @@ template <ReadableReal T>
     if (own_stiffness) law.own_stiffness = law.by_separation;
     law.stiffness = law.separation = BinaryPieces<T>(law.min_pressure, law.max_pressure);
     for (auto* rows : {&law.by_separation.rows, &law.stiffness.rows, &law.separation.rows, &law.own_stiffness.rows})
-        for (T& coefficient : rows->reshaped()) coefficient = number(T{});
+        for (Coefficients<T>& row : *rows)
+            for (T& coefficient : row.c) coefficient = number(T{});
     skip();
     if (at != end) throw wrong("goes on after its end");
     law.set_scales();

@@ -27,7 +27,7 @@ inline constexpr T linear_law_factor = T(0.48);  ///< gamma
 /// K = p/(0.48 sigma) [Pa/m]. \throws domain_error unless p >= 0 and sigma > 0, both finite.
 template <Real T>
 [[nodiscard]] constexpr T linear_stiffness(T pressure, T rms_height) {
-    require(pressure >= T(0) && pressure <= std::numeric_limits<T>::max(), "pressure", pressure,
+    require(pressure >= T(0) && pressure <= (std::numeric_limits<T>::max)(), "pressure", pressure,
             "finite and not negative");
     require_positive("rms_height", rms_height);
     return pressure / (linear_law_factor<T> * rms_height);

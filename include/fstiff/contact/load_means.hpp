@@ -78,17 +78,17 @@ template <Real T, class Law, class Peaks>
     RoughContactOptions<T> options = contact.options();
     options.interaction = {};
     options.integrals.relative_tolerance = relative_tolerance;
-    const T E = contact.effective_modulus(), sigma = contact.rms_height();
+    const T modulus = contact.effective_modulus(), sigma = contact.rms_height();
     const RoughContact weighted(contact.surface(), contact.peaks(),
-                                detail::LoadWeighted<T, Law>(contact.law(), critical_over_radius), E, options);
+                                detail::LoadWeighted<T, Law>(contact.law(), critical_over_radius), modulus, options);
     const auto sums =
         weighted.at_separation(eta * sigma, Quantity::pressure | Quantity::stiffness | Quantity::real_area);
-    const auto over_load = [&](const Estimate<T>& sum, T modulus) {
-        const T mean = sum.value * modulus / sums.pressure.value;
+    const auto over_load = [&](const Estimate<T>& sum, T unit) {
+        const T mean = sum.value * unit / sums.pressure.value;
         return Estimate<T>{mean, mean * (sum.error / sum.value + sums.pressure.error / sums.pressure.value),
                            sum.evaluations + sums.pressure.evaluations};
     };
-    return {over_load(sums.stiffness, T(1)), over_load(sums.real_area_fraction, E)};
+    return {over_load(sums.stiffness, T(1)), over_load(sums.real_area_fraction, modulus)};
 }
 
 /// The same of a law that knows where its peaks begin to flow.

@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,7 @@ class MutualSummits : public SlopeContact<MutualSummits<T>, T> {
 
 public:
     /// \throws domain_error for no summits and a modulus that is not finite and positive.
-    MutualSummits(Summits<T> of, T effective_modulus, Edges edges = Edges::mirrored)
+    MutualSummits(Summits<T> of, std::type_identity_t<T> effective_modulus, Edges edges = Edges::mirrored)
         : of_(std::move(of)), modulus_(effective_modulus), edges_(edges) {
         require_positive("effective_modulus", effective_modulus);
         require_positive("rms_height", of_.rms_height);
@@ -64,10 +65,10 @@ public:
         const T target = std::cbrt(pressure) * std::cbrt(pressure);
         const T single = std::cbrt(T(0.75) * pressure * of_.area / modulus_ / std::sqrt(top.radius()));
         T low = top.height - single * single;
-        while (solve(low).load < pressure) low -= std::max(top.height - low, of_.rms_height * T(1e-9));
+        while (solve(low).load < pressure) low -= (std::max)(top.height - low, of_.rms_height * T(1e-9));
         const auto residual = [&](T delta) {
             const Solution s = solve(delta);
-            const T root = std::max(std::cbrt(s.load), std::numeric_limits<T>::min());
+            const T root = (std::max)(std::cbrt(s.load), (std::numeric_limits<T>::min)());
             return std::pair(root * root - target, -2 * s.stiffness / (3 * root));
         };
         const auto found = newton_bracketed(residual, low, top.height, (low + top.height) / 2, tolerance());
@@ -158,7 +159,7 @@ private:
         for (int image = itself ? 1 : 0; image < (mirrored ? 4 : 1); ++image) {
             const T x = image % 2 == 1 ? width - from.x : from.x, y = image > 1 ? height - from.y : from.y;
             const T r = std::hypot(std::remainder(at.x - x, width), std::remainder(at.y - y, height));
-            sum += 1 / std::max(r, (of_.width + of_.height) * T(1e-3));  // not on itself at an edge
+            sum += 1 / (std::max)(r, (of_.width + of_.height) * T(1e-3));  // not on itself at an edge
         }
         return sum / (numbers::pi_v<T> * modulus_);
     }
@@ -185,33 +186,33 @@ private:
         const std::vector<Summit<T>> on = touching(delta);
         const auto n = std::ssize(on);
         if (n == 0) return {};
-        Matrix G(n, n);
+        Matrix influences(n, n);
         Values force = Values::Zero(n), omega = Values::Zero(n), unit(n);  // F = unit omega^(3/2)
         for (Eigen::Index i = 0; i < n; ++i) {
             const auto& one = on[static_cast<std::size_t>(i)];
             unit[i] = T(4) / 3 * modulus_ * std::sqrt(one.radius());
             for (Eigen::Index j = 0; j <= i; ++j)
-                G(i, j) = G(j, i) = influence(one, on[static_cast<std::size_t>(j)], i == j);
+                influences(i, j) = influences(j, i) = influence(one, on[static_cast<std::size_t>(j)], i == j);
         }
         for (int sweep = 0; sweep < 300; ++sweep) {
             T change = 0;
             for (Eigen::Index i = 0; i < n; ++i) {
-                const T self = G(i, i) * unit[i];
-                const T free =
-                    on[static_cast<std::size_t>(i)].height - delta - G.col(i).dot(force.matrix()) + G(i, i) * force[i];
-                T w = std::max(omega[i], T(0));
+                const T self = influences(i, i) * unit[i];
+                const T free = on[static_cast<std::size_t>(i)].height - delta -
+                               influences.col(i).dot(force.matrix()) + influences(i, i) * force[i];
+                T w = (std::max)(omega[i], T(0));
                 if (!(free > 0)) {
                     w = 0;
                 } else {  // w + self w^(3/2) = free, convex and rising: from above Newton's method cannot miss
                     w = free;
                     for (int k = 0; k < 20; ++k) {
                         const T root = std::sqrt(w), step = (w + self * w * root - free) / (1 + T(1.5) * self * root);
-                        w = std::max(w - step, T(0));
+                        w = (std::max)(w - step, T(0));
                         if (std::abs(step) <= 4 * std::numeric_limits<T>::epsilon() * w) break;
                     }
                 }
                 const T f = unit[i] * w * std::sqrt(w);
-                change = std::max(change, std::abs(f - force[i]));
+                change = (std::max)(change, std::abs(f - force[i]));
                 omega[i] = w;
                 force[i] = f;
             }
@@ -222,12 +223,12 @@ private:
         s.count = static_cast<T>((force > T(0)).count());
         for (Eigen::Index i = 0; i < n; ++i) s.area += on[static_cast<std::size_t>(i)].radius() * omega[i];
         s.area *= numbers::pi_v<T> / of_.area;
-        s.stiffness = response(G, unit, omega) / of_.area;
+        s.stiffness = response(influences, unit, omega) / of_.area;
         return s;
     }
 
     /// 1^T (diag(1/k) + G)^(-1) 1 over the summits that carry, k = (3/2) unit sqrt(omega).
-    [[nodiscard]] static T response(const Matrix& G, const Values& unit, const Values& omega) {
+    [[nodiscard]] static T response(const Matrix& influences, const Values& unit, const Values& omega) {
         const Values k = T(1.5) * unit * omega.sqrt();
         // x = k y: (1 + k G) k-symmetrised, so that rows that carry nothing drop out
         const Values root = k.sqrt();
@@ -235,7 +236,7 @@ private:
         T norm = rest.square().sum();
         const T end = norm * T(1e-24);
         for (int i = 0; i < 400 && norm > end; ++i) {
-            const Values image = direction + root * (G * (root * direction).matrix()).array();
+            const Values image = direction + root * (influences * (root * direction).matrix()).array();
             const T along = norm / (direction * image).sum();
             y += along * direction;
             rest -= along * image;

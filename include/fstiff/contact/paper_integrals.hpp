@@ -28,7 +28,7 @@ template <std::size_t N, Real T>
 T box_rule(T a, T b, const PeakDistribution<T>& peaks, T eta) {
     const auto& rule = GaussLegendre<T, N>::get();
     constexpr T half = 4;
-    const T half_height = half + (std::max(eta, T(0)) - eta) / 2;
+    const T half_height = half + ((std::max)(eta, T(0)) - eta) / 2;
     T sum = 0;
     for (std::size_t i = 0; i < N; ++i) {
         const T t = half * (1 + rule.node[i]);
@@ -53,7 +53,7 @@ template <Real T>
     const T coarse = detail::box_rule<25>(a, b, peaks, eta);
     const T own = std::abs(value - coarse) + (T(2e-10) + 100 * std::numeric_limits<T>::epsilon()) * value;
     const Estimate<T> truth = contact_integral(a, b, peaks, eta);
-    return {value, std::max(own, std::abs(value - truth.value) + truth.error), 2500 + 625};
+    return {value, (std::max)(own, std::abs(value - truth.value) + truth.error), 2500 + 625};
 }
 
 }  // namespace fstiff

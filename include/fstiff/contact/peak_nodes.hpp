@@ -49,13 +49,13 @@ struct PeakProblem {
     template <Real U>
     PeakProblem(const PeakDistribution<U>& peaks, T at_eta, T neglect_below)
         : r(static_cast<T>(peaks.r())),
-          theta(std::max(static_cast<T>(peaks.theta()), min_theta)),
+          theta((std::max)(static_cast<T>(peaks.theta()), min_theta)),
           log_cutoff(neglect_below) {
         move_to(at_eta);
     }
     void move_to(T at_eta) {
         eta = at_eta;
-        floor = std::max(eta, T(0));
+        floor = (std::max)(eta, T(0));
     }
 
 private:
@@ -159,17 +159,17 @@ private:
             StepTable& table = tables_[i];
             steps_[i] = table.step = step;
             // a table serves errors down to exp(-log_accuracy) or so: its first weight is below that
-            const T log_accuracy = std::min(T(7.6) / step - 4, 2 - std::log(std::numeric_limits<T>::epsilon()));
+            const T log_accuracy = (std::min)(T(7.6) / step - 4, 2 - std::log(std::numeric_limits<T>::epsilon()));
             const int begin = static_cast<int>(
-                std::floor(-std::log((std::max(log_accuracy, T(4)) + 7) / T(0.4)) / (T(1.354) * step)));
+                std::floor(-std::log(((std::max)(log_accuracy, T(4)) + 7) / T(0.4)) / (T(1.354) * step)));
             for (table.count = 0; table.count < capacity; ++table.count) {
                 const T y = T(begin + static_cast<int>(table.count)) * step;
                 const T fall = T(0.4) * std::exp(T(-1.354) * y);
                 const T v = y - fall;
-                const T small = std::exp(-std::abs(v));
+                const T decay = std::exp(-std::abs(v));
                 table.node[table.count] =
-                    std::max(scale * (std::max(v, T(0)) + std::log1p(small)), T(1e-30));  // 1/t is finite
-                table.weight[table.count] = scale * (1 + T(1.354) * fall) * (v > 0 ? 1 : small) / (1 + small);
+                    (std::max)(scale * ((std::max)(v, T(0)) + std::log1p(decay)), T(1e-30));  // 1/t is finite
+                table.weight[table.count] = scale * (1 + T(1.354) * fall) * (v > 0 ? 1 : decay) / (1 + decay);
                 table.inverse_root[table.count] = 1 / std::sqrt(table.node[table.count]);
                 if (table.count % PeakNodes<T>::block == 0 && table.node[table.count] > max_node) break;
             }
@@ -212,7 +212,7 @@ T visit_smooth(const PeakProblem<T>& p, T wanted_step, Sink& sink) {
 
 template <Real T>
 T graded_scale(const PeakProblem<T>& p) {
-    return std::min({T(1), 1 / p.k, p.c + std::max(T(0), -p.eta)});
+    return (std::min)({T(1), 1 / p.k, p.c + (std::max)(T(0), -p.eta)});
 }
 
 template <Real T, class Sink>
@@ -261,7 +261,7 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
         const V rise = exp(y);
         const V x = V::all(T(0)) - multiply_add(y, V::all(slope), rise);
         const V excess = multiply_add(x, V::all(-c_over_r), V::all(distance));
-        const V t = max(excess + V::all(p.eta), V::all(least));
+        const V t = larger(excess + V::all(p.eta), V::all(least));
         if (nodes.full()) {
             sink.add(nodes);
             nodes.begin();
@@ -276,11 +276,10 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
 /// The one place where a rule and its step are chosen, for a relative error of exp(-log_accuracy).
 ///
 /// separated   when the Gaussian of mean r eta and width c is further from t = 0 than it reaches, so that the branch
-/// point and
-///             the layer at t = 0 do not count. Step: resolves the Gaussian, which has width r in x.
+///             point and the layer at t = 0 do not count. Step: resolves the Gaussian, which has width r in x.
 /// smooth      when its step, which has to resolve the Gaussian (c) and the layer (1/k), makes it the cheaper one.
 /// graded      else: c or 1/k small. Step: 3.9/(log_accuracy + 3), less where the Gaussian is narrow on the logarithmic
-/// scale.
+///             scale.
 ///
 /// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are
 /// too hopeful the error estimate says so.
@@ -291,13 +290,14 @@ T visit_nodes(const PeakProblem<T>& p, T log_accuracy, Sink& sink) {
     const T distance = p.r * p.eta / p.c;
     if (distance > p.reach + 1)
         return visit_separated(
-            p, std::min(T(1.3) * p.r / root, (T(3.9) + T(0.35) * std::min(p.eta, T(3))) / (log_accuracy + 3)), sink);
+            p, (std::min)(T(1.3) * p.r / root, (T(3.9) + T(0.35) * (std::min)(p.eta, T(3))) / (log_accuracy + 3)),
+            sink);
 
-    const T strip = T(7.6) / ((log_accuracy + 4) * (1 + std::max(T(0), T(0.066) * p.k * p.k - T(0.07))));
-    const T smooth_step = std::min(strip, T(2.1) * p.c / root * (p.eta <= 0 ? T(1.25) : T(1)));
+    const T strip = T(7.6) / ((log_accuracy + 4) * (1 + (std::max)(T(0), T(0.066) * p.k * p.k - T(0.07))));
+    const T smooth_step = (std::min)(strip, T(2.1) * p.c / root * (p.eta <= 0 ? T(1.25) : T(1)));
     if (smooth_step >= T(0.15) && p.k <= T(2)) return visit_smooth(p, smooth_step, sink);  // always the cheaper one
 
-    const T narrow = std::max(distance, T(0)) * root / T(2.9);
+    const T narrow = (std::max)(distance, T(0)) * root / T(2.9);
     const T wide = (log_accuracy + 3) / T(3.9);
     const T graded_step = 1 / std::sqrt(wide * wide + narrow * narrow);
 

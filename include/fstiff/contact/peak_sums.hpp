@@ -63,13 +63,13 @@ PeakSums<T> finish(const std::array<Lanes<T, 4>, 8>& sums, const Lanes<T, 4>& fi
     const V at_3 = squares(odd[0] - difference, odd[2] - sum);
     const V total = (even[0] + even[2]) + (even[1] + even[3]);
     // what is not asked for is 0 throughout: the least number keeps 0/0 out
-    const V one = V::all(T(1)), least = V::all(std::numeric_limits<T>::min());
+    const V one = V::all(T(1)), least = V::all((std::numeric_limits<T>::min)());
     const V quotient = at_3 / (at_2 + least);
-    const V fall_4 = min(min(quotient * quotient, at_3 / (at_1 + least)), one);  // over four eighths
+    const V fall_4 = smaller(smaller(quotient * quotient, at_3 / (at_1 + least)), one);  // over four eighths
     T fall[4];
     fall_4.store(fall);
     for (T& each : fall) each = rough_eighth_root(each);  // over half an eighth
-    const V error = (multiply_add(sqrt(at_3), fall_4 * V::load(fall), first + last)) / max(total, least);
+    const V error = (multiply_add(sqrt(at_3), fall_4 * V::load(fall), first + last)) / larger(total, least);
     PeakSums<T> out;
     out.nodes = nodes;
     (V::all(step) * total).store(out.value.data());

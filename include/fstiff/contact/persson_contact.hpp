@@ -37,6 +37,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,7 +62,7 @@ S persson_distance(S y, S gamma) {
         return (b - a) / 2 * sum;
     };
     const auto whole = [gamma](S s) { return persson_kernel(s, gamma) / s; };
-    if (y >= 1) return integral(y, y + std::min(S(6), 45 / y), whole);
+    if (y >= 1) return integral(y, y + (std::min)(S(6), 45 / y), whole);
     const auto without_pole = [gamma](S s) { return (persson_kernel(s, gamma) - gamma) / s; };
     return integral(S(1), S(7), whole) + integral(y, S(1), without_pole) - gamma * std::log(y);
 }
@@ -81,20 +82,13 @@ class PerssonContact : public SlopeContact<PerssonContact<T>, T> {
     using S = detail::Tabulated<T>;
 
 public:
-    /// Of a spectrum (BandSpectrum or SpectrumShells) and the effective modulus [Pa].
-    /// \throws domain_error naming the parameter that is out of range.
-    template <class Spectrum>
-    PerssonContact(const Spectrum& spectrum, T effective_modulus, T gamma = T(0.45))
-        : modulus_(effective_modulus), gamma_(gamma), pieces_(detail::gradient_pieces<S>(spectrum)) {
-        require_positive("effective_modulus", effective_modulus);
-        require(gamma > 0 && gamma <= 1, "gamma", gamma, "greater than 0 and at most 1");
-        if constexpr (requires { spectrum.rms_height(); })
-            rms_height_ = spectrum.rms_height();
-        else
-            rms_height_ = spectrum.rms_height;
-        gradient_ = pieces_.back().to;
-        make_panels();
-    }
+    /// Of a spectrum and the effective modulus [Pa]. \throws domain_error naming the parameter that is out of range.
+    PerssonContact(const BandSpectrum<T>& spectrum, std::type_identity_t<T> effective_modulus,
+                   std::type_identity_t<T> gamma = T(0.45))
+        : PerssonContact(detail::gradient_pieces<S>(spectrum), spectrum.rms_height(), effective_modulus, gamma) {}
+    PerssonContact(const SpectrumShells<T>& spectrum, std::type_identity_t<T> effective_modulus,
+                   std::type_identity_t<T> gamma = T(0.45))
+        : PerssonContact(detail::gradient_pieces<S>(spectrum), spectrum.rms_height, effective_modulus, gamma) {}
 
     /// The contact under the nominal pressure \p pressure [Pa].
     /// \throws domain_error unless it is positive and at most 18 E g.
@@ -145,7 +139,9 @@ public:
         S sum = 0;
         int evaluations = 0;
         if (2 * x > gradient_) {
-            directly(x, [&](S G, S weight) { sum += weight * detail::persson_distance(root_2 * x / G, S(gamma_)); });
+            directly(x, [&](S gradient, S weight) {
+                sum += weight * detail::persson_distance(root_2 * x / gradient, S(gamma_));
+            });
         } else {
             for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last_x; ++i, evaluations += 32)
                 sum += weight_[i] * detail::persson_distance(root_2 * x * inverse_[i], S(gamma_));
@@ -183,6 +179,17 @@ public:
     [[nodiscard]] T largest_pressure() const { return 18 * modulus_ * rms_gradient(); }
 
 private:
+    PerssonContact(std::vector<detail::GradientPiece<S>> pieces, T rms_height, T effective_modulus, T gamma)
+        : modulus_(effective_modulus),
+          gamma_(gamma),
+          rms_height_(rms_height),
+          gradient_(pieces.back().to),
+          pieces_(std::move(pieces)) {
+        require_positive("effective_modulus", effective_modulus);
+        require(gamma > 0 && gamma <= 1, "gamma", gamma, "greater than 0 and at most 1");
+        make_panels();
+    }
+
     static constexpr std::size_t points = 16;  ///< a panel
     static constexpr int panels = 60;          ///< octaves of G below g
     static constexpr S last_x = 6;             ///< f(6) = 1e-31
@@ -215,12 +222,12 @@ private:
             for (std::size_t j = 0; j < points; ++j)  // G falls, so that x = p/(E G) ascends
                 inverse_[panel * points + j] = std::exp2((1 + rule.node[j]) / 2) / top;
             for (const auto& piece : pieces_) {
-                const S from = std::max(piece.from, bottom), to = std::min(piece.to, top);
+                const S from = (std::max)(piece.from, bottom), to = (std::min)(piece.to, top);
                 if (!(from < to)) continue;
                 for (std::size_t i = 0; i < points; ++i) {
-                    const S u = (1 + rule.node[i]) / 2 * std::log(to / from), G = from * std::exp(u);
-                    const S mass = rule.weight[i] / 2 * std::log(to / from) * G * piece.inverse_q(G);
-                    const S t = 2 * std::log(top / G) / log_2 - 1;
+                    const S u = (1 + rule.node[i]) / 2 * std::log(to / from), gradient = from * std::exp(u);
+                    const S mass = rule.weight[i] / 2 * std::log(to / from) * gradient * piece.inverse_q(gradient);
+                    const S t = 2 * std::log(top / gradient) / log_2 - 1;
                     total += mass;
                     for (std::size_t j = 0; j < points; ++j) {
                         S lagrange = scale[j];
@@ -240,11 +247,11 @@ private:
         const auto& rule = GaussLegendre<S, points>::get();
         for (auto piece = pieces_.rbegin(); piece != pieces_.rend(); ++piece)
             for (S to = piece->to; to > piece->from && x / to < x / gradient_ + last_x;) {
-                const S ratio = x / to, length = std::min(S(0.5), 1 / (1 + ratio * ratio));
-                const S from = std::max(piece->from, to * std::exp(-length));
+                const S ratio = x / to, length = (std::min)(S(0.5), 1 / (1 + ratio * ratio));
+                const S from = (std::max)(piece->from, to * std::exp(-length));
                 for (std::size_t i = 0; i < points; ++i) {
-                    const S G = (from + to) / 2 + (to - from) / 2 * rule.node[i];
-                    sink(G, rule.weight[i] * (to - from) / 2 * piece->inverse_q(G));
+                    const S gradient = (from + to) / 2 + (to - from) / 2 * rule.node[i];
+                    sink(gradient, rule.weight[i] * (to - from) / 2 * piece->inverse_q(gradient));
                 }
                 to = from;
             }
@@ -261,8 +268,8 @@ private:
         const S dP = 2 * root_2 / std::sqrt(numbers::pi_v<S>);  // dP/dx = dP exp(-2 x^2)
         S value = 0, slope = 0;
         if (2 * x > gradient_) {
-            directly(x, [&](S G, S weight) {
-                const S y = x / G, P = std::erf(root_2 * y), fall = std::exp(-2 * y * y);
+            directly(x, [&](S gradient, S weight) {
+                const S y = x / gradient, P = std::erf(root_2 * y), fall = std::exp(-2 * y * y);
                 const S bracket = gamma + three * P * P;
                 value += weight * bracket * fall;
                 slope += weight * y * fall * (2 * three * P * dP * fall - 4 * y * bracket);

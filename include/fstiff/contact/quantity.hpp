@@ -15,8 +15,7 @@ enum class Quantity : unsigned {
     stiffness = 4,
     real_area = 8,
     loading_stiffness = 16,  ///< -dp/dd, the slope of the load
-    separation =
-        32,  ///< known without asking, but where it is an integral over pressures (HybridContact, PerssonContact)
+    separation = 32,         ///< known without asking, but an integral over pressures in HybridContact, PerssonContact
     all = 63
 };
 

@@ -91,8 +91,8 @@ class RoughContact {
 
 public:
     /// \throws domain_error naming the parameter that is out of range.
-    RoughContact(const Roughness<T>& surface, const Peaks& peaks, const Law& law, T effective_modulus,
-                 const RoughContactOptions<T>& options = {})
+    RoughContact(const Roughness<T>& surface, const Peaks& peaks, const Law& law,
+                 std::type_identity_t<T> effective_modulus, const RoughContactOptions<T>& options = {})
         : surface_(surface),
           peaks_(peaks),
           law_(law),
@@ -212,7 +212,7 @@ private:
             if (!(pressure < static_cast<T>(law_.pressure_limit())))
                 return {{}, detail::refusal_of("pressure", pressure, "less than the hardness of the law (Pa)")};
         Integrator roughly(law_, peaks_, scales_, slope_quantities,
-                           std::max(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
+                           (std::max)(options_.integrals.relative_tolerance, detail::rough_tolerance<T>));
         Integrator finely(law_, peaks_, scales_, slope_quantities, options_.integrals.relative_tolerance);
         const auto search = detail::eta_of(std::log(pressure / pressure_unit_), max_eta(),
                                            [&](T x, bool rough) { return log_slope(rough ? roughly(x) : finely(x)); });
@@ -243,7 +243,7 @@ private:
 
     /// exp(log_scale) multiplied in.
     detail::LawSums<T> unscaled(detail::LawSums<T> j, T eta) const {
-        T scale = detail::gaussian(std::max(eta, T(0)));
+        T scale = detail::gaussian((std::max)(eta, T(0)));
         if constexpr (std::same_as<Peaks, SingleRadius<T>>)
             if (peaks_.heights == Heights::exponential) scale = std::exp(j.log_scale);
         return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
@@ -253,7 +253,7 @@ private:
     /// which is about eta + 1.
     ContactState<T> at_eta(const detail::EtaEstimate<T>& eta, Quantity wanted) const {
         const detail::LawSums<T> j = unscaled(sums(eta.value, wanted), eta.value);
-        const T relative = eta.error * (2 + std::max(eta.value, T(0)));
+        const T relative = eta.error * (2 + (std::max)(eta.value, T(0)));
         const auto with_eta = [relative](Estimate<T> sum) {
             sum.error += (relative + 4 * std::numeric_limits<T>::epsilon()) * std::abs(sum.value);
             return sum;
@@ -297,7 +297,7 @@ private:
     detail::EtaEstimate<T> effective_eta(T eta) const {
         const T shift = bulk_compliance_ / scales_.rms_height;  // Delta = shift p
         const T highest =
-            std::min(eta + shift * unscaled(sums(eta, Quantity::pressure), eta).load.value, std::max(eta, T(1e6)));
+            (std::min)(eta + shift * unscaled(sums(eta, Quantity::pressure), eta).load.value, (std::max)(eta, T(1e6)));
         const auto found = newton_bracketed(
             [&](T x) {
                 const auto j = unscaled(sums(x, slope_quantities), x);

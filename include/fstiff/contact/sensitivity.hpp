@@ -269,7 +269,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
     };
     Exponents<T> out;
     out.k = std::exp(contact.log_stiffness(eta).log);
-    out.eta = slopes(T(0.05) / (1 + std::max(eta, T(0))), [&](T x) { return logs(contact, eta + x); });
+    out.eta = slopes(T(0.05) / (1 + (std::max)(eta, T(0))), [&](T x) { return logs(contact, eta + x); });
     out.eta.load = contact.log_pressure(eta).slope;
     out.rms_height = of_surface(&Roughness<T>::rms_height);
     out.peak_radius = of_surface(&Roughness<T>::peak_radius);
@@ -277,8 +277,8 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
     if constexpr (std::same_as<Peaks, PeakDistribution<T>>) {
         const T r = contact.peaks().r(), theta = contact.peaks().theta();
         out.r =
-            slopes(T(0.03) * std::min(r, 1 - r), [&](T x) { return logs(with(surface, Peaks(r + x, theta)), eta); });
-        out.theta = slopes(T(0.03) * std::min(theta, numbers::pi_v<T> / 2 - theta),
+            slopes(T(0.03) * (std::min)(r, 1 - r), [&](T x) { return logs(with(surface, Peaks(r + x, theta)), eta); });
+        out.theta = slopes(T(0.03) * (std::min)(theta, numbers::pi_v<T> / 2 - theta),
                            [&](T x) { return logs(with(surface, Peaks(r, theta + x)), eta); });
     }
     return out;

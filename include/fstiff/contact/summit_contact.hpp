@@ -27,27 +27,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace fstiff {
 
 /// The contact of the summits of one map, each by itself.
 template <Real T = double>
 class SummitContact : public SlopeContact<SummitContact<T>, T> {
-    using Values = Eigen::Array<T, Eigen::Dynamic, 1>;
+    using Values = Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>;
 
 public:
     /// \throws domain_error for no summits and a modulus that is not finite and positive.
-    SummitContact(const Summits<T>& of, T effective_modulus)
+    SummitContact(const Summits<T>& of, std::type_identity_t<T> effective_modulus)
         : modulus_(effective_modulus), area_(of.area), rms_height_(of.rms_height) {
         require_positive("effective_modulus", effective_modulus);
         require_positive("rms_height", of.rms_height);
         require(!of.summits.empty(), "summits", of.summits.size(), "at least 1");
-        height_.resize(std::ssize(of.summits));
-        radius_.resize(std::ssize(of.summits));
-        for (Eigen::Index i = 0; i < height_.size(); ++i) {
-            height_[i] = of.summits[static_cast<std::size_t>(i)].height;
-            radius_[i] = of.summits[static_cast<std::size_t>(i)].radius();
+        for (const Summit<T>& one : of.summits) {
+            height_.push_back(one.height);
+            radius_.push_back(one.radius());
         }
     }
 
@@ -69,7 +71,7 @@ public:
             const Sums j = sums(d);
             const T root = std::cbrt(j.load);
             return std::pair(root * root - target,
-                             -2 * j.stiffness / (3 * std::max(root, std::numeric_limits<T>::min())));
+                             -2 * j.stiffness / (3 * (std::max)(root, (std::numeric_limits<T>::min)())));
         };
         const auto found = newton_bracketed(residual, low - std::abs(top - low) * T(1e-9), top, low,
                                             4 * std::numeric_limits<T>::epsilon() * (std::abs(top) + rms_height_));
@@ -88,7 +90,7 @@ public:
     }
 
     [[nodiscard]] T rms_height() const { return rms_height_; }
-    [[nodiscard]] Eigen::Index summits() const { return height_.size(); }
+    [[nodiscard]] Eigen::Index summits() const { return std::ssize(height_); }
     /// Area that the summits stand on [m^2].
     [[nodiscard]] T area() const { return area_; }
 
@@ -101,9 +103,10 @@ private:
 
     [[nodiscard]] Sums sums(T d) const {
         const auto touching = std::partition_point(height_.begin(), height_.end(), [d](T z) { return z > d; });
-        const Eigen::Index n = touching - height_.begin();
+        const auto n = static_cast<Eigen::Index>(touching - height_.begin());
         if (n == 0) return {0, 0, 0, 0};
-        const Values omega = height_.head(n) - d, half = (radius_.head(n) * omega).sqrt();
+        const Eigen::Array<T, Eigen::Dynamic, 1> omega = Values(height_.data(), n) - d;
+        const Eigen::Array<T, Eigen::Dynamic, 1> half = (Values(radius_.data(), n) * omega).sqrt();
         const T per_area = 1 / area_;
         return {T(4) / 3 * modulus_ * per_area * (half * omega).sum(), 2 * modulus_ * per_area * half.sum(),
                 numbers::pi_v<T> * per_area * half.square().sum(), per_area * T(n)};
@@ -128,7 +131,7 @@ private:
     }
 
     T modulus_, area_, rms_height_;
-    Values height_, radius_;  ///< the highest first
+    std::vector<T> height_, radius_;  ///< the highest first
 };
 
 }  // namespace fstiff

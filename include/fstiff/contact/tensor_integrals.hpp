@@ -32,8 +32,7 @@
 ///             with up to three kinks and jumps, for r <= 0.98, 0.05 <= theta <= 1.5, -3 <= eta <= 8
 ///             (tests/contact/tensor_integrals_test.cpp)
 /// Hard cases  kinks at e << c (small multiples of 1/t): 1e-6 is met for r <= 0.82, tighter ones may need more than the
-/// 192 rows
-///             of the default; c < 0.3 with kinks: the same. The estimate says so.
+///             192 rows of the default; c < 0.3 with kinks: the same. The estimate says so.
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/tensor_nodes.hpp>
@@ -110,19 +109,19 @@ public:
           p_(problem),
           log_accuracy_(log_accuracy),
           turn_on_(p_.eta < T(1.5) ? p_.r / p_.c : T(0)),
-          map_(kinked || std::max(p_.k, turn_on_) > 2 ? gentle_map<T> : plain_map<T>) {
+          map_(kinked || (std::max)(p_.k, turn_on_) > 2 ? gentle_map<T> : plain_map<T>) {
         layer_ = std::sqrt(p_.k * p_.k + (1 + turn_on_ * turn_on_) / 2);
         const T first = p_.r * p_.eta - p_.reach * p_.c, last = max_curvature(p_);
         if constexpr (square) {
-            begin_ = std::sqrt(std::max(first, T(0)));
+            begin_ = std::sqrt((std::max)(first, T(0)));
             end_ = std::sqrt(last);
             // the Gaussian in t, and see layer_error
             const T narrow = T(0.9) * (end_ - begin_) * std::sqrt(log_accuracy * p_.r * p_.floor) / p_.c;
             const T layer = (end_ - begin_) * std::sqrt(layer_) * std::pow(log_accuracy / T(3), T(0.75));
-            rows_ = std::max({T(0.75) * log_accuracy + 4, narrow, layer});
+            rows_ = (std::max)({T(0.75) * log_accuracy + 4, narrow, layer});
         } else {
             begin_ = map_.begin(-(log_accuracy + 12));
-            if (first > 0) begin_ = std::max(begin_, map_.at(first));
+            if (first > 0) begin_ = (std::max)(begin_, map_.at(first));
             end_ = map_.end(last);
             rows_ = (end_ - begin_) * (log_accuracy + (axis == Axis::graded && !kinked ? 4 : 3)) / map_.strip *
                     (kinked                ? T(1.12)
@@ -130,7 +129,7 @@ public:
                                            : T(1.25));
         }
         asked_.fill(T(axis == Axis::even ? 0.8 : 1.2) * log_accuracy + 8);
-        asked_[0] += log_accuracy / 4 * std::min(std::max(T(0), -p_.eta / p_.c), T(5));
+        asked_[0] += log_accuracy / 4 * (std::min)((std::max)(T(0), -p_.eta / p_.c), T(5));
         asked_[begun] = log_accuracy + 8;
         asked_[linear] = asked_[open] = square ? T(1.5) * log_accuracy + 8 : log_accuracy + 6;
     }
@@ -154,7 +153,7 @@ public:
             erf_of_eight(eight.t.data(), p_.k, eight.weight.data());
             eight.weight *= t_.weight[block];
             eight.prepare(p_, asked_[open]);
-            for (int lane = 0; lane < std::min(8, rows - i); ++lane) {
+            for (int lane = 0; lane < (std::min)(8, rows - i); ++lane) {
                 if (!(eight.last[lane] > 0)) continue;
                 const T sum = row(eight, lane, out.evaluations);
                 sums[lane] += sum;
@@ -163,7 +162,8 @@ public:
         }
         T hidden = 0;
         if constexpr (!square)  // where the map begins; its double exponential falls faster than geometrically
-            hidden = 4 * outermost[0] * std::min(T(1), outermost[0] / (outermost[1] + std::numeric_limits<T>::min()));
+            hidden = 4 * outermost[0] *
+                     (std::min)(T(1), outermost[0] / (outermost[1] + (std::numeric_limits<T>::min)()));
         else if (p_.k * t_.x[0][0] > 1)  // by the layer of width 1/k at t = 0: no row falls into it
             hidden = outermost[0];
         out.value = sums.sum();
@@ -178,20 +178,20 @@ public:
     /// Asks for more rows or nodes where their error is more than a share of \p allowed. \return whether there are any
     /// more
     bool refine(T allowed, T sum, int most) {
-        const T worst = std::max(rows_error_, *std::max_element(errors_.begin(), errors_.end()));
+        const T worst = (std::max)(rows_error_, *std::max_element(errors_.begin(), errors_.end()));
         bool more = false;
         const auto grow = [&](T& asked, T error, T limit) {
             if ((error <= T(0.25) * allowed && error < worst) || asked >= limit) return;
             const T reached = std::log(std::abs(sum) / error);  // log_accuracy grow with the nodes
             const T growth =
                 reached > log_accuracy_ / 2 ? std::clamp((log_accuracy_ + T(1.5)) / reached, T(1.08), T(2)) : T(2);
-            asked = std::min(limit, asked * growth);
+            asked = (std::min)(limit, asked * growth);
             more = true;
         };
         grow(rows_, rows_error_, T(most));
         for (std::size_t i = 0; i < kinds; ++i)
             grow(asked_[i], errors_[i],
-                 tables_[i].legendre ? T(std::min(64, most))
+                 tables_[i].legendre ? T((std::min)(64, most))
                  : square            ? T(120)
                                      : 20 * log_accuracy_);
         return more;
@@ -203,7 +203,7 @@ private:
     [[nodiscard]] T layer_error(T step) const {
         if (begin_ > 0) return 0;
         const T narrow = layer_ * step * step;
-        return 6 / std::max(T(1), layer_ * std::sqrt(layer_)) * std::exp(T(-3) / std::cbrt(narrow * narrow));
+        return 6 / (std::max)(T(1), layer_ * std::sqrt(layer_)) * std::exp(T(-3) / std::cbrt(narrow * narrow));
     }
 
     void place(int most) {
@@ -214,9 +214,9 @@ private:
             tables_[open].squares(T(0), T(1), 96);  // as far as the smallest step that refine() allows needs
         } else {
             const T begin = plain_map<T>.begin(-(log_accuracy_ + 12));
-            const T range = plain_map<T>.end(std::max(2 * p_.reach, p_.log_cutoff / 2) + 1) - begin;
+            const T range = plain_map<T>.end((std::max)(2 * p_.reach, p_.log_cutoff / 2) + 1) - begin;
             const int count = eights(range * (asked_[open] + 3) / plain_map<T>.strip,
-                                     std::min(most * 4 / 3, TensorTable<T>::max_nodes));  // no row takes all of them
+                                     (std::min)(most * 4 / 3, TensorTable<T>::max_nodes));  // no row takes all of them
             tables_[open].graded(plain_map<T>, begin, range / T(count), count);
         }
         const int count = eights(2 * p_.reach * (1 + std::sqrt(asked_[linear] / 2)) / numbers::pi_v<T>, most);
@@ -330,7 +330,7 @@ template <Real T>
     const bool even = a != std::floor(a) && b != std::floor(b);
     const Estimate<T> scaled = even ? scaled_tensor_integral<Axis::even>(monomial, peaks, eta, options)
                                     : scaled_tensor_integral<Axis::graded>(monomial, peaks, eta, options);
-    const T scale = detail::gaussian(std::max(eta, T(0)));
+    const T scale = detail::gaussian((std::max)(eta, T(0)));
     return {scaled.value * scale, scaled.error * scale + std::numeric_limits<T>::denorm_min(), scaled.evaluations};
 }
 

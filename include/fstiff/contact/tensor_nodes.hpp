@@ -53,9 +53,9 @@ struct GradedMap {
     void map(const TensorLanes<T>& y, TensorLanes<T>& x, TensorLanes<T>& slope) const {
         const TensorLanes<T> fall = b * (-c * y).exp();
         const TensorLanes<T> v = y - fall;
-        const TensorLanes<T> small = (-v.abs()).exp();
-        x = a * (v < T(-30)).select(small, v.max(T(0)) + (1 + small).log());
-        slope = a * (1 + c * fall) * (v > T(0)).select(TensorLanes<T>::Ones(), small) / (1 + small);
+        const TensorLanes<T> decay = (-v.abs()).exp();
+        x = a * (v < T(-30)).select(decay, (v.max)(T(0)) + (1 + decay).log());
+        slope = a * (1 + c * fall) * (v > T(0)).select(TensorLanes<T>::Ones(), decay) / (1 + decay);
     }
 };
 /// For pieces, and for the rows of a smooth law.
@@ -77,7 +77,7 @@ inline constexpr GradedMap<T> gentle_map{T(2.5), T(0.005), T(1), T(3.3)};
 template <Real T>
 EIGEN_DONT_INLINE T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
     constexpr T half_root = numbers::sqrt2_v<T> / 2;
-    constexpr T least = std::numeric_limits<T>::min();
+    constexpr T least = (std::numeric_limits<T>::min)();
     if (even)
         s.template head<7>() =
             (s.template head<7>() + s.template head<7>().reverse().eval()) / 2;  // lane i: node 1 + i
@@ -86,10 +86,10 @@ EIGEN_DONT_INLINE T trapezoidal_error(TensorLanes<T> s, bool even, int falls) {
     const auto modulus = [](T x, T y) { return std::sqrt(x * x + y * y); };
     const T at_2 = modulus(e0 - e2, e1 - e3) + least;
     const T last = std::abs((e0 + e2) - (e1 + e3));
-    const T at_3 = std::max(modulus(d0 - half_root * (d1 - d3), d2 - half_root * (d1 + d3)), last) + least;
-    const T before = std::min(T(1), at_3 / at_2);
-    const T at_4 = std::max(last, at_3 * before * std::sqrt(before));  // it may vanish by accident
-    const T fall = std::min(T(1), std::max(at_4 / at_3, std::sqrt(at_4 / at_2)));
+    const T at_3 = (std::max)(modulus(d0 - half_root * (d1 - d3), d2 - half_root * (d1 + d3)), last) + least;
+    const T before = (std::min)(T(1), at_3 / at_2);
+    const T at_4 = (std::max)(last, at_3 * before * std::sqrt(before));  // it may vanish by accident
+    const T fall = (std::min)(T(1), (std::max)(at_4 / at_3, std::sqrt(at_4 / at_2)));
     T error = 2 * at_4;
     for (int i = 0; i < falls; ++i) error *= fall;
     return error;
@@ -134,10 +134,10 @@ EIGEN_DONT_INLINE T legendre_error(const std::array<TensorLanes<T>, 8>& terms, i
             before[b] = now[b];
             now[b] = next;
         }
-        if (k == n / 2 - 1 || k == n / 2) middle = std::max(middle, T(2 * k + 1) * std::abs(coefficient));
-        if (k >= n - 2) end = std::max(end, T(2 * k + 1) * std::abs(coefficient));
+        if (k == n / 2 - 1 || k == n / 2) middle = (std::max)(middle, T(2 * k + 1) * std::abs(coefficient));
+        if (k >= n - 2) end = (std::max)(end, T(2 * k + 1) * std::abs(coefficient));
     }
-    return 2 * end * std::min(T(1), end / (middle + std::numeric_limits<T>::min()));
+    return 2 * end * (std::min)(T(1), end / (middle + (std::numeric_limits<T>::min)()));
 }
 
 /// Nodes, weights and sums of one rule, in blocks of eight.
@@ -225,22 +225,22 @@ struct TensorRows {
     /// b/step), for the best b. Beyond x^2 = 6 digits it is the Gaussian exp(-x w^2).
     EIGEN_DONT_INLINE void prepare(const PeakProblem<T>& p, T digits) {
         const TensorLanes<T> square = 2 * p.log_cutoff - (t - p.floor) * (t + p.floor);
-        const TensorLanes<T> wide = p.c * square.max(T(0)).sqrt(), distance = p.eta - p.r * t;
+        const TensorLanes<T> wide = p.c * (square.max)(T(0)).sqrt(), distance = p.eta - p.r * t;
         const TensorLanes<T> z = (t - p.r * p.eta) / p.c;
         x = distance / p.c;
         const auto right = (x > T(0)).eval();
         outer = right.select(-z.square() / 2, (p.floor - t) * (t + p.floor) / 2);
-        shift = x.min(T(0));
-        linear = x.max(T(0));
-        first = (-distance - wide).max(T(0));
+        shift = (x.min)(T(0));
+        linear = (x.max)(T(0));
+        first = ((-distance - wide).max)(T(0));
         last = right.select((2 * p.log_cutoff - z.square()) * (p.c * p.c) / (wide + distance), wide - distance);
         last = (square > T(0)).select(last, T(0));
 
-        constexpr T least = std::numeric_limits<T>::min(), half_pi = numbers::pi_v<T> / 2;
-        const TensorLanes<T> near = x.min(std::sqrt(6 * digits));
-        const TensorLanes<T> root = ((1 + 6 * right.template cast<T>()) * near.square() + 12 * digits).sqrt();
-        const TensorLanes<T> b2 = (near + root) / 12;
-        step = half_pi / (b2.sqrt() * (4 * b2 - near)) * ((near.abs() + least) / (x.abs() + least)).sqrt();
+        constexpr T least = (std::numeric_limits<T>::min)(), half_pi = numbers::pi_v<T> / 2;
+        const TensorLanes<T> capped = (x.min)(std::sqrt(6 * digits));
+        const TensorLanes<T> root = ((1 + 6 * right.template cast<T>()) * capped.square() + 12 * digits).sqrt();
+        const TensorLanes<T> b2 = (capped + root) / 12;
+        step = half_pi / (b2.sqrt() * (4 * b2 - capped)) * ((capped.abs() + least) / (x.abs() + least)).sqrt();
     }
 };
 

@@ -164,8 +164,8 @@ template <Real T>
         for (std::size_t i = 0; i < states.size(); ++i) {
             const std::optional<T> value = value_of(states[i]);
             if (!value) continue;
-            made.least = std::min(made.least, *value);
-            made.greatest = std::max(made.greatest, *value);
+            made.least = (std::min)(made.least, *value);
+            made.greatest = (std::max)(made.greatest, *value);
             if (broken(states[i], *value) && made.violations++ == 0) made.first = i;
         }
         checks.push_back(made);
@@ -203,11 +203,12 @@ template <Real T>
         check(
             Concern::not_converged, T(1e-6),
             [](const State& state) {
-                const T scale = std::max(state.stiffness.value, std::numeric_limits<T>::min());
+                const T scale = (std::max)(state.stiffness.value, (std::numeric_limits<T>::min)());
                 return std::optional(state.stiffness.error / scale);
             },
             [](const State& state, T) {  // as a product, so that a K that underflows is no concern
-                return state.stiffness.error > std::max(T(1e-6) * state.stiffness.value, std::numeric_limits<T>::min());
+                return state.stiffness.error >
+                       (std::max)(T(1e-6) * state.stiffness.value, (std::numeric_limits<T>::min)());
             });
     return checks;
 }

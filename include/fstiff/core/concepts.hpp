@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The scalar that every template of fstiff is written for.
+/// The scalar that every template of fstiff is written for: no other is let through, such as __float128, which
+/// std::floating_point holds for in gnu++20, or std::float16_t of C++23.
 
 #include <fstiff/core/config.hpp>
 
 #include <concepts>
+#include <type_traits>
 
 namespace fstiff {
 
 /// A floating-point scalar: float, double or long double.
 template <class T>
-concept Real = std::floating_point<T>;
+concept Real = std::same_as<std::remove_cv_t<T>, float> || std::same_as<std::remove_cv_t<T>, double> ||
+               std::same_as<std::remove_cv_t<T>, long double>;
 
 }  // namespace fstiff

@@ -34,6 +34,15 @@
 
 #include <version>
 
+// Of functions that are rarely called, and of such that a program should hold once: a hint to compilers that know it.
+#if __has_cpp_attribute(gnu::cold)
+#define FSTIFF_COLD [[gnu::cold]]
+#define FSTIFF_COLD_OUT_OF_LINE [[gnu::cold, gnu::noinline]]
+#else
+#define FSTIFF_COLD
+#define FSTIFF_COLD_OUT_OF_LINE
+#endif
+
 // libc++ has to_chars of floating point since LLVM 14, from_chars since LLVM 20, both in its shared library: on Apple's
 // systems the oldest system that the program is built for decides. It does not define __cpp_lib_to_chars.
 #ifndef FSTIFF_HAS_FLOAT_FROM_CHARS

@@ -144,18 +144,18 @@ namespace detail {
 
 /// Out of line and rarely called: one copy of each in a program, however many checks it has.
 /// \throws domain_error "<parameter> = <value>: must be <allowed>".
-[[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::string_view parameter, std::string_view value,
+[[noreturn]] FSTIFF_COLD_OUT_OF_LINE inline void refuse(std::string_view parameter, std::string_view value,
                                                           std::string_view allowed) {
     throw domain_error({.parameter = parameter, .value = value, .allowed = allowed});
 }
-[[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::string_view parameter, double value, int digits,
+[[noreturn]] FSTIFF_COLD_OUT_OF_LINE inline void refuse(std::string_view parameter, double value, int digits,
                                                           std::string_view allowed) {
     refuse(parameter, rounded_text(value, digits), allowed);
 }
 /// A template, so that only programs that compute in long double hold its digits.
 template <class T>
 requires Real<T> || std::integral<T>
-[[noreturn, gnu::cold, gnu::noinline]] void refuse(std::string_view parameter, T value, std::string_view allowed) {
+[[noreturn]] FSTIFF_COLD_OUT_OF_LINE void refuse(std::string_view parameter, T value, std::string_view allowed) {
     constexpr int digits = std::numeric_limits<T>::digits10;
     if constexpr (std::integral<T>)
         refuse(parameter, std::to_string(value), allowed);
@@ -178,10 +178,10 @@ constexpr void require(bool satisfied, std::string_view parameter, T value, std:
 /// Throws unless \p value is finite and greater than zero.
 template <Real T>
 constexpr void require_positive(std::string_view parameter, T value) {
-    require(value > T(0) && value <= std::numeric_limits<T>::max(), parameter, value, "finite and greater than 0");
+    require(value > T(0) && value <= (std::numeric_limits<T>::max)(), parameter, value, "finite and greater than 0");
 }
 
-[[gnu::cold]] inline std::string Place::text() const {
+FSTIFF_COLD inline std::string Place::text() const {
     std::string text = file;
     if (line > 0) text += before_line + std::to_string(line);
     if (!key.empty()) text += (text.empty() ? "" : ": ") + key;
@@ -193,7 +193,7 @@ inline domain_error::Span domain_error::Sentence::put(std::string_view field) {
     return {text.size() - field.size(), field.size()};
 }
 
-[[gnu::cold]] inline void domain_error::Sentence::put(const Refusal& refusal) {
+FSTIFF_COLD inline void domain_error::Sentence::put(const Refusal& refusal) {
     spans.parameter = put(refusal.parameter);
     if (!refusal.parameter.empty() && !refusal.value.empty()) text += " = ";
     spans.value = put(refusal.value);
@@ -207,11 +207,11 @@ inline domain_error::Span domain_error::Sentence::put(std::string_view field) {
     }
 }
 
-[[gnu::cold]] inline Place domain_error::place() const {
+FSTIFF_COLD inline Place domain_error::place() const {
     return {std::string(field(spans_.file)), spans_.line, std::string(field(spans_.key)), spans_.before_line};
 }
 
-[[gnu::cold]] inline domain_error domain_error::with_place(const Place& place) const {
+FSTIFF_COLD inline domain_error domain_error::with_place(const Place& place) const {
     const std::string text = place.text();
     if (text.empty()) return *this;
     Sentence sentence(text + ": " + what(), spans_);
@@ -227,7 +227,7 @@ inline domain_error::Span domain_error::Sentence::put(std::string_view field) {
     return domain_error(sentence);
 }
 
-[[gnu::cold]] inline domain_error domain_error::with_parameter(std::string_view name) const {
+FSTIFF_COLD inline domain_error domain_error::with_parameter(std::string_view name) const {
     Sentence sentence(std::string(detail::part(what(), 0, spans_.parameter.begin)), spans_);
     sentence.spans.allowed = {};
     const bool is_range = !allowed().empty();
@@ -238,7 +238,7 @@ inline domain_error::Span domain_error::Sentence::put(std::string_view field) {
     return domain_error(sentence);
 }
 
-[[gnu::cold]] inline file_error file_error::with_place(const Place& place) const {
+FSTIFF_COLD inline file_error file_error::with_place(const Place& place) const {
     const std::string text = place.text();
     if (text.empty()) return *this;
     const std::size_t shift = text.size() + 2;

@@ -22,7 +22,7 @@ struct Estimate {
 template <Real T>
 [[nodiscard]] constexpr Estimate<T> operator*(const Estimate<T>& estimate, T factor) {
     const T value = estimate.value * factor;
-    const bool subnormal = value < std::numeric_limits<T>::min() && estimate.value > 0;
+    const bool subnormal = value < (std::numeric_limits<T>::min)() && estimate.value > 0;
     return {value, estimate.error * factor + (subnormal ? std::numeric_limits<T>::denorm_min() : T(0)),
             estimate.evaluations};
 }

@@ -52,8 +52,7 @@ template <class Enum, std::size_t count>
 
 /// An enum that has words.
 template <class Enum>
-concept NamedEnum = std::is_enum_v<Enum> && names<Enum>
-.size() > 0;
+concept NamedEnum = std::is_enum_v<Enum> && !names<Enum>.empty();
 
 /// The word of \p value; empty for a value that has none.
 template <NamedEnum Enum>

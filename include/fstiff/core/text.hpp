@@ -157,7 +157,7 @@ std::from_chars_result read_by_strtod(const char* first, const char* last, T& va
         read = std::strtof(copy.c_str(), nullptr);
     else
         read = std::strtod(copy.c_str(), nullptr);
-    if ((read == 0 && !is_zero) || std::abs(read) > std::numeric_limits<T>::max())
+    if ((read == 0 && !is_zero) || std::abs(read) > (std::numeric_limits<T>::max)())
         return {at, std::errc::result_out_of_range};
     value = read;
     return {at, std::errc()};

@@ -90,7 +90,7 @@ void require_observations(const std::vector<Observation<T>>& data, bool is_refle
         if (!satisfied) refuse("data[" + std::to_string(point) + "]." + std::string(name), value, allowed);
     };
     constexpr std::string_view positive = "finite and greater than 0";
-    const auto is_positive = [](T x) { return x > 0 && x <= std::numeric_limits<T>::max(); };
+    const auto is_positive = [](T x) { return x > 0 && x <= (std::numeric_limits<T>::max)(); };
     for (std::size_t i = 0; i < data.size(); ++i) {
         const auto& o = data[i];
         check(is_positive(o.pressure), i, "pressure", o.pressure, positive);

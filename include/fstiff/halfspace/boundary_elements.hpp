@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace fstiff {
@@ -66,7 +67,8 @@ class BoundaryElements {
 
 public:
     /// Of the surface \p map against a smooth flat. \throws domain_error for missing points and what HeightMap::validate says.
-    BoundaryElements(const HeightMap<T>& map, T effective_modulus, const BoundaryElementOptions<T>& options = {});
+    BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
+                     const BoundaryElementOptions<T>& options = {});
 
     /// The contact under \p pressure [Pa], from the last solution, which is the faster the closer it was.
     /// \throws domain_error unless 0 < pressure, < H.
@@ -116,10 +118,10 @@ private:
 };
 
 template <Real T>
-BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, T effective_modulus,
+BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                                       const BoundaryElementOptions<T>& options)
     : modulus_(effective_modulus),
-      softest_(numbers::pi_v<T> / std::max(map.dx * T(map.columns()), map.dy * T(map.rows()))),
+      softest_(numbers::pi_v<T> / (std::max)(map.dx * T(map.columns()), map.dy * T(map.rows()))),
       options_(options),
       height_(map.heights),
       compliance_(map.rows(), map.columns(), map.dx, map.dy, options.edges) {
@@ -190,7 +192,7 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal) {
         const auto touching = (p_ <= T(0) && gap < T(0)).eval();  // open points that lie within the other face
         conjugate = !touching.any();
         if (!conjugate || (next < T(0)).any()) {
-            next = touching.select(-softest_ * gap, next.max(T(0)));
+            next = touching.select(-softest_ * gap, (next.max)(T(0)));
             next *= nominal / next.mean();
             u_ = next;
             compliance_.deflect(u_);
@@ -223,7 +225,7 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve_cut(T nominal) {
         compliance_.deflect(response);
         const T curvature = (direction * response).sum();
         if (!(curvature > 0)) break;
-        const T along = std::min(T(1), -(gap * direction).sum() / curvature);
+        const T along = (std::min)(T(1), -(gap * direction).sum() / curvature);
         p_ += along * direction;
         gap += along * response;
         step = direction.square().sum() / curvature;
@@ -235,16 +237,16 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve_cut(T nominal) {
     T inside = -std::numeric_limits<T>::infinity(), outside = std::numeric_limits<T>::infinity();
     for (Eigen::Index k = 0; k < gap.size(); ++k) {
         T& bound = p_.data()[k] > T(0) ? inside : outside;
-        bound = p_.data()[k] > T(0) ? std::max(bound, gap.data()[k]) : std::min(bound, gap.data()[k]);
+        bound = p_.data()[k] > T(0) ? (std::max)(bound, gap.data()[k]) : (std::min)(bound, gap.data()[k]);
     }
-    return {(inside + std::max(inside, outside)) / 2, change, iteration};
+    return {(inside + (std::max)(inside, outside)) / 2, change, iteration};
 }
 
 template <Real T>
 void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
     T low = p.minCoeff() - hard, high = p.maxCoeff(), shift = 0;  // with these means of H and 0
     for (int i = 0; i < 100; ++i) {
-        const Field cut = (p - shift).max(T(0)).min(hard);
+        const Field cut = (((p - shift).max)(T(0)).min)(hard);
         const T excess = cut.mean() - nominal;
         const T slope = T((cut > T(0) && cut < hard).count()) / T(p.size());
         if (std::abs(excess) <= 4 * std::numeric_limits<T>::epsilon() * nominal || i == 99) {

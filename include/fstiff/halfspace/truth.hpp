@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace fstiff {
@@ -44,15 +45,15 @@ struct TruthPoint {
 /// The contact of \p map against a smooth flat under \p pressures [Pa], in their order.
 /// \throws domain_error as BoundaryElements, and for fewer than 16 points.
 template <Real T, class Pressures>
-[[nodiscard]] std::vector<TruthPoint<T>> truth(const HeightMap<T>& map, T effective_modulus, const Pressures& pressures,
-                                               const TruthOptions<T>& options = {}) {
+[[nodiscard]] std::vector<TruthPoint<T>> truth(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
+                                               const Pressures& pressures, const TruthOptions<T>& options = {}) {
     require(options.points >= 16, "points", options.points, "at least 16 along the longer side");
     const BoundaryElementOptions<T> how{.edges = options.edges, .hardness = options.hardness};
     const HeightMap<T> fine = coarsened(map, options.points);
-    const Eigen::Index shorter = std::min(fine.rows(), fine.columns());
+    const Eigen::Index shorter = (std::min)(fine.rows(), fine.columns());
     require(shorter >= 16, "points along the shorter side", shorter, "at least 16, for boundary elements on two grids");
     BoundaryElements<T> solver(fine, effective_modulus, how);
-    const Eigen::Index half = std::max(fine.columns(), fine.rows()) / 2;
+    const Eigen::Index half = (std::max)(fine.columns(), fine.rows()) / 2;
     BoundaryElements<T> coarse(coarsened(fine, half), effective_modulus, how);
     std::vector<TruthPoint<T>> points;
     for (const T pressure : pressures) {

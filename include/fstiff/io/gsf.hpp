@@ -85,9 +85,9 @@ private:
             refuse_file(name_, {"has a header of ", end, " bytes; must have NUL bytes behind it up to byte ", start});
         std::string_view text = bytes_.substr(0, end);
         for (std::size_t line = 1; !text.empty(); ++line) {
-            const std::size_t length = std::min(text.find('\n'), text.size());
+            const std::size_t length = (std::min)(text.find('\n'), text.size());
             const std::string_view one = trimmed(text.substr(0, length));
-            text.remove_prefix(std::min(length + 1, text.size()));
+            text.remove_prefix((std::min)(length + 1, text.size()));
             if (line == 1 || one.empty()) continue;
             const std::size_t equal = one.find('=');
             if (equal == std::string_view::npos)

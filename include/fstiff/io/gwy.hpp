@@ -198,7 +198,7 @@ private:
     /// The number N of "/N/rest"; none for other names.
     static std::optional<unsigned> number_of(std::string_view key, std::string_view rest) {
         if (!key.starts_with('/') || !key.ends_with(rest)) return std::nullopt;
-        const std::string_view digits = key.substr(1, key.size() - std::min(key.size(), 1 + rest.size()));
+        const std::string_view digits = key.substr(1, key.size() - (std::min)(key.size(), 1 + rest.size()));
         if (digits.empty() || digits.size() > 9 || !std::all_of(digits.begin(), digits.end(), is_digit))
             return std::nullopt;
         unsigned number = 0;

@@ -166,7 +166,7 @@ inline std::string with_decimal_point(std::string_view value, bool decimal_comma
     const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
     const std::size_t comma = text.find_first_not_of("0123456789", sign);
     if (comma == std::string::npos || comma == sign || text[comma] != ',') return text;
-    const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
+    const std::size_t end = (std::min)(text.find_first_not_of("0123456789", comma + 1), text.size());
     const std::size_t digits = end - comma - 1;
     if (digits > 0 && (decimal_comma || digits != 3) && (end == text.size() || (text[end] != ',' && text[end] != '.')))
         text[comma] = '.';
@@ -209,7 +209,7 @@ inline std::vector<HeaderEntry> header_entries(const NumberTable& table) {
             line.remove_prefix(1);
         constexpr std::string_view wide_colon = "\xEF\xBC\x9A";
         const std::size_t wide = line.find(wide_colon), narrow = line.find_first_of(":=");
-        const std::size_t sign = std::min(wide, narrow);
+        const std::size_t sign = (std::min)(wide, narrow);
         // "NODATA_value -9999" of an ESRI grid
         if (split_line(line, ' ', words); words.size() == 2 && is_grid_word(words[0])) {
             const auto at = static_cast<std::size_t>(words[0].data() - line.data());

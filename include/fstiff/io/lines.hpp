@@ -35,7 +35,7 @@ struct Part {
     }
 };
 
-[[noreturn, gnu::cold]] inline void refuse_line(const std::string& name, std::size_t line,
+[[noreturn]] FSTIFF_COLD inline void refuse_line(const std::string& name, std::size_t line,
                                                 std::initializer_list<Part> parts) {
     std::string reason;
     for (const Part& part : parts) reason += part.text;
@@ -55,7 +55,7 @@ struct NamedBytes {
 };
 
 /// Says what \p bytes are that are no text.
-[[noreturn, gnu::cold]] inline void refuse_binary(const std::string& name, std::string_view bytes) {
+[[noreturn]] FSTIFF_COLD inline void refuse_binary(const std::string& name, std::string_view bytes) {
     const std::string known = known_binary_refusal(bytes);
     if (!known.empty()) refuse_file(name, {known});
     refuse_file(name, {"is binary, or UTF-16 without its byte order mark (it holds NUL bytes); must be ",
@@ -124,7 +124,7 @@ inline std::vector<Line> lines_of(std::string_view text, const std::string& name
     std::vector<Line> lines;
     count = 0;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find(end_of_line), text.size());
+        const std::size_t end = (std::min)(text.find(end_of_line), text.size());
         ++count;
         if (end > longest) refuse_line(name, count, {"is longer than 2^20 characters; must be shorter"});
         // a tab at the end of a line may be an empty cell: only blanks and carriage returns go
@@ -132,7 +132,7 @@ inline std::vector<Line> lines_of(std::string_view text, const std::string& name
         while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
         while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
         if (!trimmed(line).empty()) lines.push_back({line, count});
-        text.remove_prefix(std::min(end + 1, text.size()));
+        text.remove_prefix((std::min)(end + 1, text.size()));
     }
     return lines;
 }

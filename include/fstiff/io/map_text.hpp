@@ -11,8 +11,8 @@
 /// Exports of Keyence ("XY Calibration","277.8","nm"), of SPIP ("# x-length = 2000", in nm, "# Bit2nm = 0.5") and of
 /// Gwyddion in other languages are matrices too (<fstiff/io/header_words.hpp>).
 /// Three columns are triples where x and y form a grid, a matrix where the header states a size; otherwise the form
-/// must be given. Missing points are empty cells,
-/// "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header ("NODATA_value -9999") or the options name. Rows of a matrix keep the order of the file.
+/// must be given. Missing points are empty cells, "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the
+/// header ("NODATA_value -9999") or the options name. Rows of a matrix keep the order of the file.
 ///
 /// Nothing is guessed: without units, without a physical size, or with points off the grid, the file is refused.
 ///
@@ -225,7 +225,7 @@ private:
         mark_missing(table_.values.data(), table_.values.size(), table_.missing, name_, options_.names, height_unit_,
                      [&](std::size_t i) { return table_.row_lines[i / columns]; });
         for (const PrintedDigits& printed : table_.printed)
-            record_.resolution = std::max(record_.resolution, printed.resolution() * unit);
+            record_.resolution = (std::max)(record_.resolution, printed.resolution() * unit);
         map.heights = table_.values.take(rows, columns);
         map.heights *= unit;
         return map;

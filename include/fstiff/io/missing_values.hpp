@@ -67,7 +67,7 @@ inline MissingValues given_missing(std::string_view text, const std::string& nam
     missing.from = "options";
     if (trimmed(text) == "none") return missing;
     for (std::string_view rest = text;;) {
-        const std::size_t end = std::min(rest.find(','), rest.size());
+        const std::size_t end = (std::min)(rest.find(','), rest.size());
         const std::string_view one = trimmed(rest.substr(0, end));
         if (one.empty())
             refuse_field(name, "missing", shown_cell(text), "numbers or words with commas between them, or none");
@@ -116,7 +116,7 @@ inline std::optional<Suspect> suspected_missing(const double* heights, std::size
             if (z == one->value && one->times++ == 0) one->first = i;
     }
     const auto suspicious = [](const Suspect& one) {
-        const double gap = std::max(one.low - one.value, one.value - one.high), range = one.high - one.low;
+        const double gap = (std::max)(one.low - one.value, one.value - one.high), range = one.high - one.low;
         const bool customary = is_customary_missing(one.value);
         if (one.times > 1 && customary) return gap > 0.25 * range;
         return (one.times > 1 || customary) && range > 0 && gap > 10 * range;

@@ -123,8 +123,8 @@ inline LeadingNumber leading_number(std::string_view text, int exponent = 0) {
 
 /// The power of ten of the last digit of the number that fills \p cell.
 inline double last_digit_of(std::string_view cell) {
-    const std::size_t e = std::min(cell.find_first_of("eEdD"), cell.size());
-    const std::size_t point = std::min(cell.find_first_of(".,"), e);
+    const std::size_t e = (std::min)(cell.find_first_of("eEdD"), cell.size());
+    const std::size_t point = (std::min)(cell.find_first_of(".,"), e);
     const double decimals = point < e ? static_cast<double>(e - point - 1) : 0;
     return (e < cell.size() ? leading_number(cell.substr(e + 1)).value : 0) - decimals;
 }
@@ -170,16 +170,16 @@ public:
     /// \p value is what fills \p cell.
     void add(std::string_view cell, double value) {
         const double last_digit = last_digit_of(cell);
-        finest_ = std::min(finest_, last_digit);
+        finest_ = (std::min)(finest_, last_digit);
         if (value == 0) return;
         const double first_digit = std::floor(std::log10(std::abs(value)));
-        largest_ = std::max(largest_, first_digit);
-        significant_ = std::max(significant_, first_digit - last_digit + 1);
+        largest_ = (std::max)(largest_, first_digit);
+        significant_ = (std::max)(significant_, first_digit - last_digit + 1);
     }
     /// Weight of the last digit of the largest number: as many decimals, or as many significant digits, as any other.
     /// 0 where there is no number.
     [[nodiscard]] double resolution() const {
-        return finest_ < infinite ? std::pow(10.0, std::max(finest_, largest_ - significant_ + 1)) : 0;
+        return finest_ < infinite ? std::pow(10.0, (std::max)(finest_, largest_ - significant_ + 1)) : 0;
     }
 
 private:

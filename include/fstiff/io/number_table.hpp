@@ -63,14 +63,14 @@ inline void split_line(std::string_view line, char separator, std::vector<std::s
     cells.clear();
     if (separator == ' ') {
         for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-            std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+            std::size_t end = (std::min)(line.find_first_of(" \t"), line.size());
             if ((line[0] == 'N' || line[0] == 'n') && lower_case(line.substr(0, 7)) == "no data") end = 7;  // one cell
             cells.push_back(unquoted(line.substr(0, end)));
             line.remove_prefix(end);
         }
     } else {
         while (true) {
-            const std::size_t end = std::min(line.find(separator), line.size());
+            const std::size_t end = (std::min)(line.find(separator), line.size());
             cells.push_back(unquoted(line.substr(0, end)));
             if (end == line.size()) break;
             line.remove_prefix(end + 1);
@@ -250,7 +250,7 @@ inline std::size_t widest_row(const NumberTable& table) {
     for (std::size_t i = table.first + 1; i < table.lines.size() && columns < written; ++i) {
         if (is_comment(table.lines[i].text)) continue;
         split_line(without_comment(table.lines[i].text), table.dialect.separator, cells);
-        if (cells.size() <= written) columns = std::max(columns, cells.size());
+        if (cells.size() <= written) columns = (std::max)(columns, cells.size());
     }
     return columns;
 }
@@ -292,7 +292,7 @@ inline void read_rows(NumberTable& table, const std::string& name, const TableRu
     const auto bytes = static_cast<std::size_t>(last.data() + last.size() - table.lines[table.first].text.data());
     const std::size_t most_rows = table.lines.size() - table.first;
     table.values.reserve(
-        std::min(most_rows * table.columns, bytes + most_rows));  // a cell, or its separator, is a byte
+        (std::min)(most_rows * table.columns, bytes + most_rows));  // a cell, or its separator, is a byte
     std::size_t last_cells = 0;                                   // rows with something in their last cell
     for (std::size_t i = table.first; i < table.lines.size(); ++i) {
         if (i != table.first && is_comment(table.lines[i].text)) continue;

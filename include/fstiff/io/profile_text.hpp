@@ -249,7 +249,7 @@ private:
         const double allowed = 1.01 * printed + 0.01 * std::abs(mean);
         double worst = 0;
         for (std::size_t i = 0; i < x.size(); ++i)
-            worst = std::max(worst, std::abs(x[i] - (x.front() + static_cast<double>(i) * mean)));
+            worst = (std::max)(worst, std::abs(x[i] - (x.front() + static_cast<double>(i) * mean)));
         if (worst > allowed || is_interrupted(x, printed)) {
             if (!options_.resample) refuse_spacing(x);
             resampled_ = true;

@@ -38,7 +38,7 @@ namespace detail {
 
 /// \p value, unless the factor of the unit made it infinite.
 inline double finite(double value, std::string_view name, std::string_view text) {
-    if (std::abs(value) <= std::numeric_limits<double>::max()) return value;
+    if (std::abs(value) <= (std::numeric_limits<double>::max)()) return value;
     refuse_text(name, text, "is beyond the range of double precision; allowed is a finite number");
 }
 

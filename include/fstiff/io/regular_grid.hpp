@@ -16,7 +16,7 @@ struct GridAxis {
     double origin{}, step{};
     std::size_t count{};
     std::size_t index(double position) const {
-        return static_cast<std::size_t>(std::max(0.0, std::round((position - origin) / step)));
+        return static_cast<std::size_t>((std::max)(0.0, std::round((position - origin) / step)));
     }
 };
 
@@ -36,7 +36,7 @@ inline std::optional<GridAxis> axis_of(std::vector<double> positions, double pri
         }
         if (lines.size() < 2 || !std::isfinite(lines.back() - lines.front())) continue;
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 1; i < lines.size(); ++i) least = std::min(least, lines[i] - lines[i - 1]);
+        for (std::size_t i = 1; i < lines.size(); ++i) least = (std::min)(least, lines[i] - lines[i - 1]);
         // in steps: how far each line is from the first
         std::vector<double> at(lines.size());
         bool fits = true;
@@ -48,7 +48,7 @@ inline std::optional<GridAxis> axis_of(std::vector<double> positions, double pri
         const double step = (lines.back() - lines.front()) / at.back();
         // printed to less than a quarter of the step, a missing line cannot be told from rounding
         if (printed > 0.25 * step && at.back() >= static_cast<double>(lines.size())) continue;
-        const double allowed = 0.01 * step + std::min(1.01 * printed, 0.3 * step);
+        const double allowed = 0.01 * step + (std::min)(1.01 * printed, 0.3 * step);
         for (std::size_t i = 1; i < lines.size() && fits; ++i)
             fits = std::abs(lines[i] - (lines.front() + at[i] * step)) <= allowed;
         if (fits) return GridAxis{lines.front(), step, static_cast<std::size_t>(at.back()) + 1};
@@ -89,8 +89,8 @@ inline HeightMap<double>::Array heights_on(const Grid& grid, const NumberTable& 
     std::vector<std::size_t> line_at(grid.x.count * grid.y.count);
     for (std::size_t r = 0; r < table.rows(); ++r) {
         const double x = table.at(r, 0), y = table.at(r, 1);
-        const std::size_t at =
-            std::min(grid.y.index(y), grid.y.count - 1) * grid.x.count + std::min(grid.x.index(x), grid.x.count - 1);
+        const std::size_t row = (std::min)(grid.y.index(y), grid.y.count - 1);
+        const std::size_t at = row * grid.x.count + (std::min)(grid.x.index(x), grid.x.count - 1);
         if (line_at[at] != 0)
             refuse_line(
                 name, table.row_lines[r],

@@ -87,7 +87,8 @@ public:
 private:
     static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     static constexpr std::size_t type_bytes[8] = {1, 2, 4, 4, 1, 2, 4, 8};
-    static constexpr double largest[8] = {255, 65535, 4294967295.0, 3.4e38F, 127, 32767, 2147483647, 1.7e308};
+    static constexpr double largest[8] = {255, 65535, 4294967295.0, static_cast<double>(3.4e38F),
+                                          127, 32767, 2147483647,   1.7e308};
 
     void check_header(int compression, int check_type) {
         if (record_.columns == 0 || record_.rows == 0)
@@ -104,7 +105,7 @@ private:
 
     void require_scale(const std::string& field, double value, bool zero_too) {
         if (zero_too && value == 0) return;
-        if (!(value > 0 && value <= std::numeric_limits<double>::max()))
+        if (!(value > 0 && value <= (std::numeric_limits<double>::max)()))
             refuse_field(name_, field, number_text(value), "finite and greater than 0");
     }
 
@@ -182,18 +183,19 @@ private:
     template <class Number>
     double height(Number number) const {
         using Limits = std::numeric_limits<Number>;
-        bool reserved = number == (bcr_ || !Limits::is_signed ? Limits::max() : Limits::lowest());
+        bool reserved = number == (bcr_ || !Limits::is_signed ? (Limits::max)() : Limits::lowest());
         if constexpr (!Limits::is_integer)
-            reserved = std::isnan(number) || (bcr_ ? number >= largest[sizeof(Number) == 4 ? 3 : 7] : reserved);
+            reserved = std::isnan(number) ||
+                       (bcr_ ? static_cast<double>(number) >= largest[sizeof(Number) == 4 ? 3 : 7] : reserved);
         return reserved ? missing : static_cast<double>(number);
     }
 
     /// The next line, without its end; LF, CR and CR LF end one.
     static std::string_view next_line(std::string_view& rest) {
-        const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+        const std::size_t end = (std::min)(rest.find_first_of("\r\n"), rest.size());
         const std::string_view line = rest.substr(0, end);
         const bool both = rest.substr(end).starts_with("\r\n");
-        rest.remove_prefix(std::min(end + (both ? 2 : 1), rest.size()));
+        rest.remove_prefix((std::min)(end + (both ? 2 : 1), rest.size()));
         return line;
     }
 

@@ -69,7 +69,7 @@ inline std::vector<std::string_view> smd_fields(std::string_view line) {
         const std::size_t begin = line.find_first_not_of(blanks);
         if (begin == std::string_view::npos) return fields;
         line.remove_prefix(begin);
-        const std::size_t end = std::min(line.find_first_of(blanks), line.size());
+        const std::size_t end = (std::min)(line.find_first_of(blanks), line.size());
         fields.push_back(line.substr(0, end));
         line.remove_prefix(end);
     }
@@ -127,10 +127,10 @@ private:
         std::string_view rest = bytes_;
         records_.emplace_back();
         for (std::size_t number = 1; !rest.empty(); ++number) {
-            const std::size_t end = std::min(rest.find('\n'), rest.size());
+            const std::size_t end = (std::min)(rest.find('\n'), rest.size());
             if (end > longest) refuse_line(name_, number, {"is longer than 2^20 characters; must be shorter"});
             std::string_view line = rest.substr(0, end);
-            rest.remove_prefix(std::min(end + 1, rest.size()));
+            rest.remove_prefix((std::min)(end + 1, rest.size()));
             const bool last = line.find('\x1A') != std::string_view::npos;
             line = line.substr(0, line.find('\x1A'));
             for (std::size_t ends = 0; (ends = line.find('\3')) != std::string_view::npos;) {

@@ -157,7 +157,7 @@ private:
     void read_heights(HeightMap<double>& map) {
         const std::size_t size = static_cast<std::size_t>(record_.bits) / 8;
         std::string_view rest = bytes_.substr(header_bytes);
-        rest.remove_prefix(std::min(record_.skipped, rest.size()));
+        rest.remove_prefix((std::min)(record_.skipped, rest.size()));
         // both below 2^31: the product fits into 64 bits
         const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
         std::string inflated;

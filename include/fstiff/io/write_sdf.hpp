@@ -39,12 +39,12 @@ void put_little_endian(std::string& bytes, T value) {
 }
 
 inline std::string sdf_binary(const HeightMap<double>& map, const SdfOptions& options) {
-    const bool small = map.rows() <= 65535 && map.columns() <= 65535;
-    std::string text = small ? "bISO-1.0" : "bISO-2.0";
+    const bool short_sides = map.rows() <= 65535 && map.columns() <= 65535;
+    std::string text = short_sides ? "bISO-1.0" : "bISO-2.0";
     text += options.manufacturer + std::string(10 - options.manufacturer.size(), ' ');
     text += options.date + options.date;
     for (const Eigen::Index count : {map.columns(), map.rows()})
-        if (small)
+        if (short_sides)
             put_little_endian(text, static_cast<std::uint16_t>(count));
         else
             put_little_endian(text, static_cast<std::uint32_t>(count));

@@ -114,7 +114,7 @@ public:
     /// At \p x, which rise or fall.
     template <int N>
     [[nodiscard]] detail::Lanes<T, N> operator()(const detail::Lanes<T, N>& x) const {
-        std::array<T, N> one;
+        std::array<T, std::size_t{N}> one;
         x.store(one.data());
         const auto [least, greatest] = std::minmax(one.front(), one.back());
         const ChebyshevSeries<T>*series = &at(least), *const last = &at(greatest);
@@ -132,7 +132,7 @@ public:
         T largest = 0;
         for (std::size_t i = 1; i < sections_.size(); ++i) {
             const T x = sections_[i - 1].end(), right = sections_[i](x);
-            largest = std::max(largest, std::abs((sections_[i - 1](x) - right) / right));
+            largest = (std::max)(largest, std::abs((sections_[i - 1](x) - right) / right));
         }
         return largest;
     }
@@ -148,8 +148,8 @@ private:
     void add(T a, T b, std::size_t points, const F& f, const T& error, int halvings) {
         constexpr T epsilon = std::numeric_limits<T>::epsilon();
         const ChebyshevSeries<T> series(a, b, points, f);
-        const T rounding = epsilon * std::max(T(600), 4 * std::abs(series(series.middle())));
-        if (halvings == 0 || series.tail() <= std::max(rounding, error)) {
+        const T rounding = epsilon * (std::max)(T(600), 4 * std::abs(series(series.middle())));
+        if (halvings == 0 || series.tail() <= (std::max)(rounding, error)) {
             sections_.push_back(series);
             return;
         }
@@ -171,19 +171,21 @@ namespace detail {
 /// whose ends are the ends of the interval: neighbouring pieces agree there.
 template <Real T, int N>
 class LobattoPiece {
+    static constexpr auto size = static_cast<std::size_t>(N);
+
 public:
     static const LobattoPiece& get() {
         static const LobattoPiece piece;
         return piece;
     }
-    std::array<T, N> node;  ///< ascending, -1 to 1
+    std::array<T, size> node;  ///< ascending, -1 to 1
 
     /// Coefficients of s^0 ... s^(N-1).
     [[nodiscard]] Lanes<T, N> fit(const Lanes<T, N>& value) const {
-        std::array<T, N> one;
+        std::array<T, size> one;
         value.store(one.data());
         auto sum = Lanes<T, N>::all(0);
-        for (std::size_t k = 0; k < N; ++k)
+        for (std::size_t k = 0; k < size; ++k)
             sum = multiply_add(Lanes<T, N>::load(inverse_[k].data()), Lanes<T, N>::all(one[k]), sum);
         return sum;
     }
@@ -191,26 +193,26 @@ public:
 private:
     /// Inverse Vandermonde matrix by Lagrange's polynomials, multiplied out in long double: the condition is 2.4^N.
     LobattoPiece() {
-        std::array<long double, N> x;
-        for (std::size_t k = 0; k < N; ++k)
+        std::array<long double, size> x;
+        for (std::size_t k = 0; k < size; ++k)
             x[k] = -std::cos(numbers::pi_v<long double> * static_cast<long double>(k) / (N - 1));
         if constexpr (N % 2 == 1) x[N / 2] = 0;
-        for (std::size_t k = 0; k < N; ++k) {
-            std::array<long double, N> product{1};
+        for (std::size_t k = 0; k < size; ++k) {
+            std::array<long double, size> product{1};
             std::size_t degree = 0;
-            for (std::size_t m = 0; m < N; ++m) {
+            for (std::size_t m = 0; m < size; ++m) {
                 if (m == k) continue;
                 ++degree;
                 for (std::size_t i = degree; i > 0; --i) product[i] = product[i - 1] - x[m] * product[i];
                 product[0] *= -x[m];
                 for (std::size_t i = 0; i <= degree; ++i) product[i] /= x[k] - x[m];
             }
-            for (std::size_t i = 0; i < N; ++i) inverse_[k][i] = static_cast<T>(product[i]);
+            for (std::size_t i = 0; i < size; ++i) inverse_[k][i] = static_cast<T>(product[i]);
             node[k] = static_cast<T>(x[k]);
         }
     }
 
-    std::array<std::array<T, N>, N> inverse_;  ///< by columns
+    std::array<std::array<T, size>, size> inverse_;  ///< by columns
 };
 
 }  // namespace detail

@@ -39,15 +39,15 @@ EIGEN_ALWAYS_INLINE Lanes<T, 8> polynomial(std::span<const T> c, const Lanes<T, 
 /// Polynomials for the three ranges.
 template <Real T = double>
 struct ErfPolynomials {
-    std::span<const T> near, middle, far;
+    std::span<const T> inner, middle, outer;
     double error;  ///< relative, beyond the rounding
 
     /// The shorter ones where \p tolerance allows.
     static ErfPolynomials for_tolerance(double tolerance) {
         using Table = ErfTable<T>;
         if (tolerance > 10 * Table::rough_error)
-            return {Table::rough_near, Table::rough_middle, Table::rough_far, Table::rough_error};
-        return {Table::near, Table::middle, Table::far, 0};
+            return {Table::rough_inner, Table::rough_middle, Table::rough_outer, Table::rough_error};
+        return {Table::inner, Table::middle, Table::outer, 0};
     }
 };
 
@@ -55,18 +55,18 @@ struct ErfPolynomials {
 template <Real T>
 EIGEN_ALWAYS_INLINE Lanes<T, 8> erf_ascending(const Lanes<T, 8>& y, T first, T last, const ErfPolynomials<T>& by) {
     using V = Lanes<T, 8>;
-    constexpr T middle = T(2.5), far = T(4.5), end = T(6.5);
+    constexpr T middle = T(2.5), outer = T(4.5), end = T(6.5);
     V value = V::all(T(1));
     if (first >= end) return value;
-    if (last > far) value = polynomial(by.far, min(y, V::all(end)) - V::all((far + end) / 2));
-    if (last > middle && first < far) {
-        const V q = polynomial(by.middle, min(y, V::all(far)) - V::all((middle + far) / 2));
-        value = select_less(y, V::all(far), q, value);
+    if (last > outer) value = polynomial(by.outer, smaller(y, V::all(end)) - V::all((outer + end) / 2));
+    if (last > middle && first < outer) {
+        const V q = polynomial(by.middle, smaller(y, V::all(outer)) - V::all((middle + outer) / 2));
+        value = select_less(y, V::all(outer), q, value);
     }
     if (first < middle) {
-        const V bounded = min(y, V::all(middle));
+        const V bounded = smaller(y, V::all(middle));
         const V p = bounded *
-                    polynomial(by.near, multiply_add(bounded * V::all(2 / (middle * middle)), bounded, V::all(T(-1))));
+                    polynomial(by.inner, multiply_add(bounded * V::all(2 / (middle * middle)), bounded, V::all(T(-1))));
         value = select_less(y, V::all(middle), p, value);
     }
     return value;

@@ -98,7 +98,7 @@ inline std::size_t fast_fft_size(std::size_t points) {
         for (std::size_t odd = fives; odd < largest; odd *= 3) {
             std::size_t size = 4 * odd;
             while (size < points) size *= 2;
-            best = std::min(best, size);
+            best = (std::min)(best, size);
         }
     return best;
 }

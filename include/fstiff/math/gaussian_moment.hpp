@@ -175,7 +175,7 @@ auto with_power(T a, const F& f) {
 template <Real T>
 [[nodiscard]] T gaussian_moment(T a, T x) {
     require(!std::isnan(x), "x", x, "a number");
-    x = std::clamp(x, -std::numeric_limits<T>::max(), std::numeric_limits<T>::max());
+    x = std::clamp(x, -(std::numeric_limits<T>::max)(), (std::numeric_limits<T>::max)());
     return detail::with_power(
         a, [x]<int TwiceA>() { return detail::scaled_moment<TwiceA>(x) * (x > 0 ? detail::gaussian(x) : T(1)); });
 }

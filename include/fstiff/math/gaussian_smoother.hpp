@@ -45,7 +45,7 @@ std::size_t GaussianSmoother<T>::reach(std::size_t size, T width) {
     // before the conversion to a whole number, which a huge width would leave the range of
     return T(1.66) * width >= static_cast<T>(size - 1)
                ? size - 1
-               : std::min(size - 1, static_cast<std::size_t>(T(1.66) * width) + 1);
+               : (std::min)(size - 1, static_cast<std::size_t>(T(1.66) * width) + 1);
 }
 
 template <Real T>

@@ -51,8 +51,12 @@ struct Lanes<T, N, true> {
     EIGEN_ALWAYS_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
         return {Eigen::internal::pdiv(a.p, b.p)};
     }
-    EIGEN_ALWAYS_INLINE friend Lanes min(const Lanes& a, const Lanes& b) { return {Eigen::internal::pmin(a.p, b.p)}; }
-    EIGEN_ALWAYS_INLINE friend Lanes max(const Lanes& a, const Lanes& b) { return {Eigen::internal::pmax(a.p, b.p)}; }
+    EIGEN_ALWAYS_INLINE friend Lanes smaller(const Lanes& a, const Lanes& b) {
+        return {Eigen::internal::pmin(a.p, b.p)};
+    }
+    EIGEN_ALWAYS_INLINE friend Lanes larger(const Lanes& a, const Lanes& b) {
+        return {Eigen::internal::pmax(a.p, b.p)};
+    }
     EIGEN_ALWAYS_INLINE friend Lanes exp(const Lanes& a) { return {Eigen::internal::pexp(a.p)}; }
     EIGEN_ALWAYS_INLINE friend Lanes log(const Lanes& a) { return {Eigen::internal::plog(a.p)}; }
     EIGEN_ALWAYS_INLINE friend Lanes sqrt(const Lanes& a) { return {Eigen::internal::psqrt(a.p)}; }
@@ -63,8 +67,8 @@ struct Lanes<T, N, true> {
     /// The lower half plus \p s times the upper one.
     EIGEN_ALWAYS_INLINE Lanes<T, N / 2> fold(T s) const {
         alignas(64) static constexpr auto lower = [] {
-            std::array<T, N> one{};
-            for (std::size_t i = 0; i < N / 2; ++i) one[i] = 1;
+            std::array<T, std::size_t{N}> one{};
+            for (std::size_t i = 0; i < one.size() / 2; ++i) one[i] = 1;
             return one;
         }();
         const Lanes low = load_aligned(lower.data());
@@ -108,11 +112,11 @@ struct Lanes<T, N, false> {
     EIGEN_ALWAYS_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
         return {a.low / b.low, a.high / b.high};
     }
-    EIGEN_ALWAYS_INLINE friend Lanes min(const Lanes& a, const Lanes& b) {
-        return {min(a.low, b.low), min(a.high, b.high)};
+    EIGEN_ALWAYS_INLINE friend Lanes smaller(const Lanes& a, const Lanes& b) {
+        return {smaller(a.low, b.low), smaller(a.high, b.high)};
     }
-    EIGEN_ALWAYS_INLINE friend Lanes max(const Lanes& a, const Lanes& b) {
-        return {max(a.low, b.low), max(a.high, b.high)};
+    EIGEN_ALWAYS_INLINE friend Lanes larger(const Lanes& a, const Lanes& b) {
+        return {larger(a.low, b.low), larger(a.high, b.high)};
     }
     EIGEN_ALWAYS_INLINE friend Lanes exp(const Lanes& a) { return {exp(a.low), exp(a.high)}; }
     EIGEN_ALWAYS_INLINE friend Lanes log(const Lanes& a) { return {log(a.low), log(a.high)}; }

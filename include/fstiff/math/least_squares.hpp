@@ -39,14 +39,14 @@ struct LeastSquaresOptions {
     T residual_floor = T(1e-11);  ///< a change of the residuals that counts as none
     /// Least singular value of the scaled J, over the largest, that counts as a direction: well above the rounding of
     /// J, which would otherwise pass for knowledge.
-    T singular_value = std::max(T(1e-7), T(1e4) * std::numeric_limits<T>::epsilon());
+    T singular_value = (std::max)(T(1e-7), T(1e4) * std::numeric_limits<T>::epsilon());
 };
 
 /// How a search for least squares ended.
 enum class FitStatus {
     converged,
     singular,  ///< a combination of the parameters leaves the residuals as they are: no covariance
-    at_bound,  ///< a parameter came to the end of its range, which only a caller knows (contact/identify): no covariance
+    at_bound,  ///< a parameter came to the end of its range, which only a caller knows (fit/identify): no covariance
     not_converged  ///< steps used up, or no step made the residuals smaller before the end was reached
 };
 template <>
@@ -117,20 +117,20 @@ template <Real T, class Evaluate>
         const bool inside = trial.allFinite() && usable(trial, trial_residuals, trial_jacobian);
         const T found = inside ? trial_residuals.squaredNorm() : std::numeric_limits<T>::infinity();
         // |scaled| is the change of the residuals: small against their standard error, 1, or against their own size
-        const T small =
-            std::max(options.tolerance * std::min(T(1), std::sqrt(fit.sum_of_squares)), options.residual_floor);
+        const T negligible =
+            (std::max)(options.tolerance * (std::min)(T(1), std::sqrt(fit.sum_of_squares)), options.residual_floor);
         if (found <= fit.sum_of_squares) {
             const bool little = fit.sum_of_squares - found <= T(1e-3) * options.tolerance * fit.sum_of_squares;
-            ended = damping <= T(1e-3) * T(1.001) && (scaled.norm() <= small || (little && damping < T(1e-6)));
+            ended = damping <= T(1e-3) * T(1.001) && (scaled.norm() <= negligible || (little && damping < T(1e-6)));
             fit.parameters = trial;
             fit.residuals = trial_residuals;
             jacobian = trial_jacobian;
             fit.sum_of_squares = found;
-            damping = std::max(damping / 10, std::numeric_limits<T>::epsilon());
+            damping = (std::max)(damping / 10, std::numeric_limits<T>::epsilon());
             if (found == 0) ended = true;
         } else {
             // no step at all makes it smaller any more: the end of the digits
-            if (scaled.norm() <= small) ended = true;
+            if (scaled.norm() <= negligible) ended = true;
             damping *= 8;
             if (damping > T(1e12)) break;
         }

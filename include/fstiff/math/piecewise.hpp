@@ -5,10 +5,12 @@
 ///
 ///     f(x) = c_0 + c_1 s + ... + c_7 s^7        eight coefficients a piece, one row of a table, one cache line
 ///
-/// BinaryPieces    eight equal pieces to each power of 2. The leading bits of x are the number of the piece, and the
-/// others
-///                 s: x = 2^e (middle + s).
+/// BinaryPieces    eight equal pieces to each power of 2. The leading bits of x are the number of the piece,
+///                 and the others s: x = 2^e (middle + s).
 /// UniformPieces   equal pieces of [begin, end], s in [-1, 1].
+///
+/// The rows are kept in a std::vector: storage of Eigen is allocated in one way or another by the vectors that a compiler
+/// is told to use, so that a table made in one file could not be freed in another.
 ///
 /// Four at a time: four rows are loaded and transposed, which is cheaper than to gather, and then four polynomials cost
 /// what one does. It takes registers of four numbers (AVX for double, any for float); elsewhere four_at_once is false.
@@ -28,8 +30,10 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace fstiff::detail {
 
@@ -66,6 +70,13 @@ struct Row {
         const T odd = (6 * c[6] * square + 4 * c[4]) * square + 2 * c[2];
         return odd * s + even;
     }
+};
+
+/// The coefficients of one polynomial.
+template <Real T>
+struct alignas(sizeof(T) * Row::terms) Coefficients {
+    T c[Row::terms];
+    [[nodiscard]] bool operator==(const Coefficients&) const = default;
 };
 
 template <Real T>
@@ -126,11 +137,14 @@ struct BinaryPieces {
     static constexpr T half = T(1) / (2 << bits_of_piece);      ///< s is within -half and half
 
     Bits<T> low = 0, count = 0, first = 0;  ///< count: of the numbers from low to high; 0 of an empty table
-    Eigen::Array<T, Row::terms, Eigen::Dynamic> rows;
+    std::vector<Coefficients<T>> rows;
 
     BinaryPieces() = default;
     BinaryPieces(T from, T to)
-        : low(bits_of(from)), count(bits_of(to) - low + 1), first(low >> shift), rows(Row::terms, pieces(from, to)) {}
+        : low(bits_of(from)),
+          count(bits_of(to) - low + 1),
+          first(low >> shift),
+          rows(static_cast<std::size_t>(pieces(from, to))) {}
 
     [[nodiscard]] static Eigen::Index pieces(T from, T to) {
         return static_cast<Eigen::Index>((bits_of(to) >> shift) - (bits_of(from) >> shift)) + 1;
@@ -158,7 +172,7 @@ struct BinaryPieces {
 
 private:
     [[nodiscard]] const T* row(T x) const noexcept {
-        return rows.data() + static_cast<std::size_t>((bits_of(x) >> shift) - first) * Row::terms;
+        return rows[static_cast<std::size_t>((bits_of(x) >> shift) - first)].c;
     }
     [[nodiscard]] static T s(T x) noexcept {
         return std::bit_cast<T>(static_cast<Bits<T>>((bits_of(x) & rest) | bits_of(T(1)))) - (1 + half);
@@ -170,11 +184,15 @@ struct UniformPieces {
     /// An empty table contains nothing: the difference to a NaN is none.
     T begin = std::numeric_limits<T>::quiet_NaN(), end = begin;
     T length{}, pieces_per_length{};
-    Eigen::Array<T, Row::terms, Eigen::Dynamic> rows;
+    std::vector<Coefficients<T>> rows;
 
     UniformPieces() = default;
     UniformPieces(T from, T to, Eigen::Index pieces)
-        : begin(from), end(to), length(to - from), pieces_per_length(T(pieces) / length), rows(Row::terms, pieces) {}
+        : begin(from),
+          end(to),
+          length(to - from),
+          pieces_per_length(T(pieces) / length),
+          rows(static_cast<std::size_t>(pieces)) {}
 
     [[nodiscard]] T lowest() const noexcept { return begin; }
     [[nodiscard]] bool contains(T x) const noexcept { return bits_of(T(x - begin)) <= bits_of(length); }
@@ -184,9 +202,9 @@ struct UniformPieces {
     };
     [[nodiscard]] ValueAndDerivative operator()(T x) const noexcept {
         const T position = (x - begin) * pieces_per_length;
-        const auto piece = std::min(static_cast<Eigen::Index>(position), rows.cols() - 1);
+        const auto piece = (std::min)(static_cast<Eigen::Index>(position), std::ssize(rows) - 1);
         const T s = 2 * (position - T(piece)) - 1;
-        const T* c = rows.data() + piece * Row::terms;
+        const T* c = rows[static_cast<std::size_t>(piece)].c;
         return {Row::value(c, s), Row::derivative(c, s)};
     }
 
@@ -196,12 +214,12 @@ struct UniformPieces {
         using namespace Eigen::internal;
         using P = Four<T>;
         const P position = pmul(psub(ploadu<P>(x), pset1<P>(begin)), pset1<P>(pieces_per_length));
-        const P piece = pmin(pfloor(position), pset1<P>(T(rows.cols() - 1)));
+        const P piece = pmin(pfloor(position), pset1<P>(T(std::ssize(rows) - 1)));
         const P middle = padd(piece, pset1<P>(T(0.5)));
         const P half_s = psub(position, middle);
         T at[4];
         pstoreu(at, piece);
-        const auto row = [&](T i) { return rows.data() + static_cast<std::ptrdiff_t>(i) * Row::terms; };
+        const auto row = [&](T i) { return rows.data()[static_cast<std::ptrdiff_t>(i)].c; };
         const auto [value, derivative] =
             FourRows<T>(row(at[0]), row(at[1]), row(at[2]), row(at[3])).value_and_derivative(padd(half_s, half_s));
         pstoreu(values, value);

@@ -45,7 +45,7 @@ struct RootResult {
 
 /// As many evaluations as bisection needs, three times over, for a slope that misleads.
 template <Real T>
-inline constexpr int root_iterations = std::max(200, 3 * std::numeric_limits<T>::digits);
+inline constexpr int root_iterations = (std::max)(200, 3 * std::numeric_limits<T>::digits);
 
 /// The root of the monotone function \p f in [\p lower, \p upper], sought from \p guess (moved there when outside).
 /// \p f takes x and returns a pair {value, slope}. Does not allocate; throws only what f throws.
@@ -84,13 +84,13 @@ template <Real T, class F>
         (side > 0 ? low : high) = x;
         (side > 0 ? low_seen : high_seen) = true;
 
-        const T width = std::max(tolerance, 4 * std::numeric_limits<T>::epsilon() * std::abs(x));
+        const T width = (std::max)(tolerance, 4 * std::numeric_limits<T>::epsilon() * std::abs(x));
         const T step = -value / slope;
         if (high - low <= width) {
             if (low_seen && high_seen) {
                 const T newton = x + step;
                 const T root = newton >= low && newton <= high ? newton : std::midpoint(low, high);
-                return {root, std::max(root - low, high - root), i, RootStatus::converged};
+                return {root, (std::max)(root - low, high - root), i, RootStatus::converged};
             }
             x = low_seen ? high : low;
             continue;
@@ -114,7 +114,7 @@ template <Real T, class F>
         last_move = std::abs(next - x);
         x = next;
     }
-    return {x, high - low, std::max(max_iterations, 0), RootStatus::not_converged};
+    return {x, high - low, (std::max)(max_iterations, 0), RootStatus::not_converged};
 }
 
 }  // namespace fstiff

@@ -53,8 +53,8 @@ bool is_rounding(const T* heights, const T* rest, std::size_t count, T resolutio
     T largest = 0, most = 0;
     for (std::size_t i = 0; i < count; ++i) {
         if (std::isnan(heights[i])) continue;
-        largest = std::max(largest, std::abs(heights[i]));
-        most = std::max(most, std::abs(rest[i]));
+        largest = (std::max)(largest, std::abs(heights[i]));
+        most = (std::max)(most, std::abs(rest[i]));
     }
     const T rounding = 16 * std::numeric_limits<T>::epsilon() * largest;
     if (most <= rounding) return true;
@@ -66,8 +66,8 @@ bool is_rounding(const T* heights, const T* rest, std::size_t count, T resolutio
             ++present;
         }
     const T rms = most * std::sqrt(squares / static_cast<T>(present));
-    const T least = std::max(most / T(0.6), rms / T(0.3));
-    return resolution >= least || common_step(heights, count, least, std::max(rounding, T(0.01) * most)) >= least;
+    const T least = (std::max)(most / T(0.6), rms / T(0.3));
+    return resolution >= least || common_step(heights, count, least, (std::max)(rounding, T(0.01) * most)) >= least;
 }
 
 }  // namespace fstiff::detail

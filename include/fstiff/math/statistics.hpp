@@ -27,7 +27,7 @@ template <Real T>
     require(probability >= T(0) && probability <= T(1), "probability", probability, "between 0 and 1");
     const T place = probability * static_cast<T>(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
+    const std::size_t above = (std::min)(below + 1, values.size() - 1);
     const T share = place - static_cast<T>(below);
     return values[below] + share * (values[above] - values[below]);
 }

@@ -41,12 +41,12 @@ struct HeightSums {
         points += 1;
         first += z;
         square += z * z;
-        highest = std::max(highest, z);
+        highest = (std::max)(highest, z);
     }
     void add(const HeightSums& other) {
         points += other.points, first += other.first, square += other.square;
         triples.add(other.triples);
-        highest = std::max(highest, other.highest);
+        highest = (std::max)(highest, other.highest);
         inner += other.inner, summits += other.summits, summit_curvature += other.summit_curvature;
     }
 };
@@ -62,12 +62,12 @@ using Estimates = Eigen::Array<S, 6, 1>;
 template <Real S>
 Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
     const S mean = sums.first / sums.points;
-    const S sigma = std::sqrt(std::max(S(0), sums.square / sums.points - mean * mean));
+    const S sigma = std::sqrt((std::max)(S(0), sums.square / sums.points - mean * mean));
     const S slope = std::sqrt(sums.triples.mean_square_slope());
     const S curvature = std::sqrt(sums.triples.mean_square_curvature());
     Estimates<S> e;
     e << sigma, S(1), S(1), sums.highest - mean, slope * (slope / (sigma * curvature)),
-        std::asin(std::min(S(1), curvature / slope / 2));  // curvature = 2 slope is a zigzag, but for rounding
+        std::asin((std::min)(S(1), curvature / slope / 2));  // curvature = 2 slope is a zigzag, but for rounding
     if (count == PeakCount::profile) {
         const S share = static_cast<S>(sums.triples.peaks) / static_cast<S>(sums.triples.triples);
         e[1] = radius_times_rms_curvature<S>() / curvature;

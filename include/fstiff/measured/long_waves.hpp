@@ -104,11 +104,11 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
             heights += w, squares += w * w;
         }
     LongWaveShare<T> found;
-    found.share = std::min(heights, T(1));
+    found.share = (std::min)(heights, T(1));
     const T e = 2 * squares / 3, of_waves = e < T(0.5) ? e / (1 - e) : T(1);
     const bool map = parts.rows() > 1;
-    const T of_share = std::min(variance_of_power_law(found.share, map), 4 * of_waves);
-    const T variance = std::min(T(1), std::max(of_waves, map ? std::sqrt(of_waves * of_share) : of_share));
+    const T of_share = (std::min)(variance_of_power_law(found.share, map), 4 * of_waves);
+    const T variance = (std::min)(T(1), (std::max)(of_waves, map ? std::sqrt(of_waves * of_share) : of_share));
     const T z = normal_95<T>.value, ninth = variance / 9;  // 2/(9 v)
     found.error = -3 * std::log(1 - ninth - z * std::sqrt(ninth)) / (2 * z);
     return found;
@@ -118,7 +118,7 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
 template <Real T, class Height>
 LongWaveShare<T> long_waves(Eigen::Index rows, Eigen::Index columns, T mean_square, const Height& height) {
     constexpr Eigen::Index most = 64;  // parts a side
-    const Eigen::Index down = std::min(rows, most), across = std::min(columns, most);
+    const Eigen::Index down = (std::min)(rows, most), across = (std::min)(columns, most);
     Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic> parts = decltype(parts)::Zero(down, across);
     for (Eigen::Index j = 0; j < rows; ++j)
         for (Eigen::Index i = 0; i < columns; ++i)

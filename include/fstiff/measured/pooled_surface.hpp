@@ -60,7 +60,7 @@ template <Real T>
     }
     if (all.size() == 1) return std::sqrt(within);
     const T k = student_quantile(normal_95<T>, static_cast<int>(all.size()) - 1) / normal_95<T>.value;
-    return std::sqrt(std::max(within, k * k * squares / (1 - squares) * scatter));
+    return std::sqrt((std::max)(within, k * k * squares / (1 - squares) * scatter));
 }
 
 namespace detail {
@@ -105,7 +105,7 @@ template <Real T>
     for (const auto& one : all) {
         out.size += one.size;
         out.face.roughness.max_peak_height =
-            std::max(out.face.roughness.max_peak_height, one.face.roughness.max_peak_height);
+            (std::max)(out.face.roughness.max_peak_height, one.face.roughness.max_peak_height);
     }
     const std::array<T, surface_parameter_count> centre = detail::coordinates(out.face);
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {

@@ -123,7 +123,7 @@ SectionSums<Accumulator<T>> section_sums(const HeightMap<T>& map, Direction dire
     sums.sum.setZero();
     sums.pairs.setZero();
     for (Eigen::Index j = 0; j < sections; ++j) {
-        const Eigen::Index at = j % together, many = std::min(together, sections - j);
+        const Eigen::Index at = j % together, many = (std::min)(together, sections - j);
         if (at == 0 && x) z = map.heights.middleRows(j, many).template cast<F>() / unit;
         if (at == 0 && !x) z = map.heights.middleCols(j, many).transpose().template cast<F>() / unit;
         const bool whole = !z.row(at).isNaN().any();
@@ -227,7 +227,7 @@ LogLevel<Accumulator<T>> log_level(const MeasuredStructureFunction<T>& measured,
     const Vector<F> y = Eigen::Map<const Vector<F>>(log_s.data(), size);
     level.error = expected_spread(row, covariance_of(log, regression_slope(log.lag, y, 0, size - 1)));
     if (measured.resample)
-        level.error = std::max(level.error, sample_spread(row, Matrix<F>(measured.resample(log.step))));
+        level.error = (std::max)(level.error, sample_spread(row, Matrix<F>(measured.resample(log.step))));
     return level;
 }
 
@@ -282,7 +282,7 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
     if (resampling.resamples > 1)
         measured.resample = [sums = std::move(sums), resampling, apart](const std::vector<std::size_t>& steps) {
             const F reach = 4 * static_cast<F>(*std::max_element(steps.begin(), steps.end())) / apart;
-            const auto block = static_cast<std::size_t>(std::min(reach, static_cast<F>(sums.sum.rows()))) + 1;
+            const auto block = static_cast<std::size_t>((std::min)(reach, static_cast<F>(sums.sum.rows()))) + 1;
             return detail::resample_sections(sums, steps, block, resampling);
         };
     return measured;
@@ -309,8 +309,8 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
         FractalFitOptions<T> both = options;
         const std::vector<T>&lags_x = along_x.second_differences.lag, &lags_y = along_y.second_differences.lag;
         both.window = LagWindow<T>{
-            std::max({std::min(result.x->window.from, result.y->window.from), lags_x.front(), lags_y.front()}),
-            std::min({std::max(result.x->window.to, result.y->window.to), lags_x.back(), lags_y.back()})};
+            (std::max)({(std::min)(result.x->window.from, result.y->window.from), lags_x.front(), lags_y.front()}),
+            (std::min)({(std::max)(result.x->window.to, result.y->window.to), lags_x.back(), lags_y.back()})};
         std::optional<FractalFit<T>> x, y;
         (void)fit(x, along_x, both);
         (void)fit(y, along_y, both);
@@ -320,8 +320,8 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
         const T difference = std::abs(result.dimension_difference);
         result.dimension_differs = difference > 3 * result.dimension_difference_error && difference > T(0.05);
     }
-    const T side = std::min(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
-    const LagWindow<T> common{4 * std::max(map.dx, map.dy), side / 10};
+    const T side = (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
+    const LagWindow<T> common{4 * (std::max)(map.dx, map.dy), side / 10};
     const auto varies = [](const MeasuredStructureFunction<T>& m) {
         const std::vector<T>& s = m.second_differences.value;
         return s.size() >= 4 && std::all_of(s.begin(), s.end(), [](T value) { return value > T(0); });

@@ -192,11 +192,11 @@ void store_mean_of_directions(SurfaceParameters<T>& result, const DirectionalFit
     const T gx = std::log(fit.x->fractal.roughness), gy = std::log(fit.y->fractal.roughness);
     const T log_g = share * gx + (1 - share) * gy;
     result.fractal_dimension = {share * dx + (1 - share) * dy,
-                                std::max(std::hypot(share * ex, (1 - share) * ey), std::abs(dx - dy) / 2)};
+                                (std::max)(std::hypot(share * ex, (1 - share) * ey), std::abs(dx - dy) / 2)};
     result.dimension_window_error =
         std::hypot(share * fit.x->window_dimension_error, (1 - share) * fit.y->window_dimension_error);
     result.log_fractal_roughness_error =
-        std::max(std::hypot(share * fit.x->log_roughness_error, (1 - share) * fit.y->log_roughness_error),
+        (std::max)(std::hypot(share * fit.x->log_roughness_error, (1 - share) * fit.y->log_roughness_error),
                  std::abs(gx - gy) / 2);
     const T g = std::exp(log_g);
     result.fractal_roughness = {g, g * result.log_fractal_roughness_error};
@@ -218,7 +218,7 @@ void require_numbers(const SurfaceParameters<T>& result) {
     require_positive("radius of the peaks", result.peak_radius.value);
     require_positive("density of the peaks", result.peak_density.value);
     for (const auto& one : {result.rms_height, result.peak_radius, result.peak_density})
-        require(one.error <= std::numeric_limits<T>::max(), "error of a surface parameter", one.error, "finite");
+        require(one.error <= (std::numeric_limits<T>::max)(), "error of a surface parameter", one.error, "finite");
 }
 
 }  // namespace detail

@@ -87,7 +87,7 @@ template <Real T>
     UncertainSurface<T> out;
     const auto set = [&](Parameter which, T value) {
         const std::size_t i = index_of(which);
-        const T variance = std::max(T(0), square[i][i] - mean[i] * mean[i]);
+        const T variance = (std::max)(T(0), square[i][i] - mean[i] * mean[i]);
         const bool log = parameter_table[i].variation == Variation::log;  // then s^2 = ln(1 + (error/value)^2)
         out.set(which, {value, log ? value * std::sqrt(std::expm1(variance)) : std::sqrt(variance)});
     };

@@ -75,7 +75,7 @@ void UncertainSurface<T>::validate() const {
         if (!known[i]) continue;
         const ParameterRow& row = parameter_table[i];
         require(parameter_in_range(row.parameter, value[i]), row.key, value[i], row.range());
-        require(error[i] >= T(0) && error[i] <= std::numeric_limits<T>::max(), std::string(row.key) + " error",
+        require(error[i] >= T(0) && error[i] <= (std::numeric_limits<T>::max)(), std::string(row.key) + " error",
                 error[i], "finite and not negative");
         for (std::size_t j = 0; j < surface_parameter_count; ++j)
             require(!known[j] || (std::abs(correlation[i][j]) <= T(1) && correlation[i][j] == correlation[j][i]),
@@ -111,13 +111,13 @@ SurfaceSampler<T>::SurfaceSampler(const UncertainSurface<T>& surface, std::uint6
     // the symmetric root: a correlation of exactly 1, or rounded to a few digits, does it no harm
     const auto [values, vectors] = symmetric_eigen<T>(correlation);
     const T least = *std::min_element(values.data(), values.data() + size);
-    const T rounding = std::max(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
+    const T rounding = (std::max)(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
     require(least >= -rounding, "least eigenvalue of the correlation", least, "at least 0");
     for (Eigen::Index i = 0; i < size; ++i)
         for (Eigen::Index j = 0; j < size; ++j)
             for (Eigen::Index k = 0; k < size; ++k)
                 root_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] +=
-                    vectors(i, k) * std::sqrt(std::max(T(0), values[k])) * vectors(j, k);
+                    vectors(i, k) * std::sqrt((std::max)(T(0), values[k])) * vectors(j, k);
 }
 
 template <Real T>

@@ -65,7 +65,7 @@ public:
         require(theta >= pi / 4 - slack && theta <= pi / 3 + slack, "theta", theta,
                 "between pi/4 and pi/3 (radians) for an exponential autocorrelation");
         const T cot = std::cos(theta) / std::sin(theta);
-        return {std::sqrt(std::max(T(0), (1 - cot) * (1 + cot))), theta};
+        return {std::sqrt((std::max)(T(0), (1 - cot) * (1 + cot))), theta};
     }
 
     /// Correlation of the height and the curvature of an ordinate, sigma_m^2/(sigma sigma_kappa).
@@ -102,8 +102,8 @@ public:
             for (int i = 0; T(i) < 6 * reach; ++i) sum += integrand(first + T(i) * step) * step;
         } else if (mean > -2 * reach) {
             const T step = T(0.06);
-            const T scale = std::min(width, 1 / k);
-            const T first = T(-3.9), last = std::log(std::max(mean + reach * width, scale) / scale) + step;
+            const T scale = (std::min)(width, 1 / k);
+            const T first = T(-3.9), last = std::log((std::max)(mean + reach * width, scale) / scale) + step;
             for (int i = 0; T(i) < (last - first) / step; ++i) {
                 const T u = first + T(i) * step;
                 const T fall = std::exp(-u);

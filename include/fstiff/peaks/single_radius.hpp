@@ -49,7 +49,7 @@ template <Real T>
     if (heights == Heights::gaussian) return gaussian_moment(n, h) / (numbers::sqrt2_v<T> / numbers::inv_sqrtpi_v<T>);
     require(!std::isnan(h), "h", h, "a number");
     return detail::with_power(n, [h]<int TwiceN>() {
-        return detail::scaled_upper_gamma<TwiceN>(std::max(-h, T(0))) * std::exp(-std::max(h, T(0)));
+        return detail::scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))) * std::exp(-(std::max)(h, T(0)));
     });
 }
 
@@ -64,7 +64,7 @@ struct SingleRadius {
         if (heights == Heights::gaussian)
             return {detail::scaled_moment<TwiceN>(h) * numbers::inv_sqrtpi_v<T> / numbers::sqrt2_v<T>,
                     h > 0 ? -h * h / 2 : T(0)};
-        return {detail::scaled_upper_gamma<TwiceN>(std::max(-h, T(0))), -std::max(h, T(0))};
+        return {detail::scaled_upper_gamma<TwiceN>((std::max)(-h, T(0))), -(std::max)(h, T(0))};
     }
     /// phi(s).
     [[nodiscard]] T density(T s) const {

@@ -66,7 +66,7 @@ private:
         F all = 0;
         for (std::size_t start = 0; start < size_; start += run) {
             F part = 0;
-            for (std::size_t i = start; i < std::min(start + run, size_); ++i)
+            for (std::size_t i = start; i < (std::min)(start + run, size_); ++i)
                 if (whole_ || present_[i]) part += term(i);
             all += part;
         }
@@ -76,7 +76,8 @@ private:
     void take_off_line() {
         const F centre = static_cast<F>(size_ - 1) / 2;  // exact
         const auto position = [&](std::size_t i) { return static_cast<F>(i) - centre; };
-        const F points = whole_ ? static_cast<F>(size_) : std::max(over_points([](std::size_t) { return F(1); }), F(1));
+        const F points =
+            whole_ ? static_cast<F>(size_) : (std::max)(over_points([](std::size_t) { return F(1); }), F(1));
         const F level = over_points([&](std::size_t i) { return z_[i]; }) / points;
         const F middle = whole_ ? F(0) : over_points(position) / points;
         const F square =
@@ -106,7 +107,7 @@ private:
         RealFft<F> fft(residual_.size());
         const std::size_t half = fft.size() / 2;
         const F scale = F(1) / static_cast<F>(fft.size());
-        constexpr F epsilon = std::max(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
+        constexpr F epsilon = (std::max)(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
         const F fft_error = 8 * epsilon;  // of a correlation, over its value at lag 0: six times what was measured
         std::vector<std::complex<F>> spectrum, other;
         std::vector<F> even(fft.size());
@@ -180,7 +181,7 @@ private:
         using Map = Eigen::Map<const Eigen::Array<F, Eigen::Dynamic, 1>>;
         F all = 0;
         for (std::size_t start = from; start < size_ - n; start += run) {
-            const std::size_t end = std::min(start + run, size_ - n);
+            const std::size_t end = (std::min)(start + run, size_ - n);
             const auto count = static_cast<Eigen::Index>(end - start);
             if (whole_) {
                 all += (Map(z_.data() + start + n, count) - Map(z_.data() + start, count)).square().sum();
@@ -231,7 +232,7 @@ private:
         }
         if (from == 0) return settled;
         fft.inverse(product, x);
-        constexpr F epsilon = std::max(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
+        constexpr F epsilon = (std::max)(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
         // the sums above grow segment by segment and step by step
         const std::size_t count = size_ / begins;
         const F steps = std::sqrt(static_cast<F>(to)) + std::sqrt(static_cast<F>(count));
@@ -249,7 +250,7 @@ private:
     void recompute_marked() {
         // how far the marked lags reach without a gap longer than half of what is before it
         std::size_t last = 0, front = 0;
-        while (front < inaccurate_lags_.size() && inaccurate_lags_[front] <= std::min(2 * last + 64, size_ / 64))
+        while (front < inaccurate_lags_.size() && inaccurate_lags_[front] <= (std::min)(2 * last + 64, size_ / 64))
             last = inaccurate_lags_[front++];
         std::vector<char> settled;
         if (whole_ && front > 64) settled = in_segments(last);

@@ -62,7 +62,7 @@ template <Real T>
 Profile<T> detrend(const Profile<T>& profile, Form form) {
     const std::size_t terms = detail::coefficients(form);
     for (const T z : profile.heights)
-        require(std::isnan(z) || std::abs(z) <= std::numeric_limits<T>::max(), "height", z,
+        require(std::isnan(z) || std::abs(z) <= (std::numeric_limits<T>::max)(), "height", z,
                 "finite, or NaN for a missing point");
     Profile<T> result = profile;
     if (terms == 0) return result;

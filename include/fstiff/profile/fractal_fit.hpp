@@ -62,14 +62,14 @@ namespace detail {
 
 template <Real T>
 void check_options(const FractalFitOptions<T>& options) {
-    require(options.gamma > T(1) && options.gamma <= std::numeric_limits<T>::max(), "gamma", options.gamma,
+    require(options.gamma > T(1) && options.gamma <= (std::numeric_limits<T>::max)(), "gamma", options.gamma,
             "finite and greater than 1");
     require(options.resamples >= 0 && options.resamples <= 100000, "resamples", options.resamples,
             "between 0 and 100000");
     for (const auto& [name, value] : {std::pair{"tip radius", options.tip_radius},
                                       {"resolution", options.resolution},
                                       {"lambda_s", options.lambda_s}})
-        require(value >= T(0) && value <= std::numeric_limits<T>::max(), name, value,
+        require(value >= T(0) && value <= (std::numeric_limits<T>::max)(), name, value,
                 "finite and greater than 0, or 0 when it is not known");
 }
 
@@ -126,13 +126,13 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOpt
     std::size_t longest = points / 4;
     if (options.window) {
         detail::check_window(*options.window, profile.length());
-        longest = std::max(
-            longest, std::min(points - 2, static_cast<std::size_t>(options.window->to / profile.spacing * T(1.0001))));
+        const auto last = static_cast<std::size_t>(options.window->to / profile.spacing * T(1.0001));
+        longest = (std::max)(longest, (std::min)(points - 2, last));
     }
     const std::vector<std::size_t> wanted = logarithmic_lags(longest);
     MeasuredStructureFunction<T> measured;
     measured.structure_function = structure_function(profile, std::span<const std::size_t>(wanted), options.divisor);
-    const std::vector<std::size_t> triples = logarithmic_lags(std::min(longest, (points - 1) / 2));
+    const std::vector<std::size_t> triples = logarithmic_lags((std::min)(longest, (points - 1) / 2));
     measured.second_differences = second_differences(profile, std::span<const std::size_t>(triples));
     measured.spacing = profile.spacing;
     measured.rms_height = rms_height(profile);
@@ -152,7 +152,7 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOpt
 template <Real T>
 FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options) {
     FractalFitOptions<T> how = options;
-    how.lambda_s = std::max(how.lambda_s, levelled.lambda_s.value_or(T(0)));
+    how.lambda_s = (std::max)(how.lambda_s, levelled.lambda_s.value_or(T(0)));
     if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
         how.longest = *levelled.lambda_c;
     return detail::fit_profile(levelled.of_structure(), how);
@@ -167,11 +167,11 @@ template <Real T>
 FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options) {
     detail::check_options(options);
     require_positive("spacing", measured.spacing);
-    require(measured.profiles >= T(1) && measured.profiles <= std::numeric_limits<T>::max(), "profiles",
+    require(measured.profiles >= T(1) && measured.profiles <= (std::numeric_limits<T>::max)(), "profiles",
             measured.profiles, "finite and at least 1");
-    require(measured.rms_height >= T(0) && measured.rms_height <= std::numeric_limits<T>::max(), "rms height",
+    require(measured.rms_height >= T(0) && measured.rms_height <= (std::numeric_limits<T>::max)(), "rms height",
             measured.rms_height, "finite and not negative");
-    require(measured.apart >= T(0) && measured.apart <= std::numeric_limits<T>::max(), "apart", measured.apart,
+    require(measured.apart >= T(0) && measured.apart <= (std::numeric_limits<T>::max)(), "apart", measured.apart,
             "finite and not negative");
     require(options.tip_radius == T(0), "tip radius", options.tip_radius,
             "left out for a structure function: a tip needs heights");
@@ -183,7 +183,7 @@ FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const Fr
             s.pairs[k] < 1)
             throw domain_error("structure function, lag = " + std::to_string(s.step[k]) +
                                " samples: lags must rise between 1 and less than half the points, each with a triple");
-        require(s.value[k] >= T(0) && s.value[k] <= std::numeric_limits<T>::max(), "structure function", s.value[k],
+        require(s.value[k] >= T(0) && s.value[k] <= (std::numeric_limits<T>::max)(), "structure function", s.value[k],
                 "finite and not negative");
     }
     if (options.window) detail::check_window(*options.window, static_cast<T>(measured.points - 1) * measured.spacing);
@@ -209,8 +209,8 @@ void set_window(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
     for (Eigen::Index k = 0; k <= range.last; ++k) {
         const T here = static_cast<T>(log.slope[k]);
         if (k >= range.first) {
-            result.min_slope = std::min(result.min_slope, here);
-            result.max_slope = std::max(result.max_slope, here);
+            result.min_slope = (std::min)(result.min_slope, here);
+            result.max_slope = (std::max)(result.max_slope, here);
         } else if (log.lag[k] >= std::log(log.shortest()) &&
                    (result.flattest_lag == T(0) || here < result.flattest_slope)) {
             result.flattest_lag = lag(k);
@@ -236,7 +236,7 @@ void set_fractal(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, cons
     const auto expected = [&](const Vector<F>& row) { return std::sqrt(fitter.covariance_of(row, row, range)); };
     // a profile that is not much longer than the longest lag knows its own scatter badly: the deviation of Student's t
     const F longest = std::exp(log.lag[range.last]);
-    const F pieces = std::max(F(4), static_cast<F>(log.points) / longest * log.independent(longest));
+    const F pieces = (std::max)(F(4), static_cast<F>(log.points) / longest * log.independent(longest));
     const F few = std::sqrt(pieces / (pieces - 2));
     F of_dimension = expected(main.dimension_row), of_log_g = expected(main.log_g_row);
     F correlation = fitter.covariance_of(main.dimension_row, main.log_g_row, range) / of_dimension / of_log_g;
@@ -246,9 +246,9 @@ void set_fractal(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, cons
         const auto part = [&](const Vector<F>& row) { return Vector<F>(row.segment(range.first, range.count())); };
         const F bootstrap = sample_spread(part(main.dimension_row), resampled);
         result.bootstrap_dimension_error = static_cast<T>(bootstrap);
-        beyond_model = std::max(F(1), bootstrap * bootstrap / (of_dimension * of_dimension));
-        of_dimension = std::max(of_dimension, bootstrap);
-        of_log_g = std::max(of_log_g, sample_spread(part(main.log_g_row), resampled));
+        beyond_model = (std::max)(F(1), bootstrap * bootstrap / (of_dimension * of_dimension));
+        of_dimension = (std::max)(of_dimension, bootstrap);
+        of_log_g = (std::max)(of_log_g, sample_spread(part(main.log_g_row), resampled));
     }
     of_dimension *= few, of_log_g *= few;
     result.sampling_dimension_error = static_cast<T>(of_dimension);
@@ -262,13 +262,13 @@ void set_fractal(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, cons
     result.fractal.dimension = static_cast<T>(main.dimension);
     const F roughness = std::exp(main.log_g) * static_cast<F>(spacing);
     result.fractal.roughness = static_cast<T>(roughness);
-    require(result.fractal.roughness >= std::numeric_limits<T>::min() &&
-                result.fractal.roughness <= std::numeric_limits<T>::max(),
+    require(result.fractal.roughness >= (std::numeric_limits<T>::min)() &&
+                result.fractal.roughness <= (std::numeric_limits<T>::max)(),
             "fractal dimension of the window", main.dimension, "further from 1: G is beyond the range of numbers");
     result.dimension_error = static_cast<T>(dimension_error);
     result.log_roughness_error = static_cast<T>(log_g_error);
     const F absolute = roughness * log_g_error;
-    require(absolute <= static_cast<F>(std::numeric_limits<T>::max()), "fractal dimension of the window",
+    require(absolute <= static_cast<F>((std::numeric_limits<T>::max)()), "fractal dimension of the window",
             main.dimension, "further from 1: the error of G is beyond the range of numbers");
     result.roughness_error = static_cast<T>(absolute);
 }

@@ -5,14 +5,14 @@
 ///
 /// Automatic window: the longest range of lags, half a decade at least, over which the local slope of ln S2 (over a
 /// factor of 3.4) keeps to the slope of the range within 0.2, or twice its sampling error where that is more, and which itself lies
-/// between 0.2 and 1.95, the local slopes between 0.1 and 1.95 but for their sampling error: a self-affine profile has a slope between 0 and 2, one that is smooth below its resolution 4, and one
-/// that has saturated 0. When there is none, 0.2 becomes 0.3, then 0.45, and the fit is flagged as curved. Lags of 4 samples
+/// between 0.2 and 1.95, the local slopes between 0.1 and 1.95 but for their sampling error: a self-affine profile has a
+/// slope between 0 and 2, one that is smooth below its resolution 4, and one that has saturated 0. When there is none, 0.2 becomes 0.3, then 0.45, and the fit is flagged as curved. Lags of 4 samples
 /// to a tenth of the points are searched; 1 sample to an eighth for a profile of fewer than 400 points; to a fifth of those
 /// of the sections of a map, which hold more pieces of a lag. The window ends where S2 is three quarters of what it
 /// saturates at, 6 times the mean square of the heights, or of its highest value where that is less: nearer to where
-/// the spectrum ends or turns flat S2 bends. (A limit that hangs on the slope of the window itself would choose the flat ones among the
-/// short windows.) Lags below the
-/// resolution, below lambda_s, or that may show the tip (profile/tip_cutoff.hpp), are left out of everything.
+/// the spectrum ends or turns flat S2 bends. (A limit that hangs on the slope of the window itself would choose the flat
+/// ones among the short windows.) Lags below the resolution, below lambda_s, or that may show the tip
+/// (profile/tip_cutoff.hpp), are left out of everything.
 /// A range behind a plateau is waviness over a roughness that has saturated: some shorter lag has a slope below 0.2,
 /// and the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
 /// tolerance above 0.2 only when there is none at all.
@@ -142,7 +142,7 @@ struct LogStructure {
         return static_cast<F>(whole);
     }
     /// The highest ln S2 of a window: three quarters of where S2 ends, but for 5 % of scatter.
-    F highest() const { return std::min(value.maxCoeff(), saturated) + F(0.05) - F(0.3); }
+    F highest() const { return (std::min)(value.maxCoeff(), saturated) + F(0.05) - F(0.3); }
 };
 
 /// Lags at which nothing differs (S2 = 0) have no logarithm, and are left out with those that are not reliable.
@@ -204,7 +204,7 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
     T best_length = 0, flattest = std::numeric_limits<T>::infinity();
     for (Eigen::Index a = 0; a <= within.last; ++a) {
         if (x[a] < from) continue;
-        flattest = std::min(flattest, local[a]);
+        flattest = (std::min)(flattest, local[a]);
         if (a < within.first) continue;
         for (Eigen::Index b = within.last; b > a; --b) {
             if (x[b] > to) continue;
@@ -218,7 +218,7 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
             const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && mean > min_slope &&
                                   mean < max_slope && (slopes > min_slope / 2 - by_chance).all() &&
                                   (slopes < max_slope + by_chance).all() &&
-                                  ((slopes - mean).abs() <= by_chance.max(tolerance)).all() && y[b] <= highest;
+                                  ((slopes - mean).abs() <= (by_chance.max)(tolerance)).all() && y[b] <= highest;
             if (straight) {
                 best = IndexRange{a, b};
                 best_length = length;
@@ -248,7 +248,7 @@ ChosenRange<Accumulator<T>> given_range(const LogStructure<Accumulator<T>>& log,
     IndexRange range{log.lag.size(), -1};
     for (Eigen::Index k = 0; k < log.lag.size(); ++k)
         if (log.lag[k] >= from && log.lag[k] <= to) {
-            range.first = std::min(range.first, k);
+            range.first = (std::min)(range.first, k);
             range.last = k;
         }
     const auto held = range.last < range.first ? Eigen::Index(0) : range.count();

@@ -8,11 +8,10 @@
 ///     ln C = -(5-2D) ln q + const,  D = 2 - H                    of a self-affine profile
 ///
 /// One-sided, Hann window w, or w = 1, mean weighted by the window, so that C(0) = 0. The same in waves per metre, f = q/(2 pi),
-/// is 2 pi C; Jacobs et al. write pi C. Missing points inside are bridged by
-/// straight lines, those at the ends cut off. D is a weighted line through the means of C over eighths of an octave: a
-/// mean of v independent values has a logarithm low by 1/(2v), which is put back, and known to sqrt(psi'(v)).
-/// Neighbours of a Hann spectrum are not independent: v is their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18
-/// M/N.
+/// is 2 pi C; Jacobs et al. write pi C. Missing points inside are bridged by straight lines, those at the ends cut off.
+/// D is a weighted line through the means of C over eighths of an octave: a mean of v independent values has a logarithm
+/// low by 1/(2v), which is put back, and known to sqrt(psi'(v)). Neighbours of a Hann spectrum are not independent: v is
+/// their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18 M/N.
 ///
 /// The spectrum knows D less well than the structure function knows it, but takes no notice of a tilt, and fails
 /// differently: two values that disagree by more than their errors tell that the profile is no power law.
@@ -139,7 +138,8 @@ PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape)
         spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
         const F relative = k == 0 ? F(0) : std::norm(transform[k]) * factor;
         const T value = static_cast<T>(relative * static_cast<F>(scale) * static_cast<F>(scale));
-        require(value <= std::numeric_limits<T>::max(), "power spectrum", value, "finite: these heights are too large");
+        require(value <= (std::numeric_limits<T>::max)(), "power spectrum", value,
+                "finite: these heights are too large");
         spectrum.value.push_back(value);
     }
     return spectrum;
@@ -156,7 +156,7 @@ SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
     SpectralFit<T> fit;
     fit.window = window ? *window : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
     require_positive("window from", fit.window.from);
-    require(fit.window.to > fit.window.from && fit.window.to <= std::numeric_limits<T>::max(), "window to",
+    require(fit.window.to > fit.window.from && fit.window.to <= (std::numeric_limits<T>::max)(), "window to",
             fit.window.to, "finite and greater than the beginning of the window");
 
     // bins of an eighth of an octave from the longest wavelength on; an index is the wavelength longest/k
@@ -171,7 +171,7 @@ SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
     std::vector<Bin> bins;
     for (std::size_t k = first; k < end;) {
         const std::size_t next =
-            std::min(end, std::max(k + 1, static_cast<std::size_t>(static_cast<F>(k) * std::exp2(F(0.125)))));
+            (std::min)(end, (std::max)(k + 1, static_cast<std::size_t>(static_cast<F>(k) * std::exp2(F(0.125)))));
         F sum = 0, log_q = 0;
         for (std::size_t i = k; i < next; ++i) {
             sum += static_cast<F>(spectrum.value[i]);
@@ -179,7 +179,7 @@ SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
         }
         const F count = static_cast<F>(next - k);
         if (sum > 0) {
-            const F independent = count / static_cast<F>(spectrum.independent), degrees = std::max(F(1), independent);
+            const F independent = count / static_cast<F>(spectrum.independent), degrees = (std::max)(F(1), independent);
             // mean and variance of the logarithm of a mean of v exponentials: psi(v) - ln v and psi'(v)
             const F low = degrees > F(1) ? 1 / (2 * degrees) + 1 / (12 * degrees * degrees) : F(0.5772156649);
             const F variance = 1 / degrees + 1 / (2 * degrees * degrees) + 1 / (6 * degrees * degrees * degrees);

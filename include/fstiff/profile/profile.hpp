@@ -57,7 +57,7 @@ void Profile<T>::validate(std::size_t least) const {
     T first{};
     for (const T z : heights) {
         if (std::isnan(z)) continue;
-        require(std::abs(z) <= std::numeric_limits<T>::max(), "height", z, "finite, or NaN for a missing point");
+        require(std::abs(z) <= (std::numeric_limits<T>::max)(), "height", z, "finite, or NaN for a missing point");
         if (count++ == 0) first = z;
         varies = varies || z != first;
     }
@@ -85,7 +85,7 @@ T rms_height(const Profile<T>& profile) {
     const T mean = mean_height(profile);
     T largest = 0;  // scaled by, so that no square leaves the range of numbers
     for (const T z : profile.heights)
-        if (!std::isnan(z)) largest = std::max(largest, std::abs(z - mean));
+        if (!std::isnan(z)) largest = (std::max)(largest, std::abs(z - mean));
     if (largest == T(0)) return T(0);
     CompensatedSum<Accumulator<T>> squares, firsts;
     std::size_t count = 0;

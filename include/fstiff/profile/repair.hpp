@@ -41,7 +41,7 @@ Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remo
     for (std::size_t i = 0; i < size; ++i) {
         if (std::isnan(profile.heights[i])) continue;
         neighbours.clear();
-        for (std::size_t k = i < 2 ? 0 : i - 2; k < std::min(size, i + 3); ++k)
+        for (std::size_t k = i < 2 ? 0 : i - 2; k < (std::min)(size, i + 3); ++k)
             if (k != i && !std::isnan(profile.heights[k])) neighbours.push_back(profile.heights[k]);
         if (neighbours.size() >= 2) differences[i] = profile.heights[i] - median(neighbours);
     }
@@ -71,7 +71,7 @@ Repair fill_missing(Profile<T>& profile) {
                 profile.heights[k] = (1 - share) * before + share * after;
             }
             repair.missing += count;
-            repair.longest = std::max(repair.longest, count);
+            repair.longest = (std::max)(repair.longest, count);
         }
         from = i + 1;
     }

@@ -94,8 +94,8 @@ public:
 
 private:
     static std::size_t reach(std::size_t size, F unit) {  // to 1e-17
-        const F far = F(3.54) * unit;
-        return far >= static_cast<F>(size - 1) ? size - 1 : std::min(size - 1, static_cast<std::size_t>(far) + 1);
+        const F last = F(3.54) * unit;
+        return last >= static_cast<F>(size - 1) ? size - 1 : (std::min)(size - 1, static_cast<std::size_t>(last) + 1);
     }
 
     std::size_t size_;

@@ -52,7 +52,8 @@ template <Real T>
 [[nodiscard]] RoughnessCutOff<T> roughness_cut_off(const Profile<T>& profile, std::type_identity_t<T> lambda_s = 0) {
     RoughnessCutOff<T> choice;
     const T length = static_cast<T>(profile.size()) * profile.spacing * (1 + T(1e-6));
-    const T shortest = std::max(5 * profile.spacing, static_cast<T>(min_ratio_of_cut_offs) * lambda_s) * (1 - T(1e-6));
+    const T shortest =
+        (std::max)(5 * profile.spacing, static_cast<T>(min_ratio_of_cut_offs) * lambda_s) * (1 - T(1e-6));
     bool fits = false, skipped = false;
     for (const CutOffRow& row : cut_off_table) {
         const T lambda_c = static_cast<T>(row.lambda_c);

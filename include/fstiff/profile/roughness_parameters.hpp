@@ -60,8 +60,8 @@ void measure_sections(const std::vector<F>& z, std::size_t first, std::size_t co
         F high = -std::numeric_limits<F>::infinity(), low = -high;
         for (std::size_t i = first + k * count / 5; i < first + (k + 1) * count / 5; ++i) {
             if (std::isnan(z[i])) continue;
-            high = std::max(high, z[i]);
-            low = std::min(low, z[i]);
+            high = (std::max)(high, z[i]);
+            low = (std::min)(low, z[i]);
         }
         if (high < low) continue;  // no point
         peaks += high;
@@ -118,8 +118,8 @@ RoughnessParameters<T> roughness_parameters(const Profile<T>& profile, std::opti
         squares.add(one * one);
         thirds.add(one * one * one);
         fourths.add(one * one * one * one);
-        high = std::max(high, one);
-        low = std::min(low, one);
+        high = (std::max)(high, one);
+        low = (std::min)(low, one);
     }
     const F variance = squares.value() / points;
     result.mean_deviation = static_cast<T>(firsts.value() / points * unit);

@@ -39,7 +39,7 @@ template <Real T>
         Accumulator<T> sum = 0;
         std::size_t triples = 0;
         for (std::size_t start = n; start < points - n; start += run) {
-            const std::size_t end = std::min(start + run, points - n);
+            const std::size_t end = (std::min)(start + run, points - n);
             Accumulator<T> part = 0;
             for (std::size_t i = start; i < end; ++i) {
                 const T difference = (z[i + n] - z[i]) / scale - (z[i] - z[i - n]) / scale;

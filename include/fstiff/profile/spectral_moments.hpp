@@ -57,12 +57,12 @@ SpectralMoments<T> spectral_moments(const Profile<T>& profile) {
     const S rms_bend = std::sqrt(sums.mean_square_curvature()) * ratio / static_cast<S>(profile.spacing);
     moments.m4 = static_cast<T>(rms_bend * rms_bend);
     const auto usable = [](T value) {
-        return value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max();
+        return value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)();
     };
     require(usable(moments.m0), "m0", moments.m0, "a positive number of normal size");
     require(usable(moments.m2), "m2", moments.m2, "a positive number of normal size");
     require(moments.m4 == T(0) || usable(moments.m4), "m4", moments.m4, "a number of normal size");
-    require(moments.bandwidth() <= std::numeric_limits<T>::max(), "Nayak's alpha", moments.bandwidth(), "finite");
+    require(moments.bandwidth() <= (std::numeric_limits<T>::max)(), "Nayak's alpha", moments.bandwidth(), "finite");
     return moments;
 }
 

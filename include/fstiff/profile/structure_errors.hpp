@@ -49,7 +49,7 @@ Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector
     for (Eigen::Index row = 0; row < size; ++row) {
         const auto n = static_cast<std::size_t>(row);
         // both halves of the spectrum: V twice, the integral twice; a lag of which little is there knows one value at least
-        const T triples_of_it = std::max(static_cast<T>(triples[n]), T(1));
+        const T triples_of_it = (std::max)(static_cast<T>(triples[n]), T(1));
         shares.row(row) *= std::sqrt(turn / triples_of_it) / means[row];
     }
     Matrix<T> covariance(size, size);
@@ -78,8 +78,8 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
         const std::size_t n = step[k];
         const std::vector<T>& means = bootstrap.means([&](std::size_t c) {
             T sum = 0, count = 0;
-            const std::size_t end = std::min((c + 1) * cell, z.size() - n);
-            for (std::size_t i = std::max(c * cell, n); i < end; ++i) {
+            const std::size_t end = (std::min)((c + 1) * cell, z.size() - n);
+            for (std::size_t i = (std::max)(c * cell, n); i < end; ++i) {
                 const T difference = (z[i + n] - z[i]) / scale - (z[i] - z[i - n]) / scale;
                 if (std::isnan(difference)) continue;
                 sum += difference * difference;
@@ -96,7 +96,7 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
 /// Standard deviation of row * y for values y of this covariance.
 template <Real T>
 T expected_spread(const Vector<T>& row, const Matrix<T>& covariance) {
-    return std::sqrt(std::max(T(0), row.dot(covariance.lazyProduct(row))));
+    return std::sqrt((std::max)(T(0), row.dot(covariance.lazyProduct(row))));
 }
 
 /// Standard deviation of row * column over the columns of \p samples.

@@ -9,9 +9,9 @@
 ///
 ///  - a: waves that are missing below the resolution, or noise. With no wave shorter than the first lag a is -a_max,
 ///    a_max = 6 Gamma(1+p) sin(pi p/2)/(pi p (4-2^p) (2 pi)^p) of S2 there; before the fit taken for -0.45 a_max with a
-///    standard deviation of 0.6 a_max; for -0.75 a_max where
-///    S2 is steeper at shorter lags, so that the end of the band shows. In the sections of a map a_max is larger by
-///    sqrt(pi) Gamma(1+p/2)/Gamma((1+p)/2), as short waves run across them too, and -0.6 stands for -0.45;
+///    standard deviation of 0.6 a_max; for -0.75 a_max where S2 is steeper at shorter lags, so that the end of the
+///    band shows. In the sections of a map a_max is larger by sqrt(pi) Gamma(1+p/2)/Gamma((1+p)/2), as short waves run
+///    across them too, and -0.6 stands for -0.45;
 ///  - b: where the spectrum ends or turns flat, before the fit taken for 0 with a standard deviation of 0.5 at the last lag;
 ///  - log-periodic terms, where they explain more than half of the scatter about the line.
 /// The weights are those of the covariance of ln S2 (profile/structure_errors), with 0.03 added to each lag for what the
@@ -51,7 +51,7 @@ Matrix<T> cholesky(const Matrix<T>& a) {
     for (Eigen::Index j = 0; j < a.rows(); ++j) {
         T left = a(j, j);
         for (Eigen::Index k = 0; k < j; ++k) left -= l(j, k) * l(j, k);
-        l(j, j) = std::sqrt(std::max(left, a(j, j) * std::numeric_limits<T>::epsilon()));
+        l(j, j) = std::sqrt((std::max)(left, a(j, j) * std::numeric_limits<T>::epsilon()));
         for (Eigen::Index i = j + 1; i < a.rows(); ++i) {
             T sum = a(i, j);
             for (Eigen::Index k = 0; k < j; ++k) sum -= l(i, k) * l(j, k);
@@ -105,7 +105,7 @@ public:
           y_(log.value) {
         for (Eigen::Index k = 0; k < y_.size(); ++k) {
             // the logarithm of a mean of squares is low by half its variance
-            y_[k] += std::min(covariance_(k, k), T(0.5)) / 2;
+            y_[k] += (std::min)(covariance_(k, k), T(0.5)) / 2;
             covariance_(k, k) += T(0.0009);
         }
     }
@@ -135,8 +135,8 @@ private:
     /// a and b at all lags: each is 1 at its own end of the band.
     Matrix<T> band_columns(const IndexRange& band) const {
         Matrix<T> columns(log_.lag.size(), 2);
-        columns.col(0) = (-power_ * (log_.lag.array() - log_.lag[band.first])).min(T(2)).exp();
-        columns.col(1) = ((4 - power_) * (log_.lag.array() - log_.lag[band.last])).min(T(2)).exp();
+        columns.col(0) = ((-power_ * (log_.lag.array() - log_.lag[band.first])).min)(T(2)).exp();
+        columns.col(1) = (((4 - power_) * (log_.lag.array() - log_.lag[band.last])).min)(T(2)).exp();
         return columns;
     }
 

@@ -67,12 +67,12 @@ namespace detail {
 /// Power of two near the largest height: squares of scaled heights stay in range, and scaling is exact.
 template <Real T>
 T height_scale(const Profile<T>& profile) {
-    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+    T low = (std::numeric_limits<T>::max)(), high = std::numeric_limits<T>::lowest();
     for (const T z : profile.heights) {
         if (std::isnan(z)) continue;
-        require(std::abs(z) <= std::numeric_limits<T>::max(), "height", z, "finite, or NaN for a missing point");
-        low = std::min(low, z);
-        high = std::max(high, z);
+        require(std::abs(z) <= (std::numeric_limits<T>::max)(), "height", z, "finite, or NaN for a missing point");
+        low = (std::min)(low, z);
+        high = (std::max)(high, z);
     }
     return low < high ? power_of_two_below(high / 2 - low / 2) : T(1);  // a range that cannot overflow
 }
@@ -86,7 +86,7 @@ constexpr std::size_t divided_by(std::size_t pairs, Divisor divisor) {
 template <Real T>
 T mean_square(Accumulator<T> sum, Accumulator<T> count, Accumulator<T> scale) {
     const T value = static_cast<T>(sum / count * scale * scale);
-    require(sum == 0 || (value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max()),
+    require(sum == 0 || (value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)()),
             "structure function", value, "a number of normal size: these heights are too large or too small");
     return value;
 }
@@ -110,7 +110,7 @@ StructureFunction<T> structure_function(const Profile<T>& profile, std::span<con
         Accumulator<T> sum = 0;
         std::size_t pairs = 0;
         for (std::size_t start = 0; start < points - n; start += run) {
-            const std::size_t end = std::min(start + run, points - n);
+            const std::size_t end = (std::min)(start + run, points - n);
             Accumulator<T> part = 0;
             for (std::size_t i = start; i < end; ++i) {
                 const T difference = (z[i + n] - z[i]) / scale;

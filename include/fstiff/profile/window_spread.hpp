@@ -48,7 +48,8 @@ bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const In
 template <Real F>
 bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
     for (Eigen::Index k = range.first; k <= range.last; ++k)
-        if (log.slope[k] < F(0.2) && slope - log.slope[k] > std::max(F(0.3), F(1.5) * log.slope_error[k])) return true;
+        if (log.slope[k] < F(0.2) && slope - log.slope[k] > (std::max)(F(0.3), F(1.5) * log.slope_error[k]))
+            return true;
     return false;
 }
 
@@ -75,7 +76,7 @@ FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention conventio
                 std::log(structure_constant<F>(d, convention, gamma))) /
                (2 * (d - 1));
     };
-    const F nearby = F(1e-4) * std::min(found.dimension - 1, 2 - found.dimension);
+    const F nearby = F(1e-4) * (std::min)(found.dimension - 1, 2 - found.dimension);
     const F slope = (log_g(found.dimension + nearby) - log_g(found.dimension - nearby)) / (2 * nearby);
     found.log_g_of_dimension = slope;
     found.log_g = log_g(found.dimension) + line.reference;
@@ -128,7 +129,7 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& ma
         if (!neighbour.half) weights += width;
         const auto excess = [&](const Vector<F>& row, F difference) {
             const F expected = fitter.covariance_of(row, row, range) * beyond_model;
-            return std::pair{std::max(F(0), difference * difference - 2 * expected), std::sqrt(expected)};
+            return std::pair{(std::max)(F(0), difference * difference - 2 * expected), std::sqrt(expected)};
         };
         const F off = other.dimension - main.dimension;
         const auto [excess_d, expected] = excess(other.dimension_row - main.dimension_row, off);

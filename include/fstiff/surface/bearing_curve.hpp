@@ -48,7 +48,7 @@ template <Real T>
     BearingCurve<T> curve;
     for (std::size_t k = 0; k <= steps; ++k) {
         curve.share.push_back(static_cast<T>(k) / static_cast<T>(steps));
-        curve.height.push_back(sorted[std::min(sorted.size() - 1, k * sorted.size() / steps)]);
+        curve.height.push_back(sorted[(std::min)(sorted.size() - 1, k * sorted.size() / steps)]);
     }
     return curve;
 }

@@ -58,12 +58,19 @@ struct ParameterRow {
     [[nodiscard]] std::string starting_range() const;
 };
 
+namespace detail {
+
+// UTF-8 by its bytes, which no compiler reads in a code page
+inline constexpr std::string_view micrometre = "\xC2\xB5m", per_square_millimetre = "1/mm\xC2\xB2";
+
+}  // namespace detail
+
 // clang-format off
 /// In the order of Parameter.
 inline constexpr std::array parameter_table{
-    ParameterRow{Parameter::rms_height,        "rms_height",        "sigma",  "sigma",  "m",     "µm",    1e6,  Variation::log},
-    ParameterRow{Parameter::peak_radius,       "peak_radius",       "R",      "R",      "m",     "µm",    1e6,  Variation::log},
-    ParameterRow{Parameter::peak_density,      "peak_density",      "D_p",    "Dp",     "1/m^2", "1/mm²", 1e-6, Variation::log},
+    ParameterRow{Parameter::rms_height,        "rms_height",        "sigma",  "sigma",  "m",     detail::micrometre, 1e6,  Variation::log},
+    ParameterRow{Parameter::peak_radius,       "peak_radius",       "R",      "R",      "m",     detail::micrometre, 1e6,  Variation::log},
+    ParameterRow{Parameter::peak_density,      "peak_density",      "D_p",    "Dp",     "1/m^2", detail::per_square_millimetre, 1e-6, Variation::log},
     ParameterRow{Parameter::fractal_dimension, "fractal_dimension", "D",      "D",      "",      "",      1,    Variation::between, {1, "1"}, {2, "2"}},
     ParameterRow{Parameter::r,                 "r",                 "r",      "r",      "",      "",      1,    Variation::between, {0, "0"}, {1, "1"}, true},
     ParameterRow{Parameter::theta,             "theta",             "theta",  "theta",  "rad",   "rad",   1,    Variation::between, {0, "0"}, {numbers::pi_v<long double> / 2, "pi/2"}},
@@ -103,7 +110,7 @@ inline constexpr auto names<Parameter> = detail::parameter_keys();
 template <Real T>
 [[nodiscard]] constexpr bool parameter_in_range(Parameter which, T x) noexcept {
     const ParameterRow& row = row_of(which);
-    constexpr T greatest = std::numeric_limits<T>::max();
+    constexpr T greatest = (std::numeric_limits<T>::max)();
     switch (row.variation) {
         case Variation::as_it_is:
             return x >= -greatest && x <= greatest;
@@ -127,7 +134,7 @@ public:
 
     /// Whether \p x has a variable: in the range, and at no end of it.
     [[nodiscard]] bool inside(T x) const noexcept {
-        constexpr T greatest = std::numeric_limits<T>::max();
+        constexpr T greatest = (std::numeric_limits<T>::max)();
         if (variation_ == Variation::between) return x > low_ && x < high_;
         return x <= greatest && (variation_ == Variation::log ? x > T(0) : x >= -greatest);
     }

@@ -35,7 +35,7 @@ template <Real T>
     require_fractal_dimension(fractal.dimension);
     require_positive("fractal_roughness", fractal.roughness);
     require_positive("rms", rms);
-    require(gamma > T(1) && gamma <= std::numeric_limits<T>::max(), "gamma", gamma, "finite and greater than 1");
+    require(gamma > T(1) && gamma <= (std::numeric_limits<T>::max)(), "gamma", gamma, "finite and greater than 1");
     const T power = 4 - 2 * fractal.dimension;
     const T ratio = rms / fractal.roughness;  // lambda/G = (2 ratio^2 (1 - gamma^-power))^(1/power)
     return fractal.roughness * std::pow(2 * ratio * ratio * -std::expm1(-power * std::log(gamma)), 1 / power);

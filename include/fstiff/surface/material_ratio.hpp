@@ -51,7 +51,7 @@ namespace detail {
 
 /// Heights, and differences of them, that count as one, over the range of the heights: a few roundings.
 template <Real F>
-inline constexpr F tie = std::max(F(1e-14), 64 * std::numeric_limits<F>::epsilon());
+inline constexpr F tie = (std::max)(F(1e-14), 64 * std::numeric_limits<F>::epsilon());
 
 /// Heights in falling order within a range of 1, one at each whole place; straight lines between them.
 template <Real F>
@@ -60,7 +60,7 @@ public:
     explicit FallingCurve(const std::vector<F>& heights) : z_(heights) {}
 
     [[nodiscard]] F at(F place) const {
-        const std::size_t i = std::min(static_cast<std::size_t>(place), z_.size() - 2);
+        const std::size_t i = (std::min)(static_cast<std::size_t>(place), z_.size() - 2);
         const F part = place - static_cast<F>(i);
         return z_[i] * (1 - part) + z_[i + 1] * part;
     }
@@ -78,7 +78,7 @@ public:
     template <class Use>
     void visit(F from, F to, const Use& use) const {
         while (from < to) {
-            const F next = std::min(to, std::floor(from) + 1);
+            const F next = (std::min)(to, std::floor(from) + 1);
             use(from, next, at(from), at(next));
             from = next;
         }
@@ -117,7 +117,7 @@ template <Real F>
     F least = z.front() - z.back(), found = 0;
     const F same = (z.front() - z.back()) * tie<F>;
     visit([&](F, F fall) {
-        least = std::min(least, fall);
+        least = (std::min)(least, fall);
         return false;
     });
     visit([&](F place, F fall) {
@@ -145,7 +145,7 @@ MaterialRatio<T> material_ratio(std::span<const T> heights) {
     for (F& one : z) one = (one - datum) / scale;
 
     const detail::FallingCurve<F> curve(z);
-    const F width = F(2) / 5 * places, from = detail::flattest_place(z, width), to = std::min(from + width, places);
+    const F width = F(2) / 5 * places, from = detail::flattest_place(z, width), to = (std::min)(from + width, places);
     const F middle = (from + to) / 2;
     CompensatedSum<F> area, moment;
     curve.visit(from, to, [&](F a, F b, F za, F zb) {
@@ -153,7 +153,7 @@ MaterialRatio<T> material_ratio(std::span<const T> heights) {
         area.add(part * mean);
         moment.add(part * (mean * ((a + b) / 2 - middle) + (zb - za) * part / 12));
     });
-    const F slope = std::min(F(0), 12 * moment.value() / (width * width * width));  // of z per place
+    const F slope = (std::min)(F(0), 12 * moment.value() / (width * width * width));  // of z per place
     const F upper = area.value() / width - slope * middle, lower = upper + slope * places;
     const F first = curve.first_at_or_below(upper), second = curve.first_below(lower);
     MaterialRatio<T> result;

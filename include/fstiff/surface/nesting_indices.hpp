@@ -76,8 +76,8 @@ template <Real T>
 template <Real T>
 [[nodiscard]] T shortest_lambda_s(T step, T resolution = 0, T tip_radius = 0) {
     require_positive("step", step);
-    const T index = nesting_index(std::max(static_cast<T>(steps_of_lambda_s) * step, resolution));
-    return tip_radius > T(0) ? std::max(index, lambda_s_of_tip(tip_radius)) : index;
+    const T index = nesting_index((std::max)(static_cast<T>(steps_of_lambda_s) * step, resolution));
+    return tip_radius > T(0) ? (std::max)(index, lambda_s_of_tip(tip_radius)) : index;
 }
 
 }  // namespace fstiff

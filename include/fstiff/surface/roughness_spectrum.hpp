@@ -37,7 +37,7 @@ namespace detail {
 /// int_1^x q^(s-1) dq = (x^s - 1)/s with log_x = ln x.
 template <Real T>
 [[nodiscard]] T power_integral(T s, T log_x) {
-    return std::abs(s * log_x) < std::numeric_limits<T>::min() ? log_x : std::expm1(s * log_x) / s;
+    return std::abs(s * log_x) < (std::numeric_limits<T>::min)() ? log_x : std::expm1(s * log_x) / s;
 }
 
 /// d ln/d ln x of it: x^s/power_integral.
@@ -62,8 +62,8 @@ struct BandSpectrum {
         require_positive("C0", C0);
         require(hurst > 0 && hurst <= 1, "hurst", hurst, "greater than 0 and at most 1");
         require_positive("q1", q1);
-        require(q_rolloff >= q1 && q_rolloff <= std::numeric_limits<T>::max(), "q_rolloff", q_rolloff, "q1 or more");
-        require(q2 > q_rolloff && q2 <= std::numeric_limits<T>::max(), "q2", q2, "greater than q1 and q_rolloff");
+        require(q_rolloff >= q1 && q_rolloff <= (std::numeric_limits<T>::max)(), "q_rolloff", q_rolloff, "q1 or more");
+        require(q2 > q_rolloff && q2 <= (std::numeric_limits<T>::max)(), "q2", q2, "greater than q1 and q_rolloff");
     }
 
     /// int q^n C dq over the band.

@@ -42,7 +42,7 @@ template <Real T>
 [[nodiscard]] T structure_constant(T fractal_dimension, StructureConvention convention = StructureConvention::exact,
                                    T gamma = T(1.5)) {
     require_fractal_dimension(fractal_dimension);
-    require(gamma > T(1) && gamma <= std::numeric_limits<T>::max(), "gamma", gamma, "finite and greater than 1");
+    require(gamma > T(1) && gamma <= (std::numeric_limits<T>::max)(), "gamma", gamma, "finite and greater than 1");
     constexpr T pi = numbers::pi_v<T>;
     const T above = fractal_dimension - 1, below = 2 - fractal_dimension;  // both exact
     const T g = pi / (2 * std::tgamma(2 * below) * std::sin(pi * (above < below ? above : below)));
@@ -80,7 +80,7 @@ template <Real T>
                                   StructureConvention convention = StructureConvention::exact, T gamma = T(1.5)) {
     const T log_ratio = log_fractal_roughness(fractal_dimension, lag, value, convention, gamma);
     const T roughness = std::exp(log_ratio) * lag;
-    require(roughness >= std::numeric_limits<T>::min() && roughness <= std::numeric_limits<T>::max(),
+    require(roughness >= (std::numeric_limits<T>::min)() && roughness <= (std::numeric_limits<T>::max)(),
             "fractal_dimension", fractal_dimension,
             "further from 1: the fractal roughness G is beyond the range of numbers");
     return roughness;

@@ -46,7 +46,7 @@ namespace detail {
 /// Whether G, which leaves every range of numbers as D -> 1, is one.
 template <Real T>
 [[nodiscard]] bool is_number(T roughness) {
-    return roughness >= std::numeric_limits<T>::min() && roughness <= std::numeric_limits<T>::max();
+    return roughness >= (std::numeric_limits<T>::min)() && roughness <= (std::numeric_limits<T>::max)();
 }
 
 }  // namespace detail

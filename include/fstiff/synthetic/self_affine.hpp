@@ -97,13 +97,13 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
     if (columns > max_points / rows)
         detail::refuse("points", std::to_string(columns) + " x " + std::to_string(rows), "at most 2^28");
     const W period_x = static_cast<W>(columns) * dx, period_y = map ? static_cast<W>(rows) * dy : W(0);
-    const W side = std::max(period_x, period_y), step = map ? std::max(dx, dy) : dx;
+    const W side = (std::max)(period_x, period_y), step = map ? (std::max)(dx, dy) : dx;
     const W longest = options.longest_wavelength == T(0) ? side : static_cast<W>(options.longest_wavelength);
     const W shortest = options.shortest_wavelength == T(0) ? 2 * step : static_cast<W>(options.shortest_wavelength);
     const W slack = 1 + 16 * static_cast<W>(std::numeric_limits<T>::epsilon());  // a cut-off that was computed
     require(shortest * slack >= 2 * step && shortest <= side, "shortest_wavelength", options.shortest_wavelength,
             "between two spacings and the side of the surface, or 0");
-    require(longest > shortest && longest <= static_cast<W>(std::numeric_limits<T>::max()), "longest_wavelength",
+    require(longest > shortest && longest <= static_cast<W>((std::numeric_limits<T>::max)()), "longest_wavelength",
             options.longest_wavelength, "finite and greater than the shortest wavelength, or 0");
 
     // half of the waves: ky > 0, or ky = 0 and kx > 0; the wave at two samples itself has no phase, and is left out
@@ -114,7 +114,7 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
         const W q = std::hypot(static_cast<W>(kx) * (longest / period_x),
                                map ? static_cast<W>(ky) * (longest / period_y) : W(0));
         if (q * shortest > longest * slack || (q * slack < 1 && options.long_waves == LongWaves::none)) return 0;
-        return std::pow(std::max(q, W(1)), power);
+        return std::pow((std::max)(q, W(1)), power);
     };
     using Complex = std::complex<W>;
     Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> waves =

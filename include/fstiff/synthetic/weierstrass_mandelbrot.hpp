@@ -102,7 +102,7 @@ WeierstrassMandelbrot<T>::WeierstrassMandelbrot(const Fractal<T>& fractal,
     require_positive("shortest_wavelength", options.shortest_wavelength);
     require(options.longest_wavelength >= options.shortest_wavelength, "shortest_wavelength",
             options.shortest_wavelength, "at most the longest wavelength");
-    require(options.gamma > T(1) && options.gamma <= std::numeric_limits<T>::max(), "gamma", options.gamma,
+    require(options.gamma > T(1) && options.gamma <= (std::numeric_limits<T>::max)(), "gamma", options.gamma,
             "finite and greater than 1");
     const long double decades = std::log(static_cast<long double>(options.longest_wavelength)) -
                                 std::log(static_cast<long double>(options.shortest_wavelength));
@@ -129,7 +129,7 @@ T WeierstrassMandelbrot<T>::cosine(std::uint64_t turn) {
 
 template <Real T>
 T WeierstrassMandelbrot<T>::operator()(T x) const {
-    require(std::abs(x) <= std::numeric_limits<T>::max(), "x", x, "finite");
+    require(std::abs(x) <= (std::numeric_limits<T>::max)(), "x", x, "finite");
     T height = 0;
     for (const Term& term : terms_)
         height += term.amplitude * cosine(term.phase + detail::turn_fraction(x / term.wavelength));

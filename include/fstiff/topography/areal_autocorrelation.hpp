@@ -137,11 +137,11 @@ public:
         const auto end_of = [](T speed, Eigen::Index reach) {
             return std::abs(speed) > 0 ? static_cast<T>(reach) / std::abs(speed) : std::numeric_limits<T>::infinity();
         };
-        const T end = std::min(end_of(across, a_.reach_x), end_of(up, a_.reach_y));
+        const T end = (std::min)(end_of(across, a_.reach_x), end_of(up, a_.reach_y));
         Eigen::Index next_x = 1, next_y = 1;
         T from = 0, before = value(0, 0);
         while (from < end) {
-            const T to_x = end_of(across, next_x), to_y = end_of(up, next_y), to = std::min({to_x, to_y, end});
+            const T to_x = end_of(across, next_x), to_y = end_of(up, next_y), to = (std::min)({to_x, to_y, end});
             if (to_x <= to) ++next_x;
             if (to_y <= to) ++next_y;
             const T middle = (from + to) / 2;
@@ -171,7 +171,7 @@ private:
         if (!(discriminant >= 0)) return 2;
         const T divisor = std::sqrt(discriminant) - b;
         const T root = divisor > 0 ? 2 * c / divisor : T(2);
-        return end <= threshold_ ? std::min(root, T(1)) : root;
+        return end <= threshold_ ? (std::min)(root, T(1)) : root;
     }
 
     const ArealAutocorrelation<T>& a_;
@@ -222,8 +222,8 @@ ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map, LagPairs 
 template <Real T>
 RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation) {
     using Index = Eigen::Index;
-    const T width = std::max(correlation.dx, correlation.dy);
-    const T end = std::min(static_cast<T>(correlation.reach_x) * correlation.dx,
+    const T width = (std::max)(correlation.dx, correlation.dy);
+    const T end = (std::min)(static_cast<T>(correlation.reach_x) * correlation.dx,
                            static_cast<T>(correlation.reach_y) * correlation.dy);
     const auto shells = static_cast<std::size_t>(std::lround(end / width)) + 1;
     std::vector<T> lengths(shells), sums(shells);

@@ -90,8 +90,8 @@ ArealParameters<T> areal_parameters(const HeightMap<T>& map, const ArealStatisti
     const S unit = static_cast<S>(heights.unit), variance = heights.variance;
     S high = -std::numeric_limits<S>::infinity(), low = -high;
     const S deviation = mean_of([&](S z) {
-        high = std::max(high, z);
-        low = std::min(low, z);
+        high = (std::max)(high, z);
+        low = (std::min)(low, z);
         return std::abs(z);
     });
     ArealParameters<T> result;

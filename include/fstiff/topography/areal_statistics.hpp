@@ -72,8 +72,8 @@ struct MapBlock {
 template <Real T, class Use>
 void visit_inner_points(const HeightMap<T>& map, const MapBlock& block, const Use& use) {
     const auto& z = map.heights;
-    for (Eigen::Index j = std::max<Eigen::Index>(block.top, 1); j < std::min(block.bottom, map.rows() - 1); ++j)
-        for (Eigen::Index i = std::max<Eigen::Index>(block.left, 1); i < std::min(block.right, map.columns() - 1);
+    for (Eigen::Index j = std::max<Eigen::Index>(block.top, 1); j < (std::min)(block.bottom, map.rows() - 1); ++j)
+        for (Eigen::Index i = std::max<Eigen::Index>(block.left, 1); i < (std::min)(block.right, map.columns() - 1);
              ++i) {
             const auto patch = z.template block<3, 3>(j - 1, i - 1);
             if (!patch.isNaN().any()) use(j, i, (patch >= z(j, i)).count() == 1);  // itself
@@ -152,8 +152,8 @@ ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
     const S root = std::sqrt(variance) * unit * std::sqrt((m4_x + m4_y) / 2) / ((m2_x + m2_y) / 2);
     result.nayak = static_cast<T>(root * root);
     for (const T value : {result.m0, result.m2, result.m4, result.nayak})
-        require(value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max(), "moment of the map",
-                value, "of normal size: heights or spacings are too large or too small, or the map is a plane");
+        require(value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)(),
+                "moment of the map", value, "of normal size: heights or spacings are too large or too small, or the map is a plane");
     if (result.inner > 0)
         result.summit_density = static_cast<T>(static_cast<S>(result.summits) / static_cast<S>(result.inner) /
                                                static_cast<S>(map.dx) / static_cast<S>(map.dy));

@@ -25,7 +25,7 @@ Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> cell_shares(Eigen::Index from, 
     for (Eigen::Index j = 0; j < to; ++j) {
         const T begin = T(j) * length, end = T(j + 1) * length;
         for (auto i = static_cast<Eigen::Index>(begin); i < from && T(i) < end; ++i)
-            share(j, i) = std::max(T(0), std::min(end, T(i + 1)) - std::max(begin, T(i))) / length;
+            share(j, i) = (std::max)(T(0), (std::min)(end, T(i + 1)) - (std::max)(begin, T(i))) / length;
     }
     return share;
 }
@@ -52,10 +52,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] HeightMap<T> coarsened(const HeightMap<T>& map, Eigen::Index points) {
     require(points >= 1, "points", points, "at least 1");
-    const Eigen::Index longer = std::max(map.columns(), map.rows());
+    const Eigen::Index longer = (std::max)(map.columns(), map.rows());
     if (longer <= points) return map;
     const auto side = [&](Eigen::Index n) {
-        return std::max(Eigen::Index(1),
+        return (std::max)(Eigen::Index(1),
                         static_cast<Eigen::Index>(std::lround(double(n) * double(points) / double(longer))));
     };
     return coarsened(map, side(map.columns()), side(map.rows()));

@@ -53,7 +53,7 @@ void smooth_both_ways(FilteredHeights<F>& z, GaussianSmoother<F>& along_x, Gauss
     constexpr Eigen::Index together = 16;  // columns are fetched by so many, which share lines of the cache
     FilteredHeights<F> columns;
     for (Eigen::Index i = 0; i < z.cols(); i += together) {
-        const Eigen::Index many = std::min(together, z.cols() - i);
+        const Eigen::Index many = (std::min)(together, z.cols() - i);
         columns = z.middleCols(i, many).transpose();
         for (Eigen::Index k = 0; k < many; ++k) {
             line.assign(columns.row(k).begin(), columns.row(k).end());
@@ -68,8 +68,8 @@ void smooth_both_ways(FilteredHeights<F>& z, GaussianSmoother<F>& along_x, Gauss
 template <Real T>
 void require_cut_off(const HeightMap<T>& map, T cutoff) {
     map.validate();
-    const T shorter = std::min(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
-    require(cutoff >= 2 * std::max(map.dx, map.dy) * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= shorter,
+    const T shorter = (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
+    require(cutoff >= 2 * (std::max)(map.dx, map.dy) * (1 - 4 * std::numeric_limits<T>::epsilon()) && cutoff <= shorter,
             "cut-off", cutoff, "at least 2 steps and at most the shorter side of the map");
 }
 

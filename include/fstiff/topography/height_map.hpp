@@ -60,7 +60,7 @@ namespace detail {
 /// Of the heights that exist; where none does, low is the largest number and high the lowest.
 template <Real T>
 struct HeightRange {
-    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+    T low = (std::numeric_limits<T>::max)(), high = std::numeric_limits<T>::lowest();
     Eigen::Index present{};
 };
 
@@ -78,7 +78,7 @@ HeightRange<T> height_range(const HeightMap<T>& map) {
     const auto size = static_cast<std::size_t>(map.size()), whole = size - size % lanes;
     for (std::size_t begin = 0; begin < whole; begin += run) {
         std::array<Count, lanes> present{};
-        for (std::size_t k = begin; k < std::min(whole, begin + run); k += lanes)
+        for (std::size_t k = begin; k < (std::min)(whole, begin + run); k += lanes)
             for (std::size_t l = 0; l < lanes; ++l) {
                 const T height = z[k + l];
                 low[l] = height < low[l] ? height : low[l];
@@ -170,7 +170,7 @@ void HeightMap<T>::validate(Eigen::Index least) const {
                            " points: must have at least " + std::to_string(least) + " a side");
     const detail::HeightRange<T> range = detail::height_range(*this);
     if (range.present > 0 &&
-        (range.low < std::numeric_limits<T>::lowest() || range.high > std::numeric_limits<T>::max()))
+        (range.low < std::numeric_limits<T>::lowest() || (std::numeric_limits<T>::max)() < range.high))
         throw domain_error("map with an infinite height: must be finite, or NaN where missing");
     if (range.present < least)
         throw domain_error("map of which " + std::to_string(range.present) + " points exist: must be at least " +

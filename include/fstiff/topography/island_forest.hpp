@@ -151,7 +151,7 @@ public:
 
 private:
     // parent_: of a root, minus its number of points
-    static constexpr std::int32_t under_water = std::numeric_limits<std::int32_t>::min();
+    static constexpr std::int32_t under_water = (std::numeric_limits<std::int32_t>::min)();
     static std::size_t at(std::int32_t point) { return static_cast<std::size_t>(point); }
 
     std::int32_t find(std::int32_t point) {

@@ -34,7 +34,7 @@ public:
         if (std::isfinite(scale)) scale_ = scale;  // else one bin holds all
     }
     std::size_t operator()(T height) const {
-        return std::min(count - 1, static_cast<std::size_t>((height - low_) * scale_));
+        return (std::min)(count - 1, static_cast<std::size_t>((height - low_) * scale_));
     }
 
 private:

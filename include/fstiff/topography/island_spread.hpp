@@ -100,8 +100,8 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
     if (count < 2) return;
     const S n = static_cast<S>(count), tiles = static_cast<S>(held.size());
     const S small_sample = tiles / (tiles - 1) / (n - 1);
-    const S variance_d = std::max(S(0), (dd - d1 * d1 / n) * small_sample);
-    const S variance_r = std::max(S(0), (rr - r1 * r1 / n) * small_sample);
+    const S variance_d = (std::max)(S(0), (dd - d1 * d1 / n) * small_sample);
+    const S variance_r = (std::max)(S(0), (rr - r1 * r1 / n) * small_sample);
     result.density_error = static_cast<T>(std::sqrt(variance_d)) * result.density;
     result.radius_error = static_cast<T>(std::sqrt(variance_r)) * result.radius;
     if (variance_d > S(0) && variance_r > S(0))

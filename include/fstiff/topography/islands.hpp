@@ -109,7 +109,7 @@ inline std::vector<std::size_t> middles_of_parts(std::size_t size, std::size_t p
     const long double step = static_cast<long double>(size) / static_cast<long double>(parts);
     std::vector<std::size_t> places;
     for (std::size_t k = 0; k < parts; ++k)
-        places.push_back(std::min(static_cast<std::size_t>((static_cast<long double>(k) + 0.5L) * step), size - 1));
+        places.push_back((std::min)(static_cast<std::size_t>((static_cast<long double>(k) + 0.5L) * step), size - 1));
     return places;
 }
 
@@ -119,16 +119,16 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
                              const Record& record) {
     using S = Accumulator<T>;
     map.validate();
-    if (map.size() > std::numeric_limits<std::int32_t>::max())
+    if (map.size() > (std::numeric_limits<std::int32_t>::max)())
         throw domain_error("map of " + std::to_string(map.size()) + " points: must be at most 2^31 - 1");
     require(options.min_points >= 1, "least points of an island", options.min_points, "at least 1");
     for (const T level : options.levels)
-        require(std::abs(level) <= std::numeric_limits<T>::max(), "cutting level", level, "finite");
+        require(std::abs(level) <= (std::numeric_limits<T>::max)(), "cutting level", level, "finite");
     const HeightRange<T> range = height_range(map);
     const auto present = static_cast<std::size_t>(range.present);
     // sums of as many heights, and of their doubles, stay in range
-    const T largest = std::max(std::abs(range.high), std::abs(range.low));
-    require(largest <= std::sqrt(std::numeric_limits<T>::max()), "largest height", largest,
+    const T largest = (std::max)(std::abs(range.high), std::abs(range.low));
+    require(largest <= std::sqrt((std::numeric_limits<T>::max)()), "largest height", largest,
             "at most the root of the largest number");
 
     std::vector<T> levels = options.levels;
@@ -166,8 +166,8 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     const T cell = map.dx * map.dy;
     IslandCurve<T> curve;
     curve.nominal_area = static_cast<T>(present) * cell;
-    require(cell >= std::numeric_limits<T>::min() && curve.nominal_area <= std::numeric_limits<T>::max() &&
-                1 / cell <= std::numeric_limits<T>::max(),
+    require(cell >= (std::numeric_limits<T>::min)() && curve.nominal_area <= (std::numeric_limits<T>::max)() &&
+                1 / cell <= (std::numeric_limits<T>::max)(),
             "dx dy", cell, "an area of normal size");
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const T level = levels[k];
@@ -178,9 +178,9 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
         if (total.islands > 0) {
             const auto islands = static_cast<S>(total.islands);
             area = static_cast<T>(static_cast<S>(total.points) / islands) * cell;
-            height = static_cast<T>(std::max(S(0), total.height_above(forest.reference(level)) / islands));
+            height = static_cast<T>((std::max)(S(0), total.height_above(forest.reference(level)) / islands));
             radius = height > T(0) ? area / (2 * numbers::pi_v<T> * height) : T(0);
-            require(radius <= std::numeric_limits<T>::max(), "mean island height", height,
+            require(radius <= (std::numeric_limits<T>::max)(), "mean island height", height,
                     "larger: the radius leaves the range of numbers");
         }
         curve.level.push_back(level);

@@ -68,7 +68,7 @@ struct ShellGrid {
         map.require_whole("before its spectrum is taken");
         unit_x = 2 * numbers::pi_v<T> / (T(map.columns()) * map.dx);
         unit_y = 2 * numbers::pi_v<T> / (T(map.rows()) * map.dy);
-        width = std::min(unit_x, unit_y) / (edges == Edges::mirrored ? 2 : 1);
+        width = (std::min)(unit_x, unit_y) / (edges == Edges::mirrored ? 2 : 1);
     }
     /// |q| of the wave k along x, l along y, in units of 2 pi over the sides.
     [[nodiscard]] T wave_number(T k, T l) const {

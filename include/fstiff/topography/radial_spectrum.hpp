@@ -81,7 +81,7 @@ template <Real T>
     using Index = Eigen::Index;
     const detail::ShellGrid<T> grid(map);
     const Index rows = map.rows(), columns = map.columns();
-    const T end = std::min(grid.unit_x * T(columns), grid.unit_y * T(rows)) / 2;
+    const T end = (std::min)(grid.unit_x * T(columns), grid.unit_y * T(rows)) / 2;
     const std::size_t shells = grid.shell_of(end);  // those behind hold no more than a part of their waves
     std::vector<T> power(shells + 1), lengths(shells + 1);
     std::vector<std::size_t> waves(shells + 1);

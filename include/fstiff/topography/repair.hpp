@@ -39,14 +39,14 @@ template <Real T>
 MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove) {
     require_positive("spikes", limit);
     const Eigen::Index rows = map.rows(), columns = map.columns();
-    require(rows >= 3 && columns >= 3, "points a side of a map with spikes", std::min(rows, columns), "at least 3");
+    require(rows >= 3 && columns >= 3, "points a side of a map with spikes", (std::min)(rows, columns), "at least 3");
     std::vector<T> differences(static_cast<std::size_t>(map.size()), std::numeric_limits<T>::quiet_NaN()), neighbours;
     for (Eigen::Index j = 0; j < rows; ++j)
         for (Eigen::Index i = 0; i < columns; ++i) {
             if (std::isnan(map.heights(j, i))) continue;
             neighbours.clear();
-            for (Eigen::Index l = std::max<Eigen::Index>(0, j - 1); l < std::min(rows, j + 2); ++l)
-                for (Eigen::Index k = std::max<Eigen::Index>(0, i - 1); k < std::min(columns, i + 2); ++k)
+            for (Eigen::Index l = std::max<Eigen::Index>(0, j - 1); l < (std::min)(rows, j + 2); ++l)
+                for (Eigen::Index k = std::max<Eigen::Index>(0, i - 1); k < (std::min)(columns, i + 2); ++k)
                     if ((l != j || k != i) && !std::isnan(map.heights(l, k))) neighbours.push_back(map.heights(l, k));
             if (neighbours.size() < 3) continue;
             differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - median(neighbours);
@@ -95,7 +95,7 @@ MapRepair fill_missing(HeightMap<T>& map) {
                 stack.push_back(other);
             });
         }
-        repair.longest = std::max(repair.longest, size);
+        repair.longest = (std::max)(repair.longest, size);
     }
     repair.missing = holes.size();
     const auto size = static_cast<Index>(holes.size());

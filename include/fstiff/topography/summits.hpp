@@ -78,7 +78,7 @@ template <Real T>
     std::vector<std::size_t> times(tiles * tiles, 0);
     for (std::size_t i = 0; i < times.size(); ++i) ++times[splitmix64(state) % times.size()];
     const auto tile = [&](T x, T side) {
-        return std::min(tiles - 1, static_cast<std::size_t>(x / side * static_cast<T>(tiles)));
+        return (std::min)(tiles - 1, static_cast<std::size_t>(x / side * static_cast<T>(tiles)));
     };
     Summits<T> drawn{{}, of.area, of.width, of.height, of.rms_height};
     for (const Summit<T>& one : of.summits)

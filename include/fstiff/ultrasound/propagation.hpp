@@ -66,7 +66,7 @@ struct MeasuredStiffness {
 template <Real T>
 [[nodiscard]] MeasuredStiffness<T> measured_stiffness(T reflection, T reflection_error, const Impedances<T>& media,
                                                       T angular_frequency) {
-    require(reflection_error >= 0 && reflection_error <= std::numeric_limits<T>::max(), "reflection_error",
+    require(reflection_error >= 0 && reflection_error <= (std::numeric_limits<T>::max)(), "reflection_error",
             reflection_error, "finite and not negative");
     const T k = stiffness_from_reflection(reflection, media, angular_frequency);
     const T c = detail::contrast(media);
@@ -76,7 +76,7 @@ template <Real T>
     const T above = detail::above_welded(reflection, a, b) / (a + b);  // R - c
     const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));
     const T slope = -k * (passed / above) * (reflection / (reflection + c)) / ((1 - reflection) * (1 + reflection));
-    return {k, -slope * reflection_error, slope, 2 * reflection_error < std::min(1 - reflection, above)};
+    return {k, -slope * reflection_error, slope, 2 * reflection_error < (std::min)(1 - reflection, above)};
 }
 
 }  // namespace fstiff

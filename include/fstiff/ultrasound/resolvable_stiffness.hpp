@@ -37,7 +37,7 @@ template <Real T>
                                                                          T most = T(0.99)) {
     require(least > 0 && least < 1, "least", least, "greater than 0 and less than 1");
     require(most > least && most < 1, "most", most, "greater than least and less than 1");
-    least = std::max(least, T(1.01) * welded_reflection(media));
+    least = (std::max)(least, T(1.01) * welded_reflection(media));
     if (least >= most) return std::nullopt;
     return ResolvableStiffness<T>{stiffness_from_reflection(most, media, angular_frequency),
                                   stiffness_from_reflection(least, media, angular_frequency), least, most};

@@ -111,7 +111,7 @@ T contrast(const Impedances<T>& media) noexcept {
 template <Real T>
 T relative_stiffness(T stiffness, const Impedances<T>& media, T angular_frequency) {
     require_wave(media, angular_frequency);
-    require(stiffness >= 0 && stiffness <= std::numeric_limits<T>::max(), "stiffness", stiffness,
+    require(stiffness >= 0 && stiffness <= (std::numeric_limits<T>::max)(), "stiffness", stiffness,
             "finite and not negative");
     return stiffness / angular_frequency / joint_impedance(media);
 }
@@ -208,7 +208,7 @@ T stiffness_from_reflection(T reflection, const Impedances<T>& media, T angular_
     const T passed = std::sqrt((1 - reflection) * (1 + reflection));
     const T stiffness =
         angular_frequency * low * (b * passed / std::sqrt(above) / std::sqrt(reflection * (a + b) + (b - a)));
-    require(stiffness <= std::numeric_limits<T>::max(), "reflection", reflection,
+    require(stiffness <= (std::numeric_limits<T>::max)(), "reflection", reflection,
             "large enough for the stiffness to be in the range of the floating-point type");
     return stiffness;
 }
