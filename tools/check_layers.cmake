@@ -18,7 +18,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(levels core math surface "profile topography" halfspace synthetic asperity peaks contact ultrasound measured fit io)
 # Opt-in headers, left out of fstiff.hpp: which ones (regex), and what else they may include (regex).
-set(optional_headers "^io/(x3p|zip_archive|inflate)\\.hpp$")
+set(optional_headers "^(io/(x3p|zip_archive|inflate)|math/gaussian_moment_table_extended)\\.hpp$")
 set(optional_includes "^(zip\\.h|pugixml\\.hpp|zlib\\.h)$")
 set(of_threads "^(barrier|condition_variable|future|latch|mutex|semaphore|shared_mutex|stop_token|thread)$")
 

@@ -22,7 +22,6 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 #include <fstiff/math/gaussian_moment_table.hpp>
-#include <fstiff/math/gaussian_moment_table_extended.hpp>
 #include <fstiff/math/gaussian_smoother.hpp>
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/math/least_squares.hpp>

@@ -4,6 +4,7 @@
 #include <cfloat>
 
 #if LDBL_MANT_DIG > DBL_MANT_DIG && LDBL_MANT_DIG <= 64
+#include <fstiff/math/gaussian_moment_table_extended.hpp>
 #define FSTIFF_TEST_LONG_DOUBLE
 #define FSTIFF_TEST_SCALARS float, double, long double
 #define FSTIFF_TEST_SCALARS_FROM_DOUBLE double, long double

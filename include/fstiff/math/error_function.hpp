@@ -12,7 +12,7 @@
 /// Accuracy    4 epsilon relative (tests/math/gaussian_moment_test.cpp), 3e-5 by the rough polynomials
 
 #include <fstiff/core/concepts.hpp>
-#include <fstiff/math/gaussian_moment_table_extended.hpp>
+#include <fstiff/math/gaussian_moment_table.hpp>
 #include <fstiff/math/lanes.hpp>
 
 #include <array>

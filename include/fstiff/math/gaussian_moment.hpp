@@ -15,11 +15,12 @@
 /// Reference   NIST Digital Library of Mathematical Functions, 12.5.1.
 /// Units       dimensionless
 /// Valid       a in {-1/2, 0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double). float is
-///             computed in double; a long double of more than 64 binary digits is refused
+///             computed in double; long double takes the tables of math/gaussian_moment_table_extended, which the
+///             program includes, and is refused where it has more than 64 binary digits
 /// Accuracy    6 epsilon relative; 1 epsilon is typical (tests/math/gaussian_moment_test.cpp)
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/math/gaussian_moment_table_extended.hpp>
+#include <fstiff/math/gaussian_moment_table.hpp>
 #include <fstiff/math/lanes.hpp>
 
 #include <algorithm>

@@ -14,10 +14,15 @@ namespace fstiff::detail {
 template <class T>
 using Tabulated = std::conditional_t<std::is_same_v<T, float>, double, T>;
 
+/// main: a = 0, 1/2, 1, 3/2 side by side; side: a = -1/2, 5/2
 template <class T>
-struct MomentTable;  ///< main: a = 0, 1/2, 1, 3/2 side by side; side: a = -1/2, 5/2
+struct MomentTable {
+    static_assert(sizeof(T) == 0, "include <fstiff/math/gaussian_moment_table_extended.hpp> for contacts in long double");
+};
 template <class T>
-struct ErfTable;
+struct ErfTable {
+    static_assert(sizeof(T) == 0, "include <fstiff/math/gaussian_moment_table_extended.hpp> for contacts in long double");
+};
 
 template <>
 struct MomentTable<double> {
