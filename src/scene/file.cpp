@@ -26,6 +26,18 @@ std::string number(double value, int digits) {
     return rounded_text(value, digits);
 }
 
+/// \p text, which may be "1.1e+02", as "110"; with an exponent of 5 and more as it is.
+std::string without_small_exponent(std::string text) {
+    const std::size_t e = text.find("e+0");
+    if (e == std::string::npos || e + 4 != text.size() || text.back() > '4') return text;
+    const auto exponent = static_cast<std::size_t>(text.back() - '0');
+    const std::size_t first = text.find_first_not_of('-'), point = text.find('.');
+    text.resize(e);
+    if (point != std::string::npos) text.erase(point, 1);
+    text.resize(first + exponent + 1, '0');
+    return text;
+}
+
 }  // namespace
 
 void keep_for_output(const std::string& file) {
@@ -67,7 +79,7 @@ std::string read_all(const std::string& file) {
 std::string display_name(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 std::string exact(double value) { return number(value, 17); }
-std::string rounded(double value, int digits) { return number(value, digits); }
+std::string rounded(double value, int digits) { return without_small_exponent(number(value, digits)); }
 std::string shortest(double value) { return shortest_text(value); }
 
 std::string list_of(std::span<const std::string_view> items) {

@@ -37,7 +37,7 @@ auto about_file(const std::string& file, const Call& call) {
 
 /// 17 significant digits, '.' as the decimal mark. \throws std::logic_error for NaN and infinity: never printed.
 [[nodiscard]] std::string exact(double value);
-/// The same for people: \p digits significant digits.
+/// The same for people: \p digits significant digits, without an exponent below 1e5 ("110", not "1.1e+02").
 [[nodiscard]] std::string rounded(double value, int digits = 5);
 /// The fewest digits that read back as the same number, for echoing what somebody wrote.
 [[nodiscard]] std::string shortest(double value);

@@ -93,4 +93,23 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
     return rows;
 }
 
+std::vector<std::size_t> summary_points(const Scene& scene) {
+    constexpr std::size_t most = 12, few = 4;
+    const std::vector<double>& points = scene.points;
+    std::vector<std::size_t> chosen;
+    const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
+    bool decades = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double decade = points[i] > 0 ? std::log10(points[i]) : 0.5;
+        const bool is_decade = !scene.at_separations && std::abs(decade - std::round(decade)) < 1e-6;
+        const bool is_end = points[i] == *least || points[i] == *greatest;
+        if (is_decade || is_end || points.size() <= most) chosen.push_back(i);
+        decades = decades || is_decade;
+    }
+    if (points.size() <= most || decades) return chosen;
+    chosen.clear();
+    for (std::size_t k = 0; k < few; ++k) chosen.push_back((k * (points.size() - 1) + 1) / (few - 1));
+    return chosen;
+}
+
 }  // namespace fstiff::scene

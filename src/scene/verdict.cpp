@@ -54,16 +54,15 @@ AboutHeights about_heights(const Scene& scene) {
 
 /// Which elastic law holds at the pressures of the scene.
 std::string about_pressures(const Scene& scene, const Results& results) {
-    const Curve* curve = nullptr;
-    for (const Curve& one : results.curves)
-        if (one.rms_gradient && !one.states.empty()) curve = &one;
-    if (!curve) return "";
-    const auto relative = [&](double p) { return dimensionless_pressure(p, results.modulus, *curve->rms_gradient); };
     double low = std::numeric_limits<double>::infinity(), high = 0;
-    for (const auto& state : curve->states) {
-        low = std::min(low, relative(state.pressure.value));
-        high = std::max(high, relative(state.pressure.value));
-    }
+    for (const Curve& curve : results.curves)
+        for (const auto& state : curve.states) {
+            if (!curve.rms_gradient) return "";
+            const double p = dimensionless_pressure(state.pressure.value, results.modulus, *curve.rms_gradient);
+            low = std::min(low, p);
+            high = std::max(high, p);
+        }
+    if (low > high) return "";
     std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) +
                        ": of elastic contacts believe hybrid" + unless_there(scene, "hybrid") + ", to about ";
     text += low >= 0.003 ? "10 %" : low >= 0.001 ? "a quarter" : "a quarter above p* = 0.001 and a factor of two below";
@@ -79,6 +78,10 @@ std::string about_contacts(const Scene& scene, const Results& results) {
         for (const auto& state : curve.states)
             if (state.contact_density.value > 0) least = std::min(least, state.contact_density.value * area);
     if (!(area > 0) || !(least < 200)) return "";
+    if (least < 1)
+        return "fewer than one contact is expected on the " +
+               std::string(scene.nominal_area ? "nominal area" : "map") + " (" + rounded(least, 2) +
+               "): a law over peaks is a mean over many surfaces there and says nothing of a single one";
     const char* scatter = least > 100 ? "7 %" : least > 40 ? "11 %" : least > 15 ? "16 %" : "34 % or more";
     return "as few as " + rounded(least, 2) + " contacts are expected on the " +
            (scene.nominal_area ? "nominal area" : "map") + ": one surface departs from a law by about " + scatter +
