@@ -450,41 +450,6 @@ std::vector<NamedFace> measured_faces(const Scene& scene) {
     return all;
 }
 
-namespace {
-
-/// Whether three lines of \p text hold numbers alone, as those of a trace or a map do.
-bool holds_numbers(std::string_view text) {
-    std::size_t found = 0;
-    for (std::size_t begin = 0; begin < text.size() && found < 3;) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line = text.substr(begin, end - begin);
-        if (line.find_first_of("0123456789") != std::string_view::npos &&
-            line.find_first_not_of("0123456789+-.eE,; \t\r") == std::string_view::npos)
-            ++found;
-        begin = end + 1;
-    }
-    return found == 3;
-}
-
-/// The table of a scene. \throws domain_error, which names the right place of a measured surface and of a grid.
-toml::table parse_scene(const std::string& text, const std::string& file) {
-    toml::table table;
-    try {
-        table = parse_toml(text, file);
-    } catch (const domain_error& error) {
-        if (is_measured_document(text) || holds_numbers(text) || text.find('\0') != std::string::npos)
-            throw domain_error(std::string(error.what()) +
-                               "; a measured surface is given by --surface, or by surface.from in a scene");
-        throw;
-    }
-    if (const toml::node* sweep = table.get("sweep"))
-        throw domain_error(file + ":" + std::to_string(sweep->source().begin.line) +
-                           ": sweep: is a section of a grid, which fstiff sweep reads; must not stand in a scene");
-    return table;
-}
-
-}  // namespace
-
 Scene read_scene(const std::string& text, const SceneSource& from) {
     Scene scene = read_table(parse_scene(text, from.name), from, text == builtin_scene);
     scene.sha256 = sha256(text);

@@ -168,5 +168,7 @@ private:
 
 /// \throws domain_error with the line of \p file where \p text is no TOML.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
+/// The same of a scene. \throws domain_error for a measured surface and for a grid too, naming what reads them.
+[[nodiscard]] toml::table parse_scene(const std::string& text, const std::string& file);
 
 }  // namespace fstiff::scene

@@ -24,7 +24,8 @@ TEST_CASE("The example at the end of every --help works as pasted") {
 }
 
 TEST_CASE("The version is that of the library") {
-    for (const char* way : {"--version", "-V", "version"}) CHECK(test::fstiff(way).out == "fstiff " FSTIFF_VERSION "\n");
+    for (const char* way : {"--version", "-V", "version"})
+        CHECK(test::fstiff(way).out == "fstiff " FSTIFF_VERSION "\n");
 }
 
 TEST_CASE("Wrong use ends with exit code 2 and one sentence") {

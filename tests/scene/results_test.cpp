@@ -3,6 +3,7 @@
 #include "scene/results.hpp"
 
 #include "cli/command.hpp"
+#include "support/accuracy.hpp"
 
 #include "scene/file.hpp"
 #include "scene/identification.hpp"
@@ -132,8 +133,8 @@ TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, 
         return test::refusal([&] { static_cast<void>(scene::read_scene(text, {.name = "f"})); });
     };
     CHECK(refusal("peak_radius = \"60 um\"\npeak_density = \"500 /mm^2\"", "rms_gradient = 0.1\nalpha = 1e300") ==
-          "f:5: surface.alpha = 1e+300: makes, with rms_height and rms_gradient, peak_radius = 0, which must be finite and "
-          "greater than 0");
+          "f:5: surface.alpha = 1e+300: makes, with rms_height and rms_gradient, peak_radius = 0, which must be finite "
+          "and greater than 0");
     CHECK(refusal("\"1 um\"", "\"0,8 um\"") ==
           "f:3: surface.rms_height = \"0,8 um\": has a comma; the decimal mark is the point, as in 0.8");
 }
@@ -141,7 +142,8 @@ TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, 
 TEST_CASE("The verdict and the warnings do not depend on the columns asked for") {
     const auto said = [](const std::string& quantities) {
         const std::string text = test::replaced(text_of("laws = [\"hertz\"]\n"), "195 mm^2", "0.01 mm^2");
-        auto results = compute(scene::read_scene(text + "[output]\nquantities = [" + quantities + "]\n", {.name = "f"}));
+        const std::string output = "[output]\nquantities = [" + quantities + "]\n";
+        auto results = compute(scene::read_scene(text + output, {.name = "f"}));
         results.verdict.insert(results.verdict.end(), results.warnings.begin(), results.warnings.end());
         return results.verdict;
     };
@@ -164,8 +166,9 @@ TEST_CASE("All curves of a scene and its verdict have one p*") {
             REQUIRE(curve.rms_gradient);
             CHECK(test::relative_error(*curve.rms_gradient, gradient) < 1e-9);
         }
+        const std::string p = scene::rounded(1e6 / (results.modulus * gradient), 2);
         CHECK(std::any_of(results.verdict.begin(), results.verdict.end(), [&](const std::string& line) {
-            return line.starts_with("p* = p/(E g) is " + scene::rounded(1e6 / (results.modulus * gradient), 2) + " to ");
+            return line.starts_with("p* = p/(E g) is " + p + " to ");
         }));
     };
     const double curvature = 3 * std::sqrt(3.141592653589793) / (8 * 60e-6), sigma = 1e-6;
@@ -179,9 +182,10 @@ TEST_CASE("All curves of a scene and its verdict have one p*") {
     check("500 /mm^2", "5000 /mm^2", std::sqrt(2 * moments.m2));
 }
 
-TEST_CASE("A summary has all of up to twelve points, of more pressures the ends and the decades") {
-    const auto points = [](std::vector<double> values, bool separations = false) {
+TEST_CASE("A summary has all points of a list of twelve, of more pressures and of a range the ends and the decades") {
+    const auto points = [](std::vector<double> values, bool separations = false, bool range = false) {
         scene::Scene of;
+        if (range) of.inputs.push_back({.key = "contact.pressures.count", .written = "5", .value = 5, .unit = ""});
         of.points = std::move(values);
         of.at_separations = separations;
         return scene::summary_points(of);
@@ -190,6 +194,9 @@ TEST_CASE("A summary has all of up to twelve points, of more pressures the ends 
     CHECK(points({1e7, 1e6, 1e8, 3e6}) == Indices{0, 1, 2, 3});
     CHECK(points({2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 14}).size() == 12);
     CHECK(points({2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14}) == Indices{0, 8, 12});
+    CHECK(points({3, 10, 30, 100, 300}, false, true) == Indices{0, 1, 3, 4});
+    CHECK(points({2, 3, 4, 5}, false, true).size() == 4);
+    CHECK(points({2, 3, 4, 5, 6, 7, 8}, false, true) == Indices{0, 2, 4, 6});
     CHECK(points({14, 3, 4, 5, 6, 7, 8, 9, 10, 100, 12, 13, 2}) == Indices{8, 9, 12});  // as they were written
     CHECK(points({2, 2.1, 2.2, 3, 4, 5, 5.5, 6, 6.5, 7, 8, 8.5, 9}) == Indices{0, 4, 8, 12});
     CHECK(points({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13}, true) == Indices{0, 4, 8, 12});

@@ -4,6 +4,8 @@
 #include "document/output.hpp"
 #include "input/description.hpp"
 
+#include <fstiff/core/text.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -187,7 +189,14 @@ Option& Option::between(int least, int greatest) {
     return *this;
 }
 Option& Option::between(double least, double greatest) {
-    option_->check(CLI::Range(least, greatest));
+    const std::string from = shortest_text(least), to = shortest_text(greatest);  // CLI::Range would show six decimals
+    const auto refusal = [=](const std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest
+                   ? std::string()
+                   : "Value " + text + " not in range " + from + " to " + to;
+    };
+    option_->check(refusal, "FLOAT in [" + from + " - " + to + "]");
     return *this;
 }
 Option& Option::between(unsigned long least, unsigned long greatest) {
