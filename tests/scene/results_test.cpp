@@ -124,7 +124,7 @@ TEST_CASE("What is no scene is refused with the way to give it") {
     CHECK(test::contains(refusal(test::replaced(text_of(""), "\"1 um\"", "[\"1 um\", \"2 um\"]")), grid));
     CHECK(test::contains(refusal(test::replaced(text_of(""), "1.5", "{ values = [1.5, 1.6] }")), grid));
     CHECK_FALSE(test::contains(refusal(test::replaced(text_of(""), "\"1 um\"", "true")), grid));
-    CHECK(refusal(text_of("") + "[sweep]\nseed = 1\n").starts_with("f:15: sweep: is a section of a grid"));
+    CHECK(refusal(text_of("") + "[sweep]\nseed = 1\n").starts_with("f:16: sweep: is a section of a grid"));
 }
 
 TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, are refused where they stand") {
@@ -173,10 +173,9 @@ TEST_CASE("All curves of a scene and its verdict have one p*") {
     };
     const double curvature = 3 * std::sqrt(3.141592653589793) / (8 * 60e-6), sigma = 1e-6;
     // no spectrum: of the last joint distribution of peaks, which knows it: theta = pi/3, r^2 = 2/3
-    check("", "", std::sqrt(2 * std::sqrt(2.0 / 3) * sigma * curvature));
-    // written, and of the r and theta of the surface
+    check("500 /mm^2", "400 /mm^2", std::sqrt(2 * std::sqrt(2.0 / 3) * sigma * curvature));
     check("fractal_dimension", "rms_gradient = 0.05\nfractal_dimension", 0.05);
-    // 2 sigma R D_p = 0.6: the spectrum of the three numbers
+    // sigma R D_p = 0.3 is that of an isotropic Gaussian surface: the spectrum of the three numbers
     const auto moments = fstiff::moments_of_peaks(sigma, 60e-6, 5e9);
     REQUIRE(moments.bandwidth() > 1.5);
     check("500 /mm^2", "5000 /mm^2", std::sqrt(2 * moments.m2));
