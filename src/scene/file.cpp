@@ -3,6 +3,7 @@
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/lines.hpp>
+#include <fstiff/io/quantity.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -77,6 +78,13 @@ std::string read_all(const std::string& file) {
 }
 
 std::string display_name(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+double parse_positive(const std::string& text, io::Dimension dimension, std::string_view name) {
+    const double value = io::parse_quantity(text, dimension, name);
+    if (!(value > 0))  // it is finite
+        throw domain_error({.parameter = name, .value = "\"" + text + "\"", .allowed = "greater than 0"});
+    return value;
+}
 
 std::string exact(double value) { return number(value, 17); }
 std::string rounded(double value, int digits) { return without_small_exponent(number(value, digits)); }

@@ -8,6 +8,10 @@
 #include <string>
 #include <string_view>
 
+namespace fstiff::io {
+enum class Dimension;
+}
+
 namespace fstiff::scene {
 
 /// Options of reading a file that do not fit together, or have no meaning: the fault of the caller, not of the file.
@@ -34,6 +38,10 @@ auto about_file(const std::string& file, const Call& call) {
 /// SHA-256 (FIPS 180-4) of a whole text in hexadecimal digits, so that a result names the very file it came from. No
 /// security depends on it.
 [[nodiscard]] std::string sha256(std::string_view text);
+
+/// A quantity with its unit, greater than 0, of the option called \p name in messages [SI]. \throws domain_error, which
+/// quotes \p text.
+[[nodiscard]] double parse_positive(const std::string& text, io::Dimension dimension, std::string_view name);
 
 /// 17 significant digits, '.' as the decimal mark. \throws std::logic_error for NaN and infinity: never printed.
 [[nodiscard]] std::string exact(double value);

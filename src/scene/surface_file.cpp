@@ -82,13 +82,6 @@ void apply_cut_offs(PreparedMap& result) {
 
 }  // namespace
 
-double parse_positive(const std::string& text, io::Dimension dimension, std::string_view name) {
-    const double value = io::parse_quantity(text, dimension, name);
-    if (!(value > 0))  // it is finite
-        throw domain_error({.parameter = name, .value = "\"" + text + "\"", .allowed = "greater than 0"});
-    return value;
-}
-
 double parse_length(const std::string& text, std::string_view name) {
     return parse_positive(text, io::Dimension::length, name);
 }
@@ -97,6 +90,9 @@ LagWindow<double> parse_window(const std::string& text, std::string_view name) {
     const auto comma = text.find(',');
     if (comma == std::string::npos)
         throw option_error(std::string(name) + " = \"" + text + "\": must be two lengths, such as \"1 um,100 um\"");
+    if (text.find(',', comma + 1) != std::string::npos)
+        throw option_error(std::string(name) + " = \"" + text +
+                           "\": must be two lengths with one comma between them; the decimal mark is the point");
     const LagWindow<double> window{parse_length(text.substr(0, comma), name),
                                    parse_length(text.substr(comma + 1), name)};
     if (!(window.from < window.to))

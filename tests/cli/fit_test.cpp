@@ -205,7 +205,7 @@ TEST_CASE("Options of fit that make no sense are refused") {
     check_refused(read_metres + " --detrend cubic", 2, {"--detrend", "cubic"}, text);
     check_refused(read_metres + " --column 0", 2, {"--column"}, text);
     check_refused("fit - --units m --spacing 0.5", 3, {"--spacing = \"0.5\"", "without a unit"}, text);
-    check_refused("fit - --units m --spacing '-1 um'", 3, {"--spacing = -1e-06", "greater than 0"}, text);
+    check_refused("fit - --units m --spacing '-1 um'", 3, {"--spacing = \"-1 um\"", "greater than 0"}, text);
     check_refused("fit - --units furlong --spacing '1 um'", 3, {"furlong"}, text);
     check_refused("fit - --units m", 3, {"spacing"}, text);
     check_refused("fit", 2, {"profile"});

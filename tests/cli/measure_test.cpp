@@ -341,10 +341,15 @@ TEST_CASE("An option of a surface that makes no sense is refused in the words it
     refused(step + "--lambda-s '0.9 um'", 3, "--lambda-s = \"0.9 um\" cannot be held");
     refused(step + "--scales --pressure '-1 MPa'", 3, "--pressure = \"-1 MPa\": must be greater than 0");
     refused(step + "--window '10 um'", 2, "--window = \"10 um\": must be two lengths");
+    refused(step + "--window '0,8 um,80 um'", 2, "two lengths with one comma between them; the decimal mark is the point");
     refused(step + "--window '10 um,1 um'", 2, "--window = \"10 um,1 um\": the first length must be less");
     refused(step + "--peaks summits", 2, "--peaks = \"summits\" is for a map; standard input holds a profile");
     test::check_refused("truth - --pressures='-5 MPa'", 3, {"--pressures = \"-5 MPa\": must be greater than 0"},
                         map_text());
+    test::check_refused("truth - --pressures '1,5 MPa'", 3,
+                        {"--pressures = \"1,5 MPa\": every pressure needs its unit, and the point"}, map_text());
+    test::check_refused("ultrasound --stiffness '1 GPa/um' --impedance '46 MRayl' --frequency='-7 MHz'", 3,
+                        {"--frequency = \"-7 MHz\": must be greater than 0"});
     const auto whole = test::fstiff("measure - --units um " + step + "--lambda-c '299.5 um'", heights);
     INFO(whole.err);
     CHECK(whole.status % 4 == 0);  // as long as the profile: allowed
