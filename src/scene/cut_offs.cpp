@@ -7,6 +7,7 @@
 
 #include <fstiff/profile/roughness_cut_off.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace fstiff::scene {
@@ -23,15 +24,16 @@ std::string named(const SurfaceOptions& options, const char* before, const char*
 /// The cut-off of \p text for a surface of \p step and of \p length, which messages call \p name.
 std::optional<double> cut_off(const std::string& text, const std::string& name, int least, double step, double length) {
     if (is_automatic(text) || text == "none") return {};
+    constexpr double slack = 4 * std::numeric_limits<double>::epsilon();
     const double value = parse_length(text, name);
-    if (value < least * step * (1 - 4 * std::numeric_limits<double>::epsilon()))
-        throw domain_error(name + " = " + shown_length(value) + " cannot be held by this file, whose points are " +
+    if (value < least * step * (1 - slack))
+        throw domain_error(name + " = \"" + text + "\" cannot be held by this file, whose points are " +
                            shown_length(step) + " apart: must be at least " + std::to_string(least) + " steps, " +
                            shown_length(least * step));
-    if (value > length)
-        throw domain_error(name + " = " + shown_length(value) + ": must be at most the length of the surface, " +
+    if (value > length * (1 + slack))
+        throw domain_error(name + " = \"" + text + "\": must be at most the length of the surface, " +
                            shown_length(length));
-    return value;
+    return std::min(value, length);
 }
 
 /// lambda_s by the table into \p cut_offs, whose lambda_c is known where it was given.

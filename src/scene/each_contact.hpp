@@ -36,14 +36,17 @@ inline bool is_joint(const Law& law, const Scene& scene) {
     return law.has_peaks && !(law.summits_of_map && scene.map && scene.spectrum_of_map);
 }
 
-/// The rms gradient of the surface for p*: known; of \p peaks; where these do not know it (r = 0, or none), of the surface's
-/// own r and theta, or of the spectrum that \p law takes.
-inline std::optional<double> gradient(const Scene& scene, const Law& law, const PeakDistribution<double>* peaks) {
+/// The rms gradient of the surface for p*, the same for every law: known; of the surface's own r and theta; of its spectrum,
+/// where it has one; else of the last entry of contact.peaks that gives one (r = 0 gives none).
+inline std::optional<double> gradient(const Scene& scene) {
     if (scene.rms_gradient) return scene.rms_gradient;
-    if (const auto of_peaks = peaks ? rms_gradient(scene.surface, *peaks) : std::nullopt) return of_peaks;
-    if (scene.r && scene.theta) return rms_gradient(scene.surface, PeakDistribution<double>(*scene.r, *scene.theta));
-    if (law.needs_spectrum) return std::sqrt(2 * spectral_moments(scene).m2);
-    return std::nullopt;
+    if (scene.r && scene.theta)
+        if (const auto own = rms_gradient(scene.surface, PeakDistribution<double>(*scene.r, *scene.theta))) return own;
+    if (no_spectrum(scene).empty()) return std::sqrt(2 * spectral_moments(scene).m2);
+    std::optional<double> of_peaks;
+    for (const Peaks& peaks : scene.peaks)
+        if (const auto one = rms_gradient(scene.surface, peak_density(peaks))) of_peaks = one;
+    return of_peaks;
 }
 
 /// Calls \p visit with the curve of every law and distribution of peaks, still without states, and with what makes its
@@ -65,21 +68,19 @@ void for_each_contact(const Scene& scene, double modulus, const ProgressHook& pr
                                       .hardness = scene.hardness.value_or(0)},
                          .elements = scene.elements,
                          .progress = progress};
+    const std::optional<double> slope = gradient(scene);
     for (const ChosenLaw& chosen : scene.laws) {
         const Law& law = *chosen.law;
         inputs.options = chosen.options;
         if (!is_joint(law, scene)) {
-            visit(Curve{.law = &law, .rms_gradient = gradient(scene, law, nullptr)},
-                  [&] { return law.contact(inputs); });
+            visit(Curve{.law = &law, .rms_gradient = slope}, [&] { return law.contact(inputs); });
             continue;
         }
         for (const Peaks& of : scene.peaks) {
             const PeakDistribution<double> peaks = peak_density(of);
             inputs.peaks = &peaks;
-            visit(
-                Curve{
-                    .law = &law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = gradient(scene, law, &peaks)},
-                [&] { return law.contact(inputs); });
+            visit(Curve{.law = &law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = slope},
+                  [&] { return law.contact(inputs); });
         }
     }
 }

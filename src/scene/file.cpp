@@ -3,6 +3,7 @@
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/lines.hpp>
+#include <fstiff/io/quantity.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -24,6 +25,18 @@ std::vector<std::filesystem::path>& outputs() {
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
     return rounded_text(value, digits);
+}
+
+/// \p text, which may be "1.1e+02", as "110"; with an exponent of 5 and more as it is.
+std::string without_small_exponent(std::string text) {
+    const std::size_t e = text.find("e+0");
+    if (e == std::string::npos || e + 4 != text.size() || text.back() > '4') return text;
+    const auto exponent = static_cast<std::size_t>(text.back() - '0');
+    const std::size_t first = text.find_first_not_of('-'), point = text.find('.');
+    text.resize(e);
+    if (point != std::string::npos) text.erase(point, 1);
+    text.resize(first + exponent + 1, '0');
+    return text;
 }
 
 }  // namespace
@@ -66,8 +79,15 @@ std::string read_all(const std::string& file) {
 
 std::string display_name(const std::string& file) { return file == "-" ? "standard input" : file; }
 
+double parse_positive(const std::string& text, io::Dimension dimension, std::string_view name) {
+    const double value = io::parse_quantity(text, dimension, name);
+    if (!(value > 0))  // it is finite
+        throw domain_error({.parameter = name, .value = "\"" + text + "\"", .allowed = "greater than 0"});
+    return value;
+}
+
 std::string exact(double value) { return number(value, 17); }
-std::string rounded(double value, int digits) { return number(value, digits); }
+std::string rounded(double value, int digits) { return without_small_exponent(number(value, digits)); }
 std::string shortest(double value) { return shortest_text(value); }
 
 std::string list_of(std::span<const std::string_view> items) {

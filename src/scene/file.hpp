@@ -8,6 +8,10 @@
 #include <string>
 #include <string_view>
 
+namespace fstiff::io {
+enum class Dimension;
+}
+
 namespace fstiff::scene {
 
 /// Options of reading a file that do not fit together, or have no meaning: the fault of the caller, not of the file.
@@ -35,9 +39,13 @@ auto about_file(const std::string& file, const Call& call) {
 /// security depends on it.
 [[nodiscard]] std::string sha256(std::string_view text);
 
+/// A quantity with its unit, greater than 0, of the option called \p name in messages [SI]. \throws domain_error, which
+/// quotes \p text.
+[[nodiscard]] double parse_positive(const std::string& text, io::Dimension dimension, std::string_view name);
+
 /// 17 significant digits, '.' as the decimal mark. \throws std::logic_error for NaN and infinity: never printed.
 [[nodiscard]] std::string exact(double value);
-/// The same for people: \p digits significant digits.
+/// The same for people: \p digits significant digits, without an exponent below 1e5 ("110", not "1.1e+02").
 [[nodiscard]] std::string rounded(double value, int digits = 5);
 /// The fewest digits that read back as the same number, for echoing what somebody wrote.
 [[nodiscard]] std::string shortest(double value);

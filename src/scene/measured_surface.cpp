@@ -202,8 +202,16 @@ void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Leve
     surface.peaks_refusal = found.why_no_peaks;
 }
 
+void refuse_options_of_profile(const MeasureOptions& options) {
+    if (options.peaks == PeakSource::summits)
+        throw option_error(std::string(options.input.prefix) + "peaks = \"summits\" is for a map; " +
+                           display_name(options.input.file) +
+                           " holds a profile, whose R and D_p come from its curvature and its peaks");
+}
+
 MeasuredSurface measure_profile(const MeasureOptions& options, const SurfaceInput& input,
                                 const ProgressHook& progress) {
+    refuse_options_of_profile(options);
     SurfaceParameterOptions<double> how = parameter_options(options, progress);
     MeasuredSurface surface = surface_as_read(options, input);
     surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));

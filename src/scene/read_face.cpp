@@ -4,6 +4,7 @@
 #include "scene/file.hpp"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -269,6 +270,10 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
                                                          *face.rms_gradient, *face.alpha);
                 const double value =
                     row.parameter == Parameter::peak_radius ? peak_radius_of(moments) : peak_density_of(moments);
+                if (!(value > 0 && std::isfinite(value)))
+                    source.refuse(surface.at("alpha"), surface.key("alpha"),
+                                  "makes, with rms_height and rms_gradient, " + std::string(row.key) + " = " +
+                                      shortest(value) + ", which must be finite and greater than 0");
                 uncertain.set(row.parameter, {value, 0});
                 source.record(surface.key(row.key), "of rms_height, rms_gradient and alpha (default)", value,
                               row.parameter == Parameter::peak_radius ? "m" : "1/m^2");
@@ -327,7 +332,13 @@ Face face_of_file(Source& source, const std::string& file, const ProgressHook& p
     MeasureOptions options;
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
-    Face face = face_of(measured_from(options, {file}, true, {.key = "--surface"}, progress));
+    Face face;
+    try {
+        face = face_of(measured_from(options, {file}, true, {.key = "--surface"}, progress));
+    } catch (const domain_error& error) {
+        if (error.reason().find(options.input.prefix) == std::string_view::npos) throw;
+        throw domain_error(std::string(error.what()) + "; --surface reads the JSON that fstiff measure prints");
+    }
     source.record("surface.from", display_name(file) + " (--surface)");
     record_measured(source, *face.measured, "surface");
     return face;

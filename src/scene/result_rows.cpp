@@ -20,6 +20,13 @@ std::vector<Cell> mean_pressures(const Curve& curve) {
     return cells;
 }
 
+/// Whether the points were written one by one, not as a range.
+bool are_listed(const Scene& scene) {
+    return std::none_of(scene.inputs.begin(), scene.inputs.end(), [](const Input& input) {
+        return input.key == "contact.pressures.count" || input.key == "contact.separations.count";
+    });
+}
+
 }  // namespace
 
 Units units_of(const Scene& scene, const Results& results) {
@@ -91,6 +98,26 @@ Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
     for (const auto& band : curve.band) failed.push_back(band.failed);
     if (!failed.empty()) rows.add({.key = "samples_out_of_reach", .csv = false}, failed);
     return rows;
+}
+
+std::vector<std::size_t> summary_points(const Scene& scene) {
+    constexpr std::size_t most = 12, few = 4;
+    const std::vector<double>& points = scene.points;
+    std::vector<std::size_t> chosen;
+    const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
+    const bool all = points.size() <= few || (points.size() <= most && are_listed(scene));
+    bool decades = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double decade = points[i] > 0 ? std::log10(points[i]) : 0.5;
+        const bool is_decade = !scene.at_separations && std::abs(decade - std::round(decade)) < 1e-6;
+        const bool is_end = points[i] == *least || points[i] == *greatest;
+        if (is_decade || is_end || all) chosen.push_back(i);
+        decades = decades || is_decade;
+    }
+    if (all || decades) return chosen;
+    chosen.clear();
+    for (std::size_t k = 0; k < few; ++k) chosen.push_back((k * (points.size() - 1) + 1) / (few - 1));
+    return chosen;
 }
 
 }  // namespace fstiff::scene

@@ -6,7 +6,9 @@
 #include "scene/rows.hpp"
 #include "scene/shown_unit.hpp"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace fstiff::scene {
 
@@ -20,5 +22,9 @@ struct Units {
 [[nodiscard]] Heading heading_of(const std::string& key, const Units& units);
 /// Every column of \p curve: law, theta, r, and what the scene asks for; the same keys for every curve of \p results.
 [[nodiscard]] Rows rows_of(const Results& results, const Curve& curve, const Units& units = {});
+
+/// The points of a summary, in their order: all of a list of up to twelve, and of a range of up to four; of more pressures
+/// the least, the greatest and the decades; of more separations, or without a decade, four in even steps.
+[[nodiscard]] std::vector<std::size_t> summary_points(const Scene& scene);
 
 }  // namespace fstiff::scene

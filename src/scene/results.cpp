@@ -21,9 +21,9 @@
 namespace fstiff::scene {
 namespace {
 
-/// What \p scene asks of \p law, as far as the law gives it.
-Quantity wanted(const Scene& scene, const Law& law) {
-    Quantity set = Quantity::pressure | Quantity::separation;
+/// What \p scene asks of \p law, and \p more, as far as the law gives it.
+Quantity wanted(const Scene& scene, const Law& law, Quantity more = Quantity::none) {
+    Quantity set = Quantity::pressure | Quantity::separation | more;
     if (scene.needs_stiffness()) set = set | Quantity::stiffness;
     if (scene.real_area) set = set | Quantity::real_area;
     if (scene.contacts) set = set | Quantity::contacts;
@@ -292,7 +292,8 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
             progress(what, results.curves.size() * all + done, curves * all);
         };
     for_each_contact(scene, results.modulus, progress, [&](Curve curve, const auto& contact) {
-        const Quantity quantities = wanted(scene, *curve.law);
+        // warnings and the verdict need the contacts and the area, whichever columns are shown
+        const Quantity quantities = wanted(scene, *curve.law, Quantity::contacts | Quantity::real_area);
         const auto made = contact();
         curve.states = accepted(scene, *curve.law, points_of(scene, *made, quantities, of_all));
         if (curve.states.size() < scene.points.size())

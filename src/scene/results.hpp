@@ -41,7 +41,7 @@ struct BandParts {
 struct Curve {
     const Law* law = nullptr;
     std::optional<double> theta{}, r{};    ///< none: a law without a joint distribution
-    std::optional<double> rms_gradient{};  ///< of the surface, for p*
+    std::optional<double> rms_gradient{};  ///< of the surface, for p*; the same in every curve
     std::vector<ContactState<double>> states{};
     std::vector<Check<double>> checks{};
     std::vector<LoadMeans<double>> means{};   ///< of a plastic law, one a state

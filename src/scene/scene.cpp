@@ -508,7 +508,7 @@ std::vector<NamedFace> measured_faces(const Scene& scene) {
 }
 
 Scene read_scene(const std::string& text, const SceneSource& from) {
-    Scene scene = read_table(parse_toml(text, from.name), from, text == builtin_scene);
+    Scene scene = read_table(parse_scene(text, from.name), from, text == builtin_scene);
     scene.sha256 = sha256(text);
     return scene;
 }

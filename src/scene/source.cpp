@@ -53,6 +53,27 @@ std::size_t breaking_line(std::string_view text) {
     return static_cast<std::size_t>(broken - ends.begin()) + 1;
 }
 
+/// Whether three lines of \p text hold numbers alone, as those of a trace or a map do.
+bool holds_numbers(std::string_view text) {
+    std::size_t found = 0;
+    for (std::size_t begin = 0; begin < text.size() && found < 3;) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        if (line.find_first_of("0123456789") != std::string_view::npos &&
+            line.find_first_not_of("0123456789+-.eE,; \t\r") == std::string_view::npos)
+            ++found;
+        begin = end + 1;
+    }
+    return found == 3;
+}
+
+/// Whether \p text, which is no TOML, may be a measured surface: numbers, the JSON of fstiff measure, or binary.
+bool is_surface(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r\n");
+    return (first != std::string_view::npos && text[first] == '{') || text.find('\0') != std::string_view::npos ||
+           holds_numbers(text);
+}
+
 }  // namespace
 
 std::string_view si_unit(Dimension dimension) {
@@ -129,6 +150,22 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     } catch (const BrokenToml&) {
         throw refuse(breaking_line(text), "a character that nothing may begin with");
     }
+}
+
+toml::table parse_scene(const std::string& text, const std::string& file) {
+    toml::table table;
+    try {
+        table = parse_toml(text, file);
+    } catch (const domain_error& error) {
+        if (is_surface(text))
+            throw domain_error(std::string(error.what()) +
+                               "; a measured surface is given by --surface, or by surface.from in a scene");
+        throw;
+    }
+    if (const toml::node* sweep = table.get("sweep"))
+        throw domain_error(file + ":" + std::to_string(sweep->source().begin.line) +
+                           ": sweep: is a section of a grid, which fstiff sweep reads; must not stand in a scene");
+    return table;
 }
 
 }  // namespace fstiff::scene

@@ -40,6 +40,11 @@ using io::Dimension;
 /// The text of a value for messages and for the echo of the inputs.
 [[nodiscard]] std::string written(const toml::node& node);
 
+/// The end of a refusal of several values where there must be one.
+inline std::string of_a_grid(const toml::node& node) {
+    return node.is_table() || node.is_array() ? "; several values are for a grid, which fstiff sweep reads" : "";
+}
+
 /// What all parts of one scene share: where it stands for messages, and the record of its inputs.
 struct Source {
     std::string file;
@@ -70,7 +75,8 @@ struct Source {
         if (node.is_number())
             refuse(node, key,
                    "a number without a unit; write it as a text such as \"" + std::string(example(dimension)) + "\"");
-        if (!node.is_string()) refuse(node, key, "must be a text such as \"" + std::string(example(dimension)) + "\"");
+        if (!node.is_string())
+            refuse(node, key, "must be a text such as \"" + std::string(example(dimension)) + "\"" + of_a_grid(node));
         const double value = located(node, [&] { return io::parse_quantity(written(node), dimension, key); });
         record(key, written(node), value, si_unit(dimension));
         return value;
@@ -81,7 +87,7 @@ struct Source {
         return value;
     }
     double number(const toml::node& node, const std::string& key) {
-        if (!node.is_number()) refuse(node, key, "must be a plain number");
+        if (!node.is_number()) refuse(node, key, "must be a plain number" + of_a_grid(node));
         const double value = *node.value<double>();
         if (!std::isfinite(value)) refuse(node, key, "must be a finite number");
         record(key, written(node), value);
@@ -162,5 +168,7 @@ private:
 
 /// \throws domain_error with the line of \p file where \p text is no TOML.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
+/// The same of a scene. \throws domain_error for a measured surface and for a grid too, naming what reads them.
+[[nodiscard]] toml::table parse_scene(const std::string& text, const std::string& file);
 
 }  // namespace fstiff::scene

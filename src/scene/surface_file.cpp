@@ -83,16 +83,21 @@ void apply_cut_offs(PreparedMap& result) {
 }  // namespace
 
 double parse_length(const std::string& text, std::string_view name) {
-    const double value = io::parse_quantity(text, io::Dimension::length, std::string(name));
-    require_positive(std::string(name).c_str(), value);
-    return value;
+    return parse_positive(text, io::Dimension::length, name);
 }
 
 LagWindow<double> parse_window(const std::string& text, std::string_view name) {
     const auto comma = text.find(',');
     if (comma == std::string::npos)
         throw option_error(std::string(name) + " = \"" + text + "\": must be two lengths, such as \"1 um,100 um\"");
-    return {parse_length(text.substr(0, comma), name), parse_length(text.substr(comma + 1), name)};
+    if (text.find(',', comma + 1) != std::string::npos)
+        throw option_error(std::string(name) + " = \"" + text +
+                           "\": must be two lengths with one comma between them; the decimal mark is the point");
+    const LagWindow<double> window{parse_length(text.substr(0, comma), name),
+                                   parse_length(text.substr(comma + 1), name)};
+    if (!(window.from < window.to))
+        throw option_error(std::string(name) + " = \"" + text + "\": the first length must be less than the second");
+    return window;
 }
 
 std::size_t SurfaceInput::points() const {
@@ -112,6 +117,13 @@ void SurfaceInput::drop_map() {
 }
 
 namespace {
+
+/// Whether \p bytes are a JSON document of fstiff.
+bool is_document(std::string_view bytes) {
+    const auto first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '{' &&
+           bytes.substr(first, 200).find("\"fstiff_version\"") != std::string_view::npos;
+}
 
 void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
     about_file(options.file, [&] {
@@ -142,6 +154,10 @@ SurfaceInput read_surface_input(const SurfaceOptions& options) {
 }
 
 SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes) {
+    if (is_document(bytes))
+        throw domain_error(display_name(options.file) +
+                           ": is JSON that fstiff printed; must be a profile or a map (run --surface and surface.from "
+                           "read the JSON of fstiff measure)");
     io::SurfaceOptions how;
     how.format = io::surface_format(options.format);
     how.units = options.units;

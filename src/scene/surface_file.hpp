@@ -110,9 +110,10 @@ struct PreparedMap : LevelledMap<double> {
 /// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the reader.
 [[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence);
 
-/// A length with its unit, greater than 0, of the option called \p name in messages. \throws domain_error.
+/// A length with its unit, greater than 0, of the option called \p name in messages. \throws as parse_positive().
 [[nodiscard]] double parse_length(const std::string& text, std::string_view name);
-/// Two such lengths with a comma between them, each greater than 0. \throws option_error without the comma, domain_error.
+/// Two such lengths with a comma between them, each greater than 0, the first the shorter.
+/// \throws option_error unless they are two and rise, domain_error as above.
 [[nodiscard]] LagWindow<double> parse_window(const std::string& text, std::string_view name);
 
 }  // namespace fstiff::scene

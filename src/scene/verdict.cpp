@@ -88,16 +88,15 @@ AboutHeights about_heights(const Scene& scene) {
 
 /// Least and greatest p* of the scene; none where no gradient is known.
 std::optional<std::pair<double, double>> relative_pressures(const Results& results) {
-    const Curve* curve = nullptr;
-    for (const Curve& one : results.curves)
-        if (one.rms_gradient && !one.states.empty()) curve = &one;
-    if (!curve) return std::nullopt;
     double low = std::numeric_limits<double>::infinity(), high = 0;
-    for (const auto& state : curve->states) {
-        const double p = dimensionless_pressure(state.pressure.value, results.modulus, *curve->rms_gradient);
-        low = std::min(low, p);
-        high = std::max(high, p);
-    }
+    for (const Curve& curve : results.curves)
+        for (const auto& state : curve.states) {
+            if (!curve.rms_gradient) return std::nullopt;
+            const double p = dimensionless_pressure(state.pressure.value, results.modulus, *curve.rms_gradient);
+            low = std::min(low, p);
+            high = std::max(high, p);
+        }
+    if (low > high) return std::nullopt;
     return std::pair(low, high);
 }
 
@@ -146,10 +145,13 @@ std::string about_contacts(const Scene& scene, const Results& results) {
         for (const auto& state : curve.states)
             if (state.contact_density.value > 0) least = std::min(least, state.contact_density.value * area);
     if (!(area > 0) || !(least < 200)) return "";
+    if (least < 1)
+        return "fewer than one contact is expected on the " +
+               std::string(scene.nominal_area ? "nominal area" : "map") + " (" + rounded(least, 2) +
+               "): a law over peaks is a mean over many surfaces there and says nothing of a single one";
     const char* scatter = least > 100 ? "7 %" : least > 40 ? "11 %" : least > 15 ? "16 %" : "34 % or more";
-    return (least < 0.95  ? "less than one contact is expected on the "
-            : least < 1.5 ? "as few as one contact is expected on the "
-                          : "as few as " + shown_count(least) + " contacts are expected on the ") +
+    return (least < 1.5 ? "as few as one contact is expected on the "
+                        : "as few as " + shown_count(least) + " contacts are expected on the ") +
            (scene.nominal_area ? "nominal area" : "map") + std::string(": one surface departs from a law by about ") +
            scatter + " there (rms); its own summits or boundary elements do not";
 }

@@ -22,6 +22,12 @@ using scene::Source;
 constexpr std::uint64_t most_scenes = std::uint64_t(1) << 53;  // whole numbers that JSON readers keep
 constexpr std::array<std::string_view, 3> kinds{"normal", "lognormal", "uniform"};
 
+/// What a count must be; 1e18 is none of TOML's whole numbers.
+std::string whole_number_from(std::uint64_t least) {
+    return "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most_scenes) +
+           ", written without a point and an exponent";
+}
+
 /// A swept quantity as it was found, with its place for the order of the axes.
 struct Found {
     Axis axis;
@@ -100,7 +106,7 @@ void read_range(Source& source, const toml::table& table, Found& found) {
     const toml::node& node = section.at("count");
     const auto* count = node.as_integer();
     if (!count || count->get() < 2 || static_cast<std::uint64_t>(count->get()) > most_scenes)
-        source.refuse(node, section.key("count"), "must be a whole number, 2 at least");
+        source.refuse(node, section.key("count"), whole_number_from(2));
     constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
     const bool log = section.find("spacing")
                          ? source.choice(*section.find("spacing"), section.key("spacing"), spacings) == 0
@@ -281,7 +287,7 @@ void read_sweep(Source& source, const toml::table* table, Grid& grid) {
         const auto* number = node->as_integer();
         if (!number || number->get() < static_cast<std::int64_t>(least) ||
             static_cast<std::uint64_t>(number->get()) > most_scenes)
-            source.refuse(*node, section.key(name), "must be a whole number, " + std::to_string(least) + " at least");
+            source.refuse(*node, section.key(name), whole_number_from(least));
         return static_cast<std::uint64_t>(number->get());
     };
     if (const toml::node* node = section.find("mode")) grid.mode = source.choice<Mode>(*node, section.key("mode"));

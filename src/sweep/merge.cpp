@@ -95,12 +95,16 @@ std::vector<std::string> problems_of(const std::vector<Part>& parts) {
 
 Merged merge(std::vector<std::string> files, const std::string& output) {
     std::error_code none;
+    const auto is_output = [&](const std::string& file) { return std::filesystem::equivalent(file, output, none); };
+    const bool own_output = std::any_of(files.begin(), files.end(), is_output);
     std::erase_if(files, [&](const std::string& file) {
-        return file.ends_with(".sweep") || std::filesystem::equivalent(file, output, none);  // of a merge before
+        return file.ends_with(".sweep") || is_output(file);  // of a merge before
     });
     std::vector<Part> parts;
     for (const std::string& file : files) parts.push_back({file, read_description(file)});
     Merged merged;
+    if (parts.empty() && own_output)
+        throw domain_error(output + ": is the only file of results and the output too; give the output another name");
     if (parts.empty()) throw domain_error("merge: no results are given; must be files that fstiff sweep wrote");
     merged.problems = problems_of(parts);
     if (!merged.problems.empty()) return merged;

@@ -65,6 +65,9 @@ TEST_CASE("A mask, spikes and filling are done in this order, and told with thei
     CHECK(decided(clean, "spikes: 1 of 400 points became missing"));
     CHECK(decided(clean, "fill: 1 of 400 points filled by straight lines, the largest hole 1"));
     CHECK_FALSE(test::contains(clean.dump(), "takes such points out"));
+    CHECK(decided(measured(how + " --spikes 5.5", wave(true)), "beyond 5.5 standard deviations"));
+    test::check_refused("measure - " + how + " --spikes 2.5", 2, {"--spikes: Value 2.5 not in range 3 to 1000;"},
+                        wave(true));
     const double rms = measured(how, wave(false))["surface"]["rms_height"]["value"];
     CHECK(std::abs(clean["surface"]["rms_height"]["value"].get<double>() / rms - 1) < 0.01);
     CHECK(struck["surface"]["rms_height"]["value"].get<double>() > 3 * rms);

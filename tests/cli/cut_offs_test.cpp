@@ -188,7 +188,7 @@ TEST_CASE("A scene takes lambda_s and lambda_c beside from, and measures as the 
     CHECK(test::contains(test::fstiff("run --surface -", measured.dump()).out, "lambda_s 8 µm"));
     const std::string read_back = test::fstiff("run --surface - --format json", measured.dump()).out;
     CHECK(test::contains(nlohmann::json::parse(read_back).dump(), "\"lambda_s_m\":8e-06"));
-    test::check_refused("run '" + scene("lambda_s = \"1 um\"") + "'", 3, {"lambda_s = 1 µm", "at least 2 steps"});
+    test::check_refused("run '" + scene("lambda_s = \"1 um\"") + "'", 3, {"lambda_s = \"1 um\"", "at least 2 steps"});
     test::check_refused("run '" + scene("lambda_s = 1.0") + "'", 3, {"lambda_s"});
 }
 
@@ -198,9 +198,9 @@ TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
         for (const char* command : {"measure - ", "fit - ", "islands - "})
             test::check_refused(command + how, status, parts, text);
     };
-    check("--lambda-s '1.9 um'", 3, {"--lambda-s = 1.9 µm cannot be held by this file", "at least 2 steps, 2 µm"});
-    check("--lambda-c '4 um'", 3, {"--lambda-c = 4 µm cannot be held by this file", "at least 5 steps, 5 µm"});
-    check("--lambda-c '161 um'", 3, {"--lambda-c = 161 µm", "at most the length of the surface, 160 µm"});
+    check("--lambda-s '1.9 um'", 3, {"--lambda-s = \"1.9 um\" cannot be held by this file", "at least 2 steps, 2 µm"});
+    check("--lambda-c '4 um'", 3, {"--lambda-c = \"4 um\" cannot be held by this file", "at least 5 steps, 5 µm"});
+    check("--lambda-c '161 um'", 3, {"--lambda-c = \"161 um\"", "at most the length of the surface, 160 µm"});
     check("--lambda-s '10 um' --lambda-c '10 um'", 3, {"--lambda-s = 10 µm", "less than --lambda-c"});
     check("--lambda-s 8", 3, {"--lambda-s", "without a unit"});
     check("--lambda-c '8 Pa'", 3, {"--lambda-c"});

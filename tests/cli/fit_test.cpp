@@ -199,13 +199,13 @@ TEST_CASE("Options of fit that make no sense are refused") {
     using test::check_refused;
     check_refused(read_metres + " --window '1 um'", 2, {"--window = \"1 um\"", "two lengths"}, text);
     check_refused(read_metres + " --window '1,100'", 3, {"--window = \"1\"", "without a unit"}, text);
-    check_refused(read_metres + " --window '9 um,1 um'", 3, {"window"}, text);
+    check_refused(read_metres + " --window '9 um,1 um'", 2, {"--window", "less than the second"}, text);
     check_refused(read_metres + " --window '1 m,2 m'", 3, {"window"}, text);
     check_refused(read_metres + " --convention own", 2, {"--convention", "own"}, text);
     check_refused(read_metres + " --detrend cubic", 2, {"--detrend", "cubic"}, text);
     check_refused(read_metres + " --column 0", 2, {"--column"}, text);
     check_refused("fit - --units m --spacing 0.5", 3, {"--spacing = \"0.5\"", "without a unit"}, text);
-    check_refused("fit - --units m --spacing '-1 um'", 3, {"--spacing = -1e-06", "greater than 0"}, text);
+    check_refused("fit - --units m --spacing '-1 um'", 3, {"--spacing = \"-1 um\"", "greater than 0"}, text);
     check_refused("fit - --units furlong --spacing '1 um'", 3, {"furlong"}, text);
     check_refused("fit - --units m", 3, {"spacing"}, text);
     check_refused("fit", 2, {"profile"});

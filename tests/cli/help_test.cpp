@@ -24,7 +24,8 @@ TEST_CASE("The example at the end of every --help works as pasted") {
 }
 
 TEST_CASE("The version is that of the library") {
-    CHECK(test::fstiff("--version").out == "fstiff " FSTIFF_VERSION "\n");
+    for (const char* way : {"--version", "-V", "version"})
+        CHECK(test::fstiff(way).out == "fstiff " FSTIFF_VERSION "\n");
 }
 
 TEST_CASE("Wrong use ends with exit code 2 and one sentence") {
@@ -32,9 +33,17 @@ TEST_CASE("Wrong use ends with exit code 2 and one sentence") {
     test::check_refused("run --speed 3", 2, {"--speed", "fstiff run --help"});
     test::check_refused("run --format xml", 2, {"--format", "xml"});
     test::check_refused("run a.toml b.toml", 2, {"b.toml"});
-    const auto bare = test::fstiff("");
-    CHECK(bare.status == 2);
-    CHECK(bare.out.empty());
+}
+
+TEST_CASE("A file whose name begins with - is refused with the way to give it") {
+    const test::Folder folder;
+    folder.write("-dash.csv", "1\n2\n");
+    for (const std::string command : {"measure", "run"}) {
+        const auto outcome = test::shell("cd '" + folder / "" + "' && fstiff " + command + " -dash.csv");
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(test::contains(outcome.err, "is given as ./-dash.csv"));
+    }
 }
 
 TEST_CASE("A wrong word is answered with the nearest right one") {
@@ -53,7 +62,10 @@ TEST_CASE("A wrong word is answered with the nearest right one") {
 }
 
 TEST_CASE("help prints what --help prints") {
-    CHECK(test::fstiff("help").out == test::fstiff("--help").out);
+    const auto bare = test::fstiff("");
+    CHECK(bare.status == 0);
+    CHECK(bare.out == test::fstiff("--help").out);
+    CHECK(test::fstiff("help").out == bare.out);
     for (const std::string command : {"run", "generate", "formats"}) {
         const auto help = test::fstiff("help " + command);
         CHECK(help.status == 0);

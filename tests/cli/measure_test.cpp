@@ -303,7 +303,10 @@ TEST_CASE("What is no surface is refused by measure, by surface.from and by --su
     test::check_refused("measure '" + map + "' --resamples 1", 2, {"--resamples"});
     test::check_refused("run - --surface -", 2, {"standard input"}, scene(""));
     test::check_refused("run --surface nowhere.sdf", 3, {"--surface", "nowhere.sdf", "no such file"});
-    test::check_refused("run --surface -", 3, {"standard input", "given as fstiff measure --units"}, "1\n2\n3\n1\n2\n");
+    test::check_refused("run --surface -", 3,
+                        {"standard input", "given as fstiff measure --units",
+                         "; --surface reads the JSON that fstiff measure prints"},
+                        "1\n2\n3\n1\n2\n");
     test::check_refused("run --surface -", 3, {"standard input", "not the JSON of fstiff measure"},
                         "{\"command\": \"fit\"}");
     test::check_refused("run --surface -", 3, {"standard input", "not the JSON"}, "{\"command\": \"mea");
@@ -322,6 +325,40 @@ TEST_CASE("What is no surface is refused by measure, by surface.from and by --su
     test::check_refused("run -", 3, {":3", "surface.r", "less than 1"}, scene("from = '" + map + "'\nr = 1.0\n"));
     test::check_refused("run -", 3, {":4", "uncertainty.samples"},
                         "[surface]\nfrom = '" + map + "'\n[uncertainty]\nsamples = 3\n" + material + contact);
+}
+
+TEST_CASE("An option of a surface that makes no sense is refused in the words it was given in") {
+    std::string heights;
+    for (int i = 0; i < 600; ++i) heights += std::to_string(std::sin(0.3 * i) + 0.2 * std::sin(i * i)) + "\n";
+    const auto refused = [&](const std::string& options, int status, const std::string& part) {
+        test::check_refused("measure - --units um " + options, status, {part}, heights);
+    };
+    const std::string step = "--spacing '0.5 um' ";
+    refused("--spacing '-0.5 um'", 3, "--spacing = \"-0.5 um\": must be greater than 0");
+    refused("--spacing '0,5 um'", 3, "--spacing = \"0,5 um\": has a comma; the decimal mark is the point");
+    refused(step + "--lambda-c '299.50001 um'", 3,
+            "--lambda-c = \"299.50001 um\": must be at most the length of the surface, 299.5 µm");
+    refused(step + "--lambda-s '0.9 um'", 3, "--lambda-s = \"0.9 um\" cannot be held");
+    refused(step + "--scales --pressure '-1 MPa'", 3, "--pressure = \"-1 MPa\": must be greater than 0");
+    refused(step + "--window '10 um'", 2, "--window = \"10 um\": must be two lengths");
+    refused(step + "--window '0,8 um,80 um'", 2, "two lengths with one comma between them; the decimal mark is the point");
+    refused(step + "--window '10 um,1 um'", 2, "--window = \"10 um,1 um\": the first length must be less");
+    refused(step + "--peaks summits", 2, "--peaks = \"summits\" is for a map; standard input holds a profile");
+    test::check_refused("truth - --pressures='-5 MPa'", 3, {"--pressures = \"-5 MPa\": must be greater than 0"},
+                        map_text());
+    test::check_refused("truth - --pressures '1,5 MPa'", 3,
+                        {"--pressures = \"1,5 MPa\": every pressure needs its unit, and the point"}, map_text());
+    test::check_refused("ultrasound --stiffness '1 GPa/um' --impedance '46 MRayl' --frequency='-7 MHz'", 3,
+                        {"--frequency = \"-7 MHz\": must be greater than 0"});
+    const auto whole = test::fstiff("measure - --units um " + step + "--lambda-c '299.5 um'", heights);
+    INFO(whole.err);
+    CHECK(whole.status % 4 == 0);  // as long as the profile: allowed
+    const auto document = test::fstiff("measure - --units um " + step, heights).out;
+    for (const std::string command : {"measure -", "spectrum -", "truth -"})
+        test::check_refused(command, 3, {"standard input: is JSON that fstiff printed", "run --surface"}, document);
+    std::string rise;
+    for (int i = 0; i < 600; ++i) rise += i < 300 ? "0\n" : "1\n";
+    test::check_refused("measure - --units um " + step, 3, {"or of one step", "told from the rounding"}, rise);
 }
 
 TEST_CASE("A changed document of measure is refused where it was changed") {

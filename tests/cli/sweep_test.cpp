@@ -352,6 +352,8 @@ TEST_CASE("What is wrong with a value is told before anything is computed") {
     check(replaced(grid, "peak_density = \"500 /mm^2\"", "peak_density = \"500 /mm^2\"\nfrom = [\"none.csv\"]"),
           "none.csv: no such file");
     check(replaced(grid, "poisson_ratio", "poison_ratio"), "unknown key");
+    check(replaced(grid, "[\"20 um\", \"40 um\"]", "{ from = \"20 um\", to = \"40 um\", count = 1e18 }"),
+          "surface.peak_radius.count = 1e+18: must be a whole number from 2 to 9007199254740992, written without a");
     CHECK(fstiff("sweep").status == 2);
     CHECK(fstiff("sweep '" + folder.write("grid.toml", grid) + "' -o '" + folder / "out" + "' --shard 3").status == 2);
 }
@@ -404,6 +406,9 @@ TEST_CASE("Merging says which shard is missing, double, unfinished or of another
     check("part-*.jsonl again.jsonl", {"shard 3/4 is there twice"});
     sweep("1/2", "half.jsonl");
     check("part-*.jsonl half.jsonl", {"half.jsonl is shard 1/2 and part-1.jsonl is shard 1/4"});
+    const Outcome itself = shell("cd '" + folder / "" + "' && fstiff merge half.jsonl -o half.jsonl");
+    CHECK(itself.status == 3);
+    CHECK(contains(itself.err, "half.jsonl: is the only file of results and the output too"));
     const std::string description = read(folder / "part-2.jsonl.sweep"), results = read(folder / "part-2.jsonl");
     folder.write("part-2.jsonl.sweep", replaced(description, "\"finished\": true", "\"finished\": false"));
     check("part-*.jsonl", {"part-2.jsonl is not finished; run: fstiff sweep"});

@@ -80,7 +80,7 @@ TEST_CASE("Ultrasound refuses what the spring model does not allow") {
     check_refused("ultrasound --stiffness 5" + steel, 3, {"--stiffness = \"5\"", "without a unit", "GPa/um"});
     check_refused("ultrasound --stiffness '5 GPa'" + steel, 3, {"--stiffness", "GPa", "allowed are"});
     check_refused("ultrasound --stiffness '1 GPa/um' --frequency '0 Hz' --impedance '46 MRayl'", 3,
-                  {"frequency = 0", "greater than 0"});
+                  {"--frequency = \"0 Hz\": must be greater than 0"});
     check_refused("ultrasound --stiffness '1 GPa/um' --frequency '7 MHz' --impedance '-1 MRayl'", 3,
                   {"impedance", "greater than 0"});
     check_refused("ultrasound --stiffness '1 GPa/um' --reflection 0.5" + steel, 2,

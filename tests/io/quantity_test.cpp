@@ -36,6 +36,16 @@ TEST_CASE("A quantity is the correctly rounded SI value of what is written") {
     CHECK(test::ulps(io::parse_quantity("1 psi", Dimension::pressure, "x"), 6894.757293168361) <= 2);
 }
 
+TEST_CASE("A comma in a number is named as what is wrong with it") {
+    const std::string why = "has a comma; the decimal mark is the point, as in 0.8";
+    CHECK(test::refusal([&] { (void)io::parse_quantity("0,8 um", Dimension::length, "x"); }) ==
+          "x = \"0,8 um\": " + why);
+    CHECK(test::refusal([&] { (void)io::parse_number("0,25", "x"); }) == "x = \"0,25\": " + why);
+    CHECK(test::refusal([&] { (void)io::parse_angle("0,7 rad", "x"); }) == "x = \"0,7 rad\": " + why);
+    CHECK(test::refusal([&] { (void)io::parse_quantity("1 um,2", Dimension::length, "x"); }).find("comma") ==
+          std::string::npos);
+}
+
 TEST_CASE("An angle is read as a fraction of pi, with a unit, or in radians") {
     constexpr double pi = std::numbers::pi;
     CHECK(io::parse_angle("pi/4", "theta") == pi / 4);

@@ -3,9 +3,11 @@
 #include "scene/results.hpp"
 
 #include "cli/command.hpp"
+#include "support/accuracy.hpp"
 
 #include "scene/file.hpp"
 #include "scene/identification.hpp"
+#include "scene/result_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +107,98 @@ TEST_CASE("What a scene lacks is thrown as a domain_error with its place, and no
         CHECK(test::contains(error.what(), "bad.toml:3: surface.rms_height"));
     }
     CHECK_THROWS_AS(scene::read_all("/no/such/file"), fstiff::file_error);
+}
+
+TEST_CASE("What is no scene is refused with the way to give it") {
+    const auto refusal = [](const std::string& text) {
+        return test::refusal([&] { static_cast<void>(scene::read_scene(text, {.name = "f"})); });
+    };
+    const std::string surface = "; a measured surface is given by --surface, or by surface.from in a scene";
+    CHECK(test::contains(refusal("x [um],z [um]\n0,1.5\n1,2\n2,1e-3\n"), surface));
+    CHECK(test::contains(refusal("1\t2\n3\t4\r\n5\t6"), surface));
+    CHECK(test::contains(refusal("{\"command\": \"measure\"}"), surface));
+    CHECK(test::contains(refusal(std::string("MM\0", 3)), surface));
+    CHECK_FALSE(test::contains(refusal("[surface\n1,2\n"), surface));
+
+    const std::string grid = "; several values are for a grid, which fstiff sweep reads";
+    CHECK(test::contains(refusal(test::replaced(text_of(""), "\"1 um\"", "[\"1 um\", \"2 um\"]")), grid));
+    CHECK(test::contains(refusal(test::replaced(text_of(""), "1.5", "{ values = [1.5, 1.6] }")), grid));
+    CHECK_FALSE(test::contains(refusal(test::replaced(text_of(""), "\"1 um\"", "true")), grid));
+    CHECK(refusal(text_of("") + "[sweep]\nseed = 1\n").starts_with("f:16: sweep: is a section of a grid"));
+}
+
+TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, are refused where they stand") {
+    const auto refusal = [](const std::string& from, const std::string& to) {
+        const std::string text = test::replaced(text_of(""), from, to);
+        return test::refusal([&] { static_cast<void>(scene::read_scene(text, {.name = "f"})); });
+    };
+    CHECK(refusal("peak_radius = \"60 um\"\npeak_density = \"500 /mm^2\"", "rms_gradient = 0.1\nalpha = 1e300") ==
+          "f:5: surface.alpha = 1e+300: makes, with rms_height and rms_gradient, peak_radius = 0, which must be finite "
+          "and greater than 0");
+    CHECK(refusal("\"1 um\"", "\"0,8 um\"") ==
+          "f:3: surface.rms_height = \"0,8 um\": has a comma; the decimal mark is the point, as in 0.8");
+}
+
+TEST_CASE("The verdict and the warnings do not depend on the columns asked for") {
+    const auto said = [](const std::string& quantities) {
+        const std::string text = test::replaced(text_of("laws = [\"hertz\"]\n"), "195 mm^2", "0.01 mm^2");
+        const std::string output = "[output]\nquantities = [" + quantities + "]\n";
+        auto results = compute(scene::read_scene(text + output, {.name = "f"}));
+        results.verdict.insert(results.verdict.end(), results.warnings.begin(), results.warnings.end());
+        return results.verdict;
+    };
+    const auto all = said("\"stiffness\", \"contacts\", \"real_area\"");
+    CHECK(said("\"stiffness\"") == all);
+    CHECK(std::any_of(all.begin(), all.end(), [](const std::string& line) {
+        return line.starts_with("fewer than one contact is expected on the nominal area (0.0");
+    }));
+    CHECK(std::any_of(all.begin(), all.end(), [](const std::string& line) {
+        return line.starts_with("fewer than 10 contacts on the nominal area");
+    }));
+}
+
+TEST_CASE("All curves of a scene and its verdict have one p*") {
+    const auto check = [](const std::string& from, const std::string& to, double gradient) {
+        const std::string text = test::replaced(text_of("laws = [\"hertz\", \"greenwood_williamson\"]\n"), from, to);
+        const auto results = compute(scene::read_scene(text, {.name = "f"}));
+        REQUIRE(results.curves.size() == 3);
+        for (const auto& curve : results.curves) {
+            REQUIRE(curve.rms_gradient);
+            CHECK(test::relative_error(*curve.rms_gradient, gradient) < 1e-9);
+        }
+        const std::string p = scene::rounded(1e6 / (results.modulus * gradient), 2);
+        CHECK(std::any_of(results.verdict.begin(), results.verdict.end(), [&](const std::string& line) {
+            return line.starts_with("p* = p/(E g) is " + p + " to ");
+        }));
+    };
+    const double curvature = 3 * std::sqrt(3.141592653589793) / (8 * 60e-6), sigma = 1e-6;
+    // no spectrum: of the last joint distribution of peaks, which knows it: theta = pi/3, r^2 = 2/3
+    check("500 /mm^2", "400 /mm^2", std::sqrt(2 * std::sqrt(2.0 / 3) * sigma * curvature));
+    check("fractal_dimension", "rms_gradient = 0.05\nfractal_dimension", 0.05);
+    // sigma R D_p = 0.3 is that of an isotropic Gaussian surface: the spectrum of the three numbers
+    const auto moments = fstiff::moments_of_peaks(sigma, 60e-6, 5e9);
+    REQUIRE(moments.bandwidth() > 1.5);
+    check("500 /mm^2", "5000 /mm^2", std::sqrt(2 * moments.m2));
+}
+
+TEST_CASE("A summary has all points of a list of twelve, of more pressures and of a range the ends and the decades") {
+    const auto points = [](std::vector<double> values, bool separations = false, bool range = false) {
+        scene::Scene of;
+        if (range) of.inputs.push_back({.key = "contact.pressures.count", .written = "5", .value = 5, .unit = ""});
+        of.points = std::move(values);
+        of.at_separations = separations;
+        return scene::summary_points(of);
+    };
+    using Indices = std::vector<std::size_t>;
+    CHECK(points({1e7, 1e6, 1e8, 3e6}) == Indices{0, 1, 2, 3});
+    CHECK(points({2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 14}).size() == 12);
+    CHECK(points({2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14}) == Indices{0, 8, 12});
+    CHECK(points({3, 10, 30, 100, 300}, false, true) == Indices{0, 1, 3, 4});
+    CHECK(points({2, 3, 4, 5}, false, true).size() == 4);
+    CHECK(points({2, 3, 4, 5, 6, 7, 8}, false, true) == Indices{0, 2, 4, 6});
+    CHECK(points({14, 3, 4, 5, 6, 7, 8, 9, 10, 100, 12, 13, 2}) == Indices{8, 9, 12});  // as they were written
+    CHECK(points({2, 2.1, 2.2, 3, 4, 5, 5.5, 6, 6.5, 7, 8, 8.5, 9}) == Indices{0, 4, 8, 12});
+    CHECK(points({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13}, true) == Indices{0, 4, 8, 12});
 }
 
 TEST_CASE("Every law of the table has a name, its equations and a contact, and is found by its name") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The units that people read, at both sides of every limit; and that measure and run show the same.
 #include "scene/shown_unit.hpp"
+#include "scene/file.hpp"
 
 #include "cli/command.hpp"
 
@@ -38,6 +39,18 @@ TEST_CASE("A value is shown in the unit of its size") {
     CHECK(scene::shown_unit(3e-8, "m").name == "nm");
     CHECK(scene::shown_unit(3e12, "/m^2").name == "/µm²");
     CHECK(scene::shown_unit(0.5, "")(0.5) == "0.5");
+}
+
+TEST_CASE("A rounded number has no exponent below 1e5") {
+    CHECK(scene::rounded(112, 2) == "110");
+    CHECK(scene::rounded(99.9, 2) == "100");
+    CHECK(scene::rounded(-1234, 2) == "-1200");
+    CHECK(scene::rounded(99999, 1) == "1e+05");
+    CHECK(scene::rounded(56789, 3) == "56800");
+    CHECK(scene::rounded(123456, 5) == "1.2346e+05");
+    CHECK(scene::rounded(0.00001, 2) == "1e-05");
+    CHECK(scene::rounded(1.8e38, 2) == "1.8e+38");
+    CHECK(scene::rounded(0.5, 2) == "0.5");
 }
 
 TEST_CASE("measure and run show a fine map in the same units") {

@@ -32,8 +32,19 @@ namespace fstiff::io {
 
 namespace detail {
 
+/// Whether \p text has a comma between two digits, as "0,8 um".
+constexpr bool has_decimal_comma(std::string_view text) {
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+        if (text[i] == ',' && is_digit(text[i - 1]) && is_digit(text[i + 1])) return true;
+    return false;
+}
+
+/// \throws domain_error for \p reason, or for the comma where the number has one.
 [[noreturn]] inline void refuse_text(std::string_view name, std::string_view text, const std::string& reason) {
-    throw domain_error({.parameter = name, .value = "\"" + std::string(text) + "\"", .reason = reason});
+    throw domain_error(
+        {.parameter = name,
+         .value = "\"" + std::string(text) + "\"",
+         .reason = has_decimal_comma(text) ? "has a comma; the decimal mark is the point, as in 0.8" : reason});
 }
 
 /// \p value, unless the factor of the unit made it infinite.

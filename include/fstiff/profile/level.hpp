@@ -48,7 +48,8 @@ template <Real T>
     if (form != Form::none && detail::is_rounding(profile.heights.data(), flat.profile.heights.data(), profile.size(),
                                                   static_cast<T>(resolution)))
         throw domain_error("profile of constant height once its form (" + std::string(name_of(form)) +
-                           ") is removed: what is left is the rounding of its heights; must be of varying height");
+                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
+                           "heights; must be of varying height");
     if (lambda_s) {
         flat.unfiltered = cutoff ? gaussian_roughness(flat.profile, *cutoff) : flat.profile;
         flat.profile = gaussian_low_pass(flat.profile, *lambda_s);

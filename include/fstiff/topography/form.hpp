@@ -64,7 +64,8 @@ template <Real T>
     if (form != MapForm::none && detail::is_rounding(map.heights.data(), flat.map.heights.data(),
                                                      static_cast<std::size_t>(map.size()), resolution))
         throw domain_error("map of constant height once its form (" + std::string(name_of(form)) +
-                           ") is removed: what is left is the rounding of its heights; must be of varying height");
+                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
+                           "heights; must be of varying height");
     return flat;
 }
 

@@ -140,7 +140,7 @@ Report execute(const Options& options) {
     if (!options.output.file.empty()) require_own(options.output.file);
     const Units units = units_of(options.units);
     const auto pressure = [](const std::string& text, const char* name) {
-        return text.empty() ? std::nullopt : std::optional(io::parse_quantity(text, io::Dimension::pressure, name));
+        return text.empty() ? std::nullopt : std::optional(parse_positive(text, io::Dimension::pressure, name));
     };
     const scene::PressureTableOptions wanted{.law = options.law,
                                              .peaks = options.peaks,

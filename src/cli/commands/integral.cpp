@@ -89,6 +89,10 @@ Input read_input(const std::string& file) {
         if (trimmed(line).empty()) continue;
         auto cells = split(line);
         if (input.header.empty()) {
+            if (cells.size() == 1 && line.find_first_of(";\t") != std::string_view::npos)
+                throw domain_error(input.name + ":" + std::to_string(line_number) + ": has " +
+                                   (line.find(';') != std::string_view::npos ? "semicolons" : "tabs") +
+                                   " between its cells; must have commas, and points as decimal marks");
             input.header = std::move(cells);
             continue;
         }

@@ -106,13 +106,8 @@ Report execute_scales(const Options& options) {
     if (options.files.size() != 1) throw Usage("--scales is of one file");
     if (!options.picture.empty()) keep_for_picture(options.picture);
     ScalesOptions how{.progress = progress_bar()};
-    const auto pressure_of = [](const std::string& text, const char* name) {
-        const double value = io::parse_quantity(text, io::Dimension::pressure, name);
-        require_positive(name, value);
-        return value;
-    };
-    how.pressure = pressure_of(options.pressure, "--pressure");
-    how.modulus = pressure_of(options.modulus, "--modulus");
+    how.pressure = parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
+    how.modulus = parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
     MeasureOptions measure = options.measure;
     measure.input.file = options.files.front();
     const SurfaceInput input = read_surface_input(measure.input);

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 namespace fstiff::cli {
@@ -225,34 +224,16 @@ std::string full_table(const Scene& scene, const Results& results) {
     return notes.empty() ? text : text + "\n" + notes;
 }
 
-/// At most \p count points that stand for all: decades of the pressure where they are among them, else even steps.
-std::vector<std::size_t> few_points(const Scene& scene, std::size_t count) {
-    std::vector<std::size_t> all, chosen;
-    for (std::size_t i = 0; i < scene.points.size(); ++i) {
-        const double decade = scene.points[i] > 0 ? std::log10(scene.points[i]) : 0.5;
-        if (!scene.at_separations && std::abs(decade - std::round(decade)) < 1e-6) all.push_back(i);
-    }
-    if (all.size() < 3) {
-        all.resize(scene.points.size());
-        std::iota(all.begin(), all.end(), std::size_t(0));
-    }
-    if (all.size() <= count) return all;
-    if (count == 1) return {all.back()};
-    for (std::size_t k = 0; k < count; ++k)
-        chosen.push_back(all[(k * (all.size() - 1) + (count - 1) / 2) / (count - 1)]);
-    return chosen;
-}
-
 std::string label_of(const Curve& curve) {
     return std::string(curve.law->name) +
            (curve.theta ? ", theta " + rounded(*curve.theta, 4) + ", r " + rounded(*curve.r, 4) : "");
 }
 
-/// A header or a row of the summary, whose first cells are as wide as those of all blocks.
+/// A header or a row of the summary at \p points, whose first cells are as wide as those of all blocks.
 class Summary {
 public:
-    Summary(const Scene& scene, const Results& results, std::size_t columns)
-        : scene_(scene), results_(results), points_(few_points(scene, columns)) {
+    Summary(const Scene& scene, const Results& results, std::vector<std::size_t> points)
+        : scene_(scene), results_(results), points_(std::move(points)) {
         for (const Curve& curve : results.curves) first_ = std::max(first_, label_of(curve).size());
     }
 
@@ -286,34 +267,25 @@ public:
         return table.str();
     }
 
-    /// p* of the points, and K of every curve over that of boundary elements there.
+    /// p* of the points, and K of every curve over that of boundary elements there; every curve has a gradient.
     [[nodiscard]] std::string validity() const {
         TextTable table = headed("p*, K over boundary elements");
-        std::vector<const Curve*> curves;
-        for (const Curve& curve : results_.curves)
-            if (curve.rms_gradient) curves.push_back(&curve);
-        if (curves.empty())
-            return "  p* is not known, since no gradient of the surface is: docs/validation.md cannot be asked\n";
-        for (const Curve* curve : curves) {
-            std::vector<std::string> row{padded(label_of(*curve))};
+        for (const Curve& curve : results_.curves) {
+            std::vector<std::string> row{padded(label_of(curve))};
             for (const std::size_t i : points_) {
-                if (i >= curve->states.size()) {  // the law ends before
+                if (i >= curve.states.size()) {  // the law ends before
                     row.emplace_back("-");
                     continue;
                 }
                 const double p =
-                    dimensionless_pressure(curve->states[i].pressure.value, results_.modulus, *curve->rms_gradient);
-                const auto ratio = validated_ratio(curve->law->name, p);
+                    dimensionless_pressure(curve.states[i].pressure.value, results_.modulus, *curve.rms_gradient);
+                const auto ratio = validated_ratio(curve.law->name, p);
                 row.push_back(rounded(p, 2) + ": " +
                               (ratio ? rounded(ratio->low, 3) + "–" + rounded(ratio->high, 3) : "-"));
             }
             table.add(std::move(row));
         }
-        std::string text = table.str() + "  by docs/validation.md: p* of " + rounded(min_validated_pressure) + " to " +
-                           rounded(max_validated_pressure) + " on Gaussian surfaces without plastic flow\n";
-        if (curves.size() < results_.curves.size())
-            text += "  p* of the other curves is not known: r = 0 says nothing of the gradient\n";
-        return text;
+        return table.str();
     }
 
 private:
@@ -337,21 +309,6 @@ private:
     std::size_t first_ = 28;  ///< width of the first column; that of the longest heading, or more
 };
 
-/// The tables of the summary with at most \p columns points.
-std::string blocks(const Scene& scene, const Results& results, std::size_t columns) {
-    const Summary summary(scene, results, columns);
-    const Units units = units_of(scene, results);
-    const auto& all = results.curves.front().columns;
-    std::vector<std::string_view> keys{"stiffness_Pa_per_m", "tangential_stiffness_Pa_per_m", "reflection",
-                                       "shear_reflection"};
-    if (!scene.needs_stiffness()) keys = {"separation_m", "real_area_fraction", "contacts_per_m2"};
-    std::string text;
-    for (const std::string_view key : keys)
-        if (std::any_of(all.begin(), all.end(), [&](const scene::Column& one) { return one.key == key; }))
-            text += "\n" + summary.block(std::string(key), heading_of(std::string(key), units));
-    return text + (scene.needs_stiffness() ? "\n" + summary.validity() : "");
-}
-
 std::size_t width_of(const std::string& text) {
     std::size_t most = 0;
     for (std::size_t start = 0; start < text.size();) {
@@ -362,12 +319,53 @@ std::size_t width_of(const std::string& text) {
     return most;
 }
 
-/// Each law at a few points, what it is and how far it may be believed.
+/// \p table of all points of the summary, below one another where they are wider than the page.
+template <class Table>
+std::string in_parts(const Scene& scene, const Results& results, const Table& table) {
+    const std::vector<std::size_t> points = summary_points(scene);
+    std::string text;
+    for (std::size_t parts = 1; parts <= points.size(); ++parts) {
+        text.clear();
+        for (std::size_t part = 0; part < parts; ++part)
+            text += (part > 0 ? "\n" : "") +
+                    table(Summary(scene, results,
+                                  {points.begin() + static_cast<std::ptrdiff_t>(part * points.size() / parts),
+                                   points.begin() + static_cast<std::ptrdiff_t>((part + 1) * points.size() / parts)}));
+        if (width_of(text) <= widest) break;
+    }
+    return text;
+}
+
+/// How far the models were compared at the p* of the points.
+std::string validity(const Scene& scene, const Results& results) {
+    if (!results.curves.front().rms_gradient)
+        return "  p* is not known, since no gradient of the surface is: docs/validation.md cannot be asked\n";
+    return in_parts(scene, results, [](const Summary& summary) { return summary.validity(); }) +
+           "  by docs/validation.md: p* of " + rounded(min_validated_pressure) + " to " +
+           rounded(max_validated_pressure) + " on Gaussian surfaces without plastic flow\n";
+}
+
+/// The tables of the summary.
+std::string blocks(const Scene& scene, const Results& results) {
+    const Units units = units_of(scene, results);
+    const auto& all = results.curves.front().columns;
+    std::vector<std::string_view> keys{"stiffness_Pa_per_m", "tangential_stiffness_Pa_per_m", "reflection",
+                                       "shear_reflection"};
+    if (!scene.needs_stiffness()) keys = {"separation_m", "real_area_fraction", "contacts_per_m2"};
+    std::string text;
+    for (const std::string_view view : keys) {
+        const std::string key(view);
+        if (std::none_of(all.begin(), all.end(), [&](const scene::Column& one) { return one.key == key; })) continue;
+        text += "\n" + in_parts(scene, results, [&](const Summary& summary) {
+            return summary.block(key, heading_of(key, units));
+        });
+    }
+    return text + (scene.needs_stiffness() ? "\n" + validity(scene, results) : "");
+}
+
+/// Each law at the points of the summary, what it is and how far it may be believed.
 std::string table(const Scene& scene, const Results& results) {
-    std::size_t columns = 4;
-    std::string tables = blocks(scene, results, columns);
-    while (width_of(tables) > widest && columns > 1) tables = blocks(scene, results, --columns);
-    std::string text = introduction(scene, results) + tables + "\n";
+    std::string text = introduction(scene, results) + blocks(scene, results) + "\n";
     for (const ChosenLaw& chosen : scene.laws)
         text += "  " + std::string(chosen.law->name) + " is " + std::string(chosen.law->nature) + "\n";
     return text + "\n" + explanations(scene, results) +

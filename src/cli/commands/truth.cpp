@@ -28,9 +28,10 @@ std::vector<double> pressures_of(const std::string& list) {
     std::vector<double> pressures;
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
-        pressures.push_back(
-            io::parse_quantity(list.substr(begin, end - begin), io::Dimension::pressure, "--pressures"));
-        require_positive("--pressures", pressures.back());
+        if (list.substr(begin, end - begin).find_first_not_of("0123456789+-.eE ") == std::string::npos)
+            throw domain_error("--pressures = \"" + list +
+                               "\": every pressure needs its unit, and the point as decimal mark");
+        pressures.push_back(parse_positive(list.substr(begin, end - begin), io::Dimension::pressure, "--pressures"));
         begin = end + 1;
     }
     return pressures;
@@ -41,7 +42,7 @@ TruthRequest request_of(const Options& options) {
     TruthRequest request = options.truth;
     request.modulus = options.modulus.empty()
                           ? effective_modulus(scene.upper, scene.lower)
-                          : io::parse_quantity(options.modulus, io::Dimension::pressure, "--modulus");
+                          : parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
     if (options.pressures.empty() && scene.at_separations)
         throw domain_error("the scene has separations; must have contact.pressures, or --pressures must be given");
     request.pressures = options.pressures.empty() ? scene.points : pressures_of(options.pressures);

@@ -35,12 +35,12 @@ double impedance(const Body& body, const std::string& suffix) {
         throw Usage("--impedance" + suffix + " stands beside --density" + suffix + " or --velocity" + suffix +
                     "; give the impedance or the other two");
     if (!body.impedance.empty())
-        return io::parse_quantity(body.impedance, io::Dimension::impedance, "--impedance" + suffix);
+        return parse_positive(body.impedance, io::Dimension::impedance, "--impedance" + suffix);
     if (body.density.empty() || body.velocity.empty())
         throw Usage("the impedance is not known; give --impedance" + suffix + ", or --density" + suffix +
                     " and --velocity" + suffix);
-    return acoustic_impedance(io::parse_quantity(body.density, io::Dimension::density, "--density" + suffix),
-                              io::parse_quantity(body.velocity, io::Dimension::velocity, "--velocity" + suffix));
+    return acoustic_impedance(parse_positive(body.density, io::Dimension::density, "--density" + suffix),
+                              parse_positive(body.velocity, io::Dimension::velocity, "--velocity" + suffix));
 }
 
 /// The number that \p text is; none: the name of a file. "nan" and "inf" are numbers, so that they are refused as such.
@@ -210,7 +210,7 @@ Report execute(const Options& options) {
     if (options.reflection_error && !(*options.reflection_error >= 0 && *options.reflection_error < 1))
         throw domain_error("--reflection-error = " + shortest(*options.reflection_error) +
                            ": must be at least 0 and less than 1");
-    const double frequency = io::parse_quantity(options.frequency, io::Dimension::frequency, "--frequency");
+    const double frequency = parse_positive(options.frequency, io::Dimension::frequency, "--frequency");
     Impedances<double> media{};
     media.incident = impedance(options.incident, "");
     media.beyond = options.beyond.given() ? impedance(options.beyond, "2") : media.incident;

@@ -4,10 +4,13 @@
 #include "document/output.hpp"
 #include "input/description.hpp"
 
+#include <fstiff/core/text.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <system_error>
@@ -81,6 +84,11 @@ Usage no_command(const CLI::App& program, const std::string& word) {
                  program.get_name() + " --help");
 }
 
+bool is_existing_file(const std::string& word) {
+    std::error_code none;
+    return std::filesystem::exists(word, none);
+}
+
 /// The sentence about what CLI11 refused.
 Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
     const auto chosen = program.get_subcommands();
@@ -89,7 +97,10 @@ Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
     std::string text = error.what(), help = program.get_name();
     if (!chosen.empty()) {
         help += " " + chosen.front()->get_name();
-        if (!unknown.empty() && unknown.front().starts_with("--"))
+        if (!unknown.empty() && is_existing_file(unknown.front()))
+            text += " (" + unknown.front() + " begins with - as an option does; such a file is given as ./" +
+                    unknown.front() + ")";
+        else if (!unknown.empty() && unknown.front().starts_with("--"))
             text += suggestion(unknown.front().substr(0, unknown.front().find('=')), option_names(*chosen.front()));
     }
     return Usage(text + "; see " + help + " --help");
@@ -177,6 +188,17 @@ Option& Option::between(int least, int greatest) {
     option_->check(CLI::Range(least, greatest));
     return *this;
 }
+Option& Option::between(double least, double greatest) {
+    const std::string from = shortest_text(least), to = shortest_text(greatest);  // CLI::Range would show six decimals
+    const auto refusal = [=](const std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest
+                   ? std::string()
+                   : "Value " + text + " not in range " + from + " to " + to;
+    };
+    option_->check(refusal, "FLOAT in [" + from + " - " + to + "]");
+    return *this;
+}
 Option& Option::between(unsigned long least, unsigned long greatest) {
     option_->check(CLI::Range(least, greatest));
     return *this;
@@ -228,7 +250,7 @@ std::string command_name(const CLI::App& command) { return command.get_name(); }
 Program::Program(const std::string& name, const std::string& version, const std::string& description,
                  const std::string& footer)
     : app_(std::make_unique<CLI::App>(description, name)), version_(version) {
-    app_->set_version_flag("--version", version);
+    app_->set_version_flag("-V,--version", version);
     app_->require_subcommand(1);
     app_->footer(footer);
 }
@@ -279,7 +301,9 @@ const CLI::App* Program::parse(int argc, char** argv) {
     refuse_empty(argc, argv);
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     add_help();
-    if (!words.empty() && words.front() == "help" &&
+    if (words.empty()) words = {"--help"};
+    if (words == std::vector<std::string>{"version"}) words = {"--version"};
+    if (words.front() == "help" &&
         (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
         if (words.size() == 2) require_command(words.back());
         std::rotate(words.begin(), words.begin() + 1, words.end());

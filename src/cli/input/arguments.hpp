@@ -30,6 +30,7 @@ public:
     Option& one_of(std::initializer_list<const char*> values);
     Option& one_of(std::initializer_list<int> values);
     Option& between(int least, int greatest);
+    Option& between(double least, double greatest);
     Option& between(unsigned long least, unsigned long greatest);
     /// Several values in one argument, with \p separator between them.
     Option& delimiter(char separator);
@@ -83,8 +84,8 @@ public:
             const std::string& footer);
     ~Program();
     [[nodiscard]] CLI::App& app() { return *app_; }
-    /// The subcommand that was asked for; null after --help, help and
-    /// --version, which print.
+    /// The subcommand that was asked for; null after --help, help, no argument at all (the help too), --version, -V and
+    /// version, which print.
     /// \throws Usage in one sentence that names the help to look at; for an argument that is empty, too, as one of a
     /// script whose variable is not set.
     [[nodiscard]] const CLI::App* parse(int argc, char** argv);

@@ -69,7 +69,7 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
             "--spikes", options.spikes,
             "points farther than so many robust standard deviations, such as 5, from the median of their neighbours "
             "become missing")
-        .between(3, 1000);
+        .between(3.0, 1000.0);
     arguments.flag("--fill", options.fill,
                    "missing points are filled: by straight lines in a profile, by Laplace's equation in a map");
     arguments.option("--detrend", options.detrend, "form that is removed before anything is computed" + forms)
