@@ -8,6 +8,7 @@
 #include "picture/panels.hpp"
 #include "picture/unit.hpp"
 #include "scene/documents.hpp"
+#include "scene/result_rows.hpp"
 #include "scene/results.hpp"
 #include "scene/surface_instances.hpp"
 
@@ -370,20 +371,18 @@ std::string material_sentence(const Scene& scene) {
     return text + (assumed ? ". Give your own in a scene, section [material]." : ".");
 }
 
-/// The points that stand for all: the first, the middle and the last.
-std::vector<std::size_t> few_points(const Results& results) {
-    const std::size_t count = results.curves.front().states.size();
-    std::vector<std::size_t> points;
-    for (const std::size_t i : {std::size_t(0), count / 2, count - 1})
-        if (points.empty() || i != points.back()) points.push_back(i);
+/// The points of a summary that the first curve reaches.
+std::vector<std::size_t> few_points(const Scene& scene, const Results& results) {
+    std::vector<std::size_t> points = summary_points(scene);
+    std::erase_if(points, [&](std::size_t i) { return i >= results.curves.front().states.size(); });
     return points;
 }
 
 /// The unit of K of the whole page.
-Unit unit_of_stiffness(const Results& results) {
+Unit unit_of_stiffness(const Scene& scene, const Results& results) {
     std::vector<double> values;
     for (const Curve& curve : results.curves)
-        for (const std::size_t i : few_points(results))
+        for (const std::size_t i : few_points(scene, results))
             if (i < curve.states.size()) values.push_back(curve.states[i].stiffness.value);
     return unit_for_all("Pa/m", values);
 }
@@ -391,7 +390,7 @@ Unit unit_of_stiffness(const Results& results) {
 /// K of every curve at a few points, with its band.
 Rows stiffness_rows(const Scene& scene, const Results& results, const Unit& unit) {
     const auto& first = results.curves.front().states;
-    const std::vector<std::size_t> points = few_points(results);
+    const std::vector<std::size_t> points = few_points(scene, results);
     Rows rows{{"K/A₀ [" + std::string(unit.name) + "]"}};
     for (const std::size_t i : points)
         rows[0].push_back(scene.at_separations ? "at d = " + with_unit(first[i].separation.value, "m", 3)
@@ -560,7 +559,7 @@ void scales_section(Page& page, const Scene& scene, const Results& results, cons
 
 std::string page_of(const Scene& scene, const Results& results) {
     Page page(scene.name);
-    const Unit unit = unit_of_stiffness(results);
+    const Unit unit = unit_of_stiffness(scene, results);
     answer_section(page, scene, results, unit);
     other_figures(page, scene, results);
     inputs_section(page, scene);
