@@ -30,7 +30,7 @@ RoughContact<double, HertzLaw<double>> hertz(const RoughContactOptions<double>& 
 using Law = ContactLaw<double>;
 
 /// Abbott and Firestone: mean pressure H, elastic on unloading: K is no constant times -dp/dd.
-struct PlasticLaw {
+struct YieldingLaw {
     double hardness_over_modulus;
     static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
     double load_factor() const { return 2 * std::numbers::pi * hardness_over_modulus; }
@@ -51,8 +51,8 @@ struct YieldLaw {
     auto area(const auto& omega, double radius) const { return (std::numbers::pi * radius * omega).eval(); }
 };
 
-RoughContact<double, PlasticLaw> plastic(const RoughContactOptions<double>& options = {}) {
-    return {fine, third, PlasticLaw{0.01}, modulus, options};
+RoughContact<double, YieldingLaw> plastic(const RoughContactOptions<double>& options = {}) {
+    return {fine, third, YieldingLaw{0.01}, modulus, options};
 }
 
 /// Largest relative error of the law between the nodes, against the model, at seeded random pressures; of -dp/dd too where
@@ -101,7 +101,7 @@ TEST_CASE("a tabulated law is right to 1e-10, and says how right") {
     check(RoughContact(fine, PeakDistribution<double>(0.9999, 1.5), HertzLaw<double>{}, modulus), 1e4, 1e8, 1e-9);
     check(plastic(), 1e5, 1e8, 1e-10);
     check(plastic({.interaction = {InteractionReading::effective_separation, 1e-4}}), 1e5, 1e8, 1e-10);
-    check(RoughContact(fine, SingleRadius<double>{Heights::exponential}, PlasticLaw{0.01}, modulus), 1e5, 1e8, 1e-9);
+    check(RoughContact(fine, SingleRadius<double>{Heights::exponential}, YieldingLaw{0.01}, modulus), 1e5, 1e8, 1e-9);
     check(plastic(), 1e6, 1.01e6, 1e-9);
 }
 
@@ -181,7 +181,7 @@ RandomLaws random_laws(int points) {
                 check(RoughContact(surface, peaks, FractalLaw<double>(dimension), stiff, options), low, high);
                 break;
             default:
-                check(RoughContact(surface, peaks, PlasticLaw{stiff / 1e12}, stiff, options), low, high);
+                check(RoughContact(surface, peaks, YieldingLaw{stiff / 1e12}, stiff, options), low, high);
         }
     }
     std::sort(out.claimed.begin(), out.claimed.end());
@@ -732,7 +732,7 @@ TEST_CASE("float laws, and ranges that cannot be compiled") {
     CHECK(refused(1, 2, {.interaction = {InteractionReading::as_printed, 1e-3}}).starts_with("interaction = "));
     // a stiffness of 0 and a negative one have no logarithm
     const auto of_law = [](double stiffness) {
-        struct Slack : PlasticLaw {
+        struct Slack : YieldingLaw {
             double factor;
             double stiffness_factor() const { return factor; }
         };

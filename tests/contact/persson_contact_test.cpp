@@ -4,6 +4,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 #include "support/table.hpp"
 
 #include <map>

@@ -12,23 +12,23 @@ using namespace fstiff;
 
 namespace {
 
-enum class Heights { gaussian, counts, outlier, offset, tiny };
+enum class HeightKind { gaussian, counts, outlier, offset, tiny };
 
 template <class T>
-HeightMap<T> map_of(Heights kind, Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+HeightMap<T> map_of(HeightKind kind, Eigen::Index rows, Eigen::Index columns, unsigned seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     HeightMap<T> map{typename HeightMap<T>::Array(rows, columns), T(1), T(1)};
     for (Eigen::Index k = 0; k < map.size(); ++k) {
         const double z = normal(random);
         double height = z;
-        if (kind == Heights::counts) height = std::round(2 * z);
-        if (kind == Heights::offset) height = 1e4 + z;
+        if (kind == HeightKind::counts) height = std::round(2 * z);
+        if (kind == HeightKind::offset) height = 1e4 + z;
         map.heights.data()[k] = static_cast<T>(height);
-        if (kind == Heights::tiny) map.heights.data()[k] *= std::numeric_limits<T>::denorm_min() * T(1000);
+        if (kind == HeightKind::tiny) map.heights.data()[k] *= std::numeric_limits<T>::denorm_min() * T(1000);
         if (k % 11 == 3) map.heights.data()[k] = std::numeric_limits<T>::quiet_NaN();
     }
-    if (kind == Heights::outlier) map.heights(1, 1) = T(1e9);  // all others crowd in one bin
+    if (kind == HeightKind::outlier) map.heights(1, 1) = T(1e9);  // all others crowd in one bin
     return map;
 }
 
@@ -41,13 +41,13 @@ std::vector<T> from_the_highest(const HeightMap<T>& map) {
     return heights;
 }
 
-constexpr std::array kinds{Heights::gaussian, Heights::counts, Heights::outlier, Heights::offset, Heights::tiny};
+constexpr std::array kinds{HeightKind::gaussian, HeightKind::counts, HeightKind::outlier, HeightKind::offset, HeightKind::tiny};
 
 }  // namespace
 
 TEMPLATE_TEST_CASE("The height of a rank is that of the sorted heights", "", float, double, long double) {
     using T = TestType;
-    for (const Heights kind : kinds) {
+    for (const HeightKind kind : kinds) {
         CAPTURE(static_cast<int>(kind));
         const auto map = map_of<T>(kind, 37, 41, 5);
         const auto sorted = from_the_highest(map);
@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE("The height of a rank is that of the sorted heights", "", flo
 
 TEMPLATE_TEST_CASE("The band of a point is the number of levels not below it", "", float, double, long double) {
     using T = TestType;
-    for (const Heights kind : kinds) {
+    for (const HeightKind kind : kinds) {
         CAPTURE(static_cast<int>(kind));
         const auto map = map_of<T>(kind, 29, 43, 6);
         const auto sorted = from_the_highest(map);
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("The band of a point is the number of levels not below it", "
 TEMPLATE_TEST_CASE("The range of heights leaves missing points out", "", float, double, long double) {
     using T = TestType;
     for (const Eigen::Index columns : {3, 16, 41}) {  // shorter than the lanes of the pass, as long, and with a rest
-        for (const Heights kind : kinds) {
+        for (const HeightKind kind : kinds) {
             const auto map = map_of<T>(kind, 3, columns, 7);
             const auto sorted = from_the_highest(map);
             const auto range = detail::height_range(map);
