@@ -19,7 +19,7 @@ struct Parameters {
 };
 
 /// Mean pressure 0.01 E, elastic on unloading.
-struct PlasticLaw {
+struct YieldingLaw {
     static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
     static long double load_factor() { return 0.06L; }
     static long double stiffness_factor() { return 2.8L; }
@@ -29,7 +29,7 @@ struct PlasticLaw {
 };
 /// No physics: load ~ omega^(3/2) R^(Radius/2), and a stiffness that no approach changes.
 template <int Radius>
-struct SquareLaw : PlasticLaw {
+struct SquareLaw : YieldingLaw {
     static constexpr HalfPowers load_powers{3, Radius}, stiffness_powers{0, Radius};
 };
 
@@ -101,7 +101,7 @@ TEST_CASE("derivatives of K at constant pressure agree with differences, for eve
         check<HertzLaw<long double>>({}, {.curvature = scale});
         check<FractalLaw<long double>>({}, {.curvature = scale});
         check<FractalConsistentLaw<long double>>({}, {.curvature = scale});
-        check<PlasticLaw>({}, {.curvature = scale});
+        check<YieldingLaw>({}, {.curvature = scale});
         check<SquareLaw<0>>({}, {.curvature = scale});
         check<SquareLaw<2>>({}, {.curvature = scale});
     }
@@ -116,7 +116,7 @@ TEST_CASE("with interaction the derivatives agree with differences, for every la
             check<HertzLaw<long double>>(p, options);
             check<FractalLaw<long double>>(p, options);
             check<FractalConsistentLaw<long double>>(p, options);
-            check<PlasticLaw>(p, options);
+            check<YieldingLaw>(p, options);
         }
     }
 }
@@ -131,7 +131,7 @@ TEST_CASE("derivatives agree with differences over pressure, r and theta") {
                 p.pressure = pressure;
                 check<FractalLaw<long double>>(p, {});
                 p.pressure = std::min(pressure, 1e8L);  // the mean pressure of plastic peaks has an upper end
-                check<PlasticLaw>(p, {});
+                check<YieldingLaw>(p, {});
                 check<SquareLaw<2>>(p, {});
             }
 }

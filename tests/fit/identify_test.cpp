@@ -13,7 +13,7 @@ using namespace fstiff;
 
 namespace {
 
-const ContactParameters<double> truth{.rms_height = test::sand_blasted_fine.rms_height,
+const ContactParameters<double> true_contact{.rms_height = test::sand_blasted_fine.rms_height,
                                       .peak_radius = test::sand_blasted_fine.peak_radius,
                                       .peak_density = test::sand_blasted_fine.peak_density,
                                       .fractal_dimension = test::sand_blasted_fine.fractal_dimension,
@@ -86,11 +86,11 @@ void check_coverage(const std::vector<int>& hits) {
 
 TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from K(p)") {
     using enum Parameter;
-    check_coverage(coverage(truth, {rms_height, peak_density}, fractal, 0.02, true));
-    check_coverage(coverage(truth, {rms_height, peak_radius}, hertz, 0.02, false));
-    check_coverage(coverage(truth, {fractal_dimension}, fractal, 0.02, true));
-    check_coverage(coverage(truth, {theta}, fractal, 0.01, true));
-    ContactParameters<double> shifted = truth;
+    check_coverage(coverage(true_contact, {rms_height, peak_density}, fractal, 0.02, true));
+    check_coverage(coverage(true_contact, {rms_height, peak_radius}, hertz, 0.02, false));
+    check_coverage(coverage(true_contact, {fractal_dimension}, fractal, 0.02, true));
+    check_coverage(coverage(true_contact, {theta}, fractal, 0.01, true));
+    ContactParameters<double> shifted = true_contact;
     shifted.offset = 0.15e6;
     check_coverage(coverage(shifted, {rms_height, offset}, fractal, 0.01, true));
     check_coverage(coverage(shifted, {peak_density, offset}, hertz, 0.02, false));
@@ -102,34 +102,34 @@ TEST_CASE("with interaction, and for plastic peaks, the truth comes back") {
     const RoughContactOptions<double> patch{.interaction = {InteractionReading::effective_separation, 1e-4}};
     const auto check = [&](const auto& law, const std::vector<Parameter>& wanted,
                            const RoughContactOptions<double>& options) {
-        const auto data = curve(truth, law, 25, nullptr, options);
-        ContactParameters<double> start = truth;
+        const auto data = curve(true_contact, law, 25, nullptr, options);
+        ContactParameters<double> start = true_contact;
         for (const Parameter p : wanted) start[p] *= 0.9;
         const auto fit = identify(data, wanted, start, law, {.contact = options});
         CHECK(fit.status == FitStatus::converged);
-        for (const Parameter p : wanted) CHECK(test::relative_error(fit.all[p], truth[p]) < 1e-6);
+        for (const Parameter p : wanted) CHECK(test::relative_error(fit.all[p], true_contact[p]) < 1e-6);
         // without the bulk it is another surface
         if (options.interaction.reading != InteractionReading::none)
-            CHECK(test::relative_error(identify(data, wanted, start, law).all.rms_height, truth.rms_height) > 0.05);
+            CHECK(test::relative_error(identify(data, wanted, start, law).all.rms_height, true_contact.rms_height) > 0.05);
     };
     check(fractal, {rms_height, peak_density}, patch);
     check(hertz, {rms_height, effective_modulus}, patch);
     check(plastic, {rms_height, peak_density}, patch);
     check(plastic, {peak_radius, peak_density}, {});
     // both p and K of plastic peaks depend on sigma R alone
-    CHECK(identify(curve(truth, plastic, 25), {rms_height, peak_radius}, truth, plastic).status == FitStatus::singular);
+    CHECK(identify(curve(true_contact, plastic, 25), {rms_height, peak_radius}, true_contact, plastic).status == FitStatus::singular);
     CHECK(test::refusal([&] {
-              static_cast<void>(identify(curve(truth, plastic, 9), {fractal_dimension}, truth, plastic));
+              static_cast<void>(identify(curve(true_contact, plastic, 9), {fractal_dimension}, true_contact, plastic));
           }).find("log_load_slope()") != std::string::npos);
 }
 
 TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from R(p)") {
     using enum Parameter;
     // 1 - R is 1e-5 to 0.04 here: with errors ten times these, two parameters have no minimum in some runs
-    check_coverage(coverage(truth, {rms_height, peak_density}, fractal, 0.0003, true, &wave));
-    check_coverage(coverage(truth, {effective_modulus}, hertz, 0.001, false, &wave));
+    check_coverage(coverage(true_contact, {rms_height, peak_density}, fractal, 0.0003, true, &wave));
+    check_coverage(coverage(true_contact, {effective_modulus}, hertz, 0.001, false, &wave));
     const Wave<double> shear{{25e6, 25e6}, 4.398e7, 1.4 / 1.7};
-    check_coverage(coverage(truth, {rms_height, fractal_dimension}, fractal, 0.0003, true, &shear));
+    check_coverage(coverage(true_contact, {rms_height, fractal_dimension}, fractal, 0.0003, true, &shear));
 }
 
 TEST_CASE("without noise the truth comes back") {
@@ -137,7 +137,7 @@ TEST_CASE("without noise the truth comes back") {
     const std::vector<std::vector<Parameter>> sets{
         {rms_height, peak_density}, {rms_height, fractal_dimension, offset}, {rms_height, peak_radius, theta}};
     for (const auto& wanted : sets) {
-        ContactParameters<double> x = truth, start = truth;
+        ContactParameters<double> x = true_contact, start = true_contact;
         x.offset = 1e5;
         start.offset = 0;
         if (std::count(wanted.begin(), wanted.end(), offset) == 0) start.offset = x.offset;
@@ -156,7 +156,7 @@ TEST_CASE("without noise the truth comes back") {
 
 TEST_CASE("covariance is that of the scatter of estimates") {
     using enum Parameter;
-    const auto exact = curve(truth, fractal, 25);
+    const auto exact = curve(true_contact, fractal, 25);
     const std::vector<Parameter> wanted{rms_height, peak_density};
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     Eigen::Matrix2d squares = Eigen::Matrix2d::Zero(), claimed = Eigen::Matrix2d::Zero();
@@ -168,12 +168,12 @@ TEST_CASE("covariance is that of the scatter of estimates") {
             o.error = 0.01 * o.value;
             o.value += o.error * noise();
         }
-        const auto fit = identify(data, wanted, truth, fractal);
-        const Eigen::Vector2d scaled(fit.parameters[0].value / truth.rms_height - 1,
-                                     fit.parameters[1].value / truth.peak_density - 1);
+        const auto fit = identify(data, wanted, true_contact, fractal);
+        const Eigen::Vector2d scaled(fit.parameters[0].value / true_contact.rms_height - 1,
+                                     fit.parameters[1].value / true_contact.peak_density - 1);
         sum += scaled;
         squares += scaled * scaled.transpose();
-        const Eigen::Vector2d unit(1 / truth.rms_height, 1 / truth.peak_density);
+        const Eigen::Vector2d unit(1 / true_contact.rms_height, 1 / true_contact.peak_density);
         claimed += unit.asDiagonal() * fit.covariance * unit.asDiagonal();
         CHECK(std::abs(fit.correlation(0, 1)) <= 1);
     }
@@ -186,32 +186,32 @@ TEST_CASE("covariance is that of the scatter of estimates") {
 
 TEST_CASE("parameters that K(p) holds in combination only are called singular, by name") {
     using enum Parameter;
-    auto data = curve(truth, fractal, 25);
+    auto data = curve(true_contact, fractal, 25);
     for (auto& o : data) o.error = 0.01 * o.value;
-    const auto pair = identify(data, {peak_radius, peak_density}, truth, fractal);
+    const auto pair = identify(data, {peak_radius, peak_density}, true_contact, fractal);
     CHECK(pair.status == FitStatus::singular);
     CHECK(pair.covariance.size() == 0);
-    const auto four = identify(data, {offset, peak_density, effective_modulus, theta}, truth, fractal);
+    const auto four = identify(data, {offset, peak_density, effective_modulus, theta}, true_contact, fractal);
     REQUIRE(four.status == FitStatus::singular);
     CHECK(four.parameters[0].null_share < 1e-3);  // the offset is seen, the product D_p E only
     CHECK(four.parameters[1].null_share > 0.9);
     CHECK(four.parameters[2].null_share > 0.9);
     CHECK(four.parameters[3].null_share < 1e-3);
     // sigma, D_p and D make two scales of one curve
-    CHECK(identify(data, {rms_height, peak_density, fractal_dimension}, truth, fractal).status == FitStatus::singular);
-    CHECK(identify(data, {rms_height, fractal_dimension}, truth, fractal).status == FitStatus::converged);
+    CHECK(identify(data, {rms_height, peak_density, fractal_dimension}, true_contact, fractal).status == FitStatus::singular);
+    CHECK(identify(data, {rms_height, fractal_dimension}, true_contact, fractal).status == FitStatus::converged);
     // D does not enter the elastic law at all
-    CHECK(identify(data, {fractal_dimension}, truth, hertz).status == FitStatus::singular);
+    CHECK(identify(data, {fractal_dimension}, true_contact, hertz).status == FitStatus::singular);
 }
 
 TEST_CASE("a fit that runs to the end of a range says at_bound, and one that only noise tells apart says singular") {
     using enum Parameter;
     // sigma, D_p and theta of 12 points with 1 % of noise: too many, whatever the noise makes of them
-    ContactParameters<double> start = truth;
+    ContactParameters<double> start = true_contact;
     start.rms_height *= 0.8;
     start.peak_density *= 0.8;
     start.theta = 0.9;
-    const auto exact = curve(truth, hertz, 12);
+    const auto exact = curve(true_contact, hertz, 12);
     int at_bound = 0, singular = 0;
     for (std::uint64_t run = 0; run < 60; ++run) {
         test::Normal noise(run);
@@ -244,23 +244,23 @@ TEST_CASE("a fit that runs to the end of a range says at_bound, and one that onl
     CHECK(at_bound > 5);
     CHECK(singular > 5);
     // the stiffness of a fractal law is 4/3 of Hertz's or more, so that D goes to its end
-    auto stiff = curve(truth, hertz, 12), vague = curve(truth, fractal, 12);
+    auto stiff = curve(true_contact, hertz, 12), vague = curve(true_contact, fractal, 12);
     for (auto& o : stiff) o.error = 0.01 * o.value;
-    const auto least = identify(stiff, {fractal_dimension}, truth, fractal);
+    const auto least = identify(stiff, {fractal_dimension}, true_contact, fractal);
     CHECK(least.status == FitStatus::at_bound);
     CHECK(least.parameters[0].at_bound);
     CHECK(least.parameters[0].value < 1.001);
     // errors far larger than the values: each parameter alone is not known, which is no combination of them
     for (auto& o : vague) o.error = 100 * o.value;
-    CHECK(identify(vague, {rms_height, peak_density}, truth, fractal).status == FitStatus::converged);
+    CHECK(identify(vague, {rms_height, peak_density}, true_contact, fractal).status == FitStatus::converged);
 }
 
 TEST_CASE("estimates do not depend on the unit of length") {
     using enum Parameter;
     for (const double unit : {1e-9, 1e9}) {
-        auto data = curve(truth, fractal, 25);
+        auto data = curve(true_contact, fractal, 25);
         test::Normal noise(3);
-        ContactParameters<double> scaled = truth;
+        ContactParameters<double> scaled = true_contact;
         scaled.rms_height *= unit;
         scaled.peak_radius *= unit;
         scaled.peak_density /= unit * unit;
@@ -270,7 +270,7 @@ TEST_CASE("estimates do not depend on the unit of length") {
             data[i].error = 0.02 * data[i].value;
             other[i] = {data[i].pressure, data[i].value / unit, data[i].error / unit};
         }
-        const auto a = identify(data, {rms_height, peak_density}, truth, fractal);
+        const auto a = identify(data, {rms_height, peak_density}, true_contact, fractal);
         const auto b = identify(other, {rms_height, peak_density}, scaled, fractal);
         for (std::size_t i = 0; i < 2; ++i) {
             const double factor = i == 0 ? unit : 1 / unit / unit;
@@ -283,32 +283,32 @@ TEST_CASE("estimates do not depend on the unit of length") {
 
 TEST_CASE("identify refuses data and starting values that no model has") {
     using enum Parameter;
-    auto data = curve(truth, fractal, 3);
+    auto data = curve(true_contact, fractal, 3);
     const auto refused = [&](const std::vector<Parameter>& wanted, const ContactParameters<double>& start,
                              const std::string& part) {
         const std::string said = test::refusal([&] { static_cast<void>(identify(data, wanted, start, fractal)); });
         INFO(said);
         CHECK(said.find(part) != std::string::npos);
     };
-    refused({rms_height, peak_density, theta, offset}, truth, "3 points");
-    refused({rms_height, rms_height}, truth, "fitted twice");
-    ContactParameters<double> start = truth;
+    refused({rms_height, peak_density, theta, offset}, true_contact, "3 points");
+    refused({rms_height, rms_height}, true_contact, "fitted twice");
+    ContactParameters<double> start = true_contact;
     start.r = 0;
     refused({r}, start, "r = 0");
-    start = truth;
+    start = true_contact;
     start.offset = -1e6;
     refused({rms_height, offset}, start, "starting values");
     data[1].error = 1;
-    refused({rms_height}, truth, "data[0].error = 0");
+    refused({rms_height}, true_contact, "data[0].error = 0");
     // neither is a way to say that the errors are not known
     for (auto& o : data) o.error = std::nan("");
-    refused({rms_height}, truth, "data[0].error = nan: must be finite and greater than 0, or 0 in every point");
+    refused({rms_height}, true_contact, "data[0].error = nan: must be finite and greater than 0, or 0 in every point");
     for (auto& o : data) o.error = -1;
-    refused({rms_height}, truth, "data[0].error = -1");
+    refused({rms_height}, true_contact, "data[0].error = -1");
     data[0].error = data[1].error = 1;
-    refused({rms_height}, truth, "data[2].error = -1");
+    refused({rms_height}, true_contact, "data[2].error = -1");
     data[1] = {-1, 1, 0};
-    refused({rms_height}, truth, "data[1].pressure = -1");
+    refused({rms_height}, true_contact, "data[1].pressure = -1");
     data[1] = {1e6, std::nan(""), 1};
-    refused({rms_height}, truth, "data[1].stiffness = nan");
+    refused({rms_height}, true_contact, "data[1].stiffness = nan");
 }
