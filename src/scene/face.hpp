@@ -49,6 +49,10 @@ struct Face {
 /// Why \p face has no spectrum for Persson's theory; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Face& face);
 
+/// Sentences on the rms gradients of \p face that no surface has: given or measured, and implied by what is written of
+/// sigma, R and D_p, whose peaks have the correlation \p r.
+[[nodiscard]] std::vector<std::string> gradient_warnings(const Face& face, double r);
+
 /// What was measured, as the contact sees it.
 [[nodiscard]] Face face_of(const MeasuredSurface& measured);
 /// What laws take of \p maps, one at least, of one surface.

@@ -158,6 +158,17 @@ MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_co
     return point;
 }
 
+/// Whether some cell of \p lines is a number with a decimal comma.
+bool has_decimal_comma(const std::vector<text::Line>& lines, char separator) {
+    Cells cells;
+    return std::any_of(lines.begin(), lines.end(), [&](const text::Line& line) {
+        text::split_line(line.text, separator, cells);
+        return std::any_of(cells.begin(), cells.end(), [](auto cell) {
+            return cell.find(',') != std::string_view::npos && text::number_in(cell, true);
+        });
+    });
+}
+
 ComputedCurve computed_curve(const Cells& cells, const Header& header) {
     ComputedCurve curve;
     if (*header.law < cells.size()) curve.law = text::trimmed(cells[*header.law]);
@@ -196,7 +207,8 @@ MeasuredCurve read_measured_curve(const std::string& file) {
                            : lines.front().text.find('\t') != std::string_view::npos ? '\t'
                            : lines.front().text.find(',') != std::string_view::npos  ? ','
                                                                                      : ' ';
-    const bool decimal_comma = separator != ',';
+    // of all rows: a point in one of them is then refused, for it may separate thousands
+    const bool decimal_comma = separator != ',' && has_decimal_comma(lines, separator);
     Cells cells;
     text::split_line(lines.front().text, separator, cells);
     if (std::all_of(cells.begin(), cells.end(),

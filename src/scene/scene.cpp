@@ -407,6 +407,24 @@ void read_elements(Source& source, const toml::table& table, Scene& scene) {
     scene.elements.hardness = section.optional_positive("hardness", Dimension::pressure).value_or(0);
 }
 
+/// Warns of rms gradients that no surface has, unless the warnings of what was measured do.
+void warn_of_gradients(Scene& scene) {
+    double r = 0;  // the greatest, 1/2 where none is written
+    for (const Peaks& peaks : scene.peaks) r = std::max(r, peaks.r.value_or(0.5));
+    const auto warn = [&](const Face& face, const std::string& place) {
+        const auto concerned = [](MeasuredConcern one) { return one == MeasuredConcern::implausible_gradient; };
+        const bool told =
+            face.measured && std::any_of(face.measured->concerns.begin(), face.measured->concerns.end(), concerned);
+        const std::vector<std::string> lines = gradient_warnings(face, r);
+        scene.implausible = scene.implausible || told || !lines.empty();
+        for (const std::string& line : lines)
+            if (!told || line.find("measured") == std::string::npos) scene.warnings.push_back(place + line);
+    };
+    if (scene.faces.empty()) return warn(scene, "");
+    warn(scene.faces[0], "upper: ");
+    warn(scene.faces[1], "lower: ");
+}
+
 }  // namespace
 
 PeakDistribution<double> peak_density(const Peaks& peaks) {
@@ -492,6 +510,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     if (top.find("persson")) read_persson(source, top.subtable("persson"), scene);
     if (top.find("boundary_elements")) read_elements(source, top.subtable("boundary_elements"), scene);
     read_contact(source, top.subtable("contact"), scene, replaced);
+    warn_of_gradients(scene);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs = std::move(source.inputs);

@@ -139,7 +139,7 @@ Report execute_scales(const Options& options) {
                         return document;
                     },
                 .warnings = surface.warnings,
-                .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
+                .status = is_doubtful(surface) ? doubtful_result : success},
                options.output.format);
     say_written(made, files);
     return made;
@@ -155,7 +155,7 @@ Report execute(const Options& options) {
                    .csv = [&] { return csv(surface); },
                    .json = [&] { return measure_json(options.measure, surface); },
                    .warnings = surface.warnings,
-                   .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
+                   .status = is_doubtful(surface) ? doubtful_result : success},
                   options.output.format);
 }
 

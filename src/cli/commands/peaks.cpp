@@ -172,6 +172,11 @@ Report execute(const Options& options) {
     return report({.table = [&] { return table(options, source, heights); },
                    .csv = [&] { return heights.empty() ? csv(moments(source)) : rows_of(source, heights).csv(); },
                    .json = [&] { return json(options, source, heights); },
+                   .warnings = source.input ? reading_warnings(*source.input, "their neighbours are no peaks",
+                                                               source.levelled->rms_gradient)
+                                            : std::vector<std::string>(),
+                   .status = source.levelled && !is_plausible_gradient(source.levelled->rms_gradient) ? doubtful_result
+                                                                                                     : success,
                    .json_warnings = false},
                   options.output.format);
 }
