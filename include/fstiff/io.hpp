@@ -11,6 +11,7 @@
 #include <fstiff/io/header_words.hpp>
 #include <fstiff/io/known_binary.hpp>
 #include <fstiff/io/lines.hpp>
+#include <fstiff/io/map_table.hpp>
 #include <fstiff/io/map_text.hpp>
 #include <fstiff/io/matrix_axes.hpp>
 #include <fstiff/io/matrix_unit.hpp>

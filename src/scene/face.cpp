@@ -39,27 +39,23 @@ bool is_as_measured(const Face& face) {
 
 }  // namespace
 
-std::vector<std::string> gradient_warnings(const Face& face, double r) {
+std::string gradient_warning(const Face& face, double r) {
     std::vector<double> gradients;
     std::vector<std::string_view> origins;
     const auto add = [&](double gradient, std::string_view origin) {
         gradients.push_back(gradient);
         origins.push_back(origin);
     };
-    const bool written = face.rms_gradient && !(face.measured && face.measured->heights &&
-                                                face.measured->heights->rms_gradient.value == *face.rms_gradient);
-    if (face.rms_gradient) add(*face.rms_gradient, written ? "rms_gradient" : "measured");
+    const bool measured = face.measured && face.measured->heights && face.rms_gradient &&
+                          face.measured->heights->rms_gradient.value == *face.rms_gradient;
+    if (face.rms_gradient) add(*face.rms_gradient, measured ? "measured" : "rms_gradient");
     if (!is_as_measured(face)) {
         const auto [of_density, of_height] = implied_gradients(face.surface, r);
         add(of_density, "implied by peak_radius and peak_density");
         if (!face.rms_gradient) add(of_height, "implied by rms_height and peak_radius");
     }
     const Check<double> check = check_gradients<double>(gradients);
-    std::vector<std::string> warnings;
-    for (std::size_t i = 0; i < gradients.size() && !check.holds(); ++i)
-        if (std::string line = gradient_warning(gradients[i], origins[i]); !line.empty())
-            warnings.push_back(std::move(line));
-    return warnings;
+    return check.holds() ? "" : gradient_warning(gradients[check.first], origins[check.first]);
 }
 
 SpectralMoments<double> spectral_moments(const Face& face) {

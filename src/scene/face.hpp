@@ -49,9 +49,9 @@ struct Face {
 /// Why \p face has no spectrum for Persson's theory; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Face& face);
 
-/// Sentences on the rms gradients of \p face that no surface has: given or measured, and implied by what is written of
-/// sigma, R and D_p, whose peaks have the correlation \p r.
-[[nodiscard]] std::vector<std::string> gradient_warnings(const Face& face, double r);
+/// A sentence on the first rms gradient of \p face that no surface has, of those given or measured, and implied by what is
+/// written of sigma, R and D_p, whose peaks have the correlation \p r; empty where there is none.
+[[nodiscard]] std::string gradient_warning(const Face& face, double r);
 
 /// What was measured, as the contact sees it.
 [[nodiscard]] Face face_of(const MeasuredSurface& measured);

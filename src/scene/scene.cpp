@@ -412,13 +412,11 @@ void warn_of_gradients(Scene& scene) {
     double r = 0;  // the greatest, 1/2 where none is written
     for (const Peaks& peaks : scene.peaks) r = std::max(r, peaks.r.value_or(0.5));
     const auto warn = [&](const Face& face, const std::string& place) {
-        const auto concerned = [](MeasuredConcern one) { return one == MeasuredConcern::implausible_gradient; };
-        const bool told =
-            face.measured && std::any_of(face.measured->concerns.begin(), face.measured->concerns.end(), concerned);
-        const std::vector<std::string> lines = gradient_warnings(face, r);
-        scene.implausible = scene.implausible || told || !lines.empty();
-        for (const std::string& line : lines)
-            if (!told || line.find("measured") == std::string::npos) scene.warnings.push_back(place + line);
+        const bool told = face.measured && std::count(face.measured->concerns.begin(), face.measured->concerns.end(),
+                                                      MeasuredConcern::implausible_gradient) > 0;
+        const std::string line = told ? "" : gradient_warning(face, r);
+        if (told || !line.empty()) scene.implausible = true;
+        if (!line.empty()) scene.warnings.push_back(place + line);
     };
     if (scene.faces.empty()) return warn(scene, "");
     warn(scene.faces[0], "upper: ");

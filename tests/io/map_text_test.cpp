@@ -297,7 +297,8 @@ TEST_CASE("Options that contradict the header of a map are used, and said", "[co
     CHECK(read(gwyddion + matrix("\t"), {.dx = 2e-6, .units = "nm"}).record.warnings.empty());
     const auto kept = read(gwyddion + matrix("\t"), {.units = "m,nm"});
     CHECK(kept.record.warnings ==
-          std::vector<std::string>{"units = \"m,nm\" contradicts line 2, which states a length in um; that length is used"});
+          std::vector<std::string>{
+              "units = \"m,nm\" contradicts line 2, which states a length in um; that length is used"});
     std::string triples = "x [um],y [um],z [nm]\n";
     for (int i = 0; i < 30; ++i)
         triples += std::to_string(i % 6) + "," + std::to_string(i / 6) + "," + std::to_string(i * i % 7) + "\n";
@@ -309,7 +310,8 @@ TEST_CASE("Options that contradict the header of a map are used, and said", "[co
 
 TEST_CASE("Zygo's XYZ text has its pixel in line 8 and heights in um", "[zygo]") {
     const std::string head =
-        "Zygo XYZ Data File - Format 1\n0 3 0 0 \"Tue Aug 25 16:59:23 2026\"\n0 0 5 4 1 255\n10 20 5 4\n\"\"\n\"\"\n\"\"\n"
+        "Zygo XYZ Data File - Format 1\n0 3 0 0 \"Tue Aug 25 16:59:23 2026\"\n0 0 5 4 1 255\n10 20 5 "
+        "4\n\"\"\n\"\"\n\"\"\n"
         "0 0 6.328e-07 0.5 1 0 5.5e-05 1787677163\n3 2 0 0 0 666666 0 \"\"\n0 0 1 33 0 0 0.1 60.4318 2 50\n"
         "0 1 100 0 0 0 0 0 0 0\n0 \"\"\n1 5 0\n#\n";
     std::string text = head;

@@ -16,7 +16,8 @@ constexpr int columns = 7, rows = 6;
 double height(int i, int j) { return ((i * i * 5 + j * 11 + i * j) % 23) / 8.0; }
 
 /// The heights with the \p corner and axes of the steps \p dx and \p dy; "" for no axes.
-std::string matrix(const std::string& corner, double dx, double dy, const std::string& separator = ";", bool axes = true) {
+std::string matrix(const std::string& corner, double dx, double dy, const std::string& separator = ";",
+                   bool axes = true) {
     std::ostringstream text;
     if (axes) {
         text << corner;
@@ -57,9 +58,9 @@ TEST_CASE("Positions in the first row and column are the steps of a matrix, neve
         const io::Surface found = read(with_commas(matrix(corner, 0.5, 0.25)), {.units = "nm"});
         check(found, 0.5e-6, 0.25e-6, 1e-9);
         CHECK(has(found.record.sentences()[0], "matrix, from positions in the first row and the first column"));
-        CHECK(found.record.sentences().back() == "axes: the first row and the first column are positions in " +
-                                                     std::string(corner).substr(std::string(corner).find_first_of("[(") + 1,
-                                                                                has(corner, "\xB5") ? 3 : 2));
+        CHECK(found.record.sentences().back() ==
+              "axes: the first row and the first column are positions in " +
+                  std::string(corner).substr(std::string(corner).find_first_of("[(") + 1, has(corner, "\xB5") ? 3 : 2));
     }
     // the corner is empty, not a number, or a number, as MATLAB writes it; units by option
     for (const char* corner : {"", "NaN", "0", "7"})
@@ -87,7 +88,8 @@ TEST_CASE("Axes that count points give no steps", "[axes]") {
 }
 
 TEST_CASE("Axes without a unit, and one axis alone, are refused", "[axes]") {
-    CHECK(has(refusal(matrix("y\\x", 0.5, 0.25)), "line 1: holds positions, whose unit is not stated; must be given as units"));
+    CHECK(has(refusal(matrix("y\\x", 0.5, 0.25)),
+              "line 1: holds positions, whose unit is not stated; must be given as units"));
     CHECK(has(refusal(matrix("y [um]\\x [mm]", 0.5, 0.25), {}), "whose unit is stated twice"));
     CHECK(has(refusal(matrix("y\\x [um]", 0.5, 0.25)), "states no unit of the heights"));
     std::string profiles, sized;  // positions and three traces
@@ -138,7 +140,8 @@ TEST_CASE("Of x, y, z and more the heights are z", "[axes]") {
     const std::string bare = text("", "%.1f,%.1f,%.3f,%d\n");
     const HeightMap<double> truth = read(text("", "%.1f,%.1f,%.3f\n"), {.units = "um"}).map();
     const auto same = [&](const io::Surface& found) {
-        return found.map().columns() == 10 && (found.map().heights == truth.heights).all() && found.map().dx == truth.dx;
+        return found.map().columns() == 10 && (found.map().heights == truth.heights).all() &&
+               found.map().dx == truth.dx;
     };
     const io::Surface found = read(bare, {.units = "um"});
     CHECK(same(found));
@@ -150,10 +153,12 @@ TEST_CASE("Of x, y, z and more the heights are z", "[axes]") {
     std::string turned = "x [um],y [um],intensity,z [um]\n";
     for (int i = 0; i < 60; ++i) {
         char line[80];
-        std::snprintf(line, sizeof line, "%.1f,%.1f,%d,%.3f\n", 0.5 * (i % 10), 0.5 * (i / 10), 100 + i % 7, (i * i % 13) / 8.0);
+        std::snprintf(line, sizeof line, "%.1f,%.1f,%d,%.3f\n", 0.5 * (i % 10), 0.5 * (i / 10), 100 + i % 7,
+                      (i * i % 13) / 8.0);
         turned += line;
     }
     CHECK(same(read(turned)));
     CHECK(has(refusal(bare, {.units = "um", .dx = 1e-6, .dy = 1e-6}), "may be triples or a matrix"));
-    CHECK(has(refusal(text("x [um],y [um],z [um],I\n", "%.1f,%.1f,%.3f,%d\n", 60) + "0.13,77.7,1,2\n"), "lie on no regular grid"));
+    CHECK(has(refusal(text("x [um],y [um],z [um],I\n", "%.1f,%.1f,%.3f,%d\n", 60) + "0.13,77.7,1,2\n"),
+              "lie on no regular grid"));
 }

@@ -462,8 +462,9 @@ TEST_CASE("A comma that separates columns and is decimal is refused as such", "[
     }
     for (const ProfileTextOptions& options : {ProfileTextOptions{.units = "um", .column = 3}, ProfileTextOptions{}})
         for (const std::string& text : {profile, triples})
-            CHECK(has(refusal(text, options), "has commas between its columns and in its numbers; must have another "
-                                              "separator, or points"));
+            CHECK(has(refusal(text, options),
+                      "has commas between its columns and in its numbers; must have another "
+                      "separator, or points"));
     CHECK(read(whole, {.spacing = 1e-6, .units = "um", .column = 3}).profile.size() == 20);
     CHECK(has(refusal("x [um],z [um]\n0,1\n1,2\n2,3,4\n"),
               "has 3 columns; must be 2 as in line 2 (a comma cannot be the decimal sign and separate the columns)"));
@@ -471,10 +472,9 @@ TEST_CASE("A comma that separates columns and is decimal is refused as such", "[
 
 TEST_CASE("Heads of Hommel and Mitutoyo give the spacing and the unit", "[header]") {
     const std::string one = rows([](auto, auto z) { return z + "\n"; });
-    for (const char* head :
-         {"# Punktabstand: 0,5 um\n# Einheit: nm\n", "Pitch,0.5,um\nUnit,nm\n", "Pitch;0,5;um\nEinheit;nm\n",
-          "Messpunktabstand [\xC2\xB5m];0,500\nZ-Unit;nm\n", "Pitch\t0.5\tMikrometer\nUnit\tNanometer\n",
-          "Punktabstand = 0,0005 mm\nz [nm]\n"}) {
+    for (const char* head : {"# Punktabstand: 0,5 um\n# Einheit: nm\n", "Pitch,0.5,um\nUnit,nm\n",
+                             "Pitch;0,5;um\nEinheit;nm\n", "Messpunktabstand [\xC2\xB5m];0,500\nZ-Unit;nm\n",
+                             "Pitch\t0.5\tMikrometer\nUnit\tNanometer\n", "Punktabstand = 0,0005 mm\nz [nm]\n"}) {
         CAPTURE(head);
         const auto found = read(head + one);
         check_rows(found, 1e-6, 1e-9);
@@ -489,8 +489,10 @@ TEST_CASE("Options that contradict what the file states are used, and said", "[c
     const auto units = read("x [um],z [nm]\n" + plain, {.units = "mm,um"});
     check_rows(units, 1e-3, 1e-6);
     REQUIRE(warnings(units).size() == 2);
-    CHECK(warnings(units)[0] == "units = \"mm,um\" contradicts line 1, which states nm for the heights; the option is used");
-    CHECK(warnings(units)[1] == "units = \"mm,um\" contradicts line 1, which states um for the positions; the option is used");
+    CHECK(warnings(units)[0] ==
+          "units = \"mm,um\" contradicts line 1, which states nm for the heights; the option is used");
+    CHECK(warnings(units)[1] ==
+          "units = \"mm,um\" contradicts line 1, which states um for the positions; the option is used");
     CHECK(warnings(read("x [um],z [nm]\n" + plain, {.units = "um,nm"})).empty());
     CHECK(warnings(read("x [\xC2\xB5m],z [nm]\n" + plain, {.units = "micrometer,nm"})).empty());
     CHECK(warnings(read(plain, {.units = "mm,um"})).empty());
@@ -507,6 +509,7 @@ TEST_CASE("Options that contradict what the file states are used, and said", "[c
     const std::string one = "Pitch,0.5,um\nUnit,nm\n" + rows([](auto, auto z) { return z + "\n"; });
     const auto stated = read(one, {.spacing = 1e-6, .units = "um", .names = {.prefix = "--", .equals = " "}});
     REQUIRE(warnings(stated).size() == 2);
-    CHECK(warnings(stated)[0] == "--units \"um\" contradicts line 2, which states nm for the heights; the option is used");
+    CHECK(warnings(stated)[0] ==
+          "--units \"um\" contradicts line 2, which states nm for the heights; the option is used");
     CHECK(warnings(stated)[1] == "--spacing 1e-06 m contradicts line 1, which states 0.5 um; the option is used");
 }

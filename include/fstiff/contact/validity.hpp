@@ -151,8 +151,7 @@ template <Real T>
 /// moments_of_peaks().
 template <Real T>
 [[nodiscard]] std::array<T, 2> implied_gradients(const Roughness<T>& surface, T r) {
-    const SpectralMoments<T> moments =
-        moments_of_peaks(surface.rms_height, surface.peak_radius, surface.peak_density);
+    const SpectralMoments<T> moments = moments_of_peaks(surface.rms_height, surface.peak_radius, surface.peak_density);
     const T curvature = radius_times_rms_curvature<T>() / surface.peak_radius;
     return {std::sqrt(2 * moments.m2), std::sqrt(2 * (r > T(0) ? r : T(0.5)) * surface.rms_height * curvature)};
 }

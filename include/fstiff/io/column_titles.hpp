@@ -142,7 +142,9 @@ inline std::vector<ColumnTitle> titles_above(const NumberTable& table) {
     std::vector<ColumnTitle> titles;
     std::vector<std::string_view> cells;
     const char separator = table.dialect.separator;
-    const auto is_number = [&](std::string_view cell) { return number_in(cell, table.dialect.decimal_comma).has_value(); };
+    const auto is_number = [&](std::string_view cell) {
+        return number_in(cell, table.dialect.decimal_comma).has_value();
+    };
     int lines = 0;
     for (std::size_t i = table.first; i-- > 0 && lines < 2;) {
         const std::string_view raw = table.lines[i].text;
@@ -166,37 +168,40 @@ inline std::vector<ColumnTitle> titles_above(const NumberTable& table) {
 template <std::size_t N>
 bool begins_with_word(std::string_view name, const std::array<std::string_view, N>& words) {
     return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-        return name.starts_with(word) && (name.size() == word.size() || name.substr(word.size()).find_first_of(" -_/,.;:") == 0);
+        return name.starts_with(word) &&
+               (name.size() == word.size() || name.substr(word.size()).find_first_of(" -_/,.;:") == 0);
     });
 }
 
 /// Whether a column called \p name numbers the points.
 inline bool names_index(std::string_view name) {
     static constexpr std::array<std::string_view, 34> words{
-        "#",           "nr",           "no",           "n\xC2\xB0",    "n\xC2\xBA",    "n\xB0",       "n\xBA",
-        "num",         "number",       "nummer",       "numero",       "num\xC3\xA9ro", "n\xC3\xBAmero", "index",
-        "indice",      "idx",          "id",           "i",            "n",            "lfd",         "lfd. nr",
-        "point",       "point no",     "point number", "data point",   "pt",           "punkt",       "punkt nr",
-        "punktnummer", "messpunkt",    "datenpunkt",   "sample no",    "zeile",        "row"};
+        "#",          "nr",     "no",     "n\xC2\xB0",     "n\xC2\xBA",     "n\xB0",     "n\xBA",      "num",
+        "number",     "nummer", "numero", "num\xC3\xA9ro", "n\xC3\xBAmero", "index",     "indice",     "idx",
+        "id",         "i",      "n",      "lfd",           "lfd. nr",       "point",     "point no",   "point number",
+        "data point", "pt",     "punkt",  "punkt nr",      "punktnummer",   "messpunkt", "datenpunkt", "sample no",
+        "zeile",      "row"};
     return std::find(words.begin(), words.end(), name) != words.end() ||
-           (name.size() > 3 && begins_with_word(name, std::array<std::string_view, 5>{"index", "point", "punkt",
-                                                                                     "messpunkt", "datenpunkt"}) &&
+           (name.size() > 3 &&
+            begins_with_word(name,
+                             std::array<std::string_view, 5>{"index", "point", "punkt", "messpunkt", "datenpunkt"}) &&
             (name.ends_with("nr") || name.ends_with("no") || name.ends_with("number") || name.ends_with("nummer")));
 }
 
 /// Whether a column called \p name holds positions along x.
 inline bool names_position(std::string_view name) {
     static constexpr std::array<std::string_view, 20> words{
-        "x",        "position", "pos",      "distance",     "dist",   "lateral",  "length",  "l\xC3\xA4nge", "l\xE4nge", "laenge",
-        "abstand",  "weg",      "strecke",  "horizontal",   "scan",   "travel",   "longueur", "abscissa",    "xpos",     "x-achse"};
+        "x",        "position", "pos",     "distance", "dist",    "lateral",    "length", "l\xC3\xA4nge",
+        "l\xE4nge", "laenge",   "abstand", "weg",      "strecke", "horizontal", "scan",   "travel",
+        "longueur", "abscissa", "xpos",    "x-achse"};
     return begins_with_word(name, words);
 }
 
 /// Whether a column called \p name holds heights.
 inline bool names_height(std::string_view name) {
-    static constexpr std::array<std::string_view, 13> words{
-        "z",      "height", "h\xC3\xB6he", "h\xF6he",   "hoehe",   "vertical", "vertikal",
-        "profile", "profil", "hauteur",    "altura", "altezza", "depth"};
+    static constexpr std::array<std::string_view, 13> words{"z",        "height",   "h\xC3\xB6he", "h\xF6he", "hoehe",
+                                                            "vertical", "vertikal", "profile",     "profil",  "hauteur",
+                                                            "altura",   "altezza",  "depth"};
     return begins_with_word(name, words);
 }
 

@@ -61,7 +61,8 @@ inline std::string with_decimal_point(std::string_view value, bool decimal_comma
     if (comma == std::string::npos || comma == sign || text[comma] != ',') return text;
     const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
     const std::size_t digits = end - comma - 1;
-    if (digits > 0 && (decimal_comma || digits != 3 || text[sign] == '0') && (end == text.size() || (text[end] != ',' && text[end] != '.')))
+    if (digits > 0 && (decimal_comma || digits != 3 || text[sign] == '0') &&
+        (end == text.size() || (text[end] != ',' && text[end] != '.')))
         text[comma] = '.';
     return text;
 }

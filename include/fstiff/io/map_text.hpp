@@ -24,10 +24,8 @@
 /// Valid       2 points a side at least, of heights that vary; lines up to 2^20 characters, files up to 2^31
 /// Accuracy    heights and a stated pitch within 1 ulp of the printed number (tests/io/map_text_test.cpp)
 
-#include <fstiff/io/header.hpp>
-#include <fstiff/io/matrix_axes.hpp>
+#include <fstiff/io/map_table.hpp>
 #include <fstiff/io/matrix_unit.hpp>
-#include <fstiff/io/regular_grid.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 namespace fstiff::io {
@@ -71,77 +69,10 @@ struct MapFromText {
 
 namespace detail {
 
-inline constexpr TableRules map_rules{.holds = "rows of numbers"};
-
-/// Everything that reading one map needs to pass between its steps, each of them done once. The text must outlive it.
-class MapTextReader {
+/// Everything that reading one map needs to pass between its steps. The text must outlive it.
+class MapTextReader : public MapTable {
 public:
-    MapTextReader(std::string_view text, std::string name)
-        : name_(std::move(name)), table_(open_table(text, name_, map_rules)), entries_(header_entries(table_)) {}
-
-    /// The columns of the first row; of all rows once they are read.
-    const NumberTable& opened() const { return table_; }
-    const std::vector<HeaderEntry>& entries() const { return entries_; }
-    /// Reads the rows, once. Columns that number the points are dropped.
-    const NumberTable& table(std::string_view missing = {}) {
-        if (!table_.row_lines.empty()) return table_;
-        table_.missing = stated_missing(entries_, missing, name_);
-        read_rows(table_, name_, map_rules);
-        axes_ = is_zygo() ? std::nullopt : axes_of(table_);
-        if (axes_ && axes_->in_table && states_other_count()) axes_.reset();
-        titles_ = titles_above(table_);
-        titles_.resize(table_.columns);
-        for (std::size_t c = 1; c <= table_.columns; ++c) columns_.push_back(c);
-        if (const auto index = axes_ || is_zygo() ? std::vector<bool>() : index_columns(table_); !index.empty()) {
-            std::vector<std::size_t> kept;
-            for (std::size_t c = 0; c < table_.columns; ++c)
-                if (!index[c]) kept.push_back(c);
-            keep_columns(kept);
-        }
-        return table_;
-    }
-    static constexpr const char* axes_from = "positions in the first row and the first column";
-    /// The axes that the first row and the first column are, once the rows are read.
-    const std::optional<MatrixAxes>& axes() const { return axes_; }
-    bool is_zygo() const { return table_.lines.front().text.starts_with(zygo_xyz_begin); }
-    /// Whether the rows, of four columns or more, begin with x, y and z.
-    bool begins_with_triples() {
-        if (table().columns < 4 || table_.columns > 12 || axes_) return false;
-        if (titles_[columns_[0] - 1].name == "x" && titles_[columns_[1] - 1].name == "y") return true;
-        return table_.rows() >= 9 && grid() && 2 * points_on(*grid(), table_) > grid()->x.count * grid()->y.count;
-    }
-    /// Why begins_with_triples().
-    std::string triples_from() {
-        return std::to_string(titles_.size()) + " columns, the first two of which " +
-               (grid() ? "form a grid" : "are called x and y");
-    }
-    /// Refuses a matrix whose size the header does not state and whose first row or column is positions, the other not.
-    void require_no_lone_axis() {
-        if (axes_ || table_.columns < 3 || stated_grid(entries_, "m", name_).has_size()) return;
-        std::vector<double> row, column;
-        for (std::size_t c = 0; c < table_.columns; ++c) row.push_back(table_.at(0, c));
-        for (std::size_t r = 0; r < table_.rows(); ++r) column.push_back(table_.at(r, 0));
-        const bool in_column = column.size() >= 8 && equal_step(column, table_.printed[0].resolution()) > 0;
-        if (in_column || (row.size() >= 8 && equal_step(row, 0) > 0))
-            refuse_file(name_, {"has a first ", in_column ? "column" : "row",
-                                " that rises in equal steps, as positions do: may be columns of a profile, or a matrix "
-                                "with one axis; must be told by ",
-                                options_.names.format_as("profile"), " with column, or, if they are heights, by ",
-                                options_.names.format_as("matrix")});
-    }
-    /// The grid of the first two columns, sought once.
-    const std::optional<Grid>& grid() {
-        if (!grid_) grid_ = table().columns < 3 ? std::nullopt : grid_of(table_);
-        return *grid_;
-    }
-    /// The same lines as a table of other rules, whose rows are yet to be read.
-    NumberTable reopened(const TableRules& rules) && {
-        NumberTable table;
-        table.lines = std::move(table_.lines);
-        table.line_count = table_.line_count;
-        find_first_row(table, name_, rules);
-        return table;
-    }
+    using MapTable::MapTable;
 
     MapFromText read(const MapTextOptions& options) {
         options_ = options;
@@ -168,31 +99,6 @@ public:
 private:
     static constexpr std::array<const char*, 3> axis_names{"x", "y", "the heights"};
 
-    /// Whether the header counts the columns of the whole table, or states a size of it.
-    bool states_other_count() const {
-        const StatedGrid stated = stated_grid(entries_, "m", name_);
-        return stated.columns ? *stated.columns == table_.columns : stated.has_size();
-    }
-
-    /// Leaves the columns \p kept, counted from 0.
-    void keep_columns(const std::vector<std::size_t>& kept) {
-        std::vector<std::size_t> columns;
-        std::vector<PrintedDigits> printed;
-        for (const std::size_t c : kept) {
-            columns.push_back(columns_[c]);
-            if (c < table_.printed.size()) printed.push_back(table_.printed[c]);
-        }
-        for (std::size_t r = 0; r < table_.rows(); ++r) {
-            std::vector<double> row;
-            for (const std::size_t c : kept) row.push_back(table_.at(r, c));
-            std::copy(row.begin(), row.end(), table_.values.data() + r * kept.size());
-        }
-        table_.columns = kept.size();
-        table_.values.resize(table_.rows() * table_.columns);
-        table_.printed = std::move(printed);
-        columns_ = std::move(columns);
-    }
-
     /// Puts on record which columns of the file are used, unless all are.
     void note_columns() {
         std::string used, left;
@@ -204,19 +110,6 @@ private:
         if (!left.empty()) record_.columns_text = "columns: " + used + "; left out: " + left;
     }
 
-    /// The column of z, counted from 0, where there are more than three: the one of that title, or the only one beyond x and y
-    /// with a unit of length, or the third.
-    std::size_t height_column() const {
-        std::vector<std::size_t> named, with_unit;
-        for (std::size_t c = 2; c < columns_.size(); ++c) {
-            const ColumnTitle& title = titles_[columns_[c] - 1];
-            if (names_height(title.name)) named.push_back(c);
-            if (title.has_unit) with_unit.push_back(c);
-        }
-        const auto& found = named.size() == 1 ? named : with_unit;
-        return found.size() == 1 ? found.front() : 2;
-    }
-
     bool size_given() const { return options_.dx || options_.dy || options_.width || options_.height; }
 
     void choose_form() {
@@ -224,24 +117,29 @@ private:
         record_.form_from = "options";
         if (options_.form != MapForm::automatic) return;
         record_.form = MapForm::matrix;
-        if (is_zygo() || begins_with_triples()) {
-            record_.form = MapForm::triples;
-            record_.form_from = is_zygo() ? "the header" : triples_from();
+        if (const auto form = stated_form(entries_); is_zygo() || form) {
+            record_.form = is_zygo() ? MapForm::triples : *form;
+            record_.form_from = "the header";
             return;
         }
         if (axes_) record_.form_from = axes_from;
         if (axes_) return;
+        const bool sized = size_given() || stated_.has_size();
+        if (begins_with_triples()) {
+            if (sized)
+                refuse_file(name_, {"has ", titles_.size(),
+                                    " columns, which begin with x, y and z, and a stated size: may be "
+                                    "triples or a matrix; must be told by ",
+                                    options_.names.format_as("triples"), " or ", options_.names.format_as("matrix")});
+            record_.form = MapForm::triples;
+            record_.form_from = triples_from();
+            return;
+        }
         if (table_.columns != 3) {
-            require_no_lone_axis();
+            require_no_lone_axis(options_.names);
             record_.form_from = std::to_string(table_.columns) + " columns";
             return;
         }
-        if (const auto form = stated_form(entries_)) {
-            record_.form = *form;
-            record_.form_from = "the header";
-            return;
-        }
-        const bool sized = size_given() || stated_.has_size();
         if (grid().has_value() == sized)
             refuse_file(name_,
                         {"has three columns, ",
@@ -323,8 +221,8 @@ private:
                         {"states no units and none are given; must be ", options_.names.given_as("units", "\"um,nm\""),
                          " (x and y, heights), each one of ", accepted_units(Dimension::length)});
         height_unit_ = printable(used[2], 16);
-        record_.units = "x in " + printable(used[0], 16) + ", y in " + printable(used[1], 16) + ", heights in " +
-                        height_unit_;
+        record_.units =
+            "x in " + printable(used[0], 16) + ", y in " + printable(used[1], 16) + ", heights in " + height_unit_;
         return {unit_factor(used[0], Dimension::length), unit_factor(used[1], Dimension::length),
                 unit_factor(used[2], Dimension::length)};
     }
@@ -339,7 +237,8 @@ private:
                 if (cells.size() > 6) pixel = number_in(cells[6], false).value_or(0);
             }
         if (!(pixel > 0) || !std::isfinite(pixel))
-            refuse_line(name_, 8, {"states no size of a pixel; must hold it as its seventh number [m], greater than 0"});
+            refuse_line(name_, 8,
+                        {"states no size of a pixel; must hold it as its seventh number [m], greater than 0"});
         height_unit_ = given_units_.empty() ? "um" : printable(given_units_.back(), 16);
         record_.units = "x and y in pixels of " + number_text(pixel) + " m, heights in " + height_unit_;
         record_.units_from = given_units_.empty() ? "line 8" : "line 8 and options";
@@ -377,12 +276,12 @@ private:
         std::string unit = lateral_unit_;
         if (unit.empty() && axes_->stated.size() == 1) unit = axes_->stated.front();
         if (unit.empty() && !given_units_.empty()) unit = given_units_.front();
-        if (axes_->stated.size() == 1 && unit_factor(unit, Dimension::length) !=
-                                            unit_factor(axes_->stated.front(), Dimension::length))
-            record_.warnings.push_back(options_.names.contradiction(
-                "units", shown_cell(options_.units),
-                "line " + std::to_string(axes_->line) + ", which states " + printable(axes_->stated.front(), 16) +
-                    " for the axes"));
+        if (axes_->stated.size() == 1 &&
+            unit_factor(unit, Dimension::length) != unit_factor(axes_->stated.front(), Dimension::length))
+            record_.warnings.push_back(
+                options_.names.contradiction("units", shown_cell(options_.units),
+                                             "line " + std::to_string(axes_->line) + ", which states " +
+                                                 printable(axes_->stated.front(), 16) + " for the axes"));
         if (!numbers && unit.empty() && !size_given() && !stated_.has_size())
             refuse_line(name_, axes_->line,
                         {"holds positions, whose unit is ",
@@ -395,14 +294,14 @@ private:
         }
         record_.columns_text = "axes: the first row and the first column are " +
                                (numbers ? std::string("numbers of the points")
-                                     : "positions" + (unit.empty() ? std::string() : " in " + printable(unit, 16)));
+                                        : "positions" + (unit.empty() ? std::string() : " in " + printable(unit, 16)));
         drop_axes(table_, *axes_);
     }
 
     void set_step(std::optional<StatedGrid::Length>& slot, double step, const std::string& from) {
         if (slot && !(std::abs(slot->value - step) <= 0.01 * step) && !size_given())
-            refuse_line(name_, slot->line, {slot->value, " m disagrees with the axes, whose step is ", step,
-                                            " m; must agree"});
+            refuse_line(name_, slot->line,
+                        {slot->value, " m disagrees with the axes, whose step is ", step, " m; must agree"});
         if (!slot) slot = StatedGrid::Length{.value = step, .line = axes_->line, .from = from};
     }
 
@@ -462,7 +361,8 @@ private:
                 refuse_line(name_, stated_whole->line,
                             {"states a ", whole, " that disagrees with the spacing of line ", stated_step->line,
                              "; must agree, or ", step, " be given"});
-            note(stated_step->from.empty() ? step + " of line " + std::to_string(stated_step->line) : stated_step->from);
+            note(stated_step->from.empty() ? step + " of line " + std::to_string(stated_step->line)
+                                           : stated_step->from);
             return stated_step->value;
         }
         if (stated_whole) {
@@ -490,18 +390,11 @@ private:
         return unit.factor;
     }
 
-    std::string name_;
     MapTextOptions options_;
-    NumberTable table_;
     MapTextRecord record_;
     std::vector<std::string_view> given_units_;
     std::string lateral_unit_, height_unit_;
-    std::vector<HeaderEntry> entries_;
     StatedGrid stated_;
-    std::optional<std::optional<Grid>> grid_;  // empty until it is sought
-    std::optional<MatrixAxes> axes_;
-    std::vector<ColumnTitle> titles_;   // of all columns of the file
-    std::vector<std::size_t> columns_;  // of the file, counted from 1, that the table holds
 };
 
 inline MapFromText read_map_text(NamedBytes file, const MapTextOptions& options) {

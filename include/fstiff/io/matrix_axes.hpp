@@ -21,10 +21,10 @@
 namespace fstiff::io::detail {
 
 struct MatrixAxes {
-    double dx{}, dy{};              // steps in the unit of the axes
-    bool in_table{};                // the positions along x are the first row of the table
-    bool counted{};                 // both count from 0 or 1: they may number the points
-    std::size_t line{};             // of the positions along x
+    double dx{}, dy{};                // steps in the unit of the axes
+    bool in_table{};                  // the positions along x are the first row of the table
+    bool counted{};                   // both count from 0 or 1: they may number the points
+    std::size_t line{};               // of the positions along x
     std::vector<std::string> stated;  // units of length in the corner, each once
 };
 
@@ -109,7 +109,9 @@ inline std::optional<MatrixAxes> axes_of(const NumberTable& table) {
     if (!(axes.dx > 0)) return std::nullopt;
     axes.dy = equal_step(y, table.printed[0].resolution());
     if (!(axes.dy > 0)) return std::nullopt;
-    const auto counts = [](const std::vector<double>& one) { return (one[0] == 0 || one[0] == 1) && one[1] == one[0] + 1; };
+    const auto counts = [](const std::vector<double>& one) {
+        return (one[0] == 0 || one[0] == 1) && one[1] == one[0] + 1;
+    };
     axes.counted = counts(x) && counts(y);
     const bool names_both = head && head->corner.find_first_of("\\/|") != std::string_view::npos;
     if (head && counts(x) && !counts(y) && !names_both) return std::nullopt;

@@ -11,9 +11,9 @@
 namespace fstiff::io::detail {
 
 struct MatrixUnit {
-    double factor{};           // [m]
-    std::string shown;         // for messages
-    std::string text, from;    // for a record
+    double factor{};             // [m]
+    std::string shown;           // for messages
+    std::string text, from;      // for a record
     std::string contradicted{};  // of the options: the place in the file that states another, and which; empty for none
 };
 
@@ -71,8 +71,12 @@ inline MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::stri
                         .text = std::string(given),
                         .from = "options"};
         for (const HeaderEntry& entry : entries)
-            if (unit.contradicted.empty() && is_height_unit_key(entry.key) && is_unit(entry.value, Dimension::length) &&
-                unit_factor(entry.value, Dimension::length) != unit.factor)
+            if (unit.contradicted.empty() && entry.key.starts_with("height conversion factor"))
+                unit.contradicted = "line " + std::to_string(entry.line) +
+                                    ", which states a height conversion factor of " + printable(entry.value, 24);
+            else if (unit.contradicted.empty() && is_height_unit_key(entry.key) &&
+                     is_unit(entry.value, Dimension::length) &&
+                     unit_factor(entry.value, Dimension::length) != unit.factor)
                 unit.contradicted = "line " + std::to_string(entry.line) + ", which states " +
                                     printable(entry.value, 16) + " for the heights";
         return unit;
@@ -82,8 +86,8 @@ inline MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::stri
     if (const HeaderEntry* const count = find_entry(entries, "bit2nm"))
         return nanometres_of_count(*count, unit, name, names);
     if (!unit)
-        refuse_file(name, {"states no unit of the heights and none is given; must be ", names.given_as("units", "\"nm\""),
-                           ", one of ", accepted_units(Dimension::length)});
+        refuse_file(name, {"states no unit of the heights and none is given; must be ",
+                           names.given_as("units", "\"nm\""), ", one of ", accepted_units(Dimension::length)});
     if (!is_unit(unit->value, Dimension::length))
         refuse_line(name, unit->line,
                     {shown_cell(unit->value),

@@ -194,7 +194,7 @@ struct NumberTable {
     std::size_t columns{};
     TableNumbers values;  // by row; NaN where missing
     std::vector<std::size_t> row_lines;
-    std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first four
+    std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first 16
     MissingValues missing;               // beside the words that are always missing
 
     std::size_t rows() const { return row_lines.size(); }
@@ -301,8 +301,7 @@ inline double require_number(std::string_view cell, const NumberTable& table, st
                              const std::string& name) {
     const bool comma = table.dialect.decimal_comma;
     const auto number = number_in(cell, comma);
-    if (!number && (number_in(cell, !comma) || is_grouped(cell)))
-        refuse_sign(name, line, cell, comma);
+    if (!number && (number_in(cell, !comma) || is_grouped(cell))) refuse_sign(name, line, cell, comma);
     if (!number)
         refuse_line(name, line,
                     {shown_cell(cell), " is no number; allowed are finite decimal numbers (an empty cell, ",
@@ -370,7 +369,7 @@ inline void read_rows(NumberTable& table, const std::string& name, const TableRu
     if (rules.short_rows && table.columns > max_short_row_columns)
         refuse_line(name, table.lines[table.first].number,
                     {"has ", table.columns, " columns; must be at most ", max_short_row_columns});
-    table.printed.resize(rules.short_rows ? table.columns : std::min<std::size_t>(table.columns, 4));
+    table.printed.resize(rules.short_rows ? table.columns : std::min<std::size_t>(table.columns, 16));
     const std::string_view last = table.lines.back().text;
     const auto bytes = static_cast<std::size_t>(last.data() + last.size() - table.lines[table.first].text.data());
     const std::size_t most_rows = table.lines.size() - table.first;
@@ -395,9 +394,10 @@ inline void read_rows(NumberTable& table, const std::string& name, const TableRu
             if (whole) table.values.push_back(value);
         }
         if (!whole)
-            refuse_line(name, line,
-                        {"has ", cells.size(), " columns; must be ", table.columns, " as in line ",
-                         table.lines[table.first].number, separator == ',' && cells.size() > 1 ? without_points(table) : ""});
+            refuse_line(
+                name, line,
+                {"has ", cells.size(), " columns; must be ", table.columns, " as in line ",
+                 table.lines[table.first].number, separator == ',' && cells.size() > 1 ? without_points(table) : ""});
         if (!cells.back().empty()) ++last_cells;
         table.row_lines.push_back(line);
         table.values.resize(table.rows() * table.columns, std::numeric_limits<double>::quiet_NaN());

@@ -32,8 +32,8 @@ struct ProfileColumns {
     TitleUnits units(const NumberTable& table, bool with_positions) const {
         FreeColumns free(table.columns);
         for (std::size_t c = 1; c <= table.columns; ++c)
-            free[c - 1] = index[c - 1] || (c != heights && !(with_positions && c == positions) &&
-                                           table.dialect.separator != ' ');
+            free[c - 1] =
+                index[c - 1] || (c != heights && !(with_positions && c == positions) && table.dialect.separator != ' ');
         if (std::count(free.begin(), free.end(), true) == 0) free.clear();
         return title_units(table, table.columns, free);
     }

@@ -33,10 +33,10 @@ struct ProfileTextOptions {
     std::optional<double> spacing{};  ///< [m]; replaces the positions of the file
     std::string units{};              ///< "um,nm" (positions, heights) or "um" (both); replaces those of the header
     std::size_t column = 0;           ///< of the heights, counted from 1; 0: the last of one or two columns
-    std::size_t x_column = 0;         ///< of the positions, counted from 1; 0: the first that does not number the points
-    std::string missing{};            ///< stands for missing points: "-9999", "void", both, or "none"
-    bool resample = false;            ///< unequally spaced positions are interpolated
-    OptionNames names{};              ///< for messages
+    std::size_t x_column = 0;  ///< of the positions, counted from 1; 0: the first that does not number the points
+    std::string missing{};     ///< stands for missing points: "-9999", "void", both, or "none"
+    bool resample = false;     ///< unequally spaced positions are interpolated
+    OptionNames names{};       ///< for messages
 };
 
 /// What was decided about a file, and why.
@@ -168,7 +168,9 @@ private:
         const auto given =
             given_units(options_.units, 2, name_, "one unit, or two such as \"um,nm\" (positions, heights)");
         const TitleUnits found = columns_.units(table_, position != 0);
-        const auto above = [&](std::size_t column) { return column == 0 ? std::string_view() : found.units[column - 1]; };
+        const auto above = [&](std::size_t column) {
+            return column == 0 ? std::string_view() : found.units[column - 1];
+        };
         if (!given.empty()) {
             record_.height_unit = given.back();
             if (position != 0) record_.position_unit = given.front();
@@ -176,13 +178,12 @@ private:
             if (!found.units.empty()) {
                 warn_of_unit(above(record_.height_column), record_.height_unit, found.from, "the heights");
                 warn_of_unit(above(position), record_.position_unit, found.from, "the positions");
-            }
-            else if (const auto entry = std::find_if(
-                         entries_.begin(), entries_.end(),
-                         [](const HeaderEntry& one) {
-                             return is_height_unit_key(one.key) && is_unit(one.value, Dimension::length);
-                         });
-                     entry != entries_.end())
+            } else if (const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                                       [](const HeaderEntry& one) {
+                                                           return is_height_unit_key(one.key) &&
+                                                                  is_unit(one.value, Dimension::length);
+                                                       });
+                       entry != entries_.end())
                 warn_of_unit(entry->value, record_.height_unit, "line " + std::to_string(entry->line), "the heights");
             if (given.size() == 2) unit_of_positions_ = given.front();
             return;
@@ -205,7 +206,8 @@ private:
     }
 
     /// Warns where \p used is another unit than the \p stated one, where there are both.
-    void warn_of_unit(std::string_view stated, std::string_view used, const std::string& from, const std::string& what) {
+    void warn_of_unit(std::string_view stated, std::string_view used, const std::string& from,
+                      const std::string& what) {
         if (stated.empty() || used.empty() ||
             unit_factor(stated, Dimension::length) == unit_factor(used, Dimension::length))
             return;

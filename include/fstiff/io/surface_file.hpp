@@ -178,7 +178,7 @@ inline std::pair<SurfaceFormat, std::string> text_form(MapTextReader& reader, co
     }
     const std::size_t columns = reader.table(options.missing).columns;  // without those that number the points
     if (reader.is_zygo()) return {SurfaceFormat::triples, "the header"};
-    if (reader.axes()) return {SurfaceFormat::matrix, MapTextReader::axes_from};
+    if (reader.axes()) return {SurfaceFormat::matrix, MapTable::axes_from};
     if (columns <= 2) return {SurfaceFormat::profile, named(columns) + " next to one that numbers the points"};
     if (columns == 3) {
         const bool grid = reader.grid().has_value();
@@ -204,7 +204,7 @@ inline std::pair<SurfaceFormat, std::string> text_form(MapTextReader& reader, co
     if (titled && !sized)
         ambiguous(" with a unit above each: may be columns of a profile or a matrix",
                   as("profile") + " with column, or " + as("matrix"));
-    reader.require_no_lone_axis();
+    reader.require_no_lone_axis(options.names);
     return {SurfaceFormat::matrix, found};
 }
 

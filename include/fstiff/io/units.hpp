@@ -259,7 +259,8 @@ inline const Unit* find_unit(std::string_view text, Dimension dimension) {
     for (const Unit& unit : units)
         if (unit.dimension == dimension) {
             const std::string name = canonical_unit(unit.name);
-            if (name == wanted || (name.size() > 3 && name == lower_case(name) && (name == word || name == lower))) return &unit;
+            if (name == wanted || (name.size() > 3 && name == lower_case(name) && (name == word || name == lower)))
+                return &unit;
         }
     return nullptr;
 }
