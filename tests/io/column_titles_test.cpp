@@ -58,6 +58,13 @@ TEST_CASE("A column that numbers the points is neither positions nor heights", "
             CHECK(has(found.record.sentences()[3], "positions in column 2, column 1 numbers the points"));
         }
     }
+    for (const char* head : {"Nr. X [um] Z [um]\n", "No X(um) Z(um)\n", "# Index X_um Z_um\n"}) {
+        CAPTURE(head);
+        const io::Surface found = read(rows(
+            head, [](int i) { return std::to_string(i + 1) + " "; }, " "));
+        CHECK((found.is_profile() && found.profile().heights == truth.heights &&
+               found.profile().spacing == truth.spacing));
+    }
     // a title alone may number points in steps, and from anywhere
     const io::Surface third =
         read(rows("Nr.;X [um];Z [um]\n", [](int i) { return std::to_string(3 * i + 101) + ";"; }));

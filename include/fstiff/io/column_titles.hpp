@@ -136,6 +136,20 @@ inline ColumnTitle title_of(std::string_view cell) {
     return {std::move(name), !title_unit(cell).empty()};
 }
 
+/// The titles in \p line; between blanks a unit in brackets belongs to the word before it.
+inline void split_titles(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    if (separator != ' ') return split_row(line, separator, cells);
+    std::vector<std::string_view> words;
+    split_line(line, separator, words);
+    cells.clear();
+    for (const std::string_view word : words)
+        if (!cells.empty() && !word.empty() && (word.front() == '[' || word.front() == '('))
+            cells.back() = {cells.back().data(),
+                            static_cast<std::size_t>(word.data() + word.size() - cells.back().data())};
+        else
+            cells.push_back(word);
+}
+
 /// The titles above the columns of \p table, of the nearest two lines of the header with a word for some and no number for
 /// any; none where there are none.
 inline std::vector<ColumnTitle> titles_above(const NumberTable& table) {
@@ -149,7 +163,7 @@ inline std::vector<ColumnTitle> titles_above(const NumberTable& table) {
     for (std::size_t i = table.first; i-- > 0 && lines < 2;) {
         const std::string_view raw = table.lines[i].text;
         for (const std::string_view line : {raw, without_comment_sign(raw, separator)}) {
-            separator == ' ' ? split_line(line, separator, cells) : split_row(line, separator, cells);
+            split_titles(line, separator, cells);
             if (cells.size() != table.columns || std::any_of(cells.begin(), cells.end(), is_number)) continue;
             ++lines;
             titles.resize(table.columns);
