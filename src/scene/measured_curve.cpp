@@ -143,6 +143,11 @@ MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_co
         const std::string at = where + std::string(name);
         if (column.index >= cells.size()) throw domain_error(at + ": is missing; must be a number");
         const auto found = text::number_in(cells[column.index], decimal_comma);
+        if (!found && decimal_comma && text::number_in(cells[column.index], false))
+            throw domain_error(
+                at + " = " + text::shown_cell(cells[column.index]) +
+                ": must be a number with a decimal comma, as others of the file have, without separators "
+                "of thousands");
         const double x = found ? *found * column.factor : -1;
         if (!found || !(x > 0 || (zero_allowed && x == 0)) || !(x <= std::numeric_limits<double>::max()))
             throw domain_error(at + " = " + text::shown_cell(cells[column.index]) + ": must be a finite number " +

@@ -6,6 +6,9 @@
 
 #include "scene/file.hpp"
 #include "scene/identification.hpp"
+#include "scene/measured_curve.hpp"
+
+#include "support/accuracy.hpp"
 
 #include <algorithm>
 #include <array>
@@ -169,4 +172,16 @@ TEST_CASE("A gradient that no surface has is a warning of a wrong unit, and a do
     // neither is of what is 1 or 1e-6
     CHECK(!with(radius, radius + "\nrms_gradient = 1").doubtful);
     CHECK(!with(radius, radius + "\nrms_gradient = 1e-6").doubtful);
+}
+
+TEST_CASE("A measured curve has one decimal sign, and a point next to decimal commas is no decimal") {
+    const test::Folder folder;
+    const auto read = [&](const std::string& rows) {
+        return scene::read_measured_curve(folder.write("curve.csv", "pressure [MPa];stiffness [GPa/um]\n" + rows))
+            .points;
+    };
+    CHECK(read("1,5;0,25\n20;0,5\n")[0].pressure == 1.5e6);
+    CHECK(read("1.5;0.25\n20;0.5\n")[0].pressure == 1.5e6);
+    const std::string why = test::refusal([&] { (void)read("1,5;0,25\n1.000;0,5\n"); });
+    CHECK(test::contains(why, "curve.csv:3: pressure = \"1.000\": must be a number with a decimal comma"));
 }
