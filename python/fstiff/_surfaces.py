@@ -38,7 +38,7 @@ class SurfaceOptions(TypedDict, total=False):
     lambda_s, lambda_c   shortest and longest waves that are kept; "auto" is by the standards' table, "none" keeps all
     filter               of lambda_c: "gaussian" or "robust"
     tip_radius, resolution   of the instrument
-    format, units, column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/formats.md
+    format, units, column, x_column, missing, resample, x3p_increment, channel, width, height   of a file alone: see docs/formats.md
     """
 
     spacing: Length | tuple[Length, Length]
@@ -58,6 +58,7 @@ class SurfaceOptions(TypedDict, total=False):
     format: str
     units: str
     column: int
+    x_column: int
     missing: str
     resample: bool
     x3p_increment: Literal["apply", "ignore"]
@@ -67,7 +68,7 @@ class SurfaceOptions(TypedDict, total=False):
 
 
 LENGTHS = {"spacing", "dx", "dy", "cutoff", "lambda_s", "lambda_c", "tip_radius", "resolution", "width", "height"}
-OF_FILES = {"format", "units", "column", "missing", "resample", "x3p_increment", "channel", "width", "height"}
+OF_FILES = {"format", "units", "column", "x_column", "missing", "resample", "x3p_increment", "channel", "width", "height"}
 
 #: Units of lengths, to m; SurfaceTopography writes them so.
 METRES = {"km": 1e3, "m": 1.0, "mm": 1e-3, "µm": 1e-6, "μm": 1e-6, "um": 1e-6, "nm": 1e-9, "Å": 1e-10, "pm": 1e-12}

@@ -71,7 +71,8 @@ SurfaceOptions surface_options(const Given& given) {
     given.take("dy", to.dy);
     given.take("width", to.width);
     given.take("height", to.height);
-    given.whole("column", to.column, 1, 1000000, "from 1 to 1000000");
+    given.whole("column", to.column, 1, most_columns, "from 1 to 4096");
+    given.whole("x_column", to.x_column, 1, most_columns, "from 1 to 4096");
     given.take("missing", to.missing);
     given.take("resample", to.resample);
     given.take("x3p_increment", to.x3p_increment);
@@ -136,8 +137,7 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
     const auto surface = std::make_shared<const MeasuredSurface>(
         heights.array ? measure_surface(how, input_of(how.input, heights), until_interrupted())
                       : measure_files(how, files, until_interrupted()));
-    return found(measure_json(how, *surface), surface->warnings,
-                 !unknown_parameters(*surface, surface->parameters).empty(), surface);
+    return found(measure_json(how, *surface), surface->warnings, is_doubtful(*surface), surface);
 }
 
 Found fit(const nb::dict& options, const Heights& heights) {
@@ -154,7 +154,7 @@ Found fit(const nb::dict& options, const Heights& heights) {
     (void)fit_options(how);  // what is wrong with them is said before the file is read
     SurfaceInput input = input_of(how.surface, heights);
     const auto of = [&](const auto& result) {
-        return found(fractal_json(how, input, result), warnings_of(how, input, result), false);
+        return found(fractal_json(how, input, result), warnings_of(how, input, result), result.doubtful());
     };
     return input.surface.is_profile() ? of(fractal_of_profile(how, input)) : of(fractal_of_map(how, input));
 }
@@ -191,7 +191,7 @@ Found truth(const nb::dict& options, const Heights& heights, const In& pressures
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     const TruthOfMap solved = truth_of_map(how, input_of(how.surface, heights));
-    return found(truth_json(solved), warnings_of(solved), solved.unresolved() + solved.failed() > 0);
+    return found(truth_json(solved), warnings_of(solved), solved.doubtful());
 }
 
 /// Heights, dx and dy (0 of a profile), what was decided, and warnings.

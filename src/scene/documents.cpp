@@ -51,6 +51,7 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
                    {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
                    {"width", options.width},         {"height", options.height}, {"detrend", form},
                    {"cutoff", options.cutoff}};
+    if (options.x_column != 0) inputs["x_column"] = options.x_column;
     if (!options.lambda_s.empty()) inputs["lambda_s"] = options.lambda_s;
     if (!options.lambda_c.empty()) inputs["lambda_c"] = options.lambda_c;
     if (!options.crop.empty()) inputs["crop"] = options.crop;

@@ -3,6 +3,7 @@
 
 #include "scene/file.hpp"
 
+#include <fstiff/contact/validity.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
@@ -27,7 +28,35 @@ SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const Spe
     return sum;
 }
 
+/// Whether sigma, R and D_p of \p face are those that were measured.
+bool is_as_measured(const Face& face) {
+    if (!face.measured) return false;
+    const auto measured = [&](Parameter which) { return face.measured->parameters.value[index_of(which)]; };
+    return face.surface.rms_height == measured(Parameter::rms_height) &&
+           face.surface.peak_radius == measured(Parameter::peak_radius) &&
+           face.surface.peak_density == measured(Parameter::peak_density);
+}
+
 }  // namespace
+
+std::string gradient_warning(const Face& face, double r) {
+    std::vector<double> gradients;
+    std::vector<std::string_view> origins;
+    const auto add = [&](double gradient, std::string_view origin) {
+        gradients.push_back(gradient);
+        origins.push_back(origin);
+    };
+    const bool measured = face.measured && face.measured->heights && face.rms_gradient &&
+                          face.measured->heights->rms_gradient.value == *face.rms_gradient;
+    if (face.rms_gradient) add(*face.rms_gradient, measured ? "measured" : "rms_gradient");
+    if (!is_as_measured(face)) {
+        const auto [of_density, of_height] = implied_gradients(face.surface, r);
+        add(of_density, "implied by peak_radius and peak_density");
+        if (!face.rms_gradient) add(of_height, "implied by rms_height and peak_radius");
+    }
+    const Check<double> check = check_gradients<double>(gradients);
+    return check.holds() ? "" : gradient_warning(gradients[check.first], origins[check.first]);
+}
 
 SpectralMoments<double> spectral_moments(const Face& face) {
     const Roughness<double>& of = face.surface;

@@ -57,6 +57,10 @@ struct Face {
 /// How many points of the maps of \p map are missing, and how they are filled; empty where none is.
 [[nodiscard]] std::string missing_points(const MapOfSurface& map);
 
+/// A sentence on the first rms gradient of \p face that no surface has, of those given or measured, and implied by what is
+/// written of sigma, R and D_p, whose peaks have the correlation \p r; empty where there is none.
+[[nodiscard]] std::string gradient_warning(const Face& face, double r);
+
 /// What was measured, as the contact sees it.
 [[nodiscard]] Face face_of(const MeasuredSurface& measured);
 /// What laws take of \p maps, one at least, of one surface.

@@ -182,7 +182,8 @@ Strings warnings_of(const FractalOptions& options, const SurfaceInput& input, co
                           ? "D from the power spectrum, " + rounded(result.spectrum->dimension, 4) +
                                 ", is another one: over its wavelengths the profile follows another law"
                           : sentence(concern, result.fit, options.surface.prefix));
-    for (std::string& line : reading_warnings(input, "their pairs are left out")) all.push_back(std::move(line));
+    for (std::string& line : reading_warnings(input, "their pairs are left out", result.levelled.rms_gradient))
+        all.push_back(std::move(line));
     return all;
 }
 
@@ -200,7 +201,8 @@ Strings warnings_of(const FractalOptions& options, const SurfaceInput& input, co
                            : std::string()) +
                       "ln S along x less ln S along y " + rounded(result.fit.log_level_difference, 3) + " +- " +
                       rounded(result.fit.log_level_difference_error, 2) + "; one D and one G do not describe it");
-    for (std::string& line : reading_warnings(input, "they enter no difference")) all.push_back(std::move(line));
+    for (std::string& line : reading_warnings(input, "they enter no difference", result.levelled.areal.rms_gradient))
+        all.push_back(std::move(line));
     return all;
 }
 

@@ -40,11 +40,17 @@ struct ProfileFractal {
     std::optional<PeakStatistics<double>> peaks;
     std::string no_spectrum, no_moments, no_peaks;
     StructureFunction<double> structure;  ///< that is shown
+
+    /// Whether the rms gradient is one that no surface has.
+    [[nodiscard]] bool doubtful() const { return !is_plausible_gradient(levelled.rms_gradient); }
 };
 
 struct MapFractal {
     PreparedMap levelled;
     DirectionalFit<double> fit;
+
+    /// As above.
+    [[nodiscard]] bool doubtful() const { return !is_plausible_gradient(levelled.areal.rms_gradient); }
 };
 
 /// \throws domain_error for a window, a tip radius or a resolution that is no length.

@@ -179,6 +179,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     }
     for (const Parameter unknown : unknown_parameters(scene))  // of the surface, and held at what nobody knows
         if (std::count(request.wanted.begin(), request.wanted.end(), unknown) == 0) all.doubtful = true;
+    if (scene.implausible) all.doubtful = true;
     std::size_t sound = 0;
     for (const Fit& fit : all.fits) {
         bool doubted = false;

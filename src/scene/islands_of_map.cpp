@@ -12,7 +12,8 @@ namespace fstiff::scene {
 
 bool IslandsOfMap::doubtful() const {
     const std::vector<MeasuredConcern> concerns = concerns_of(islands);
-    return std::any_of(concerns.begin(), concerns.end(), [](MeasuredConcern one) { return is_fatal(one); });
+    return std::any_of(concerns.begin(), concerns.end(), [](MeasuredConcern one) { return is_fatal(one); }) ||
+           !is_plausible_gradient(levelled.areal.rms_gradient);
 }
 
 IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) {
@@ -38,7 +39,8 @@ std::vector<std::string> warnings_of(const SurfaceInput& input, const IslandsOfM
     pair.set(Parameter::peak_radius, {r.radius, r.radius_error});
     pair.set(Parameter::peak_density, {r.density, r.density_error});
     std::vector<std::string> all = peak_warnings(concerns_of(r), r.islands, pair);
-    for (std::string& line : reading_warnings(input, "they are part of no island and of no area"))
+    for (std::string& line :
+         reading_warnings(input, "they are part of no island and of no area", result.levelled.areal.rms_gradient))
         all.push_back(std::move(line));
     return all;
 }

@@ -148,6 +148,11 @@ MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_co
         const std::string at = where + std::string(name);
         if (column.index >= cells.size()) throw domain_error(at + ": is missing; must be a number");
         const auto found = text::number_in(cells[column.index], decimal_comma);
+        if (!found && decimal_comma && text::number_in(cells[column.index], false))
+            throw domain_error(
+                at + " = " + text::shown_cell(cells[column.index]) +
+                ": must be a number with a decimal comma, as others of the file have, without separators "
+                "of thousands");
         const double x = found ? *found * column.factor : -1;
         if (!found || !(x > 0 || (zero_allowed && x == 0)) || !(x <= std::numeric_limits<double>::max()))
             throw domain_error(at + " = " + text::shown_cell(cells[column.index]) + ": must be a finite number " +
@@ -163,6 +168,17 @@ MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_co
         0, 0};
     if (of[column::error]) point.error = number(*of[column::error], "error", true);
     return point;
+}
+
+/// Whether some cell of \p lines is a number with a decimal comma.
+bool has_decimal_comma(const std::vector<text::Line>& lines, char separator) {
+    Cells cells;
+    return std::any_of(lines.begin(), lines.end(), [&](const text::Line& line) {
+        text::split_line(line.text, separator, cells);
+        return std::any_of(cells.begin(), cells.end(), [](auto cell) {
+            return cell.find(',') != std::string_view::npos && text::number_in(cell, true);
+        });
+    });
 }
 
 ComputedCurve computed_curve(const Cells& cells, const Header& header) {
@@ -203,7 +219,8 @@ MeasuredCurve read_measured_curve(const std::string& file) {
                            : lines.front().text.find('\t') != std::string_view::npos ? '\t'
                            : lines.front().text.find(',') != std::string_view::npos  ? ','
                                                                                      : ' ';
-    const bool decimal_comma = separator != ',';
+    // of all rows: a point in one of them is then refused, for it may separate thousands
+    const bool decimal_comma = separator != ',' && has_decimal_comma(lines, separator);
     Cells cells;
     text::split_line(lines.front().text, separator, cells);
     if (std::all_of(cells.begin(), cells.end(),

@@ -135,13 +135,18 @@ std::vector<MeasuredConcern> concerns_of(const MeasuredSurface& whole) {
     std::vector<MeasuredConcern> all;
     const auto of_peaks = [](MeasuredConcern concern) {
         return concern == MeasuredConcern::few_peaks || concern == MeasuredConcern::radius_uncertain ||
-               concern == MeasuredConcern::density_uncertain || concern == MeasuredConcern::parameter_unknown;
+               concern == MeasuredConcern::density_uncertain || concern == MeasuredConcern::parameter_unknown ||
+               concern == MeasuredConcern::implausible_gradient;
     };
     for (const MeasuredConcern concern : whole.parts.front().concerns)
         if (!of_peaks(concern) && std::all_of(whole.parts.begin(), whole.parts.end(), [&](const MeasuredSurface& part) {
                 return std::count(part.concerns.begin(), part.concerns.end(), concern) > 0;
             }))
             all.push_back(concern);
+    if (std::any_of(whole.parts.begin(), whole.parts.end(), [](const MeasuredSurface& part) {
+            return std::count(part.concerns.begin(), part.concerns.end(), MeasuredConcern::implausible_gradient) > 0;
+        }))
+        all.push_back(MeasuredConcern::implausible_gradient);
     const auto& p = whole.parameters;
     const auto pooled = [&](std::size_t i) { return Measurement<double>{p.value[i], p.error[i]}; };
     detail::add_peak_concerns(all, whole.peaks, pooled(index_of(Parameter::peak_radius)),

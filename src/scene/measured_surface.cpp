@@ -32,6 +32,9 @@ Measurement<double> of(const UncertainSurface<double>& surface, Parameter which)
     return {surface.value[index_of(which)], surface.error[index_of(which)]};
 }
 
+double gradient_of(const PreparedProfile& profile) { return profile.rms_gradient; }
+double gradient_of(const PreparedMap& map) { return map.areal.rms_gradient; }
+
 /// What was decided beside the reading of the file.
 void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, const std::string& form, double before,
               double after, const MeasureOptions& options) {
@@ -121,6 +124,11 @@ std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const 
     return all;
 }
 
+bool is_doubtful(const MeasuredSurface& surface) {
+    return has(surface.concerns, MeasuredConcern::implausible_gradient) ||
+           !unknown_parameters(surface, surface.parameters).empty();
+}
+
 namespace {
 
 /// The cut-offs of the neighbours of a surface of \p step behind \p lambda_s.
@@ -182,6 +190,10 @@ void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Leve
            const MeasureOptions& options) {
     surface.parameters = uncertain(found);
     describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
+    const double rms_gradient = gradient_of(levelled);
+    surface.concerns = concerns_of(found, rms_gradient);
+    if (has(surface.concerns, MeasuredConcern::implausible_gradient))
+        surface.warnings.push_back(gradient_warning(rms_gradient, "measured"));
     if (surface.cut_offs.lambda_c && !surface.cut_offs.why_c.empty() && levelled.rms < levelled.rms_levelled / 2)
         surface.warnings.push_back(
             "lambda_c " + shown_length(*surface.cut_offs.lambda_c) + ", chosen by the table, leaves " +

@@ -89,6 +89,9 @@ struct MeasuredSurface {
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
                                                         const UncertainSurface<double>& used);
 
+/// Whether no result can rest on \p surface: it has unknown_parameters(), or an rms gradient that no surface has.
+[[nodiscard]] bool is_doubtful(const MeasuredSurface& surface);
+
 /// How one parameter of a scene's [surface] is called, its unit and how it was found.
 struct ParameterLine {
     std::string name, unit;  ///< unit in a scene; empty: a plain number

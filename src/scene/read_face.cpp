@@ -90,19 +90,21 @@ void read_spikes(Source& source, const toml::node& node, const std::string& key,
     source.record(key, written(node), *number);
 }
 
+template <int SurfaceOptions::*member>
 void read_column(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
     const auto* column = node.as_integer();
-    if (!column || column->get() < 1 || column->get() > 1000000)
-        source.refuse(node, key, "must be a whole number from 1 to 1000000");
-    options.input.column = static_cast<int>(column->get());
+    if (!column || column->get() < 1 || column->get() > most_columns)
+        source.refuse(node, key, "must be a whole number from 1 to " + std::to_string(most_columns));
+    options.input.*member = static_cast<int>(column->get());
     source.record(key, written(node), static_cast<double>(column->get()));
 }
 
-constexpr std::array<ReadingKey, 25> reading_keys{{
+constexpr std::array<ReadingKey, 26> reading_keys{{
     {"format", read_text<&SurfaceOptions::format>},
     {"units", read_text<&SurfaceOptions::units>},
     {"spacing", read_text<&SurfaceOptions::spacing>},
-    {"column", read_column},
+    {"column", read_column<&SurfaceOptions::column>},
+    {"x_column", read_column<&SurfaceOptions::x_column>},
     {"dx", read_text<&SurfaceOptions::dx>},
     {"dy", read_text<&SurfaceOptions::dy>},
     {"width", read_text<&SurfaceOptions::width>},

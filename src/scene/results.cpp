@@ -141,7 +141,8 @@ void add_warnings(const Scene& scene, Results& results) {
 
     const std::size_t before = results.warnings.size();
     for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
-    if (results.warnings.size() > before || !unknown_parameters(scene).empty()) results.doubtful = true;
+    if (results.warnings.size() > before || scene.implausible || !unknown_parameters(scene).empty())
+        results.doubtful = true;
 }
 
 /// The columns of \p curve in the order in which documents show them; law, theta and r stand before them.

@@ -63,7 +63,8 @@ struct Results {
     std::vector<std::string> about_band;  ///< which part of the band is the greater; empty: there is one part
     std::vector<std::string> verdict;  ///< which law to believe, and to about what; the most important sentence first
     std::vector<std::string> short_verdict;  ///< the same for a picture: one or two short sentences
-    /// A real area above the nominal one, integrals that did not converge, or a measured surface with unknown_parameters().
+    /// A real area above the nominal one, integrals that did not converge, an rms gradient that no surface has, or a measured
+    /// surface with unknown_parameters().
     bool doubtful = false;
 };
 

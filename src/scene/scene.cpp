@@ -450,6 +450,22 @@ void warn_of_hurst(const Face& face, const std::string& path, std::vector<std::s
                        ": hybrid and persson take hurst, the fractal laws D");
 }
 
+/// Warns of rms gradients that no surface has, unless the warnings of what was measured do.
+void warn_of_gradients(Scene& scene) {
+    double r = 0;  // the greatest, 1/2 where none is written
+    for (const Peaks& peaks : scene.peaks) r = std::max(r, peaks.r.value_or(0.5));
+    const auto warn = [&](const Face& face, const std::string& place) {
+        const bool told = face.measured && std::count(face.measured->concerns.begin(), face.measured->concerns.end(),
+                                                      MeasuredConcern::implausible_gradient) > 0;
+        const std::string line = told ? "" : gradient_warning(face, r);
+        if (told || !line.empty()) scene.implausible = true;
+        if (!line.empty()) scene.warnings.push_back(place + line);
+    };
+    if (scene.faces.empty()) return warn(scene, "");
+    warn(scene.faces[0], "upper: ");
+    warn(scene.faces[1], "lower: ");
+}
+
 }  // namespace
 
 std::vector<Assumed> assumed(const Scene& scene) {
@@ -554,6 +570,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     if (scene.faces.empty()) warn_of_hurst(scene, "surface", scene.warnings);
     for (std::size_t i = 0; i < scene.faces.size(); ++i)
         warn_of_hurst(scene.faces[i], i == 0 ? "surface.upper" : "surface.lower", scene.warnings);
+    warn_of_gradients(scene);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs = std::move(source.inputs);

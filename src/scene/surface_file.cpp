@@ -7,6 +7,7 @@
 
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/robust_gaussian_filter.hpp>
+#include <fstiff/surface/moments.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/robust_gaussian_map_filter.hpp>
@@ -46,6 +47,18 @@ template <class Robust>
 std::string left_out(const Robust& robust, Eigen::Index points) {
     return ", " + std::to_string(robust.left_out) + " of " + std::to_string(points) + " points without weight, " +
            std::to_string(robust.iterations) + " iterations" + (robust.converged ? "" : ", not converged");
+}
+
+/// Root of twice the mean square slope between neighbours.
+double gradient_of(const Profile<double>& profile) {
+    double sum = 0, pairs = 0;
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        const double slope = (profile.heights[i] - profile.heights[i - 1]) / profile.spacing;
+        if (std::isnan(slope)) continue;
+        sum += slope * slope;
+        pairs += 1;
+    }
+    return std::sqrt(2 * sum / std::max(pairs, 1.0));
 }
 
 /// \p levelled without its waves above lambda_c, by the filter that \p cut_offs name.
@@ -163,6 +176,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     how.units = options.units;
     if (!options.prefix.empty()) how.names = {std::string(options.prefix), std::string(options.format_name), " "};
     how.column = static_cast<std::size_t>(options.column);
+    how.x_column = static_cast<std::size_t>(options.x_column);
     const auto length = [&](const std::string& text, const char* name) {
         return text.empty() ? std::optional<double>() : parse_length(text, std::string(options.prefix) + name);
     };
@@ -220,6 +234,7 @@ PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput&
         if (!filter && cut_offs.lambda_c) levelled = without_waves_above(cut_offs, std::move(levelled));
         result.rms = rms_height(result.profile);
     });
+    result.rms_gradient = gradient_of(result.profile);
     return result;
 }
 
@@ -309,8 +324,19 @@ PreparedMap with_cut_offs(const SurfaceOptions& options, PreparedMap without_for
     return without_form;
 }
 
-std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence) {
+std::string gradient_warning(double rms_gradient, std::string_view origin) {
+    if (is_plausible_gradient(rms_gradient)) return "";
+    const bool flat = rms_gradient < min_plausible_gradient<double>;
+    return "the rms gradient" + (std::isfinite(rms_gradient) ? ", " + rounded(rms_gradient, 3) + "," : std::string()) +
+           " is " + (flat ? "below 1e-06" : "above 1") + " (" + std::string(origin) + "): no rough surface is so " +
+           (flat ? "flat" : "steep") + "; a unit of its lengths is likely wrong";
+}
+
+std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
+                                          std::optional<double> rms_gradient) {
     std::vector<std::string> all = input.surface.record.warnings;
+    if (rms_gradient && !is_plausible_gradient(*rms_gradient))
+        all.push_back(gradient_warning(*rms_gradient, "measured"));
     if (input.missing() > 0)
         all.push_back(std::to_string(input.missing()) + " of " + std::to_string(input.points()) +
                       " points are missing; " + std::string(consequence));

@@ -20,6 +20,9 @@
 
 namespace fstiff::scene {
 
+/// Columns of a profile of text, as io/number_table.hpp bounds them.
+inline constexpr int most_columns = static_cast<int>(io::detail::max_short_row_columns);
+
 /// How a file is read; a file name alone will do. What is left empty is taken from the file, or by default.
 struct SurfaceOptions {
     std::string file;                   ///< "-" is standard input
@@ -28,6 +31,7 @@ struct SurfaceOptions {
     std::string spacing;                ///< of a profile
     std::string dx, dy, width, height;  ///< of a matrix
     int column = 0;                     ///< of the heights of a profile, counted from 1
+    int x_column = 0;                   ///< of its positions
     std::string missing;                ///< stands for missing points of a text: "-9999", or "none"
     bool resample = false;              ///< unequally spaced positions of a profile are interpolated
     std::string x3p_increment;          ///< apply (or empty) or ignore
@@ -77,6 +81,7 @@ struct SurfaceInput {
 struct PreparedProfile : LevelledProfile<double> {
     double rms_as_read{}, rms{};  ///< Rq before and after [m]
     double rms_levelled{};        ///< without the form, before the cut-offs [m]
+    double rms_gradient{};        ///< after them, root of twice the mean square slope between neighbours
     std::string form;             ///< that was removed, by name
     CutOffs cut_offs;             ///< lambda_c is the cut-off of detrend = "gaussian" too
 };
@@ -107,8 +112,12 @@ struct PreparedMap : LevelledMap<double> {
 /// The cut-offs of \p map by \p options. \throws as cut_offs_of().
 [[nodiscard]] CutOffs map_cut_offs(const SurfaceOptions& options, const HeightMap<double>& map);
 
-/// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the reader.
-[[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence);
+/// A warning about an rms gradient that no surface has, found as \p origin says; empty for any other.
+[[nodiscard]] std::string gradient_warning(double rms_gradient, std::string_view origin);
+/// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the reader; and
+/// gradient_warning() of the \p rms_gradient that was measured, where it is known yet.
+[[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
+                                                        std::optional<double> rms_gradient = {});
 
 /// A length with its unit, greater than 0, of the option called \p name in messages. \throws as parse_positive().
 [[nodiscard]] double parse_length(const std::string& text, std::string_view name);

@@ -20,6 +20,8 @@ std::size_t TruthOfMap::failed() const {
         std::count_if(at.begin(), at.end(), [](const auto& point) { return !point.state.converged; }));
 }
 
+bool TruthOfMap::doubtful() const { return unresolved() + failed() > 0 || !is_plausible_gradient(rms_gradient); }
+
 TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) {
     if (input.surface.is_profile())
         throw domain_error(display_name(options.surface.file) + ": is a profile; boundary elements need a map");
@@ -32,6 +34,7 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     solved.modulus = options.modulus;
     solved.rms_height = map.rms;
     solved.rms_gradient = map.areal.rms_gradient;
+    solved.reading = reading_warnings(input, "truth needs them filled", solved.rms_gradient);
     solved.points = std::min<Eigen::Index>(options.points, std::max(map.map.columns(), map.map.rows()));
     solved.edges = options.edges;
     if (!(options.hardness > 0)) solved.flows_above = options.known_hardness;
@@ -57,7 +60,7 @@ const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
 }  // namespace
 
 std::vector<std::string> warnings_of(const TruthOfMap& solved) {
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings = solved.reading;
     if (const std::size_t unresolved = solved.unresolved())
         warnings.push_back("K changes by more than a fifth from the grid half as fine at " +
                            std::to_string(unresolved) + " of " + std::to_string(solved.at.size()) +

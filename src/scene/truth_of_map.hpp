@@ -33,11 +33,14 @@ struct TruthOfMap {
     Edges edges = Edges::mirrored;
     double flows_above = 0;  ///< the hardness that elastic pressures may exceed [Pa]; 0: not known, or cut there
     std::vector<TruthPoint<double>> at;
+    std::vector<std::string> reading;  ///< warnings of the reader
 
     /// Points that the grid does not resolve (K changes by more than a fifth from the grid half as fine), or that did not
     /// converge.
     [[nodiscard]] std::size_t unresolved() const;
     [[nodiscard]] std::size_t failed() const;
+    /// Whether there are such points, or the rms gradient is one that no surface has.
+    [[nodiscard]] bool doubtful() const;
 };
 
 /// \throws domain_error in one sentence, for a profile too.

@@ -442,3 +442,47 @@ TEST_CASE(
                                 "peak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n[material.upper]"));
     repeats("run '" + scene + "'", 0);
 }
+
+TEST_CASE("Heights in a wrong unit end with exit code 4 wherever they enter") {
+    std::string text = "x [um];z [um]\n";  // gradient of some 0.1
+    for (int i = 0; i < 2000; ++i)
+        text += std::to_string(i) + ";" + std::to_string(0.08 * std::sin(i * i % 1009)) + "\n";
+    const std::string wrong = "the rms gradient, ", unit = "a unit of its lengths is likely wrong";
+    for (const char* command : {"measure -", "fit - --window '2 um,20 um'", "spectrum -", "peaks --profile -"}) {
+        CAPTURE(command);
+        const std::string call = std::string(command) + " --format csv";
+        CHECK(!test::contains(test::fstiff(call, text).err, unit));
+        const auto steep = test::fstiff(call + " --units um,mm", text);
+        CHECK(steep.status == 4);
+        CHECK(test::contains(steep.err, wrong));
+        CHECK(test::contains(steep.err, "is above 1 (measured)"));
+        CHECK(test::contains(steep.err, unit));
+        CHECK(test::contains(steep.err, "--units \"um,mm\" contradicts line 1, which states um for the heights"));
+    }
+    const auto measured = test::fstiff("measure - --units um,mm --format json", text);
+    CHECK(test::contains(measured.out, "\"implausible_gradient\""));
+    const auto run = test::fstiff("run --surface - --format csv", measured.out);
+    CHECK(run.status == 4);
+    CHECK(test::contains(run.err, unit));
+}
+
+TEST_CASE("The column of the positions is an option, a key of a scene, and in the JSON") {
+    std::string text = "Nr.;X [um];Z [um]\n";
+    for (int i = 0; i < 200; ++i)
+        text += std::to_string(i + 1) + ";" + std::to_string(0.5 * i) + ";" +
+                std::to_string(0.1 * std::sin(i * i % 101)) + "\n";
+    const auto plain = test::fstiff("measure - --format json", text);
+    CHECK(test::contains(plain.out, "positions in column 2, column 1 numbers the points"));
+    CHECK(!test::contains(plain.out, "x_column"));
+    const auto chosen = test::fstiff("measure - --x-column 1 --column 3 --units um --format json", text);
+    CHECK(test::contains(chosen.out, "\"x_column\": 1"));
+    CHECK(test::contains(chosen.out, "positions in column 1"));
+    const test::Folder folder;
+    const std::string file = folder.write("nr.csv", text);
+    const auto scene = [&](const std::string& key) {
+        return "[surface]\nfrom = '" + file + "'\n" + key + "\n" + material + contact;
+    };
+    CHECK(test::contains(test::fstiff("run - --format json", scene("x_column = 2")).out, "surface.x_column"));
+    test::check_refused("run -", 3, {":3", "surface.x_column", "from 1 to 4096"}, scene("x_column = 4097"));
+    test::check_refused("measure - --column 4097", 2, {"--column"}, text);
+}

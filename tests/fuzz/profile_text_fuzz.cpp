@@ -14,6 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const io::ProfileTextOptions& options :
          {io::ProfileTextOptions{}, io::ProfileTextOptions{.units = "um,nm"},
           io::ProfileTextOptions{.spacing = 1e-6, .units = "um", .column = 1},
+          io::ProfileTextOptions{.units = "um", .x_column = 2},
           io::ProfileTextOptions{.units = "um", .missing = "-9999,void", .resample = true}}) {
         io::ProfileFromText read;
         std::ostringstream output;

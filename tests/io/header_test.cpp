@@ -36,7 +36,7 @@ TEST_CASE("keys state sizes in m, counts and the form", "[header]") {
 }
 
 TEST_CASE("a spacing is stated with the weight of its last digit", "[header]") {
-    const auto stated = stated_spacing(table_of("Resolution,0.156 um/sample\n1\n"));
+    const auto stated = stated_spacing(header_entries(table_of("Resolution,0.156 um/sample\n1\n")));
     REQUIRE(stated);
     CHECK(test::ulps(stated->value, 0.156e-6) <= 1);
     CHECK(test::ulps(stated->resolution, 1e-9) <= 2);

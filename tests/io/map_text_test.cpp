@@ -104,6 +104,11 @@ TEST_CASE("An export of Keyence has its pitch, counts and unit in quoted cells")
     };
     check_map(read(with("\"nm\"", "\"nm/pixel\"")), 350e-9, 350e-9, 1e-6);
     check_map(read(with("XY Calibration", "XY-Justierung")), 350e-9, 350e-9, 1e-6);
+    check_map(read(with("XY Calibration", "XY-Kalibrierung")), 350e-9, 350e-9, 1e-6);
+    const std::string german =
+        "\"Messdatum\";\"01.01.2026\"\n\"XY-Kalibrierung\";\"350,0\";\"nm\"\n\"Horizontal\";\"5\"\n"
+        "\"Vertikal\";\"4\"\n\"Einheit\";\"Mikrometer\"\n\"H\xC3\xB6he\"\n";
+    check_map(read(german + with_commas(matrix(";"))), 350e-9, 350e-9, 1e-6);
     CHECK(has(refusal(with("\"5\"", "\"6\"")), "line 3: states 6 columns where there are 5"));
     CHECK(has(refusal(with("\"4\"", "\"9\"")), "line 4: states 9 rows where there are 4"));
     CHECK(has(refusal(with("\"um\"", "\"V\"")), "\"V\" is no unit of length"));
@@ -279,4 +284,52 @@ TEST_CASE("Words for missing points are the same in every form of a map", "[miss
             CHECK(found.map.rows() == rows);
             CHECK(found.record.missing == 5);
         }
+}
+
+TEST_CASE("Options that contradict the header of a map are used, and said", "[contradiction]") {
+    const auto found = read(gwyddion + matrix("\t"), {.dx = 3e-6, .height = 1.6e-6, .units = "mm"});
+    check_map(found, 3e-6, 4e-7, 1e-3);
+    CHECK(found.record.warnings ==
+          std::vector<std::string>{
+              "dx = 3e-06 m contradicts line 2, which states 1e-05 m; the option is used",
+              "height = 1.6e-06 m contradicts line 3, which states 8e-07 m; the option is used",
+              "units = \"mm\" contradicts line 4, which states nm for the heights; the option is used"});
+    CHECK(read(gwyddion + matrix("\t"), {.dx = 2e-6, .units = "nm"}).record.warnings.empty());
+    const auto kept = read(gwyddion + matrix("\t"), {.units = "m,nm"});
+    CHECK(kept.record.warnings ==
+          std::vector<std::string>{
+              "units = \"m,nm\" contradicts line 2, which states a length in um; that length is used"});
+    std::string triples = "x [um],y [um],z [nm]\n";
+    for (int i = 0; i < 30; ++i)
+        triples += std::to_string(i % 6) + "," + std::to_string(i / 6) + "," + std::to_string(i * i % 7) + "\n";
+    CHECK(read(triples, {.units = "um,um,nm"}).record.warnings.empty());
+    CHECK(read(triples, {.units = "um"}).record.warnings ==
+          std::vector<std::string>{
+              "units = \"um\" contradicts line 1, which states nm for the heights; the option is used"});
+}
+
+TEST_CASE("Zygo's XYZ text has its pixel in line 8 and heights in um", "[zygo]") {
+    const std::string head =
+        "Zygo XYZ Data File - Format 1\n0 3 0 0 \"Tue Aug 25 16:59:23 2026\"\n0 0 5 4 1 255\n10 20 5 "
+        "4\n\"\"\n\"\"\n\"\"\n"
+        "0 0 6.328e-07 0.5 1 0 5.5e-05 1787677163\n3 2 0 0 0 666666 0 \"\"\n0 0 1 33 0 0 0.1 60.4318 2 50\n"
+        "0 1 100 0 0 0 0 0 0 0\n0 \"\"\n1 5 0\n#\n";
+    std::string text = head;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            text += std::to_string(10 + i) + (i % 2 ? "\t" : " ") + std::to_string(20 + j) + " " + plain(i, j) + "\n";
+    const auto found = read(text + "#\n");
+    check_map(found, 5.5e-5, 5.5e-5, 1e-6);
+    CHECK(found.record.form == MapForm::triples);
+    REQUIRE(found.record.warnings.size() == 1);
+    CHECK(has(found.record.warnings[0], "Zygo XYZ states no unit of its heights, which are taken for um"));
+    const auto given = read(text, {.units = "nm"});
+    check_map(given, 5.5e-5, 5.5e-5, 1e-9);
+    CHECK(given.record.warnings.empty());
+    const auto missing = read(head + "10 20 No Data\n" + text.substr(text.find('\n', head.size()) + 1));
+    CHECK(missing.record.missing == 1);
+    std::string unknown = text;
+    unknown.replace(unknown.find("5.5e-05"), 7, "0      ");
+    CHECK(has(refusal(unknown), "line 8: states no size of a pixel"));
+    CHECK(has(refusal(head.substr(0, head.size() - 2)), "no row of numbers"));
 }

@@ -431,3 +431,85 @@ TEST_CASE("A number that stands for missing points is told, or refused with the 
     for (int i = 0; i < 40; ++i) steps += std::to_string(i) + (i / 5 % 2 ? ",500\n" : ",0\n");
     CHECK(read(steps).record.missing == 0);
 }
+
+TEST_CASE("A point in a number of a file with decimal commas is refused, never read as decimal", "[decimal]") {
+    // heights of 5012 nm with a separator of thousands
+    const auto text = [](const std::string& x, const std::string& z) {
+        std::string all = "x [um];z [nm]\n";
+        for (int i = 0; i < 20; ++i) all += std::to_string(i) + x + ";" + std::to_string(4 + height(i)) + z + "\n";
+        return all;
+    };
+    for (const char* z : {".012", ".5", ".000,5", ".123.456"}) {
+        CAPTURE(z);
+        const std::string why = refusal(text(",0", z));
+        CHECK(has(why, "line 2: \"1" + std::string(z) + "\" is no number where the decimal sign is the comma"));
+        CHECK(has(why, "without separators of thousands"));
+    }
+    CHECK(has(refusal(text(".0", ",012")), "is no number where the decimal sign is the point"));
+    CHECK(has(refusal(text(".0", ",000.5")), "is no number where the decimal sign is the point"));
+    CHECK(read(text(",0", ",012")).profile.size() == 20);
+    CHECK(has(refusal("x [um]\tz [nm]\n0,0\t5.012\n1,0\t5.013\n"), "line 2: \"5.012\" is no number"));
+}
+
+TEST_CASE("A comma that separates columns and is decimal is refused as such", "[decimal]") {
+    std::string profile, triples, whole;
+    for (int i = 0; i < 20; ++i) {
+        profile += std::to_string(i / 2) + (i % 2 ? ",5" : ",0") + "," + std::to_string(height(i)) + "," +
+                   std::to_string(8351 - 400 * i) + "\n";
+        triples += std::to_string(i % 5) + ",0," + std::to_string(i / 5) + ",5," + std::to_string(height(i)) + ",0" +
+                   std::to_string(i) + "\n";
+        whole += std::to_string(10 + height(i)) + ",20," + std::to_string(height(i + 1)) + ",40\n";
+    }
+    for (const ProfileTextOptions& options : {ProfileTextOptions{.units = "um", .column = 3}, ProfileTextOptions{}})
+        for (const std::string& text : {profile, triples})
+            CHECK(has(refusal(text, options),
+                      "has commas between its columns and in its numbers; must have another "
+                      "separator, or points"));
+    CHECK(read(whole, {.spacing = 1e-6, .units = "um", .column = 3}).profile.size() == 20);
+    CHECK(has(refusal("x [um],z [um]\n0,1\n1,2\n2,3,4\n"),
+              "has 3 columns; must be 2 as in line 2 (a comma cannot be the decimal sign and separate the columns)"));
+}
+
+TEST_CASE("Heads of Hommel and Mitutoyo give the spacing and the unit", "[header]") {
+    const std::string one = rows([](auto, auto z) { return z + "\n"; });
+    for (const char* head : {"# Punktabstand: 0,5 um\n# Einheit: nm\n", "Pitch,0.5,um\nUnit,nm\n",
+                             "Pitch;0,5;um\nEinheit;nm\n", "Messpunktabstand [\xC2\xB5m];0,500\nZ-Unit;nm\n",
+                             "Pitch\t0.5\tMikrometer\nUnit\tNanometer\n", "Punktabstand = 0,0005 mm\nz [nm]\n"}) {
+        CAPTURE(head);
+        const auto found = read(head + one);
+        check_rows(found, 1e-6, 1e-9);
+        CHECK(has(found.record.spacing_from, "line 1"));
+    }
+    check_rows(read("# Punktabstand: 0,5 um\n# Einheit: nm\n" + with_commas(one)), 1e-6, 1e-9);
+}
+
+TEST_CASE("Options that contradict what the file states are used, and said", "[contradiction]") {
+    const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
+    const auto warnings = [](const io::ProfileFromText& found) { return found.record.warnings; };
+    const auto units = read("x [um],z [nm]\n" + plain, {.units = "mm,um"});
+    check_rows(units, 1e-3, 1e-6);
+    REQUIRE(warnings(units).size() == 2);
+    CHECK(warnings(units)[0] ==
+          "units = \"mm,um\" contradicts line 1, which states nm for the heights; the option is used");
+    CHECK(warnings(units)[1] ==
+          "units = \"mm,um\" contradicts line 1, which states um for the positions; the option is used");
+    CHECK(warnings(read("x [um],z [nm]\n" + plain, {.units = "um,nm"})).empty());
+    CHECK(warnings(read("x [\xC2\xB5m],z [nm]\n" + plain, {.units = "micrometer,nm"})).empty());
+    CHECK(warnings(read(plain, {.units = "mm,um"})).empty());
+
+    const auto spacing = read("x [um],z [nm]\n" + plain, {.spacing = 5e-6});
+    CHECK(spacing.profile.spacing == 5e-6);
+    REQUIRE(warnings(spacing).size() == 1);
+    CHECK(warnings(spacing)[0] ==
+          "spacing = 5e-06 m contradicts column 1, whose mean step is 5e-07 m; the option is used");
+    CHECK(warnings(read("x [um],z [nm]\n" + plain, {.spacing = 0.5e-6})).empty());
+    CHECK(warnings(read(plain, {.spacing = 5e-6, .units = "nm"})).empty());  // of the positions no unit is known
+    CHECK(warnings(read(plain, {.spacing = 5e-6, .units = "um,nm"})).size() == 1);
+
+    const std::string one = "Pitch,0.5,um\nUnit,nm\n" + rows([](auto, auto z) { return z + "\n"; });
+    const auto stated = read(one, {.spacing = 1e-6, .units = "um", .names = {.prefix = "--", .equals = " "}});
+    REQUIRE(warnings(stated).size() == 2);
+    CHECK(warnings(stated)[0] ==
+          "--units \"um\" contradicts line 2, which states nm for the heights; the option is used");
+    CHECK(warnings(stated)[1] == "--spacing 1e-06 m contradicts line 1, which states 0.5 um; the option is used");
+}

@@ -200,3 +200,11 @@ TEST_CASE("Formats have names") {
     CHECK(has(test::refusal([] { (void)io::surface_format("bmp"); }),
               "auto, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur, smd"));
 }
+
+TEST_CASE("What the readers of text warn of is told of the surface") {
+    CHECK(read("x [um] z [nm]\n" + profile_rows(), {.units = "mm"}).record.warnings.size() == 2);
+    CHECK(
+        read("Width: 3 um\nHeight: 3 um\nunit: nm\n" + columns_of_numbers(3), {.width = 9e-6}).record.warnings.size() ==
+        1);
+    CHECK(read(grid(), {.units = "um"}).record.warnings.empty());
+}

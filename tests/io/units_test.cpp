@@ -48,3 +48,27 @@ TEST_CASE("Every unit of the table is accepted and means its factor") {
         CHECK(test::ulps(io::parse_quantity("2.5 " + std::string(unit.name), unit.dimension, "x"), 2.5 * factor) <= 2);
     }
 }
+
+TEST_CASE("Inches in thousands and millionths, and words in other languages, are units") {
+    for (const char* unit : {"mil", "mils", "thou"})
+        CHECK(test::ulps(io::unit_factor(unit, Dimension::length), 25.4e-6) <= 1);
+    for (const char* unit : {"uin", "\xC2\xB5in", "microinch", "Microinches"})
+        CHECK(test::ulps(io::unit_factor(unit, Dimension::length), 25.4e-9) <= 1);
+    CHECK(test::ulps(io::unit_factor("inches", Dimension::length), 25.4e-3) <= 1);
+    for (const char* unit : {"Mikrometer", "mikrometer", "microm\xC3\xA8tre", "Microm\xC3\xA8tres"})
+        CHECK(io::unit_factor(unit, Dimension::length) == 1e-6);
+    // what is refused names every unit that is read
+    const std::string why = test::refusal([] { (void)io::unit_factor("parsec", Dimension::length); });
+    CHECK(why.find("allowed are m, km, cm, mm, um, nm, angstrom, pm, in, mil, uin") != std::string::npos);
+}
+
+TEST_CASE("Any blank may stand between a number and its unit") {
+    for (const std::string blank : {" ", "\t", "\xC2\xA0", "\xE2\x80\x89", "\xE2\x80\xAF", "\xE2\x80\x87",
+                                    "\xE3\x80\x80", "\xA0", " \xC2\xA0 "}) {
+        CAPTURE(blank);
+        CHECK(io::parse_quantity("0.8" + blank + "\xC2\xB5m", Dimension::length, "x") == 0.8e-6);
+        CHECK(io::is_unit(blank + "mm" + blank, Dimension::length));
+    }
+    CHECK_THROWS_AS(io::parse_quantity("0.8 \xE2\x80\xA6 um", Dimension::length, "x"), domain_error);
+    CHECK_THROWS_AS(io::parse_quantity("0.8\xC2\xA0", Dimension::length, "x"), domain_error);
+}

@@ -80,6 +80,12 @@ TEST_CASE("A surface tells each concern beyond its limit") {
     surface.peaks_counted = 29;
     surface.anisotropic = surface.curved = true;
     CHECK(concerns_of(surface) == Concerns{curved, anisotropic, few_peaks, radius_uncertain, density_uncertain});
+    surface = {};
+    surface.peaks_counted = 30;
+    for (const double gradient : {1e-6, 0.1, 1.0}) CHECK(concerns_of(surface, gradient).empty());
+    for (const double gradient : {9.9e-7, 1.01, std::numeric_limits<double>::infinity()})
+        CHECK(concerns_of(surface, gradient) == Concerns{implausible_gradient});
+    CHECK(is_fatal(implausible_gradient));
 }
 
 TEST_CASE(

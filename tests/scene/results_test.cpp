@@ -7,9 +7,11 @@
 
 #include "scene/file.hpp"
 #include "scene/identification.hpp"
+#include "scene/measured_curve.hpp"
 #include "scene/result_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace scene = fstiff::scene;
@@ -209,7 +211,8 @@ TEST_CASE("Every law of the table has a name, its equations and a contact, and i
         CHECK(!law.load.empty());
         CHECK(!law.stiffness.empty());
         CHECK(!law.peaks.empty());
-        if (law.needs_map || law.needs_spectrum || law.needs_hardness || law.needs_yield) continue;  // tests/scene/laws_test.cpp
+        if (law.needs_map || law.needs_spectrum || law.needs_hardness || law.needs_yield)
+            continue;  // tests/scene/laws_test.cpp
         const auto read =
             scene::read_scene(text_of("laws = [\"" + std::string(law.name) + "\"]\n"), {.name = "x.toml"});
         CHECK(compute(read).curves.size() == (law.has_peaks ? 2 : 1));
@@ -231,4 +234,46 @@ TEST_CASE("A scene is identified from a curve without a command line") {
     // K is proportional to 1/sigma at a given pressure where K ~ p, and nearly so here: twice K, about half of sigma
     CHECK(found.fits[0].found.parameters[0].value < 0.7e-6);
     CHECK_THROWS_AS(scene::identify(read, curve, {.wanted = {}, .law = "", .shear = true}), scene::option_error);
+}
+
+TEST_CASE("A gradient that no surface has is a warning of a wrong unit, and a doubt") {
+    const auto with = [](const std::string& from, const std::string& to) {
+        std::string text = text_of("laws = [\"hertz\"]\npeaks = [{ theta = \"pi/3\", r = 0.5 }]\n");
+        text.replace(text.find(from), from.size(), to);
+        return compute(scene::read_scene(text, {.name = "short.toml"}));
+    };
+    const auto warns = [](const scene::Results& results, const std::string& part) {
+        return std::count_if(results.warnings.begin(), results.warnings.end(), [&](const std::string& line) {
+            return test::contains(line, part) && test::contains(line, "a unit of its lengths is likely wrong");
+        });
+    };
+    const std::string sigma = "rms_height = \"1 um\"", radius = "peak_radius = \"60 um\"";
+    const auto sound = with(sigma, sigma);
+    CHECK((warns(sound, "") == 0 && !sound.doubtful));
+    for (const auto& [from, to, part] :
+         {std::array<std::string, 3>{sigma, "rms_height = \"1 mm\"", "above 1 (implied by rms_height and peak_radius)"},
+          {sigma, "rms_height = \"1 m\"", "above 1 (implied by rms_height"},
+          {radius, "peak_radius = \"0.03 nm\"", "above 1 (implied by peak_radius and peak_density)"},
+          {radius, "peak_radius = \"4.4e11 m\"", "below 1e-06 (implied by peak_radius"},
+          {radius, radius + "\nrms_gradient = 100", "gradient, 100, is above 1 (rms_gradient)"},
+          {radius, radius + "\nrms_gradient = 9e-7", "below 1e-06 (rms_gradient)"}}) {
+        CAPTURE(to);
+        const auto results = with(from, to);
+        CHECK((warns(results, part) == 1 && results.doubtful));
+    }
+    // neither is of what is 1 or 1e-6
+    CHECK(!with(radius, radius + "\nrms_gradient = 1").doubtful);
+    CHECK(!with(radius, radius + "\nrms_gradient = 1e-6").doubtful);
+}
+
+TEST_CASE("A measured curve has one decimal sign, and a point next to decimal commas is no decimal") {
+    const test::Folder folder;
+    const auto read = [&](const std::string& rows) {
+        return scene::read_measured_curve(folder.write("curve.csv", "pressure [MPa];stiffness [GPa/um]\n" + rows))
+            .points;
+    };
+    CHECK(read("1,5;0,25\n20;0,5\n")[0].pressure == 1.5e6);
+    CHECK(read("1.5;0.25\n20;0.5\n")[0].pressure == 1.5e6);
+    const std::string why = test::refusal([&] { (void)read("1,5;0,25\n1.000;0,5\n"); });
+    CHECK(test::contains(why, "curve.csv:3: pressure = \"1.000\": must be a number with a decimal comma"));
 }

@@ -6,6 +6,8 @@
 ///     of the surface     psi = (E/H) sqrt(sigma/R) <= 1, H = 2.8 Y    plasticity index: else peaks yield at any load
 ///                        sigma R D_p >= 0.0249                        of an isotropic Gaussian surface, where it is
 ///                                                                     0.02036 sqrt(alpha), alpha >= 1.5
+///                        1e-6 <= g_rms <= 1                           given, measured or implied: else a unit of length
+///                                                                     is likely wrong
 ///     of each state      p* = p/(E g_rms) <= 0.01                     pressure over what closes the gaps: beyond it the
 ///                                                                     peaks feel one another (docs/errata.md)
 ///                        0 <= separation <= R_p                       the mean planes apart, some peak in touch
@@ -29,6 +31,7 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/surface/moments.hpp>
 
 #include <algorithm>
 #include <array>
@@ -85,14 +88,15 @@ enum class Concern {
     few_contacts,            ///< fewer than 10 on the nominal area
     area_above_nominal,      ///< the real area exceeds the nominal one
     above_hardness,          ///< the mean pressure on the real area exceeds 2.8 Y
-    not_converged            ///< the error of K is above 1e-6 K
+    not_converged,           ///< the error of K is above 1e-6 K
+    implausible_gradient     ///< an rms gradient above 1 or below 1e-6: a unit of length is likely wrong
 };
 
 /// The word of \p concern, as JSON has it.
 [[nodiscard]] constexpr std::string_view name_of(Concern concern) {
-    constexpr std::array<std::string_view, 9> names{
+    constexpr std::array<std::string_view, 10> names{
         "plasticity",   "gaussian_surface",   "interacting_asperities", "mean_planes_crossed", "above_highest_peak",
-        "few_contacts", "area_above_nominal", "above_hardness",         "not_converged"};
+        "few_contacts", "area_above_nominal", "above_hardness",         "not_converged",       "implausible_gradient"};
     return names[static_cast<std::size_t>(concern)];
 }
 
@@ -140,6 +144,31 @@ template <Real T>
     constexpr T least = min_gaussian_product<T>;
     checks.push_back(detail::surface_check(Concern::gaussian_surface, product, least, product >= least));
     return checks;
+}
+
+/// The rms gradients that a surface implies: by R and D_p, sqrt(2 m2) of moments_of_peaks(); by sigma and R,
+/// sqrt(2 r sigma sigma_kappa), with r = 1/2 where \p r is 0, which does not tell it. \throws domain_error as
+/// moments_of_peaks().
+template <Real T>
+[[nodiscard]] std::array<T, 2> implied_gradients(const Roughness<T>& surface, T r) {
+    const SpectralMoments<T> moments = moments_of_peaks(surface.rms_height, surface.peak_radius, surface.peak_density);
+    const T curvature = radius_times_rms_curvature<T>() / surface.peak_radius;
+    return {std::sqrt(2 * moments.m2), std::sqrt(2 * (r > T(0) ? r : T(0.5)) * surface.rms_height * curvature)};
+}
+
+/// The check of \p gradients of one surface, which are given, measured or implied_gradients(): the limit is the one that is
+/// broken, 1 where none is; violations are gradients.
+template <Real T>
+[[nodiscard]] Check<T> check_gradients(std::span<const T> gradients) {
+    Check<T> made{.concern = Concern::implausible_gradient, .limit = max_plausible_gradient<T>};
+    for (std::size_t i = 0; i < gradients.size(); ++i) {
+        made.least = (std::min)(made.least, gradients[i]);
+        made.greatest = (std::max)(made.greatest, gradients[i]);
+        if (is_plausible_gradient(gradients[i]) || made.violations++ > 0) continue;
+        made.first = i;
+        if (gradients[i] < min_plausible_gradient<T>) made.limit = min_plausible_gradient<T>;
+    }
+    return made;
 }
 
 /// What the states of a curve are held against; a check for which something is missing is not made.

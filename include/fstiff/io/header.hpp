@@ -5,9 +5,8 @@
 ///
 /// Units       lengths in m, once their unit is read
 
+#include <fstiff/io/column_titles.hpp>
 #include <fstiff/io/header_words.hpp>
-#include <fstiff/io/number_table.hpp>
-#include <fstiff/io/quantity.hpp>
 
 namespace fstiff::io {
 
@@ -26,113 +25,6 @@ inline constexpr auto names<io::MapForm> = name_list<io::MapForm>({{io::MapForm:
 }  // namespace fstiff
 
 namespace fstiff::io::detail {
-
-/// The length unit that a column title states, as in "x [um]", "x (um)", "x/um", "height in um", "um"; "" for none.
-inline std::string_view title_unit(std::string_view title) {
-    title = unquoted(title);
-    const auto known = [](std::string_view text) { return is_unit(text, Dimension::length); };
-    for (const auto& [open, close] : {std::pair{'[', ']'}, {'(', ')'}, {'{', '}'}, {'<', '>'}}) {
-        const std::size_t end = title.rfind(close);
-        const std::size_t begin = title.substr(0, end).rfind(open);
-        if (end == std::string_view::npos || begin == std::string_view::npos) continue;
-        if (const auto inside = trimmed(title.substr(begin + 1, end - begin - 1)); known(inside)) return inside;
-    }
-    const std::size_t last = title.find_last_of(" \t/_:=");
-    const std::string_view word = last == std::string_view::npos ? title : title.substr(last + 1);
-    if (!known(word)) return {};
-    if (word == "A" && (last == std::string_view::npos || title[last] != '/'))
-        return {};  // the name of a column, or a channel
-    if (last == std::string_view::npos) return word;
-    const std::string_view before = trimmed(title.substr(0, last));
-    // "0.0 um" is a length, no title; a bare "in" after a word is a preposition that lost its unit
-    if (before.empty() || is_digit(before.back()) || word == "in") return {};
-    return word;
-}
-
-/// The units of \p columns columns that \p line states; empty when it does not state them all.
-inline std::vector<std::string_view> units_in(std::string_view line, std::size_t columns, char separator) {
-    line = trimmed(line);
-    const bool signed_line = is_comment(line);
-    while (!line.empty() && (line.front() == '#' || line.front() == '%' || line.front() == '!' || line.front() == '/'))
-        line.remove_prefix(1);
-    if (signed_line && line.starts_with(separator) && separator != ' ') line.remove_prefix(1);  // "#;x [um];z [nm]"
-    std::vector<std::string_view> cells, found;
-    for (const char candidate : {separator, ';', '\t', ',', ' '}) {
-        split_line(line, candidate, cells);
-        if (cells.size() != columns) continue;
-        found.clear();
-        for (const std::string_view cell : cells)
-            if (const auto unit = title_unit(cell); !unit.empty()) found.push_back(unit);
-        if (found.size() == columns) return found;
-    }
-    // "x [um] z [nm]": as many bracketed found as columns, in their order
-    found.clear();
-    for (std::string_view rest = line; !rest.empty();) {
-        const std::size_t begin = rest.find_first_of("[(");
-        if (begin == std::string_view::npos) break;
-        const std::size_t end = rest.find(rest[begin] == '[' ? ']' : ')', begin);
-        if (end == std::string_view::npos) break;
-        const auto inside = trimmed(rest.substr(begin + 1, end - begin - 1));
-        if (is_unit(inside, Dimension::length)) found.push_back(inside);
-        rest.remove_prefix(end + 1);
-    }
-    return found.size() == columns ? found : std::vector<std::string_view>();
-}
-
-/// The units of the options: "um,nm" or "um". \throws domain_error for more than \p most of them, or another unit.
-inline std::vector<std::string_view> given_units(const std::string& text, std::size_t most, const std::string& name,
-                                                 std::string_view allowed) {
-    std::vector<std::string_view> given;
-    if (text.empty()) return given;
-    split_line(text, ',', given);
-    if (given.empty() || given.size() > most) refuse_field(name, "units", shown_cell(text), allowed);
-    for (const std::string_view unit : given) require_unit(unit, Dimension::length);
-    return given;
-}
-
-/// Titles above the columns, from the first row upwards, that state the units of all of them.
-struct TitleUnits {
-    std::vector<std::string_view> units;  // empty when there are none
-    std::string from;                     // "line 3"
-};
-inline TitleUnits title_units(const NumberTable& table, std::size_t columns) {
-    for (std::size_t i = table.first; i-- > 0;)
-        if (auto found = units_in(table.lines[i].text, columns, table.dialect.separator); !found.empty())
-            return {std::move(found), "line " + std::to_string(table.lines[i].number)};
-    return {};
-}
-
-/// A spacing that the header states, such as "Resolution,0.156 um/sample"; with the weight of its last digit [m].
-struct StatedSpacing {
-    double value{}, resolution{};
-    std::size_t line{};
-    std::string text;
-};
-inline std::optional<StatedSpacing> stated_spacing(const NumberTable& table) {
-    for (std::size_t i = 0; i < table.first; ++i) {
-        const std::string_view line = table.lines[i].text;
-        const std::size_t begin = line.find_first_of(",:=;\t");
-        if (begin == std::string_view::npos) continue;
-        std::string title = lower_case(trimmed(line.substr(0, begin)));
-        while (!title.empty() && (is_blank(title.front()) || title.front() == '#' || title.front() == '%'))
-            title.erase(0, 1);
-        if (title != "resolution" && title != "spacing" && title != "step" && title != "sampling interval") continue;
-        std::string_view text = trimmed(line.substr(begin + 1));
-        text = trimmed(text.substr(0, text.find_first_of(",;\t")));
-        const std::size_t per = text.find('/');
-        const LeadingNumber number = leading_number(text);
-        if (number.status != NumberStatus::ok || !(number.value > 0)) continue;
-        const std::string_view unit =
-            trimmed(text.substr(number.length, per == std::string_view::npos ? per : per - number.length));
-        if (per != std::string_view::npos && per < number.length) continue;
-        if (!is_unit(unit, Dimension::length)) continue;
-        const double factor = unit_factor(unit, Dimension::length);
-        return StatedSpacing{number.value * factor,
-                             std::pow(10.0, last_digit_of(text.substr(0, number.length))) * factor,
-                             table.lines[i].number, std::string(text)};
-    }
-    return std::nullopt;
-}
 
 /// "key: value" or "key = value" of a header.
 struct HeaderEntry {
@@ -160,7 +52,8 @@ inline bool is_grid_word(std::string_view word) {
     return key == "ncols" || key == "nrows" || key == "cellsize" || key == "nodata_value";
 }
 
-/// "10,5 um" as "10.5 um" where its comma is decimal: the table's is, or other than three digits follow, as no thousands do.
+/// "10,5 um" as "10.5 um" where its comma is decimal: the table's is, or other than three digits follow or a zero leads, as
+/// of no thousands.
 inline std::string with_decimal_point(std::string_view value, bool decimal_comma) {
     std::string text(value);
     const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
@@ -168,20 +61,25 @@ inline std::string with_decimal_point(std::string_view value, bool decimal_comma
     if (comma == std::string::npos || comma == sign || text[comma] != ',') return text;
     const std::size_t end = (std::min)(text.find_first_not_of("0123456789", comma + 1), text.size());
     const std::size_t digits = end - comma - 1;
-    if (digits > 0 && (decimal_comma || digits != 3) && (end == text.size() || (text[end] != ',' && text[end] != '.')))
+    if (digits > 0 && (decimal_comma || digits != 3 || text[sign] == '0') &&
+        (end == text.size() || (text[end] != ',' && text[end] != '.')))
         text[comma] = '.';
     return text;
 }
 
-/// "XY Calibration","277.8","nm", as Keyence exports it: the cells, of which there are two or three; none of other lines.
-inline std::vector<std::string_view> quoted_cells(std::string_view line) {
+inline constexpr std::string_view wide_colon = "\xEF\xBC\x9A";  // of Chinese and Japanese
+
+/// "XY Calibration","277.8","nm", as Keyence exports it, or Pitch,0.5,um, as Mitutoyo does: the cells, of which there are two
+/// or three; none of other lines.
+inline std::vector<std::string_view> entry_cells(std::string_view line) {
     std::vector<std::string_view> cells;
-    if (!line.starts_with('"')) return cells;
-    const std::size_t end = line.find('"', 1);
+    const bool quoted = line.starts_with('"');
+    const std::size_t end = quoted ? line.find('"', 1) : 0;
     const std::size_t next = end == std::string_view::npos ? end : line.find_first_of(",;\t", end);
     if (next == std::string_view::npos) return cells;
+    if (!quoted && (line.find_first_of(":=") < line.size() || line.find(wide_colon) < line.size())) return cells;
     split_line(line, line[next], cells);
-    if (cells.size() < 2 || cells.size() > 3) cells.clear();
+    if (cells.size() < 2 || cells.size() > 3 || cells[0].empty()) cells.clear();
     return cells;
 }
 
@@ -197,17 +95,16 @@ inline std::vector<HeaderEntry> header_entries(const NumberTable& table) {
     };
     for (std::size_t i = 0; i < table.first; ++i) {
         std::string_view line = table.lines[i].text;
-        if (const auto cells = quoted_cells(line); !cells.empty()) {
+        while (!line.empty() && (is_blank(line.front()) || line.front() == '#' || line.front() == '%' ||
+                                 line.front() == '!' || line.front() == '/' || line.front() == ';'))
+            line.remove_prefix(1);
+        if (const auto cells = entry_cells(line); !cells.empty()) {
             entries.push_back({header_key(cells[0]),
                                with_decimal_point(cells[1], table.dialect.decimal_comma) +
                                    (cells.size() == 3 ? " " + std::string(cells[2]) : std::string()),
                                table.lines[i].number});
             continue;
         }
-        while (!line.empty() && (is_blank(line.front()) || line.front() == '#' || line.front() == '%' ||
-                                 line.front() == '!' || line.front() == '/' || line.front() == ';'))
-            line.remove_prefix(1);
-        constexpr std::string_view wide_colon = "\xEF\xBC\x9A";
         const std::size_t wide = line.find(wide_colon), narrow = line.find_first_of(":=");
         const std::size_t sign = (std::min)(wide, narrow);
         // "NODATA_value -9999" of an ESRI grid
@@ -237,6 +134,8 @@ struct StatedGrid {
         double value{};
         std::size_t line{};
         std::string unit_from{};  // why it is in nm where no unit stands behind it; for a record
+        std::string unit{};       // as it is written; empty where there is none
+        std::string from{};       // where it is no line of the header; for a record
     };
     std::optional<Length> width, height, dx, dy;
     std::optional<std::size_t> columns, rows;
@@ -252,6 +151,35 @@ inline const HeaderEntry* find_entry(const std::vector<HeaderEntry>& entries, st
     const auto found =
         std::find_if(entries.begin(), entries.end(), [&](const HeaderEntry& entry) { return entry.key == key; });
     return found == entries.end() ? nullptr : &*found;
+}
+
+/// A spacing that the header of a profile states, such as "Resolution,0.156 um/sample" or "Punktabstand [um]: 0,5"; with the
+/// weight of its last digit [m].
+struct StatedSpacing {
+    double value{}, resolution{};
+    std::size_t line{};
+    std::string text;
+};
+inline std::optional<StatedSpacing> stated_spacing(const std::vector<HeaderEntry>& entries) {
+    for (const HeaderEntry& entry : entries) {
+        const std::string_view key = entry.key;
+        if (!is_one_of_words(trimmed(key.substr(0, (std::min)(key.find_first_of("[("), key.size()))), spacing_words))
+            continue;
+        std::string_view text = trimmed(std::string_view(entry.value).substr(0, entry.value.find_first_of(",;\t")));
+        const std::size_t per = text.find('/');
+        const LeadingNumber number = leading_number(text);
+        if (number.status != NumberStatus::ok || !(number.value > 0)) continue;
+        if (per != std::string_view::npos && per < number.length) continue;
+        std::string_view unit =
+            trimmed(text.substr(number.length, per == std::string_view::npos ? per : per - number.length));
+        if (unit.empty()) unit = title_unit(key);
+        if (!is_unit(unit, Dimension::length)) continue;
+        const double factor = unit_factor(unit, Dimension::length);
+        return StatedSpacing{number.value * factor,
+                             std::pow(10.0, last_digit_of(text.substr(0, number.length))) * factor, entry.line,
+                             std::string(text)};
+    }
+    return std::nullopt;
 }
 
 /// Whether the header is one of SPIP, whose x-length and y-length are in nm.
@@ -334,7 +262,7 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
             if (slot && slot->value != value)
                 refuse_line(name, entry.line,
                             {shown_cell(entry.key), " disagrees with line ", slot->line, "; must be one value"});
-            slot = StatedGrid::Length{value, entry.line, unit_from};
+            slot = StatedGrid::Length{value, entry.line, unit_from, std::string(unit_from.empty() ? written : "")};
         };
         if (width) store(grid.width);
         if (height) store(grid.height);
@@ -342,6 +270,15 @@ inline StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std
         if (dy) store(grid.dy);
     }
     return grid;
+}
+
+/// Whether \p key of a header names the unit of the heights.
+inline bool is_height_unit_key(const std::string& key) {
+    static constexpr std::string_view keys[] = {"value units", "value unit",   "data unit", "data units",
+                                                "z unit",      "z-unit",       "z units",   "height unit",
+                                                "unit",        "height units", "units"};
+    return std::find(std::begin(keys), std::end(keys), key) != std::end(keys) ||
+           is_one_of_words(key, height_unit_words);
 }
 
 /// What a header says of one unit of the heights; nullptr where it says nothing.
@@ -353,11 +290,7 @@ inline StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entri
     const HeaderEntry* unit = nullptr;
     const HeaderEntry* factor = nullptr;
     for (const HeaderEntry& entry : entries) {
-        static constexpr std::string_view keys[] = {"value units", "value unit",   "data unit", "data units",
-                                                    "z unit",      "z-unit",       "z units",   "height unit",
-                                                    "unit",        "height units", "units"};
-        if (std::find(std::begin(keys), std::end(keys), entry.key) != std::end(keys) ||
-            is_one_of_words(entry.key, height_unit_words)) {
+        if (is_height_unit_key(entry.key)) {
             if (unit && unit->value != entry.value)
                 refuse_line(name, entry.line,
                             {"states another unit of the heights than line ", unit->line, "; must be one unit"});

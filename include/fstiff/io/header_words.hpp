@@ -56,9 +56,33 @@ inline constexpr std::array<std::string_view, 14> height_unit_words{
     "\xD0\xB8\xD1\x8F"};
 
 // Keyence: "XY Calibration","277.8","nm", "Horizontal","1024", "Vertical","768"
-inline constexpr std::array<std::string_view, 3> pitch_words{
-    "xy calibration", "xy-justierung", "xy\xEC\xBA\x98\xEB\xA6\xAC\xEB\xB8\x8C\xEB\xA0\x88\xEC\x9D\xB4\xEC\x85\x98"};
+inline constexpr std::array<std::string_view, 4> pitch_words{
+    "xy calibration", "xy-justierung", "xy-kalibrierung",
+    "xy\xEC\xBA\x98\xEB\xA6\xAC\xEB\xB8\x8C\xEB\xA0\x88\xEC\x9D\xB4\xEC\x85\x98"};
 inline constexpr std::array<std::string_view, 3> columns_words{"horizontal", "horizont.", "\xEA\xB0\x80\xEB\xA1\x9C"};
+// of a profile: Hommel's "Punktabstand", Mitutoyo's "Pitch" and their like
+inline constexpr std::array<std::string_view, 22> spacing_words{"resolution",
+                                                                "spacing",
+                                                                "step",
+                                                                "sampling interval",
+                                                                "sampling step",
+                                                                "sampling distance",
+                                                                "sample spacing",
+                                                                "point spacing",
+                                                                "data interval",
+                                                                "measuring pitch",
+                                                                "measurement pitch",
+                                                                "pitch",
+                                                                "x pitch",
+                                                                "pitch x",
+                                                                "data pitch",
+                                                                "punktabstand",
+                                                                "messpunktabstand",
+                                                                "abtastabstand",
+                                                                "abtastschritt",
+                                                                "schrittweite",
+                                                                "pas",
+                                                                "paso"};
 inline constexpr std::array<std::string_view, 3> rows_words{"vertical", "vertikal", "\xEC\x84\xB8\xEB\xA1\x9C"};
 
 /// Whether \p key is \p word, in UTF-8 or in an 8-bit code page.

@@ -11,8 +11,10 @@
 /// Exports of Keyence ("XY Calibration","277.8","nm"), of SPIP ("# x-length = 2000", in nm, "# Bit2nm = 0.5") and of
 /// Gwyddion in other languages are matrices too (<fstiff/io/header_words.hpp>).
 /// Three columns are triples where x and y form a grid, a matrix where the header states a size; otherwise the form
-/// must be given. Missing points are empty cells, "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the
-/// header ("NODATA_value -9999") or the options name. Rows of a matrix keep the order of the file.
+/// must be given. Four and more are triples too where the first two form a grid that is filled, or are called x and y; what
+/// is not x, y or z is left out. A matrix may have positions as its first row and column (io/matrix_axes.hpp), which give its
+/// steps. Zygo's XYZ text has its pixel in the header. Missing points are empty cells,
+/// "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header ("NODATA_value -9999") or the options name. Rows of a matrix keep the order of the file.
 ///
 /// Nothing is guessed: without units, without a physical size, or with points off the grid, the file is refused.
 ///
@@ -22,8 +24,8 @@
 /// Valid       2 points a side at least, of heights that vary; lines up to 2^20 characters, files up to 2^31
 /// Accuracy    heights and a stated pitch within 1 ulp of the printed number (tests/io/map_text_test.cpp)
 
-#include <fstiff/io/header.hpp>
-#include <fstiff/io/regular_grid.hpp>
+#include <fstiff/io/map_table.hpp>
+#include <fstiff/io/matrix_unit.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 namespace fstiff::io {
@@ -45,6 +47,7 @@ struct MapTextRecord : TextRecord {
     std::string units;      ///< of x and y (where the file needs them) and of the heights
     std::string size_from;  ///< where dx and dy come from
     std::size_t columns{}, rows{};
+    std::string columns_text;  ///< which columns are used, or what the axes are; empty where all are heights or triples
 
     /// The above as sentences for people, one a line, without a full stop.
     [[nodiscard]] std::vector<std::string> sentences() const;
@@ -66,36 +69,10 @@ struct MapFromText {
 
 namespace detail {
 
-inline constexpr TableRules map_rules{.holds = "rows of numbers"};
-
-/// Everything that reading one map needs to pass between its steps, each of them done once. The text must outlive it.
-class MapTextReader {
+/// Everything that reading one map needs to pass between its steps. The text must outlive it.
+class MapTextReader : public MapTable {
 public:
-    MapTextReader(std::string_view text, std::string name)
-        : name_(std::move(name)), table_(open_table(text, name_, map_rules)), entries_(header_entries(table_)) {}
-
-    /// The columns of the first row; of all rows once they are read.
-    const NumberTable& opened() const { return table_; }
-    const std::vector<HeaderEntry>& entries() const { return entries_; }
-    /// Reads the rows, once.
-    const NumberTable& table(std::string_view missing = {}) {
-        if (table_.row_lines.empty()) table_.missing = stated_missing(entries_, missing, name_);
-        if (table_.row_lines.empty()) read_rows(table_, name_, map_rules);
-        return table_;
-    }
-    /// The grid of the first two columns, sought once.
-    const std::optional<Grid>& grid() {
-        if (!grid_) grid_ = grid_of(table());
-        return *grid_;
-    }
-    /// The same lines as a table of other rules, whose rows are yet to be read.
-    NumberTable reopened(const TableRules& rules) && {
-        NumberTable table;
-        table.lines = std::move(table_.lines);
-        table.line_count = table_.line_count;
-        find_first_row(table, name_, rules);
-        return table;
-    }
+    using MapTable::MapTable;
 
     MapFromText read(const MapTextOptions& options) {
         options_ = options;
@@ -107,6 +84,7 @@ public:
             given_units(options_.units, 3, name_, "one unit, or \"um,nm\" (x and y, heights), or \"um,um,nm\"");
         if (given_units_.size() > 1) lateral_unit_ = given_units_.front();
         stated_ = stated_grid(entries_, lateral_unit_, name_);
+        warn_of_lengths();
         choose_form();
         MapFromText result;
         result.map = record_.form == MapForm::triples ? triples() : matrix();
@@ -119,6 +97,19 @@ public:
     }
 
 private:
+    static constexpr std::array<const char*, 3> axis_names{"x", "y", "the heights"};
+
+    /// Puts on record which columns of the file are used, unless all are.
+    void note_columns() {
+        std::string used, left;
+        for (std::size_t c = 1; c <= titles_.size(); ++c) {
+            std::string& list = std::count(columns_.begin(), columns_.end(), c) > 0 ? used : left;
+            list += (list.empty() ? "" : ", ") + std::to_string(c);
+        }
+        if (!left.empty() && record_.form == MapForm::triples) used = "x, y and heights in " + used;
+        if (!left.empty()) record_.columns_text = "columns: " + used + "; left out: " + left;
+    }
+
     bool size_given() const { return options_.dx || options_.dy || options_.width || options_.height; }
 
     void choose_form() {
@@ -126,16 +117,29 @@ private:
         record_.form_from = "options";
         if (options_.form != MapForm::automatic) return;
         record_.form = MapForm::matrix;
-        if (table_.columns != 3) {
-            record_.form_from = std::to_string(table_.columns) + " columns";
-            return;
-        }
-        if (const auto form = stated_form(entries_)) {
-            record_.form = *form;
+        if (const auto form = stated_form(entries_); is_zygo() || form) {
+            record_.form = is_zygo() ? MapForm::triples : *form;
             record_.form_from = "the header";
             return;
         }
+        if (axes_) record_.form_from = axes_from;
+        if (axes_) return;
         const bool sized = size_given() || stated_.has_size();
+        if (begins_with_triples()) {
+            if (sized)
+                refuse_file(name_, {"has ", titles_.size(),
+                                    " columns, which begin with x, y and z, and a stated size: may be "
+                                    "triples or a matrix; must be told by ",
+                                    options_.names.format_as("triples"), " or ", options_.names.format_as("matrix")});
+            record_.form = MapForm::triples;
+            record_.form_from = triples_from();
+            return;
+        }
+        if (table_.columns != 3) {
+            require_no_lone_axis(options_.names);
+            record_.form_from = std::to_string(table_.columns) + " columns";
+            return;
+        }
         if (grid().has_value() == sized)
             refuse_file(name_,
                         {"has three columns, ",
@@ -149,6 +153,8 @@ private:
     }
 
     HeightMap<double> triples() {
+        if (begins_with_triples()) keep_columns({0, 1, height_column()});
+        note_columns();
         if (table_.columns != 3) refuse_file(name_, {"has ", table_.columns, " columns; triples must have 3: x, y, z"});
         if (size_given())
             refuse_file(name_, {"holds x, y, z triples, whose size is in the file; dx, dy, width and height must not "
@@ -160,14 +166,11 @@ private:
             refuse_file(name_, {"has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
                                 "y, of which a tenth of the points at least is there"});
         const GridAxis &x = grid()->x, &y = grid()->y;
-        const std::vector<std::string> axes = units_of_triples();
-        const double x_unit = unit_factor(axes[0], Dimension::length);
-        const double y_unit = unit_factor(axes[1], Dimension::length);
-        const double z_unit = unit_factor(axes[2], Dimension::length);
+        const auto [x_unit, y_unit, z_unit] = is_zygo() ? units_of_zygo() : units_of_triples();
         HeightMap<double> map;
         std::vector<double> z(table_.rows());
         for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
-        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, printable(axes[2], 16),
+        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, height_unit_,
                      [&](std::size_t r) { return table_.row_lines[r]; });
         for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
         record_.resolution = table_.printed[2].resolution() * z_unit;
@@ -190,30 +193,66 @@ private:
         return stated->value;
     }
 
-    std::vector<std::string> units_of_triples() {
-        std::vector<std::string> axes;
+    /// The units of x, y and the heights [m].
+    std::array<double, 3> units_of_triples() {
+        FreeColumns free(titles_.size(), true);
+        for (std::size_t k = 0; k < 3; ++k) free[columns_[k] - 1] = false;
+        if (titles_.size() == 3) free.clear();
+        const TitleUnits found = title_units(table_, titles_.size(), free);
+        std::array<std::string, 3> used, stated;
+        if (!found.units.empty())
+            for (std::size_t k = 0; k < 3; ++k) stated[k] = found.units[columns_[k] - 1];
         if (!given_units_.empty()) {
-            axes = {std::string(given_units_.front()), std::string(given_units_.front()),
+            used = {std::string(given_units_.front()), std::string(given_units_.front()),
                     std::string(given_units_.back())};
-            if (given_units_.size() == 3) axes[1] = given_units_[1];
+            if (given_units_.size() == 3) used[1] = given_units_[1];
             record_.units_from = "options";
-        }
-        if (axes.empty()) {
-            const TitleUnits found = title_units(table_, 3);
-            axes.assign(found.units.begin(), found.units.end());
+            for (std::size_t k = 0; k < 3 && !stated[k].empty(); ++k)
+                if (unit_factor(used[k], Dimension::length) != unit_factor(stated[k], Dimension::length))
+                    record_.warnings.push_back(options_.names.contradiction(
+                        "units", shown_cell(options_.units),
+                        found.from + ", which states " + printable(stated[k], 16) + " for " + axis_names[k]));
+        } else {
+            used = stated;
             record_.units_from = found.from;
         }
-        if (axes.empty())
+        if (used[0].empty())
             refuse_file(name_,
                         {"states no units and none are given; must be ", options_.names.given_as("units", "\"um,nm\""),
                          " (x and y, heights), each one of ", accepted_units(Dimension::length)});
-        record_.units = "x in " + printable(axes[0], 16) + ", y in " + printable(axes[1], 16) + ", heights in " +
-                        printable(axes[2], 16);
-        return axes;
+        height_unit_ = printable(used[2], 16);
+        record_.units =
+            "x in " + printable(used[0], 16) + ", y in " + printable(used[1], 16) + ", heights in " + height_unit_;
+        return {unit_factor(used[0], Dimension::length), unit_factor(used[1], Dimension::length),
+                unit_factor(used[2], Dimension::length)};
+    }
+
+    /// Zygo's x and y are pixels, whose size [m] is the seventh number of line 8; its heights are in um unless a program was
+    /// told otherwise.
+    std::array<double, 3> units_of_zygo() {
+        double pixel = 0;
+        for (const Line& line : table_.lines)
+            if (std::vector<std::string_view> cells; line.number == 8) {
+                split_line(line.text, ' ', cells);
+                if (cells.size() > 6) pixel = number_in(cells[6], false).value_or(0);
+            }
+        if (!(pixel > 0) || !std::isfinite(pixel))
+            refuse_line(name_, 8,
+                        {"states no size of a pixel; must hold it as its seventh number [m], greater than 0"});
+        height_unit_ = given_units_.empty() ? "um" : printable(given_units_.back(), 16);
+        record_.units = "x and y in pixels of " + number_text(pixel) + " m, heights in " + height_unit_;
+        record_.units_from = given_units_.empty() ? "line 8" : "line 8 and options";
+        if (given_units_.empty())
+            record_.warnings.push_back(
+                "Zygo XYZ states no unit of its heights, which are taken for um; another must be " +
+                options_.names.given_as("units", "\"nm\""));
+        return {pixel, pixel, unit_factor(height_unit_, Dimension::length)};
     }
 
     HeightMap<double> matrix() {
         HeightMap<double> map;
+        note_columns();
+        if (axes_) take_axes();
         const std::size_t columns = table_.columns, rows = table_.rows();
         if (columns < 2 || rows < 2)
             refuse_file(name_, {"is a matrix of ", columns, " x ", rows, " points; must have at least 2 a side"});
@@ -224,11 +263,70 @@ private:
         const double unit = value_unit();
         mark_missing(table_.values.data(), table_.values.size(), table_.missing, name_, options_.names, height_unit_,
                      [&](std::size_t i) { return table_.row_lines[i / columns]; });
-        for (const PrintedDigits& printed : table_.printed)
-            record_.resolution = (std::max)(record_.resolution, printed.resolution() * unit);
+        for (std::size_t c = 0; c < std::min<std::size_t>(table_.printed.size(), 3); ++c)
+            record_.resolution = (std::max)(record_.resolution, table_.printed[c].resolution() * unit);
         map.heights = table_.values.take(rows, columns);
         map.heights *= unit;
         return map;
+    }
+
+    /// Gives the steps of the axes to what the header states, and takes them out of the table.
+    void take_axes() {
+        const bool numbers = lateral_unit_.empty() && axes_->stated.empty() && axes_->counted;  // of the points
+        std::string unit = lateral_unit_;
+        if (unit.empty() && axes_->stated.size() == 1) unit = axes_->stated.front();
+        if (unit.empty() && !given_units_.empty()) unit = given_units_.front();
+        if (axes_->stated.size() == 1 &&
+            unit_factor(unit, Dimension::length) != unit_factor(axes_->stated.front(), Dimension::length))
+            record_.warnings.push_back(
+                options_.names.contradiction("units", shown_cell(options_.units),
+                                             "line " + std::to_string(axes_->line) + ", which states " +
+                                                 printable(axes_->stated.front(), 16) + " for the axes"));
+        if (!numbers && unit.empty() && !size_given() && !stated_.has_size())
+            refuse_line(name_, axes_->line,
+                        {"holds positions, whose unit is ",
+                         axes_->stated.empty() ? "not stated" : "stated twice, with two values", "; must be ",
+                         options_.names.given_as("units", "\"um,nm\""), " (positions, heights)"});
+        if (!numbers && !unit.empty()) {
+            const double factor = unit_factor(unit, Dimension::length);
+            set_step(stated_.dx, axes_->dx * factor, "dx of the positions in line " + std::to_string(axes_->line));
+            set_step(stated_.dy, axes_->dy * factor, "dy of those in column 1");
+        }
+        record_.columns_text = "axes: the first row and the first column are " +
+                               (numbers ? std::string("numbers of the points")
+                                        : "positions" + (unit.empty() ? std::string() : " in " + printable(unit, 16)));
+        drop_axes(table_, *axes_);
+    }
+
+    void set_step(std::optional<StatedGrid::Length>& slot, double step, const std::string& from) {
+        if (slot && !(std::abs(slot->value - step) <= 0.01 * step) && !size_given())
+            refuse_line(name_, slot->line,
+                        {slot->value, " m disagrees with the axes, whose step is ", step, " m; must agree"});
+        if (!slot) slot = StatedGrid::Length{.value = step, .line = axes_->line, .from = from};
+    }
+
+    /// Warns where the step \p value of the option is another than the \p stated length over \p points.
+    void warn_of_step(const std::string& option, double given, double value,
+                      const std::optional<StatedGrid::Length>& stated, double points) {
+        if (!stated || std::abs(stated->value / points - value) <= 0.01 * value) return;
+        const std::string length = number_text(stated->value) + " m";
+        record_.warnings.push_back(options_.names.contradiction(
+            option, number_text(given) + " m",
+            stated->from.empty() ? "line " + std::to_string(stated->line) + ", which states " + length
+                                 : stated->from + ", " + length));
+    }
+
+    /// Lengths of the header keep their own units, whatever the options say.
+    void warn_of_lengths() {
+        for (const auto* length : {&stated_.width, &stated_.height, &stated_.dx, &stated_.dy})
+            if (!lateral_unit_.empty() && *length && !(*length)->unit.empty() &&
+                unit_factor((*length)->unit, Dimension::length) != unit_factor(lateral_unit_, Dimension::length)) {
+                record_.warnings.push_back(options_.names.prefix + "units" + options_.names.equals +
+                                           shown_cell(options_.units) + " contradicts line " +
+                                           std::to_string((*length)->line) + ", which states a length in " +
+                                           printable((*length)->unit, 16) + "; that length is used");
+                return;
+            }
     }
 
     void check_count(const char* what, const std::optional<std::size_t>& stated, std::size_t line,
@@ -250,7 +348,11 @@ private:
             located({.file = name_},
                     [&] { require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole)); });
             note((given_step ? step : whole) + " of the options");
-            return given_step ? *given_step : *given_whole / points;
+            const double value = given_step ? *given_step : *given_whole / points;
+            warn_of_step(given_step ? step : whole, given_step ? value : *given_whole, value, stated_step, 1);
+            if (!stated_step)
+                warn_of_step(given_step ? step : whole, given_step ? value : *given_whole, value, stated_whole, points);
+            return value;
         }
         if (stated_step) {
             // also with points - 1 steps, which some programs take for the width
@@ -259,7 +361,8 @@ private:
                 refuse_line(name_, stated_whole->line,
                             {"states a ", whole, " that disagrees with the spacing of line ", stated_step->line,
                              "; must agree, or ", step, " be given"});
-            note(step + " of line " + std::to_string(stated_step->line));
+            note(stated_step->from.empty() ? step + " of line " + std::to_string(stated_step->line)
+                                           : stated_step->from);
             return stated_step->value;
         }
         if (stated_whole) {
@@ -276,81 +379,22 @@ private:
 
     /// One unit of the heights [m].
     double value_unit() {
-        if (!given_units_.empty()) {
-            height_unit_ = given_units_.back();
-            record_.units = "heights in " + height_unit_;
-            record_.units_from = "options";
-            return unit_factor(given_units_.back(), Dimension::length);
-        }
-        const auto [unit, factor] = stated_height_unit(entries_, name_);
-        if (factor) return conversion_factor(*factor, unit);
-        if (const HeaderEntry* const count = find_entry(entries_, "bit2nm")) return nanometres_of_count(*count, unit);
-        if (!unit)
-            refuse_file(name_,
-                        {"states no unit of the heights and none is given; must be ",
-                         options_.names.given_as("units", "\"nm\""), ", one of ", accepted_units(Dimension::length)});
-        if (!is_unit(unit->value, Dimension::length))
-            refuse_line(name_, unit->line,
-                        {shown_cell(unit->value),
-                         " is no unit of length, and no height conversion factor is stated; must be one of ",
-                         accepted_units(Dimension::length)});
-        height_unit_ = printable(unit->value, 16);
-        record_.units = "heights in " + height_unit_;
-        record_.units_from = "line " + std::to_string(unit->line);
-        return unit_factor(unit->value, Dimension::length);
+        const std::string_view given = given_units_.empty() ? std::string_view() : given_units_.back();
+        MatrixUnit unit = matrix_unit(entries_, given, name_, options_.names);
+        if (!unit.contradicted.empty())
+            record_.warnings.push_back(
+                options_.names.contradiction("units", shown_cell(options_.units), unit.contradicted));
+        height_unit_ = std::move(unit.shown);
+        record_.units = "heights in " + unit.text;
+        record_.units_from = std::move(unit.from);
+        return unit.factor;
     }
 
-    /// "Bit2nm = 0.5" of SPIP: nanometres of a count, where no unit is stated.
-    double nanometres_of_count(const HeaderEntry& entry, const HeaderEntry* unit) {
-        const auto number = number_in(entry.value, false);
-        if (!number || !(*number > 0) || !std::isfinite(*number))
-            refuse_line(name_, entry.line, {"Bit2nm ", shown_cell(entry.value), "; must be a number greater than 0"});
-        const bool stated = unit && is_unit(unit->value, Dimension::length);
-        if (stated && *number != 1)
-            refuse_line(name_, entry.line,
-                        {"states Bit2nm ", *number, ", line ", unit->line, " the unit ", shown_cell(unit->value),
-                         ": heights may be in either; must be ", options_.names.given_as("units", "\"nm\"")});
-        height_unit_ = stated ? printable(unit->value, 16) : "counts";
-        record_.units = stated ? "heights in " + height_unit_ : "heights in counts of " + number_text(*number) + " nm";
-        record_.units_from = "line " + std::to_string(stated ? unit->line : entry.line);
-        return stated ? unit_factor(unit->value, Dimension::length) : *number * 1e-9;
-    }
-
-    /// "height conversion factor (-> m)=2.9e-8", or "... = 29 nm".
-    double conversion_factor(const HeaderEntry& entry, const HeaderEntry* unit) {
-        const LeadingNumber number = leading_number(entry.value);
-        std::string_view to = trimmed(std::string_view(entry.value).substr(number.length));
-        const std::size_t arrow = entry.key.find("->");
-        if (to.empty() && arrow != std::string::npos) {
-            to = std::string_view(entry.key).substr(arrow + 2);
-            to = trimmed(to.substr(0, to.find(')')));
-        }
-        if (number.status != NumberStatus::ok || !(number.value > 0) || !is_unit(to, Dimension::length))
-            refuse_line(name_, entry.line,
-                        {shown_cell(entry.value),
-                         " is no height conversion factor; must be a positive number with a "
-                         "unit of length, such as \"(-> m)=2.9e-8\""});
-        const double factor = number.value * unit_factor(to, Dimension::length);
-        if (unit && is_unit(unit->value, Dimension::length) &&
-            !(std::abs(factor - unit_factor(unit->value, Dimension::length)) <= 1e-6 * factor))
-            refuse_line(name_, entry.line,
-                        {"states a height conversion factor, line ", unit->line,
-                         " a unit of length that disagrees; must agree, or units be given"});
-        height_unit_ = unit ? printable(unit->value, 16) : "units";
-        record_.units = "heights in " + height_unit_ + " of " + number_text(factor) + " m";
-        record_.units_from = "line " + std::to_string(entry.line);
-        return factor;
-    }
-
-    std::string name_;
     MapTextOptions options_;
-    NumberTable table_;
     MapTextRecord record_;
     std::vector<std::string_view> given_units_;
     std::string lateral_unit_, height_unit_;
-    std::vector<HeaderEntry> entries_;
     StatedGrid stated_;
-    std::optional<std::optional<Grid>> grid_;  // empty until it is sought
 };
 
 inline MapFromText read_map_text(NamedBytes file, const MapTextOptions& options) {
@@ -367,6 +411,7 @@ inline std::vector<std::string> MapTextRecord::sentences() const {
     all.push_back("units: " + units + ", from " + units_from);
     all.push_back("spacing: from " + size_from);
     all.push_back(points_sentence(std::to_string(columns) + " x " + std::to_string(rows)));
+    if (!columns_text.empty()) all.push_back(columns_text);
     return all;
 }
 

@@ -30,6 +30,16 @@ struct OptionNames {
     [[nodiscard]] std::string switched_on(const std::string& option) const {
         return prefix + option + (prefix.empty() ? equals + "true" : "");
     }
+    /// An option of two words, told by \p option with "_" between them.
+    [[nodiscard]] std::string of_words(std::string option) const {
+        if (!prefix.empty()) std::replace(option.begin(), option.end(), '_', '-');
+        return prefix + option;
+    }
+    /// A warning: the option was given as \p value where the file states another one. \p stated begins with its place.
+    [[nodiscard]] std::string contradiction(const std::string& option, const std::string& value,
+                                            const std::string& stated) const {
+        return prefix + option + equals + value + " contradicts " + stated + "; the option is used";
+    }
     [[nodiscard]] std::string given_steps() const { return "given as " + prefix + "dx and " + prefix + "dy"; }
 };
 

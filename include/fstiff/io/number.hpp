@@ -129,14 +129,15 @@ inline double last_digit_of(std::string_view cell) {
     return (e < cell.size() ? leading_number(cell.substr(e + 1)).value : 0) - decimals;
 }
 
-/// The number that fills \p cell, which may have a Fortran exponent as 1.0D-02 has; none when something else does. What is
-/// too small for a double counts as zero; what is too large is infinite, to be refused by the caller.
+/// The number that fills \p cell, which may have a Fortran exponent as 1.0D-02 has; none when something else does, as where
+/// a point is in a number whose decimal sign is the comma: it may separate thousands. What is too small for a double counts
+/// as zero; what is too large is infinite, to be refused by the caller.
 inline std::optional<double> number_in(std::string_view cell, bool decimal_comma) {
+    if (decimal_comma && cell.find('.') != std::string_view::npos) return std::nullopt;
     char buffer[64];
     if (cell.size() <= sizeof buffer) {
         const bool comma = decimal_comma && cell.find(',') != std::string_view::npos;
         const std::size_t exponent = cell.find_first_of("dD");
-        if (comma && cell.find('.') != std::string_view::npos) return std::nullopt;
         if (comma || exponent != std::string_view::npos) {
             std::copy(cell.begin(), cell.end(), buffer);
             if (comma) std::replace(buffer, buffer + cell.size(), ',', '.');

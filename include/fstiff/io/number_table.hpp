@@ -27,6 +27,7 @@ struct TextRecord {
     std::size_t missing{};
     std::string missing_from;  ///< "-9999, from line 6": the number that stands for missing points, where one is stated
     double resolution{};       ///< step in which the heights are printed [m]; 0 where it is not known
+    std::vector<std::string> warnings;  ///< options that contradict the file, and what was assumed of it
 
 protected:
     /// The separators and the header as sentences.
@@ -85,13 +86,13 @@ inline void split_row(std::string_view line, char separator, std::vector<std::st
     if (separator != ' ') cells.resize(static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1);
 }
 
-/// Whether the cells are numbers or words for missing points; words alone need to be several, or letters, since a line of
-/// asterisks or dashes may be an ornament.
+/// Whether the cells are numbers, each with one decimal sign or the other, or words for missing points; words alone need to
+/// be several, or letters, since a line of asterisks or dashes may be an ornament.
 inline bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma) {
     std::size_t numbers = 0, words = 0, ornaments = 0;
     for (const std::string_view cell : cells) {
         if (cell.empty()) continue;
-        if (number_in(cell, decimal_comma)) {
+        if (number_in(cell, decimal_comma) || number_in(cell, false)) {
             ++numbers;
             continue;
         }
@@ -142,6 +143,9 @@ struct TableRules {
     bool short_rows = false;  ///< empty cells at the end of a row may be left out, with their separators
 };
 
+/// Columns of a table with short rows, which would take memory that the text does not.
+inline constexpr std::size_t max_short_row_columns = 4096;
+
 /// The numbers of a table, one behind the other, which a map may take over without a copy.
 class TableNumbers {
 public:
@@ -190,7 +194,7 @@ struct NumberTable {
     std::size_t columns{};
     TableNumbers values;  // by row; NaN where missing
     std::vector<std::size_t> row_lines;
-    std::vector<PrintedDigits> printed;  // of the first three columns
+    std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first 16
     MissingValues missing;               // beside the words that are always missing
 
     std::size_t rows() const { return row_lines.size(); }
@@ -205,11 +209,47 @@ struct NumberTable {
     }
 };
 
+/// Whether \p cell is a number with points and commas, as 1.000,5 or 1,000.5 is.
+inline bool is_grouped(std::string_view cell) {
+    return cell.find_first_of(".,") != cell.find_last_of(".,") &&
+           cell.find_first_not_of("+-0123456789.,") == std::string_view::npos;
+}
+
+[[noreturn]] inline void refuse_sign(const std::string& name, std::size_t line, std::string_view cell, bool comma) {
+    refuse_line(name, line,
+                {shown_cell(cell), " is no number where the decimal sign is the ", comma ? "comma" : "point",
+                 "; allowed are numbers with one decimal sign, without separators of thousands"});
+}
+
+/// Refuses a row that would be one of numbers but for separators of thousands.
+inline void refuse_grouped_rows(const NumberTable& table, const std::string& name) {
+    std::vector<std::string_view> cells;
+    for (const Line& line : table.lines)
+        for (const char separator : {';', '\t', ' '}) {
+            split_line(line.text, separator, cells);
+            const auto grouped = std::find_if(cells.begin(), cells.end(), is_grouped);
+            if (cells.size() > 1 && grouped != cells.end() && std::all_of(cells.begin(), cells.end(), [](auto cell) {
+                    return number_in(cell, true) || number_in(cell, false) || is_grouped(cell);
+                }))
+                refuse_sign(name, line.number, *grouped, grouped->rfind(',') > grouped->rfind('.'));
+        }
+}
+
+/// The first words of Zygo's XYZ text, whose header holds rows of numbers and ends with a line "#".
+inline constexpr std::string_view zygo_xyz_begin = "Zygo XYZ Data File";
+
+/// The first of \p lines that may be a row of numbers.
+inline std::size_t first_candidate(const std::vector<Line>& lines) {
+    if (!lines.front().text.starts_with(zygo_xyz_begin)) return 0;
+    const auto end = std::find_if(lines.begin(), lines.end(), [](const Line& line) { return line.text == "#"; });
+    return static_cast<std::size_t>(end - lines.begin());
+}
+
 /// Finds the end of the header and the separators. \throws domain_error when no line is a row of numbers.
 inline void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules) {
     const std::string wanted = "; must hold " + std::string(rules.holds);
     if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
-    for (table.first = 0; table.first < table.lines.size(); ++table.first) {
+    for (table.first = first_candidate(table.lines); table.first < table.lines.size(); ++table.first) {
         const std::string_view line = table.lines[table.first].text;
         if (is_comment(line)) continue;
         if (const auto dialect = dialect_of(without_comment(line))) {
@@ -217,6 +257,7 @@ inline void find_first_row(NumberTable& table, const std::string& name, const Ta
             break;
         }
     }
+    if (table.first == table.lines.size()) refuse_grouped_rows(table, name);
     if (table.first == table.lines.size())
         refuse_line(name, table.lines.front().number,
                     {shown_cell(table.lines.front().text), " is no row of numbers, nor is any line after it", wanted});
@@ -258,7 +299,9 @@ inline std::size_t widest_row(const NumberTable& table) {
 /// The number in a cell that is not empty. \throws domain_error naming the line.
 inline double require_number(std::string_view cell, const NumberTable& table, std::size_t line,
                              const std::string& name) {
-    const auto number = number_in(cell, table.dialect.decimal_comma);
+    const bool comma = table.dialect.decimal_comma;
+    const auto number = number_in(cell, comma);
+    if (!number && (number_in(cell, !comma) || is_grouped(cell))) refuse_sign(name, line, cell, comma);
     if (!number)
         refuse_line(name, line,
                     {shown_cell(cell), " is no number; allowed are finite decimal numbers (an empty cell, ",
@@ -277,6 +320,44 @@ inline void drop_last_column(NumberTable& table) {
     table.values.resize(table.rows() * table.columns);
 }
 
+/// What to say of columns between commas where no row holds a point: the comma may be decimal too.
+inline std::string without_points(const NumberTable& table) {
+    for (std::size_t i = table.first; i < table.lines.size(); ++i)
+        if (!is_comment(table.lines[i].text) && table.lines[i].text.find('.') != std::string_view::npos) return "";
+    return " (a comma cannot be the decimal sign and separate the columns)";
+}
+
+/// Refuses rows such as "0,5,-9,8351", whose comma separates columns and is decimal: every second cell has digits alone, some
+/// with a zero before others, as fractions have and whole numbers do not; or the first two cells of 16 rows and
+/// more, as one number, rise in equal steps.
+inline void refuse_double_comma(const NumberTable& table, const std::string& name) {
+    if (table.dialect.separator != ',' || table.columns < 4 || table.columns % 2 != 0) return;
+    std::vector<std::string_view> cells;
+    bool zero_before = false;
+    std::vector<double> first;  // of the first two cells as one number
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        const std::string_view line = without_comment(table.lines[i].text);
+        if (is_comment(table.lines[i].text)) continue;
+        if (line.find_first_of(".eE") != std::string_view::npos) return;
+        split_line(line, ',', cells);
+        for (std::size_t c = 1; c < cells.size(); c += 2) {
+            if (cells[c].find_first_not_of("0123456789") != std::string_view::npos) return;
+            zero_before = zero_before || (cells[c].size() > 1 && cells[c].front() == '0');
+        }
+        if (cells.size() < 2 || cells[0].empty() || cells[1].empty()) return;
+        first.push_back(number_in(std::string(cells[0]) + "." + std::string(cells[1]), false).value_or(0));
+    }
+    const double step = first.size() < 16 ? 0 : (first.back() - first.front()) / static_cast<double>(first.size() - 1);
+    bool even = step != 0;
+    for (std::size_t r = 0; r < first.size(); ++r)
+        even = even && std::abs(first[r] - first.front() - static_cast<double>(r) * step) <= 0.01 * std::abs(step);
+    if (zero_before || even)
+        refuse_line(name, table.lines[table.first].number,
+                    {shown_cell(table.lines[table.first].text),
+                     " has commas between its columns and in its numbers; must have another separator, or points for "
+                     "its decimal signs"});
+}
+
 /// Reads the rows of a table that open_table has opened.
 inline void read_rows(NumberTable& table, const std::string& name, const TableRules& rules) {
     const char separator = table.dialect.separator;
@@ -285,9 +366,10 @@ inline void read_rows(NumberTable& table, const std::string& name, const TableRu
     split(without_comment(table.lines[table.first].text), separator, cells);
     const std::size_t shown = table.columns;
     table.columns = rules.short_rows ? widest_row(table) : cells.size();
-    if (rules.short_rows && table.columns > 4096)  // short rows would take memory that the text does not
-        refuse_line(name, table.lines[table.first].number, {"has ", table.columns, " columns; must be at most 4096"});
-    table.printed.resize(std::min<std::size_t>(table.columns, 3));
+    if (rules.short_rows && table.columns > max_short_row_columns)
+        refuse_line(name, table.lines[table.first].number,
+                    {"has ", table.columns, " columns; must be at most ", max_short_row_columns});
+    table.printed.resize(rules.short_rows ? table.columns : std::min<std::size_t>(table.columns, 16));
     const std::string_view last = table.lines.back().text;
     const auto bytes = static_cast<std::size_t>(last.data() + last.size() - table.lines[table.first].text.data());
     const std::size_t most_rows = table.lines.size() - table.first;
@@ -312,13 +394,15 @@ inline void read_rows(NumberTable& table, const std::string& name, const TableRu
             if (whole) table.values.push_back(value);
         }
         if (!whole)
-            refuse_line(name, line,
-                        {"has ", cells.size(), " columns; must be ", table.columns, " as in line ",
-                         table.lines[table.first].number});
+            refuse_line(
+                name, line,
+                {"has ", cells.size(), " columns; must be ", table.columns, " as in line ",
+                 table.lines[table.first].number, separator == ',' && cells.size() > 1 ? without_points(table) : ""});
         if (!cells.back().empty()) ++last_cells;
         table.row_lines.push_back(line);
         table.values.resize(table.rows() * table.columns, std::numeric_limits<double>::quiet_NaN());
     }
+    refuse_double_comma(table, name);
     if (!rules.short_rows && last_cells == 0 && shown < table.columns && table.columns > 1) drop_last_column(table);
 }
 

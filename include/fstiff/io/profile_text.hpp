@@ -5,7 +5,9 @@
 ///
 /// Rows are separated by line ends (LF, CR LF, CR CR LF, CR), columns by comma, semicolon, tab or blanks. The decimal
 /// sign is the point, or the comma where the comma does not separate columns. One column holds heights; two hold
-/// positions and heights; more need ProfileTextOptions::column. Lines before the first row of numbers are the header,
+/// positions and heights; more need ProfileTextOptions::column. A column that numbers the points, by its title or by
+/// counting 1, 2, 3 ... next to one that names a length, is neither (io/column_titles.hpp); ProfileTextOptions::x_column
+/// names the positions where that is wrong. Lines before the first row of numbers are the header,
 /// lines that begin with "#", "%", "!", "//" or ";" comments; both are searched for units, from the first row upwards:
 /// "x [um]; z [nm]", "Lateral um,Raw Micrometer", "x (µm)", or the bare units. Missing points are empty
 /// cells, "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header or the options name.
@@ -21,6 +23,7 @@
 /// Accuracy    heights within 1 ulp of the printed number (tests/io/profile_text_test.cpp)
 
 #include <fstiff/io/header.hpp>
+#include <fstiff/io/profile_columns.hpp>
 #include <fstiff/profile/profile.hpp>
 
 namespace fstiff::io {
@@ -30,9 +33,10 @@ struct ProfileTextOptions {
     std::optional<double> spacing{};  ///< [m]; replaces the positions of the file
     std::string units{};              ///< "um,nm" (positions, heights) or "um" (both); replaces those of the header
     std::size_t column = 0;           ///< of the heights, counted from 1; 0: the last of one or two columns
-    std::string missing{};            ///< stands for missing points: "-9999", "void", both, or "none"
-    bool resample = false;            ///< unequally spaced positions are interpolated
-    OptionNames names{};              ///< for messages
+    std::size_t x_column = 0;  ///< of the positions, counted from 1; 0: the first that does not number the points
+    std::string missing{};     ///< stands for missing points: "-9999", "void", both, or "none"
+    bool resample = false;     ///< unequally spaced positions are interpolated
+    OptionNames names{};       ///< for messages
 };
 
 /// What was decided about a file, and why.
@@ -40,6 +44,7 @@ struct ProfileTextRecord : TextRecord {
     std::size_t columns{};          ///< that hold something
     std::size_t height_column{};    ///< counted from 1
     std::size_t position_column{};  ///< counted from 1; 0: none used
+    std::size_t index_column{};     ///< the first that numbers the points, counted from 1; 0: none
     std::string position_unit;      ///< as written; empty when no positions are used
     std::string height_unit;        ///< as written
     std::string spacing_from;       ///< where the spacing comes from
@@ -78,7 +83,8 @@ public:
 
     ProfileFromText read() {
         settle_lone_commas();
-        table_.missing = stated_missing(header_entries(table_), options_.missing, name_);
+        entries_ = header_entries(table_);
+        table_.missing = stated_missing(entries_, options_.missing, name_);
         if (!table_.missing.from.empty())
             record_.missing_from = table_.missing.text() + ", from " + table_.missing.from;
         read_rows(table_, name_, profile_rules);
@@ -93,8 +99,7 @@ public:
         mark_missing(result.profile.heights.data(), result.profile.size(), table_.missing, name_, options_.names,
                      record_.height_unit, [&](std::size_t i) { return table_.row_lines[i]; });
         const double unit = unit_factor(record_.height_unit, Dimension::length);
-        if (record_.height_column <= table_.printed.size())
-            record_.resolution = table_.printed[record_.height_column - 1].resolution() * unit;
+        record_.resolution = table_.printed[record_.height_column - 1].resolution() * unit;
         for (double& z : result.profile.heights) z *= unit;
         result.profile.spacing = spacing();
         if (resampled_) resample(result.profile.heights);
@@ -148,48 +153,97 @@ private:
     }
 
     void choose_columns() {
-        const std::size_t columns = record_.columns;
-        if (options_.column > columns)
-            refuse_field(name_, "column", std::to_string(options_.column), "between 1 and " + std::to_string(columns));
-        if (options_.column == 0 && columns > 2)
-            refuse_file(name_, {"has ", columns,
-                                " columns; must be one of heights or two of positions and heights, or say which "
-                                "column holds the heights"});
-        record_.height_column = options_.column != 0 ? options_.column : columns;
-        const bool has_positions = columns > 1 && record_.height_column != 1;
-        record_.position_column = has_positions && !options_.spacing ? 1 : 0;
+        columns_ = profile_columns(table_, name_,
+                                   {.column = options_.column,
+                                    .x_column = options_.x_column,
+                                    .spacing = options_.spacing.has_value(),
+                                    .names = options_.names});
+        record_.height_column = columns_.heights;
+        record_.position_column = options_.spacing ? 0 : columns_.positions;
+        record_.index_column = columns_.first_index();
     }
 
     void choose_units() {
         const std::size_t position = record_.position_column;
         const auto given =
             given_units(options_.units, 2, name_, "one unit, or two such as \"um,nm\" (positions, heights)");
+        const TitleUnits found = columns_.units(table_, position != 0);
+        const auto above = [&](std::size_t column) {
+            return column == 0 ? std::string_view() : found.units[column - 1];
+        };
         if (!given.empty()) {
             record_.height_unit = given.back();
             if (position != 0) record_.position_unit = given.front();
             record_.units_from = "options";
+            if (!found.units.empty()) {
+                warn_of_unit(above(record_.height_column), record_.height_unit, found.from, "the heights");
+                warn_of_unit(above(position), record_.position_unit, found.from, "the positions");
+            } else if (const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                                       [](const HeaderEntry& one) {
+                                                           return is_height_unit_key(one.key) &&
+                                                                  is_unit(one.value, Dimension::length);
+                                                       });
+                       entry != entries_.end())
+                warn_of_unit(entry->value, record_.height_unit, "line " + std::to_string(entry->line), "the heights");
+            if (given.size() == 2) unit_of_positions_ = given.front();
             return;
         }
-        if (const TitleUnits found = title_units(table_, record_.columns); !found.units.empty()) {
-            record_.height_unit = found.units[record_.height_column - 1];
-            if (position != 0) record_.position_unit = found.units[position - 1];
+        if (!found.units.empty()) {
+            record_.height_unit = above(record_.height_column);
+            record_.position_unit = above(position);
+            unit_of_positions_ = above(columns_.positions);
             record_.units_from = found.from;
+            return;
+        }
+        if (const HeaderEntry* unit = stated_height_unit(entries_, name_).unit;
+            position == 0 && unit && is_unit(unit->value, Dimension::length)) {
+            record_.height_unit = unit->value;
+            record_.units_from = "line " + std::to_string(unit->line);
             return;
         }
         refuse_file(name_, {"states no unit and none is given; must be ", options_.names.given_as("units", "\"um,nm\""),
                             " (positions, heights), each one of ", accepted_units(Dimension::length)});
     }
 
+    /// Warns where \p used is another unit than the \p stated one, where there are both.
+    void warn_of_unit(std::string_view stated, std::string_view used, const std::string& from,
+                      const std::string& what) {
+        if (stated.empty() || used.empty() ||
+            unit_factor(stated, Dimension::length) == unit_factor(used, Dimension::length))
+            return;
+        record_.warnings.push_back(options_.names.contradiction(
+            "units", shown_cell(options_.units), from + ", which states " + printable(stated, 16) + " for " + what));
+    }
+
+    /// Warns where the \p given spacing is another than that of the header, or of the positions.
+    void warn_of_spacing(double given, const std::optional<StatedSpacing>& stated) {
+        const auto warn = [&](const std::string& what) {
+            record_.warnings.push_back(options_.names.contradiction("spacing", number_text(given) + " m", what));
+        };
+        if (stated) {
+            if (std::abs(given - stated->value) > 0.01 * given + 0.6 * stated->resolution)
+                warn("line " + std::to_string(stated->line) + ", which states " + stated->text);
+            return;
+        }
+        if (columns_.positions == 0 || unit_of_positions_.empty() || table_.rows() < 2) return;
+        const std::size_t last = table_.rows() - 1, c = columns_.positions - 1;
+        const double step = std::abs(table_.at(last, c) - table_.at(0, c)) / static_cast<double>(last) *
+                            unit_factor(unit_of_positions_, Dimension::length);
+        if (std::isfinite(step) && std::abs(given - step) > 0.01 * given + 0.01 * step)
+            warn("column " + std::to_string(columns_.positions) + ", whose mean step is " + number_text(step) + " m");
+    }
+
     double spacing() {
-        const auto stated = stated_spacing(table_);
+        const auto stated = stated_spacing(entries_);
         if (options_.spacing) {
             require_positive("spacing", *options_.spacing);
+            warn_of_spacing(*options_.spacing, stated);
             record_.spacing_from = "options";
             return *options_.spacing;
         }
         if (record_.position_column == 0) {
             if (!stated)
-                refuse_file(name_, {"has no column of positions and no spacing is given; must be ",
+                refuse_file(name_, {"has no column of positions", numbering(), " and no spacing is given; must be ",
                                     options_.names.given_as("spacing", "\"0.5 um\"")});
             record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
             return stated->value;
@@ -215,6 +269,14 @@ private:
                 ", which agrees with line " + std::to_string(stated->line) + " (" + stated->text + ")";
         }
         return step;
+    }
+
+    /// Why a column is not the positions, for messages; empty without one that numbers the points.
+    std::string numbering() const {
+        if (record_.index_column == 0) return "";
+        const std::string column = std::to_string(record_.index_column);
+        return " (column " + column + " numbers the points; as positions it must be told by " +
+               options_.names.of_words("x_column") + options_.names.equals + column + ")";
     }
 
     /// Of the positions, in the file's unit, always positive.
@@ -322,6 +384,9 @@ private:
     const ProfileTextOptions& options_;
     NumberTable table_;
     ProfileTextRecord record_;
+    std::vector<HeaderEntry> entries_;
+    ProfileColumns columns_;
+    std::string unit_of_positions_{};  // where it is known
     bool resampled_ = false;
 };
 
@@ -337,6 +402,7 @@ inline std::vector<std::string> ProfileTextRecord::sentences() const {
     std::string column_text =
         "columns: " + std::to_string(columns) + ", heights in column " + std::to_string(height_column);
     if (position_column != 0) column_text += ", positions in column " + std::to_string(position_column);
+    if (index_column != 0) column_text += ", column " + std::to_string(index_column) + " numbers the points";
     all.push_back(column_text + (reversed ? ", falling: turned round" : ""));
     all.push_back("units: heights in " + detail::printable(height_unit, 16) +
                   (position_unit.empty() ? "" : ", positions in " + detail::printable(position_unit, 16)) + ", from " +

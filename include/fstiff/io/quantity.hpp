@@ -6,7 +6,7 @@
 ///     parse_quantity("0.832 um", Dimension::length, "rms_height")   8.32e-7
 ///     parse_angle("pi/4", "theta")                                  0.785...
 ///
-/// Units are spelt as <fstiff/io/units.hpp> says. The decimal sign is the point in every locale.
+/// Units are spelt as <fstiff/io/units.hpp> says, after any blank or none. The decimal sign is the point in every locale.
 ///
 /// Units       result in SI: m, m^2, 1/m^2, Pa, rad, Hz, m/s, kg/m^3, kg/(m^2 s), Pa/m
 /// Valid       finite decimal numbers; "inf", "nan", hexadecimal and anything left over are refused
@@ -74,7 +74,7 @@ inline double parse_quantity(std::string_view text, Dimension dimension, std::st
         detail::refuse_text(name, text,
                             "does not begin with a finite number; allowed is a " + kind +
                                 " as number and unit, the unit one of " + detail::accepted_units(dimension));
-    const std::string_view unit_text = detail::trimmed(inner.substr(bare.length));
+    const std::string_view unit_text = detail::without_blanks(inner.substr(bare.length));
     if (unit_text.empty())
         detail::refuse_text(
             name, text, "a number without a unit; a " + kind + " needs one of " + detail::accepted_units(dimension));

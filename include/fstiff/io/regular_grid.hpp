@@ -80,6 +80,18 @@ inline std::optional<Grid> grid_of(const NumberTable& table) {
     return Grid{*x, *y};
 }
 
+/// How many points of \p grid \p table holds, each counted once; 0 where one comes twice.
+inline std::size_t points_on(const Grid& grid, const NumberTable& table) {
+    std::vector<bool> taken(grid.x.count * grid.y.count);
+    for (std::size_t r = 0; r < table.rows(); ++r) {
+        const std::size_t at = (std::min)(grid.y.index(table.at(r, 1)), grid.y.count - 1) * grid.x.count +
+                               (std::min)(grid.x.index(table.at(r, 0)), grid.x.count - 1);
+        if (taken[at]) return 0;
+        taken[at] = true;
+    }
+    return table.rows();
+}
+
 /// The third column of \p table at the points of \p grid; NaN where there is no row.
 /// \throws domain_error when two rows are of one point.
 inline HeightMap<double>::Array heights_on(const Grid& grid, const NumberTable& table, const std::string& name) {

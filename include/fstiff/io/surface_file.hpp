@@ -6,8 +6,9 @@
 /// Surface data files, X3P, arrays of NumPy, files and simple fields of Gwyddion, files of Digital Surf and profiles of
 /// ISO 5436-2 are known by their first bytes. Other text is known by the columns of its first row: one or two
 /// make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four and
-/// more are a matrix, unless titles with units stand above them or SurfaceOptions::column says that they are columns of
-/// a profile. What could be two things is refused, naming the option `format` that decides.
+/// more are a matrix, unless they begin with x, y and z, titles with units stand above them, or SurfaceOptions::column says that
+/// they are columns of a profile. Columns that number the points do not count (io/column_titles.hpp); a matrix may have
+/// positions as its first row and column (io/matrix_axes.hpp). What could be two things is refused, naming the option `format` that decides.
 /// Binary files of one row are profiles; an array of NumPy takes units and steps from the options.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are the file's
@@ -82,6 +83,7 @@ struct SurfaceOptions {
     std::string units{};  ///< of text and npy: "um,nm" (lengths, heights), "um" (both); replaces the header's
     std::optional<double> spacing{};   ///< of a profile and npy [m]; replaces the positions of the file
     std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
+    std::size_t x_column = 0;          ///< of a profile, with the positions, counted from 1; 0: the first that may be
     std::optional<double> dx{}, dy{};  ///< of a matrix and npy, between points [m]
     std::optional<double> width{}, height{};  ///< of a matrix and npy, columns dx and rows dy [m]
     std::string
@@ -136,6 +138,7 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
         {"units", !options.units.empty() && !text && !bare},
         {"spacing", options.spacing && !profile && !bare},
         {"column", options.column != 0 && !profile},
+        {"x-column", options.x_column != 0 && !profile},
         {"dx", options.dx && !matrix && !bare},
         {"dy", options.dy && !matrix && !bare},
         {"width", options.width && !matrix && !bare},
@@ -153,40 +156,55 @@ inline void check_options(SurfaceFormat format, const SurfaceOptions& options, c
 /// The form of a text, and why.
 inline std::pair<SurfaceFormat, std::string> text_form(MapTextReader& reader, const std::string& name,
                                                        const SurfaceOptions& options) {
-    const NumberTable& table = reader.opened();
-    const std::size_t columns = table.columns;
-    const std::string found = columns == 1 ? "one column" : std::to_string(columns) + " columns";
+    const std::size_t written = reader.opened().columns;  // in the first row
+    const auto named = [](std::size_t columns) {
+        return columns == 1 ? std::string("one column") : std::to_string(columns) + " columns";
+    };
+    const std::string found = named(written);
     const bool sized = options.dx || options.dy || options.width || options.height ||
                        stated_grid(reader.entries(), "m", name).has_size();
     const auto as = [&](const char* form) { return options.names.format_as(form); };
     const auto ambiguous = [&](const std::string& what, const std::string& choice) {
         refuse_file(name, {"has ", found, what, "; must be told by ", choice});
     };
-    if (options.column != 0 || options.spacing) return {SurfaceFormat::profile, "options that only a profile has"};
-    if (const auto form = stated_form(reader.entries()); form && columns > 1)
+    if (options.column != 0 || options.x_column != 0 || options.spacing)
+        return {SurfaceFormat::profile, "options that only a profile has"};
+    if (const auto form = stated_form(reader.entries()); form && written > 1)
         return {*form == MapForm::triples ? SurfaceFormat::triples : SurfaceFormat::matrix, "the header"};
-    if (columns <= 2) {
-        if (sized && columns == 2)
+    if (written <= 2) {
+        if (sized && written == 2)
             ambiguous(" and the size of a map: may be a profile or a matrix", as("profile") + " or " + as("matrix"));
         return {SurfaceFormat::profile, found};
     }
+    const std::size_t columns = reader.table(options.missing).columns;  // without those that number the points
+    if (reader.is_zygo()) return {SurfaceFormat::triples, "the header"};
+    if (reader.axes()) return {SurfaceFormat::matrix, MapTable::axes_from};
+    if (columns <= 2) return {SurfaceFormat::profile, named(columns) + " next to one that numbers the points"};
     if (columns == 3) {
-        const bool grid = reader.table(options.missing).columns == 3 && reader.grid().has_value();
+        const bool grid = reader.grid().has_value();
         if (grid && sized)
             ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
                       as("triples") + " or " + as("matrix"));
         if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
-        if (sized || table.columns != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
+        if (sized || written != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
         ambiguous(
             ", of which the first two form no regular grid, and no stated size: may be scattered triples, a matrix "
             "or a profile with a column to choose",
             as("triples") + ", " + as("matrix") + ", or " + as("profile") + " with column");
     }
+    if (reader.begins_with_triples()) {
+        if (sized)
+            ambiguous(", which begin with x, y and z, and a stated size: may be triples or a matrix",
+                      as("triples") + " or " + as("matrix"));
+        return {SurfaceFormat::triples, reader.triples_from()};
+    }
+    const NumberTable& opened = reader.opened();
     const bool titled =
-        table.first > 0 && !units_in(table.lines[table.first - 1].text, columns, table.dialect.separator).empty();
+        opened.first > 0 && !units_in(opened.lines[opened.first - 1].text, written, opened.dialect.separator).empty();
     if (titled && !sized)
         ambiguous(" with a unit above each: may be columns of a profile or a matrix",
                   as("profile") + " with column, or " + as("matrix"));
+    reader.require_no_lone_axis(options.names);
     return {SurfaceFormat::matrix, found};
 }
 
@@ -219,6 +237,7 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
         const ProfileTextOptions given{.spacing = options.spacing,
                                        .units = options.units,
                                        .column = options.column,
+                                       .x_column = options.x_column,
                                        .missing = options.missing,
                                        .resample = options.resample,
                                        .names = options.names};
@@ -226,6 +245,7 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
             map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules);
         ProfileFromText read = ProfileTextReader(std::move(table), record.name, given).read();
         record.details = read.record.sentences();
+        record.warnings = read.record.warnings;
         record.resolution = read.record.resolution;
         surface.data = std::move(read.profile);
     } else {
@@ -239,6 +259,7 @@ inline void read_text(Surface& surface, const std::string& text, const SurfaceOp
                                       .missing = options.missing,
                                       .names = options.names});
         record.details = read.record.sentences();
+        record.warnings = read.record.warnings;
         record.resolution = read.record.resolution;
         record.details.erase(record.details.begin());  // the form, which is said already
         surface.data = std::move(read.map);

@@ -6,7 +6,7 @@
 ///     unit_factor("GPa/um", Dimension::stiffness_per_area)          1e15
 ///
 /// The micro sign may be "u", U+00B5, U+03BC, the CP1252 byte 0xB5 or the MS-DOS byte 0xE6; exponents may be written "^2", "2" or as
-/// superscripts; products with a blank, "*" or a middle dot. Case matters ("MPa" is not "mPa"), except in spelt-out
+/// superscripts; blanks around a unit may be those of Unicode; products with a blank, "*" or a middle dot. Case matters ("MPa" is not "mPa"), except in spelt-out
 /// words ("Micrometer").
 ///
 /// Units       SI: m, m^2, 1/m^2, Pa, rad, Hz, m/s, kg/m^3, kg/(m^2 s), Pa/m
@@ -77,20 +77,28 @@ struct Unit {
 
 inline constexpr std::array units{
     Unit{Dimension::length, "m", 0, 1, true},
-    Unit{Dimension::length, "cm", -2, 1, false},
+    Unit{Dimension::length, "km", 3, 1, true},
+    Unit{Dimension::length, "cm", -2, 1, true},
     Unit{Dimension::length, "mm", -3, 1, true},
     Unit{Dimension::length, "um", -6, 1, true},
     Unit{Dimension::length, "nm", -9, 1, true},
+    Unit{Dimension::length, "angstrom", -10, 1, true},
     Unit{Dimension::length, "pm", -12, 1, true},
-    Unit{Dimension::length, "km", 3, 1, false},
     Unit{Dimension::length, "in", -4, 254, true},
     Unit{Dimension::length, "inch", -4, 254, false},
+    Unit{Dimension::length, "inches", -4, 254, false},
+    Unit{Dimension::length, "mil", -7, 254, true},
+    Unit{Dimension::length, "mils", -7, 254, false},
+    Unit{Dimension::length, "thou", -7, 254, false},
+    Unit{Dimension::length, "uin", -10, 254, true},
+    Unit{Dimension::length, "uinch", -10, 254, false},
+    Unit{Dimension::length, "microinch", -10, 254, false},
+    Unit{Dimension::length, "microinches", -10, 254, false},
     Unit{Dimension::length, "\xC3\x85", -10, 1, false},      // angstrom as a letter
     Unit{Dimension::length, "\xE2\x84\xAB", -10, 1, false},  // and as a sign
     Unit{Dimension::length, "A\xCC\x8A", -10, 1, false},     // and as two characters
     Unit{Dimension::length, "\xC5", -10, 1, false},          // and in CP1252
     Unit{Dimension::length, "A", -10, 1, false},
-    Unit{Dimension::length, "angstrom", -10, 1, false},
     Unit{Dimension::length, "\xC3\xA5ngstr\xC3\xB6m", -10, 1, false},
     Unit{Dimension::length, "\xC3\x85ngstr\xC3\xB6m", -10, 1, false},
     Unit{Dimension::length, "meter", 0, 1, false},
@@ -100,6 +108,9 @@ inline constexpr std::array units{
     Unit{Dimension::length, "micrometer", -6, 1, false},
     Unit{Dimension::length, "micrometre", -6, 1, false},
     Unit{Dimension::length, "micron", -6, 1, false},
+    Unit{Dimension::length, "mikrometer", -6, 1, false},  // German
+    Unit{Dimension::length, "microm\xC3\xA8tre", -6, 1, false},
+    Unit{Dimension::length, "micr\xC3\xB3metro", -6, 1, false},
     Unit{Dimension::length, "nanometer", -9, 1, false},
     Unit{Dimension::length, "nanometre", -9, 1, false},
     Unit{Dimension::area, "m^2", 0, 1, true},
@@ -174,6 +185,26 @@ inline std::string accepted_units(Dimension dimension) {
     return list;
 }
 
+/// \p text without the blanks at its ends, those of Unicode too: no-break, thin and their like.
+constexpr std::string_view without_blanks(std::string_view text) {
+    const auto blank_at = [&](std::size_t i) -> std::size_t {  // its length; 0 for no blank
+        const std::string_view rest = text.substr(i);
+        if (!rest.empty() && (is_blank(rest[0]) || rest[0] == '\xA0')) return 1;  // the second of an 8-bit code page
+        if (rest.starts_with("\xC2\xA0")) return 2;
+        const auto last = static_cast<unsigned char>(rest.size() > 2 ? rest[2] : '\0');
+        if (rest.starts_with("\xE2\x80") && ((last >= 0x80 && last <= 0x8A) || last == 0xAF)) return 3;
+        return rest.starts_with("\xE2\x81\x9F") || rest.starts_with("\xE3\x80\x80") ? 3 : 0;
+    };
+    while (const std::size_t length = blank_at(0)) text.remove_prefix(length);
+    const auto last_blank = [&]() -> std::size_t {
+        for (const std::size_t length : {3, 2, 1})
+            if (length <= text.size() && blank_at(text.size() - length) == length) return length;
+        return 0;
+    };
+    while (const std::size_t length = last_blank()) text.remove_suffix(length);
+    return text;
+}
+
 /// One spelling for all: micro signs to "u", superscripts to digits, products to ".", no "^", no brackets, no "1/".
 inline std::string canonical_unit(std::string_view unit) {
     struct Spelling {
@@ -197,7 +228,7 @@ inline std::string canonical_unit(std::string_view unit) {
                                           Spelling{"^", ""},
                                           Spelling{"(", ""},
                                           Spelling{")", ""}};
-    unit = trimmed(unit);
+    unit = without_blanks(unit);
     std::string spelt;
     while (!unit.empty()) {
         std::string_view next = unit.substr(0, 1);
@@ -222,12 +253,14 @@ inline std::string canonical_unit(std::string_view unit) {
 inline const Unit* find_unit(std::string_view text, Dimension dimension) {
     const std::string wanted = canonical_unit(text);
     if (wanted.empty()) return nullptr;
-    std::string word = wanted.size() > 3 ? lower_case(wanted) : std::string();
+    const std::string lower = wanted.size() > 3 ? lower_case(wanted) : std::string();
+    std::string word = lower;
     if (word.size() > 4 && word.back() == 's') word.pop_back();  // plural
     for (const Unit& unit : units)
         if (unit.dimension == dimension) {
             const std::string name = canonical_unit(unit.name);
-            if (name == wanted || (name.size() > 3 && name == lower_case(name) && name == word)) return &unit;
+            if (name == wanted || (name.size() > 3 && name == lower_case(name) && (name == word || name == lower)))
+                return &unit;
         }
     return nullptr;
 }

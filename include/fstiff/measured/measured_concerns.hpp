@@ -17,6 +17,7 @@
 ///     radius_uncertain, density_uncertain     the error of R, of D_p is above 30 %
 ///     no_densest_level     the islands of a map are densest at the lowest or the highest level: this is no maximum, and
 ///                          the pair R, D_p represents nothing
+///     implausible_gradient the rms gradient is above 1 or below 1e-6: a unit of length is likely wrong
 ///     parameter_unknown    of sigma, R, D_p, D, r or theta the standard error is above half the value: not known to a
 ///                          factor of two; of sigma and r only without long_waves, which says so itself
 ///
@@ -27,6 +28,7 @@
 
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
+#include <fstiff/surface/moments.hpp>
 
 namespace fstiff {
 
@@ -43,7 +45,8 @@ enum class MeasuredConcern {
     radius_uncertain,
     density_uncertain,
     no_densest_level,
-    parameter_unknown
+    parameter_unknown,
+    implausible_gradient
 };
 
 template <>
@@ -60,6 +63,7 @@ inline constexpr auto names<MeasuredConcern> = name_list<MeasuredConcern>({
     {MeasuredConcern::density_uncertain, "density_uncertain"},
     {MeasuredConcern::no_densest_level, "no_densest_level"},
     {MeasuredConcern::parameter_unknown, "parameter_unknown"},
+    {MeasuredConcern::implausible_gradient, "implausible_gradient"},
 });
 
 /// Of curved, saturated and roughness_uncertain.
@@ -142,9 +146,18 @@ template <Real T>
     return found;
 }
 
-/// Whether what is computed of the surface is in doubt: no_densest_level and parameter_unknown.
+/// The same and implausible_gradient, for the rms gradient that was measured.
+template <Real T>
+[[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface, T rms_gradient) {
+    std::vector<MeasuredConcern> found = concerns_of(surface);
+    if (!is_plausible_gradient(rms_gradient)) found.push_back(MeasuredConcern::implausible_gradient);
+    return found;
+}
+
+/// Whether what is computed of the surface is in doubt: no_densest_level, parameter_unknown and implausible_gradient.
 [[nodiscard]] constexpr bool is_fatal(MeasuredConcern concern) {
-    return concern == MeasuredConcern::no_densest_level || concern == MeasuredConcern::parameter_unknown;
+    return concern == MeasuredConcern::no_densest_level || concern == MeasuredConcern::parameter_unknown ||
+           concern == MeasuredConcern::implausible_gradient;
 }
 
 }  // namespace fstiff

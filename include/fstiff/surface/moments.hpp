@@ -35,6 +35,17 @@ struct SpectralMoments {
     }
 };
 
+template <Real T>
+inline constexpr T min_plausible_gradient = T(1e-6);  ///< rms gradient below which a unit of length is likely wrong
+template <Real T>
+inline constexpr T max_plausible_gradient = T(1);  ///< and above which
+
+/// Whether a rough surface may have \p rms_gradient [1]; else a unit of its lengths is likely wrong. False for NaN.
+template <Real T>
+[[nodiscard]] constexpr bool is_plausible_gradient(T rms_gradient) {
+    return rms_gradient >= min_plausible_gradient<T> && rms_gradient <= max_plausible_gradient<T>;
+}
+
 /// R sigma_kappa = 3 sqrt(pi)/8, eq. (4.10).
 template <Real T>
 [[nodiscard]] T radius_times_rms_curvature() {

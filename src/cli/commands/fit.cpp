@@ -137,7 +137,8 @@ Report report_of(const Options& options, const SurfaceInput& input, const Result
                    .csv = [&] { return csv(result); },
                    .json = [&] { return fractal_json(options.fractal, input, result); },
                    .warnings = warnings_of(options.fractal, input, result),
-                   .csv_notes = std::move(summaries)},
+                   .csv_notes = std::move(summaries),
+                   .status = result.doubtful() ? doubtful_result : success},
                   options.output.format);
 }
 

@@ -122,22 +122,21 @@ Report execute_scales(const Options& options) {
                       rounded(how.modulus / 1e9) + " GPa";
         files = write_figure(figure, options.picture);
     }
-    Report made =
-        report({.table = [&] { return table(surface) + scales_text(scales, how); },
-                .csv = [&] { return scales_rows(scales).csv(); },
-                .json =
-                    [&] {
-                        Json document = measure_json(measure, surface);
-                        Json& of = document["scales"] = {{"law", scales.law},
-                                                         {"pressure_Pa", how.pressure},
-                                                         {"effective_modulus_Pa", how.modulus},
-                                                         {"settled", what_is_settled(scales)}};
-                        scales_rows(scales).append_to(of["rows"]);
-                        return document;
-                    },
-                .warnings = surface.warnings,
-                .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
-               options.output.format);
+    Report made = report({.table = [&] { return table(surface) + scales_text(scales, how); },
+                          .csv = [&] { return scales_rows(scales).csv(); },
+                          .json =
+                              [&] {
+                                  Json document = measure_json(measure, surface);
+                                  Json& of = document["scales"] = {{"law", scales.law},
+                                                                   {"pressure_Pa", how.pressure},
+                                                                   {"effective_modulus_Pa", how.modulus},
+                                                                   {"settled", what_is_settled(scales)}};
+                                  scales_rows(scales).append_to(of["rows"]);
+                                  return document;
+                              },
+                          .warnings = surface.warnings,
+                          .status = is_doubtful(surface) ? doubtful_result : success},
+                         options.output.format);
     say_written(made, files);
     return made;
 }
@@ -152,7 +151,7 @@ Report execute(const Options& options) {
                    .csv = [&] { return csv(surface); },
                    .json = [&] { return measure_json(options.measure, surface); },
                    .warnings = surface.warnings,
-                   .status = unknown_parameters(surface, surface.parameters).empty() ? success : doubtful_result},
+                   .status = is_doubtful(surface) ? doubtful_result : success},
                   options.output.format);
 }
 

@@ -170,11 +170,16 @@ std::string table(const Options& options, const Source& source, const std::vecto
 Report execute(const Options& options) {
     const auto heights = options.heights.empty() ? std::vector<double>{} : parse_heights(options.heights);
     const Source source = choose(options);
-    return report({.table = [&] { return table(options, source, heights); },
-                   .csv = [&] { return heights.empty() ? csv(moments(source)) : rows_of(source, heights).csv(); },
-                   .json = [&] { return json(options, source, heights); },
-                   .json_warnings = false},
-                  options.output.format);
+    return report(
+        {.table = [&] { return table(options, source, heights); },
+         .csv = [&] { return heights.empty() ? csv(moments(source)) : rows_of(source, heights).csv(); },
+         .json = [&] { return json(options, source, heights); },
+         .warnings = source.input ? reading_warnings(*source.input, "their neighbours are no peaks",
+                                                     source.levelled->rms_gradient)
+                                  : std::vector<std::string>(),
+         .status = source.levelled && !is_plausible_gradient(source.levelled->rms_gradient) ? doubtful_result : success,
+         .json_warnings = false},
+        options.output.format);
 }
 
 }  // namespace

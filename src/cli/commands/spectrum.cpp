@@ -54,7 +54,7 @@ struct Curve {
 struct Result {
     std::vector<Curve> curves;
     std::string form, convention, source;  ///< how the numbers are normalised, and by whom
-    double rms_as_read{}, rms{};
+    double rms_as_read{}, rms{}, rms_gradient{};
     CutOffs cut_offs;
 };
 
@@ -154,21 +154,22 @@ std::string source_of(const Options& options, bool profile) {
 }
 
 Result compute(const Options& options, const SurfaceInput& input) {
-    const auto result_of = [&](const auto& levelled, const auto& heights, bool profile) {
+    const auto result_of = [&](const auto& levelled, const auto& heights, bool profile, double gradient) {
         return Result{.curves = about_file(options.surface.file, [&] { return curves_of(options, heights); }),
                       .form = levelled.form,
                       .convention = convention_of(options, profile),
                       .source = source_of(options, profile),
                       .rms_as_read = levelled.rms_as_read,
                       .rms = levelled.rms,
+                      .rms_gradient = gradient,
                       .cut_offs = levelled.cut_offs};
     };
     if (input.surface.is_profile()) {
         const PreparedProfile levelled = level_profile(options.surface, input);
-        return result_of(levelled, levelled.profile, true);
+        return result_of(levelled, levelled.profile, true, levelled.rms_gradient);
     }
     const PreparedMap levelled = level_map(options.surface, input);
-    return result_of(levelled, levelled.map, false);
+    return result_of(levelled, levelled.map, false, levelled.areal.rms_gradient);
 }
 
 /// \p values and then nothing, as many in all as the longest curve has; nothing where a lag has no pair.
@@ -310,7 +311,8 @@ Report execute(const Options& options) {
     Report made = report({.table = [&] { return table(options, input, result); },
                           .csv = [&] { return rows_of(result).csv(); },
                           .json = [&] { return json(options, input, result); },
-                          .warnings = reading_warnings(input, "their pairs are left out")},
+                          .warnings = reading_warnings(input, "their pairs are left out", result.rms_gradient),
+                          .status = is_plausible_gradient(result.rms_gradient) ? success : doubtful_result},
                          options.output.format);
     say_written(made, files);
     return made;

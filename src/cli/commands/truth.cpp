@@ -75,7 +75,7 @@ Report execute(const Options& options) {
                    .csv = [&] { return rows_of(solved).csv(); },
                    .json = [&] { return truth_json(solved); },
                    .warnings = warnings_of(solved),
-                   .status = solved.unresolved() + solved.failed() > 0 ? doubtful_result : success},
+                   .status = solved.doubtful() ? doubtful_result : success},
                   options.output.format);
 }
 

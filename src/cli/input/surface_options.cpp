@@ -41,7 +41,12 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
         arguments
             .option("--column", options.column,
                     "column of the heights of a profile, counted from 1; default the last of one or two")
-            .between(1, 1000000);
+            .between(1, most_columns);
+        arguments
+            .option("--x-column", options.x_column,
+                    "column of the positions of a profile, counted from 1; default the first that does not number the "
+                    "points")
+            .between(1, most_columns);
         arguments.flag("--resample", options.resample,
                        "a profile of unequal steps is interpolated at as many equal ones");
         arguments.option("--cutoff", options.cutoff,

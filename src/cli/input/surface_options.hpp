@@ -14,7 +14,7 @@ namespace fstiff::cli {
 /// What a subcommand reads.
 enum class SurfaceKind { profile, map, any };
 
-/// Adds --input-format, --units, --missing, --x3p-increment, --channel, --detrend, --spacing, --column, --resample and --cutoff of profiles, --lambda-s and --lambda-c, --dx, --dy, --width and --height
+/// Adds --input-format, --units, --missing, --x3p-increment, --channel, --detrend, --spacing, --column, --x-column, --resample and --cutoff of profiles, --lambda-s and --lambda-c, --dx, --dy, --width and --height
 /// of maps. Not the file itself.
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
 
