@@ -77,7 +77,7 @@ TEST_CASE("White noise as a profile has theta = pi/3 and one peak in three ordin
         }
         text += std::to_string(gaussian) + "\n";
     }
-    const auto document = json("--profile - --lambda-s none --lambda-c none --spacing '1 um'", text);
+    const auto document = json("--profile - --lambda-s none --lambda-c none --spacing '10 um'", text);
     // standard errors over 20000 points: theta 0.004, r 0.005, the share of peaks 0.002; 4 of each
     CHECK(std::abs(document["theta"].get<double>() - std::numbers::pi / 3) < 0.016);
     CHECK(std::abs(document["r"].get<double>() - std::sqrt(2.0 / 3)) < 0.02);
