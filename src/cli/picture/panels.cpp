@@ -20,11 +20,20 @@ namespace {
 
 constexpr std::size_t most_curves = 8;
 
+/// Those that have points.
+std::vector<const Curve*> drawable(const Results& results) {
+    std::vector<const Curve*> curves;
+    for (const Curve& curve : results.curves)
+        if (!curve.states.empty()) curves.push_back(&curve);
+    return curves;
+}
+
 /// Those that are drawn: all, or so many that they can be told apart, spread over the list.
 std::vector<const Curve*> drawn(const Results& results) {
+    const std::vector<const Curve*> all = drawable(results);
+    if (all.size() <= most_curves) return all;
     std::vector<const Curve*> curves;
-    const std::size_t all = results.curves.size(), some = std::min(all, most_curves);
-    for (std::size_t k = 0; k < some; ++k) curves.push_back(&results.curves[some < 2 ? 0 : k * (all - 1) / (some - 1)]);
+    for (std::size_t k = 0; k < most_curves; ++k) curves.push_back(all[k * (all.size() - 1) / (most_curves - 1)]);
     return curves;
 }
 
@@ -162,7 +171,7 @@ Panel quantity_panel(const Results& results, Axis axis, const std::function<doub
 }
 
 std::string left_out(const Results& results) {
-    const std::size_t all = results.curves.size(), some = drawn(results).size();
+    const std::size_t all = drawable(results).size(), some = drawn(results).size();
     return some == all ? "" : std::to_string(some) + " of " + std::to_string(all) + " curves are drawn";
 }
 
