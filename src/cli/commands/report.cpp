@@ -359,24 +359,26 @@ std::string material_sentence(const Scene& scene) {
 
 /// K of every curve at the first, the middle and the last point, with its band.
 Rows stiffness_rows(const Scene& scene, const Results& results) {
-    const auto& first = results.curves.front().states;
+    const std::size_t last = scene.points.size() - 1;
     std::vector<std::size_t> points;
-    for (const std::size_t i : {std::size_t(0), first.size() / 2, first.size() - 1})
+    for (const std::size_t i : {std::size_t(0), scene.points.size() / 2, last})
         if (points.empty() || i != points.back()) points.push_back(i);
+    const auto& first = std::find_if(results.curves.begin(), results.curves.end(),
+                                     [](const Curve& curve) { return !curve.states.empty(); })->states;
     const Unit unit =
         unit_for("Pa/m", std::sqrt(first.front().stiffness.value) * std::sqrt(first.back().stiffness.value));
     Rows rows{{"K/A₀ [" + std::string(unit.name) + "]"}};
     for (const std::size_t i : points)
-        rows[0].push_back(scene.at_separations ? "at d = " + with_unit(first[i].separation.value, "m", 3)
-                                               : "at " + with_unit(first[i].pressure.value, "Pa", 3));
+        rows[0].push_back(scene.at_separations ? "at d = " + with_unit(scene.points[i], "m", 3)
+                                               : "at " + with_unit(scene.points[i], "Pa", 3));
     for (const Curve& curve : results.curves) {
         std::vector<std::string> row{legend_of(curve)};
         for (const std::size_t i : points) {
-            const bool known = i < curve.states.size() && std::isfinite(curve.states[i].stiffness.value);
-            row.push_back(known ? rounded(curve.states[i].stiffness.value / unit.size, 3) : "-");
-            if (known && i < curve.band.size())
-                row.back() += " (" + rounded(curve.band[i].low / unit.size, 3) + " to " +
-                              rounded(curve.band[i].high / unit.size, 3) + ")";
+            const auto at = curve.state_at(i);
+            row.push_back(at ? rounded(curve.states[*at].stiffness.value / unit.size, 3) : "-");
+            if (at && *at < curve.band.size())
+                row.back() += " (" + rounded(curve.band[*at].low / unit.size, 3) + " to " +
+                              rounded(curve.band[*at].high / unit.size, 3) + ")";
         }
         rows.push_back(std::move(row));
     }
@@ -539,6 +541,7 @@ std::string page_of(const Scene& scene, const Results& results) {
 }
 
 Report execute(const Options& options) {
+    refuse_standard_output(options.folder, "a folder");
     const std::string file = (std::filesystem::path(options.folder) / "report.html").string();
     require_own(file);
     keep_for_output(file);
@@ -568,8 +571,9 @@ Report execute(const Options& options) {
         report.document = answer.str();
     } else {
         report.document = format == Format::csv ? csv_line({"file"}) + csv_line({"\"" + file + "\""})
-                                                : "fstiff " FSTIFF_VERSION ": report of " + scene.name + " (" +
-                                                      scene.file + ")\n  " + file + "\n";
+                                                : "fstiff " FSTIFF_VERSION ": report of " +
+                                                      printable(scene.name + " (" + scene.file + ")") + "\n  " +
+                                                      printable(file) + "\n";
         for (const std::string& warning : results.warnings) report.diagnostics.push_back("warning: " + warning);
     }
     return report;

@@ -188,7 +188,7 @@ Rows rows_of(const Result& result) {
 
 std::string title_of(const Options& options) {
     return std::string(options.of == SpectrumKind::psd ? "power spectral density" : "autocorrelation function") +
-           " of " + display_name(options.surface.file);
+           " of " + shown_name(options.surface.file);
 }
 
 std::string table(const Options& options, const SurfaceInput& input, const Result& result) {
@@ -246,7 +246,7 @@ Figure figure_of(const Options& options, const Result& result) {
     const bool psd = options.of == SpectrumKind::psd;
     Figure figure{
         .title =
-            (psd ? "Power spectral density of " : "Autocorrelation function of ") + display_name(options.surface.file),
+            (psd ? "Power spectral density of " : "Autocorrelation function of ") + shown_name(options.surface.file),
         .panels = {},
         .note = "fstiff " FSTIFF_VERSION ", " + result.cut_offs.sentence() + (psd ? "; means over 2 % of q" : "")};
     const auto begin_panel = [&](const std::string& title, const std::string& label) {

@@ -66,7 +66,7 @@ std::string gnuplot_script(const Figure& given, const std::string& csv, const st
                        fixed_text(height, 0) + "\nset output " + for_gnuplot(picture) +
                        "\nset datafile separator ','\nset encoding utf8\nset grid\nset key outside right top\n"
                        "set multiplot layout " +
-                       std::to_string(figure.panels.size()) + ",1 title " + for_gnuplot(figure.title) + "\n";
+                       std::to_string(figure.panels.size()) + ",1 title " + for_gnuplot(printable(figure.title)) + "\n";
     std::size_t curve = 0;
     for (const Panel& panel : figure.panels) {
         text += "set title " + for_gnuplot(panel.title) + "\nset xlabel " + for_gnuplot(panel.x.label) +
