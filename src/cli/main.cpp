@@ -7,7 +7,6 @@
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/units.hpp>
 
-#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -19,14 +18,11 @@ using namespace fstiff::cli;
 using fstiff::scene::option_error;
 
 /// One line on standard error, whatever the message holds.
-void say(std::string message) {
-    std::replace_if(
-        message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-    std::cerr << "fstiff: " << message << '\n';
-}
+void say(const std::string& message) { std::cerr << "fstiff: " << printable(message) << '\n'; }
 
 int execute(const Command& command) {
-    if (const std::string& file = command.output->file; !file.empty()) {
+    const std::string file = command.output->target();
+    if (!file.empty()) {
         require_writable(file);
         fstiff::scene::keep_for_output(file);
     }
@@ -34,7 +30,7 @@ int execute(const Command& command) {
         const Working line(command_name(*command.app));
         return command.execute();
     }();
-    deliver(report.document, command.output->file);
+    deliver(report.document, file);
     for (const std::string& line : report.diagnostics) say(line);
     return report.status;
 }

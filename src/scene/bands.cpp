@@ -70,7 +70,7 @@ std::vector<double> stiffnesses(const Scene& scene, double modulus) {
     for_each_contact(scene, modulus, {}, [&](const Curve&, const auto& contact) {
         try {
             for (const auto& point : points_of(scene, *contact(), Quantity::pressure | Quantity::stiffness))
-                all.push_back(point.state.stiffness.value);
+                all.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
         } catch (const domain_error&) {
             all.insert(all.end(), scene.points.size(), std::numeric_limits<double>::quiet_NaN());
         }
@@ -96,17 +96,19 @@ Scene lean_scene(const Scene& scene) {
     return lean;
 }
 
-/// Widens \p band, of K = \p value, by the spread to \p others.
+/// Widens \p band, of K = \p value, by the spread to \p others. A band of no surface stays 0.
 void widen(SampledBand<double>& band, BandParts& parts, double value, const std::vector<double>& others) {
+    if (!(band.low > 0)) return;
     parts.errors_low = std::min(0.0, std::log(band.low / value)),
     parts.errors_high = std::max(0.0, std::log(band.high / value));
     for (const double other : others) {
-        if (!(other > 0)) continue;
+        if (!(other > 0) || !std::isfinite(other)) continue;
         parts.scale_low = std::min(parts.scale_low, std::log(other / value));
         parts.scale_high = std::max(parts.scale_high, std::log(other / value));
     }
     band.low *= std::exp(-(std::hypot(parts.errors_low, parts.scale_low) + parts.errors_low));
     band.high *= std::exp(std::hypot(parts.errors_high, parts.scale_high) - parts.errors_high);
+    band.high = std::min(band.high, std::numeric_limits<double>::max() / 2);  // as in_range() of a state
 }
 
 /// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
@@ -169,17 +171,18 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
     for (Curve& curve : results.curves) {
         if (!curve.law->varies) continue;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
-            SampledBand<double> band = bands[next + i];
+            const std::size_t at = next + curve.places[i];
+            SampledBand<double> band = bands[at];
             failed = std::max(failed, band.failed);
-            const double value = curve.states[i].stiffness.value, factor = value / quick[next + i];
+            const double value = curve.states[i].stiffness.value, factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
             if (!curve.law->quick_options.empty()) band.low *= factor, band.median *= factor, band.high *= factor;
             if (!of_neighbours.empty()) {
                 std::vector<double> others;
-                for (const auto& of : of_neighbours) others.push_back(of[next + i] * factor);
+                for (const auto& of : of_neighbours) others.push_back(of[at] * factor);
                 BandParts& parts = curve.band_parts.emplace_back();
                 widen(band, parts, value, others);
                 for (const auto& of : of_windows) {
-                    const double change = std::log(of[next + i] * factor / value);
+                    const double change = std::log(of[at] * factor / value);
                     if (!std::isfinite(change)) continue;
                     parts.window_low = std::min(parts.window_low, change);
                     parts.window_high = std::max(parts.window_high, change);

@@ -78,7 +78,12 @@ std::string no_spectrum(const Face& face) {
                : face.map->summits.front().summits.empty() ? "no point of the map stands above its eight neighbours"
                                                            : "";
     }
-    const double alpha = spectral_moments(face).bandwidth();
+    const SpectralMoments<double> moments = spectral_moments(face);
+    const double alpha = moments.bandwidth();
+    for (const double of : {moments.m0, moments.m2, moments.m4, alpha})
+        if (!(of > 0) || !std::isfinite(of))
+            return "the moments of rms_height, R, D_p and rms_gradient are beyond the range of double precision; these "
+                   "numbers must be less extreme";
     if (alpha > 1.5) return "";
     return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(alpha, 3) +
            ", and isotropic surfaces have more than 1.5; must be told " +

@@ -5,6 +5,7 @@
 #include <fstiff/io/lines.hpp>
 #include <fstiff/io/quantity.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -20,6 +21,20 @@ namespace {
 std::vector<std::filesystem::path>& outputs() {
     static std::vector<std::filesystem::path> files;
     return files;
+}
+
+/// Bytes of the character of UTF-8 that \p text begins with; 0 where it begins with none.
+std::size_t length_of_utf8(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    const std::size_t length = first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xc0u) != 0x80u) return 0;
+    const bool is_overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
+    const bool is_beyond = (first == 0xed && byte(1) >= 0xa0) || (first == 0xf4 && byte(1) >= 0x90);
+    return is_overlong || is_beyond ? 0 : length;
 }
 
 std::string number(double value, int digits) {
@@ -41,9 +56,23 @@ std::string without_small_exponent(std::string text) {
 
 }  // namespace
 
+std::filesystem::path output_target(const std::string& file) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    fs::path at = fs::absolute(file);
+    for (int links = 0; !fs::exists(at, error) && fs::is_symlink(fs::symlink_status(at, error)); ++links) {
+        if (links == 40)
+            throw file_error(file, "cannot be written: " +
+                                       std::make_error_code(std::errc::too_many_symbolic_link_levels).message());
+        at = at.parent_path() / fs::read_symlink(at, error);
+    }
+    const fs::path target = fs::weakly_canonical(at, error);
+    return error ? at : target;
+}
+
 void keep_for_output(const std::string& file) {
     std::error_code error;
-    const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+    const std::filesystem::path path = output_target(file);
     for (const auto& other : outputs())
         if (path == other && (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error)))
             throw file_error(file, "would be written twice; give every output a name of its own");
@@ -84,6 +113,26 @@ double parse_positive(const std::string& text, io::Dimension dimension, std::str
     if (!(value > 0))  // it is finite
         throw domain_error({.parameter = name, .value = "\"" + text + "\"", .allowed = "greater than 0"});
     return value;
+}
+
+std::string printable(std::string_view text, std::string_view kept) {
+    std::string shown;
+    shown.reserve(text.size());
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = length_of_utf8(text.substr(at));
+        const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
+        const auto byte = static_cast<unsigned char>(character[0]);
+        const bool is_control = byte < 0x20 || byte == 0x7f ||
+                                (character.size() == 2 && byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0);
+        if (length == 0)
+            shown += "\uFFFD";
+        else if (is_control && kept.find(character) == std::string_view::npos)
+            shown += ' ';
+        else
+            shown += character;
+        at += character.size();
+    }
+    return shown;
 }
 
 std::string exact(double value) { return number(value, 17); }

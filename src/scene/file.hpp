@@ -4,6 +4,7 @@
 
 #include <fstiff/core/error.hpp>
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,11 +24,21 @@ public:
 /// From now on read_all() refuses \p file, which this process is going to write: no output replaces an input, whatever
 /// the names that lead to it. \throws file_error where \p file was named to be written before.
 void keep_for_output(const std::string& file);
+/// Where \p file is written: behind symbolic links, which stay links, also where the last one leads to a file that is not
+/// there yet. \throws file_error for links that lead in a circle.
+[[nodiscard]] std::filesystem::path output_target(const std::string& file);
 /// All bytes of \p file; "-" is standard input. \throws file_error for a file that is missing, unreadable or kept for
 /// the output, domain_error for one that is empty or too long.
 [[nodiscard]] std::string read_all(const std::string& file);
 /// How messages call \p file.
 [[nodiscard]] std::string display_name(const std::string& file);
+
+/// \p text of UTF-8 without control characters (below U+0020, U+007F to U+009F), so that no name of a file moves a cursor or
+/// begins a line of its own: each is a blank, but for those in \p kept. Bytes that are no UTF-8 are U+FFFD.
+[[nodiscard]] std::string printable(std::string_view text, std::string_view kept = {});
+
+/// How tables and titles call \p file.
+[[nodiscard]] inline std::string shown_name(const std::string& file) { return printable(display_name(file)); }
 
 /// Runs \p call; what it throws is put after the name of the file.
 template <class Call>

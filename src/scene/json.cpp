@@ -11,6 +11,25 @@
 #include <utility>
 
 namespace fstiff::scene {
+namespace {
+
+/// \p value in quotation marks, with all control characters as \u00XX; JSON itself asks that of those below U+0020 only.
+std::string in_quotes(const std::string& value) {
+    using nlohmann::json;
+    std::string text = json(value).dump(-1, ' ', false, json::error_handler_t::replace);
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const bool is_delete = text[at] == 0x7f;
+        const auto next = static_cast<unsigned char>(at + 1 < text.size() ? text[at + 1] : 0);
+        if (!is_delete && !(text[at] == '\xc2' && next < 0xa0)) continue;
+        constexpr const char* digits = "0123456789abcdef";
+        const unsigned code = is_delete ? 0x7f : next;
+        text.replace(at, is_delete ? 1 : 2, {'\\', 'u', '0', '0', digits[code / 16], digits[code % 16]});
+        at += 5;
+    }
+    return text;
+}
+
+}  // namespace
 
 struct Json::Rest {
     std::string text;
@@ -100,9 +119,6 @@ std::string Json::str() const {
 
 void Json::write(std::string& out, const std::string& line) const {
     using nlohmann::json;
-    const auto text = [](const std::string& value) {
-        return json(value).dump(-1, ' ', false, json::error_handler_t::replace);
-    };
     switch (kind_) {
         case Kind::null:
             out += "null";
@@ -120,7 +136,7 @@ void Json::write(std::string& out, const std::string& line) const {
             out += json(real_).dump();
             return;
         case Kind::text:
-            out += text(rest_->text);
+            out += in_quotes(rest_->text);
             return;
         case Kind::array:
         case Kind::object:
@@ -130,7 +146,7 @@ void Json::write(std::string& out, const std::string& line) const {
     out += is_object ? '{' : '[';
     for (std::size_t i = 0; i < rest_->items.size(); ++i) {
         out += (i ? "," : "") + line + "  ";
-        if (is_object) out += text(rest_->keys[i]) + ": ";
+        if (is_object) out += in_quotes(rest_->keys[i]) + ": ";
         rest_->items[i].write(out, line + "  ");
     }
     if (!rest_->items.empty()) out += line;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace fstiff::scene {
@@ -289,30 +290,21 @@ public:
     Elements(std::shared_ptr<const HeightMap<double>> map, const ContactInputs& inputs)
         : map_(std::move(map)), modulus_(inputs.effective_modulus), how_(inputs.elements), progress_(inputs.progress) {}
     std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity) const override {
-        std::vector<ContactPoint<double>> points;
         for (const double p : pressures) require_positive("pressure", p);
-        if (how_.hardness > 0)
-            for (const double p : pressures)
-                require(p < how_.hardness, "pressure", p, "less than boundary_elements.hardness (Pa)");
-        const double rms = fstiff::rms_height(*map_), area = map_->area();
-        for (const TruthPoint<double>& one :
-             truth(*map_, modulus_, std::vector<double>(pressures.begin(), pressures.end()),
-                   {.points = how_.points, .edges = how_.edges, .hardness = how_.hardness, .progress = progress_})) {
-            const BoundaryElementState<double>& found = one.state;
-            if (!std::isfinite(found.stiffness)) {
-                points.push_back(ContactPoint<double>::out_of_reach("all points of the map are in contact"));
-                continue;
-            }
-            ContactState<double> state;
-            state.pressure = {found.pressure, 0, 0};
-            state.separation = {found.mean_gap, one.gap_error, found.iterations};
-            state.eta = found.mean_gap / rms;
-            state.stiffness = {found.stiffness, one.stiffness_error, found.iterations};
-            if (!(how_.hardness > 0)) state.loading_stiffness = state.stiffness;
-            state.real_area_fraction = {found.contact_fraction, 0, 0};
-            state.contact_density = {static_cast<double>(found.spots) / area, 0, 0};
-            points.push_back(ContactPoint<double>::of(state));
-        }
+        const auto is_below_hardness = [&](double p) { return !(how_.hardness > 0) || p < how_.hardness; };
+        std::vector<double> solvable;
+        std::copy_if(pressures.begin(), pressures.end(), std::back_inserter(solvable), is_below_hardness);
+        const double rms = fstiff::rms_height(*map_);
+        const std::vector<TruthPoint<double>> solved =
+            truth(*map_, modulus_, solvable,
+                  {.points = how_.points, .edges = how_.edges, .hardness = how_.hardness, .progress = progress_});
+        std::vector<ContactPoint<double>> points;
+        for (auto next = solved.begin(); const double p : pressures)
+            points.push_back(is_below_hardness(p)
+                                 ? point_of(*next++, rms)
+                                 : ContactPoint<double>::out_of_reach(
+                                       "pressure = " + shortest_text(p) +
+                                       ": must be less than boundary_elements.hardness (Pa)"));
         return points;
     }
     std::vector<ContactPoint<double>> at_separations(std::span<const double>, Quantity) const override {
@@ -322,6 +314,23 @@ public:
     }
 
 private:
+    [[nodiscard]] ContactPoint<double> point_of(const TruthPoint<double>& solved, double rms) const {
+        const BoundaryElementState<double>& found = solved.state;
+        if (std::isinf(found.stiffness))
+            return ContactPoint<double>::out_of_reach("all points of the map are in contact");
+        if (std::isinf(solved.stiffness_error))
+            return ContactPoint<double>::out_of_reach("all points of the grid half as fine are in contact");
+        ContactState<double> state;
+        state.pressure = {found.pressure, 0, 0};
+        state.separation = {found.mean_gap, solved.gap_error, found.iterations};
+        state.eta = found.mean_gap / rms;
+        state.stiffness = {found.stiffness, solved.stiffness_error, found.iterations};
+        if (!(how_.hardness > 0)) state.loading_stiffness = state.stiffness;
+        state.real_area_fraction = {found.contact_fraction, 0, 0};
+        state.contact_density = {static_cast<double>(found.spots) / map_->area(), 0, 0};
+        return ContactPoint<double>::of(state);
+    }
+
     std::shared_ptr<const HeightMap<double>> map_;
     double modulus_;
     ElementInputs how_;

@@ -31,22 +31,60 @@ Quantity wanted(const Scene& scene, const Law& law, Quantity more = Quantity::no
     return static_cast<Quantity>(static_cast<unsigned>(set) & static_cast<unsigned>(law.quantities));
 }
 
-/// The states of \p points. \throws domain_error for the first that the model does not reach, naming its place.
-std::vector<ContactState<double>> accepted(const Scene& scene, const Law& law,
-                                           const std::vector<ContactPoint<double>>& points) {
-    std::vector<ContactState<double>> states;
-    for (const auto& point : points) {
-        if (!point.ok() && law.ends && !states.empty()) return states;
-        if (!point.ok())
-            throw domain_error(scene.points_where + "law " + std::string(law.name) + ": " +
-                               (point.status == PointStatus::out_of_reach
-                                    ? point.reason
-                                    : "a result for " + shortest(scene.points[states.size()]) +
-                                          " is beyond the range of double precision; the values of the scene must be "
-                                          "less extreme"));
-        states.push_back(point.state);
+/// Puts \p points into \p curve, as states or as what the law does not reach. A gradient so small that p* is beyond the range
+/// of double precision is as good as unknown.
+void take_points(const Scene& scene, double modulus, Curve& curve, const std::vector<ContactPoint<double>>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].ok()) {
+            curve.states.push_back(points[i].state);
+            curve.places.push_back(i);
+        } else if (points[i].status == PointStatus::out_of_reach) {
+            curve.missed.push_back({i, points[i].reason});
+        } else {
+            curve.missed.push_back({i, "a result for " + shortest(scene.points[i]) +
+                                           " is beyond the range of double precision; the values of the scene must be "
+                                           "less extreme"});
+        }
     }
-    return states;
+    const auto has_p_star = [&](const ContactState<double>& state) {
+        return std::isfinite(dimensionless_pressure(state.pressure.value, modulus, *curve.rms_gradient));
+    };
+    if (curve.rms_gradient && !std::all_of(curve.states.begin(), curve.states.end(), has_p_star))
+        curve.rms_gradient.reset();
+}
+
+/// \throws domain_error where no curve has a state, with what the first law said of its first point.
+void require_states(const Scene& scene, const std::vector<Curve>& curves) {
+    if (std::any_of(curves.begin(), curves.end(), [](const Curve& curve) { return !curve.states.empty(); })) return;
+    for (const Curve& curve : curves)
+        if (!curve.missed.empty())
+            throw domain_error(scene.points_where + "law " + std::string(curve.law->name) + ": " +
+                               curve.missed.front().reason);
+}
+
+/// A warning for each law that lacks points. One that ends above some pressure is expected to.
+void warn_of_missed(const Scene& scene, Results& results) {
+    for (const ChosenLaw& chosen : scene.laws) {
+        std::size_t count = 0, points = 0;
+        const Curve* first = nullptr;
+        for (const Curve& curve : results.curves) {
+            if (curve.law != chosen.law) continue;
+            points += scene.points.size();
+            count += curve.missed.size();
+            if (!first && !curve.missed.empty()) first = &curve;
+        }
+        if (count == 0) continue;
+        const MissedPoint& missed = first->missed.front();
+        const std::string law = "law " + std::string(chosen.law->name),
+                          at = shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
+        const bool ends = chosen.law->ends && !first->states.empty();
+        results.warnings.push_back(ends ? law + " ends before " + at +
+                                              ": its contacts are too many or too crowded beyond"
+                                        : law + " has no result at " + std::to_string(count) + " of " +
+                                              std::to_string(points) + " points, the first of them " + at + ": " +
+                                              missed.reason);
+        results.doubtful = results.doubtful || !ends;
+    }
 }
 
 /// Begins the sentence about what does not hold at some points of a curve.
@@ -228,6 +266,12 @@ std::string title(const Curve& curve) {
     return text;
 }
 
+std::optional<std::size_t> Curve::state_at(std::size_t place) const {
+    const auto found = std::lower_bound(places.begin(), places.end(), place);
+    if (found == places.end() || *found != place) return std::nullopt;
+    return static_cast<std::size_t>(found - places.begin());
+}
+
 std::vector<Parameter> unknown_parameters(const Scene& scene) {
     if (scene.measured) return unknown_parameters(*scene.measured, scene.uncertain);
     std::vector<Parameter> all;  // of a sum: what is unknown of one face may not matter beside the other
@@ -271,8 +315,9 @@ std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>&
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     for (const MadeContact& made : contacts) {
         Curve& curve = results.curves.emplace_back(made.curve);
-        curve.states = accepted(scene, *curve.law, points_of(scene, *made.contact, wanted(scene, *curve.law)));
+        take_points(scene, results.modulus, curve, points_of(scene, *made.contact, wanted(scene, *curve.law)));
     }
+    require_states(scene, results.curves);
     finish(scene, results, {});
     return std::move(results.curves);
 }
@@ -296,11 +341,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         // warnings and the verdict need the contacts and the area, whichever columns are shown
         const Quantity quantities = wanted(scene, *curve.law, Quantity::contacts | Quantity::real_area);
         const auto made = contact();
-        curve.states = accepted(scene, *curve.law, points_of(scene, *made, quantities, of_all));
-        if (curve.states.size() < scene.points.size())
-            results.warnings.push_back(
-                "law " + std::string(curve.law->name) + " ends before " + shortest(scene.points[curve.states.size()]) +
-                (scene.at_separations ? " m" : " Pa") + ": its contacts are too many or too crowded beyond");
+        take_points(scene, results.modulus, curve, points_of(scene, *made, quantities, of_all));
         curve.checks = check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,
@@ -319,6 +360,8 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         curve.means = made->means_at(etas);
         results.curves.push_back(std::move(curve));
     });
+    require_states(scene, results.curves);
+    warn_of_missed(scene, results);
     finish(scene, results, progress);
     add_warnings(scene, results);
     results.verdict = verdict(scene, results);

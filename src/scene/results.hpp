@@ -37,17 +37,28 @@ struct BandParts {
     double window_low = 0, window_high = 0;  ///< of the errors, the share of the windows of D that can be defended
 };
 
-/// One law on one joint distribution of peaks, at every point of the scene.
+/// A point of the scene that a law does not reach.
+struct MissedPoint {
+    std::size_t place = 0;  ///< among Scene::points
+    std::string reason;     ///< what the law said
+};
+
+/// One law on one joint distribution of peaks, at every point of the scene that the law reaches.
 struct Curve {
     const Law* law = nullptr;
     std::optional<double> theta{}, r{};    ///< none: a law without a joint distribution
     std::optional<double> rms_gradient{};  ///< of the surface, for p*; the same in every curve
     std::vector<ContactState<double>> states{};
+    std::vector<std::size_t> places{};  ///< of the states among Scene::points
+    std::vector<MissedPoint> missed{};  ///< the other points
     std::vector<Check<double>> checks{};
     std::vector<LoadMeans<double>> means{};   ///< of a plastic law, one a state
     std::vector<SampledBand<double>> band{};  ///< of the stiffness, one a state; empty: the surface has no errors
     std::vector<BandParts> band_parts{};      ///< of the band, where the surface has neighbours
     std::vector<Column> columns{};            ///< what Scene asks for; the same keys in every curve
+
+    /// Which of the states is that of the point \p place of the scene; none where the law does not reach it.
+    [[nodiscard]] std::optional<std::size_t> state_at(std::size_t place) const;
 };
 
 /// "fractal, theta = 0.7854, r = 0.5".
@@ -63,8 +74,8 @@ struct Results {
     std::vector<std::string> about_band;  ///< which part of the band is the greater; empty: there is one part
     std::vector<std::string> verdict;  ///< which law to believe, and to about what; the most important sentence first
     std::vector<std::string> short_verdict;  ///< the same for a picture: one or two short sentences
-    /// A real area above the nominal one, integrals that did not converge, an rms gradient that no surface has, or a measured
-    /// surface with unknown_parameters().
+    /// A real area above the nominal one, integrals that did not converge, points that a law does not reach, an rms gradient
+    /// that no surface has, or a measured surface with unknown_parameters().
     bool doubtful = false;
 };
 
@@ -77,8 +88,9 @@ struct Results {
 /// The interaction of the scene with its length [m].
 [[nodiscard]] Interaction<double> interaction(const Scene& scene);
 
-/// Everything the scene asks for. \p progress is called while a band is sampled.
-/// \throws domain_error where the model cannot give it, naming the place in the scene.
+/// Everything the scene asks for. A point that a law does not reach leaves the others alone, with a warning. \p progress is
+/// called while a band is sampled.
+/// \throws domain_error where the model cannot give it, or no law reaches any point, naming the place in the scene.
 [[nodiscard]] Results compute(const Scene& scene, const ProgressHook& progress = {});
 /// A contact of a scene, and its curve still without states.
 struct MadeContact {

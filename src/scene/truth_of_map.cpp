@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/truth_of_map.hpp"
 
+#include "scene/file.hpp"
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/contact/validity.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fstiff::scene {
 
@@ -20,7 +22,13 @@ std::size_t TruthOfMap::failed() const {
         std::count_if(at.begin(), at.end(), [](const auto& point) { return !point.state.converged; }));
 }
 
-bool TruthOfMap::doubtful() const { return unresolved() + failed() > 0 || !is_plausible_gradient(rms_gradient); }
+bool TruthOfMap::doubtful() const {
+    return unresolved() + failed() + closed() > 0 || !is_plausible_gradient(rms_gradient);
+}
+std::size_t TruthOfMap::closed() const {
+    return static_cast<std::size_t>(std::count_if(
+        at.begin(), at.end(), [](const auto& point) { return std::isinf(point.state.stiffness); }));
+}
 
 TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) {
     if (input.surface.is_profile())
@@ -41,6 +49,16 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     solved.at = truth(
         map.map, solved.modulus, options.pressures,
         {.points = options.points, .edges = options.edges, .hardness = options.hardness, .progress = options.progress});
+    for (const auto& [state, stiffness_error, gap_error] : solved.at)
+        if (std::isnan(state.stiffness) || std::isnan(stiffness_error) || !std::isfinite(state.mean_gap) ||
+            !std::isfinite(gap_error) || !std::isfinite(state.max_pressure))
+            throw domain_error(solved.file + ": a result for pressure = " + shortest(state.pressure) +
+                               " is beyond the range of double precision; pressures must be less extreme");
+    if (solved.closed() == solved.at.size())
+        throw domain_error(solved.file + ": all points of the map are in contact" +
+                           (solved.at.size() == 1 ? " at " : " at every pressure, the least of them ") +
+                           shortest(*std::min_element(options.pressures.begin(), options.pressures.end())) +
+                           " Pa, so that there is no K; pressures must be lower, or the effective modulus higher");
     return solved;
 }
 
@@ -61,6 +79,9 @@ const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
 
 std::vector<std::string> warnings_of(const TruthOfMap& solved) {
     std::vector<std::string> warnings = solved.reading;
+    if (const std::size_t closed = solved.closed())
+        warnings.push_back("all points of the map are in contact at " + std::to_string(closed) + " of " +
+                           std::to_string(solved.at.size()) + " pressures: there is no K there");
     if (const std::size_t unresolved = solved.unresolved())
         warnings.push_back("K changes by more than a fifth from the grid half as fine at " +
                            std::to_string(unresolved) + " of " + std::to_string(solved.at.size()) +
@@ -77,14 +98,16 @@ std::vector<std::string> warnings_of(const TruthOfMap& solved) {
 }
 
 Rows rows_of(const TruthOfMap& solved) {
-    std::vector<double> pressure, relative, stiffness, error, gap, gap_error, area, largest;
+    const auto if_finite = [](double value) { return std::isfinite(value) ? Cell(value) : Cell(Cell::Kind::null); };
+    std::vector<double> pressure, gap, gap_error, area, largest;
+    std::vector<Cell> relative, stiffness, error;
     std::vector<std::size_t> spots;
     std::vector<std::string> converged;
     for (const auto& [state, stiffness_error, change_of_gap] : solved.at) {
         pressure.push_back(state.pressure);
-        relative.push_back(dimensionless_pressure(state.pressure, solved.modulus, solved.rms_gradient));
-        stiffness.push_back(state.stiffness);
-        error.push_back(stiffness_error);
+        relative.push_back(if_finite(dimensionless_pressure(state.pressure, solved.modulus, solved.rms_gradient)));
+        stiffness.push_back(if_finite(state.stiffness));
+        error.push_back(std::isfinite(state.stiffness) ? if_finite(stiffness_error) : stiffness.back());
         gap.push_back(state.mean_gap);
         gap_error.push_back(change_of_gap);
         area.push_back(state.contact_fraction);

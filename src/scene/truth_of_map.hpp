@@ -39,11 +39,13 @@ struct TruthOfMap {
     /// converge.
     [[nodiscard]] std::size_t unresolved() const;
     [[nodiscard]] std::size_t failed() const;
+    /// Points where all of the map is in contact, so that there is no K.
+    [[nodiscard]] std::size_t closed() const;
     /// Whether there are such points, or the rms gradient is one that no surface has.
     [[nodiscard]] bool doubtful() const;
 };
 
-/// \throws domain_error in one sentence, for a profile too.
+/// \throws domain_error in one sentence, for a profile too, and where all of the map is in contact at every pressure.
 [[nodiscard]] TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input);
 /// What there is to doubt, in sentences.
 [[nodiscard]] std::vector<std::string> warnings_of(const TruthOfMap& solved);

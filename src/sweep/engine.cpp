@@ -6,8 +6,10 @@
 #include <condition_variable>
 #include <exception>
 #include <map>
+#include <memory>
 #include <mutex>
-#include <thread>
+#include <new>
+#include <system_error>
 #include <vector>
 
 namespace fstiff::sweep {
@@ -20,6 +22,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 constexpr double block_seconds = 0.05, sync_seconds = 1;
 constexpr std::uint64_t most_in_block = 4096;
 constexpr std::size_t sync_bytes = std::size_t(1) << 20;
+constexpr std::size_t bytes_kept_free = std::size_t(1) << 26;  // while threads are started; of address space, not of memory
 
 /// Blocks of scenes between the threads that compute them and the one that hands them over.
 class Queue {
@@ -80,31 +83,55 @@ private:
     std::exception_ptr error_;
 };
 
+/// Computes one block after the other.
+class Worker {
+public:
+    Worker(const Grid& grid, SceneMaker& maker, Queue& queue) : grid_(grid), maker_(maker), queue_(queue) {}
+
+    /// \returns false where there is no block left.
+    bool step() {
+        Queue::Part part = queue_.take(wanted_);
+        if (part.count == 0) return false;
+        const auto begun = Clock::now();
+        part.block = lines_of(grid_, maker_, work_, part.first, part.count);
+        const double one = seconds_since(begun) / static_cast<double>(part.count);
+        const double fit = std::min(block_seconds / std::max(one, 1e-9), 4 * static_cast<double>(wanted_));
+        wanted_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(fit), 1, most_in_block);
+        queue_.put(std::move(part));
+        return true;
+    }
+
+private:
+    const Grid& grid_;
+    SceneMaker& maker_;
+    Queue& queue_;
+    SceneMaker::Work work_;
+    std::uint64_t wanted_ = 1;  // nobody knows yet how long a scene takes
+};
+
 void work(const Grid& grid, SceneMaker& maker, Queue& queue) {
     try {
-        SceneMaker::Work of_thread;
-        std::uint64_t wanted = 1;  // nobody knows yet how long a scene takes
-        while (true) {
-            Queue::Part part = queue.take(wanted);
-            if (part.count == 0) return;
-            const auto begun = Clock::now();
-            part.block = lines_of(grid, maker, of_thread, part.first, part.count);
-            const double one = seconds_since(begun) / static_cast<double>(part.count);
-            const double fit = std::min(block_seconds / std::max(one, 1e-9), 4 * static_cast<double>(wanted));
-            wanted = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(fit), 1, most_in_block);
-            queue.put(std::move(part));
-        }
+        Worker worker(grid, maker, queue);
+        while (worker.step()) continue;
     } catch (...) {
         queue.stop(std::current_exception());
     }
 }
 
-/// Ends the threads whatever happens.
+/// As many threads as the system starts. Ends them whatever happens.
 class Threads {
 public:
-    Threads(Queue& queue, unsigned count, const std::function<void()>& call) : queue_(queue) {
-        for (unsigned i = 0; i < count; ++i) all_.emplace_back(call);
+    Threads(Queue& queue, unsigned count, const ThreadStart& start, const std::function<void()>& call) : queue_(queue) {
+        all_.reserve(count);
+        // where the stacks of the threads meet a limit on memory, the work needs some too
+        const std::unique_ptr<char[]> kept_free(new (std::nothrow) char[bytes_kept_free]);
+        try {
+            while (kept_free && all_.size() < count) all_.push_back(start ? start(call) : std::thread(call));
+        } catch (const std::system_error&) {  // a limit on threads, or on memory
+        } catch (const std::bad_alloc&) {
+        }
     }
+    [[nodiscard]] unsigned count() const { return static_cast<unsigned>(all_.size()); }
     Threads(const Threads&) = delete;
     Threads& operator=(const Threads&) = delete;
     ~Threads() {
@@ -117,28 +144,56 @@ private:
     std::vector<std::thread> all_;
 };
 
-}  // namespace
+/// The scenes of a shard, and how far they are handed over.
+struct Course {
+    const Grid& grid;
+    SceneMaker& maker;
+    std::uint64_t first, end, next;
+    const EngineOptions& options;
+    const Sink& sink;
+    bool in_sink = false;
+};
 
-void run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint64_t end, const EngineOptions& options,
-         const Sink& sink) {
-    Queue queue(first, end, std::max(1U, options.threads));
-    const Threads threads(queue, std::max(1U, options.threads), [&] { work(grid, maker, queue); });
+/// Goes on from course.next with \p wanted threads, or as many as start, or of none with this one. \returns how many.
+unsigned go_on(Course& course, unsigned wanted) {
+    Queue queue(course.next, course.end, std::max(1U, wanted));
+    const auto call = [&] { work(course.grid, course.maker, queue); };
+    const Threads threads(queue, wanted, course.options.start, call);
+    Worker here(course.grid, course.maker, queue);
     std::string lines;
     std::uint64_t failed = 0;
     auto synced = Clock::now();
-    for (std::uint64_t at = first; at < end;) {
+    for (std::uint64_t at = course.next; at < course.end;) {
+        if (threads.count() == 0) here.step();
         const Queue::Part part = queue.wait_for(at);
         at += part.count;
         lines += part.block.text;
         failed += part.block.failed;
-        if (lines.size() < sync_bytes && seconds_since(synced) < sync_seconds && at < end) continue;
-        sink(lines, at, failed);
+        if (lines.size() < sync_bytes && seconds_since(synced) < sync_seconds && at < course.end) continue;
+        course.in_sink = true;
+        course.sink(lines, at, failed);
+        course.in_sink = false;
+        course.next = at;
         lines.clear();
         failed = 0;
         synced = Clock::now();
-        if (options.progress && at < end)
-            options.progress("scenes", static_cast<std::size_t>(at - first), static_cast<std::size_t>(end - first));
+        if (course.options.progress && at < course.end)
+            course.options.progress("scenes", static_cast<std::size_t>(at - course.first),
+                                   static_cast<std::size_t>(course.end - course.first));
     }
+    return threads.count();
+}
+
+}  // namespace
+
+unsigned run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint64_t end, const EngineOptions& options,
+             const Sink& sink) {
+    Course course{grid, maker, first, end, first, options, sink};
+    for (unsigned threads = std::max(1U, options.threads);; threads /= 2) try {
+            return go_on(course, threads);
+        } catch (const std::bad_alloc&) {  // fewer threads leave more memory to each
+            if (threads == 0 || course.in_sink) throw;
+        }
 }
 
 }  // namespace fstiff::sweep

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <memory>
@@ -107,14 +106,8 @@ public:
     }
 
 private:
-    template <class Call>
-    void for_each_line(const Call& call) {
-        std::ifstream stream(lines_, std::ios::binary);
-        if (!stream) throw file_error(lines_, "cannot be read");
-        for (std::string line; std::getline(stream, line);) call(line);
-    }
     void find_columns() {
-        for_each_line([&](const std::string& line) {
+        for_each_line(lines_, [&](std::string_view line, std::uint64_t) {
             ++rows_;
             for_each_field(line, [&](std::string_view key, std::string_view value) {
                 const auto [at, is_new] = places_.try_emplace(std::string(key), columns_.size());
@@ -123,6 +116,7 @@ private:
                 column.is_text = column.is_text || value.starts_with('"');
                 if (value.starts_with('"')) column.width = std::max(column.width, plain(value).size());
             });
+            return true;
         });
     }
     [[nodiscard]] static Handle type_of(const Column& column) {
@@ -154,7 +148,7 @@ private:
             done += in_chunk;
             in_chunk = 0;
         };
-        for_each_line([&](const std::string& line) {
+        for_each_line(lines_, [&](std::string_view line, std::uint64_t) {
             for (Column& column : columns_) {
                 if (column.is_text)
                     column.texts.append(column.width, '\0');
@@ -175,6 +169,7 @@ private:
                 }
             });
             if (++in_chunk == rows_of_chunk) put();
+            return true;
         });
         if (in_chunk > 0) put();
     }
@@ -217,7 +212,7 @@ private:
 }  // namespace
 
 void write_hdf5(const std::string& lines, const std::string& output) {
-    const std::string partial = output + ".partial";
+    const std::string target = scene::output_target(output).string(), partial = target + ".partial";
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are told here, not by the library
     try {
         Writer(lines, partial).write();
@@ -226,7 +221,7 @@ void write_hdf5(const std::string& lines, const std::string& output) {
         if (error.file() == "HDF5") throw file_error(output, std::string(error.reason()));
         throw;
     }
-    if (std::rename(partial.c_str(), output.c_str()) != 0) throw file_error(output, "cannot be written");
+    if (std::rename(partial.c_str(), target.c_str()) != 0) throw file_error(output, "cannot be written");
 }
 #else
 void write_hdf5(const std::string&, const std::string& output) { require_form(output); }

@@ -54,8 +54,8 @@ void append_optional(std::string& text, const std::optional<double>& value) {
         text += "null";
 }
 
-/// The line of the point \p i of \p curve behind \p begin.
-void append_row(std::string& text, const std::string& begin, const Curve& curve, std::size_t i) {
+/// {"index":17,"surface.rms_height":5e-07,"law":"hertz","theta":1,"r":0.5
+void append_law(std::string& text, const std::string& begin, const Curve& curve) {
     text += begin;
     append_key(text, "law");
     text += '"';
@@ -65,6 +65,24 @@ void append_row(std::string& text, const std::string& begin, const Curve& curve,
     append_optional(text, curve.theta);
     append_key(text, "r");
     append_optional(text, curve.r);
+}
+
+/// The line of a point that the law of \p curve does not reach: that point, null for all else, and why.
+void append_missed(std::string& text, const std::string& begin, const Curve& curve, const scene::Scene& scene,
+                   const scene::MissedPoint& missed) {
+    append_law(text, begin, curve);
+    const std::string_view known = scene.at_separations ? "separation_m" : "pressure_Pa";
+    for (const scene::Column& column : curve.columns) {
+        append_key(text, column.key);
+        append_optional(text, column.key == known ? std::optional(scene.points[missed.place]) : std::nullopt);
+    }
+    append_key(text, "error");
+    text += json_text("law " + std::string(curve.law->name) + ": " + missed.reason) + "}\n";
+}
+
+/// The line of the state \p i of \p curve behind \p begin.
+void append_row(std::string& text, const std::string& begin, const Curve& curve, std::size_t i) {
+    append_law(text, begin, curve);
     for (const scene::Column& column : curve.columns) {
         append_key(text, column.key);
         if (column.values.empty())
@@ -107,8 +125,17 @@ std::string lines_of_one(const Grid& grid, SceneMaker& maker, SceneMaker::Work& 
     };
     try {
         maker.make(values, work);
-        for (const Curve& curve : scene::curves_of(work.scene, work.contacts))
-            for (std::size_t i = 0; i < curve.states.size(); ++i) append_row(text, begin, curve, i);
+        bool misses = false;
+        for (const Curve& curve : scene::curves_of(work.scene, work.contacts)) {
+            auto missed = curve.missed.begin();
+            for (std::size_t place = 0; place < work.scene.points.size(); ++place)
+                if (missed != curve.missed.end() && missed->place == place)
+                    append_missed(text, begin, curve, work.scene, *missed++);
+                else
+                    append_row(text, begin, curve, place - static_cast<std::size_t>(missed - curve.missed.begin()));
+            misses = misses || !curve.missed.empty();
+        }
+        failed += misses ? 1 : 0;
     } catch (const domain_error& error) {
         refuse(error);
     } catch (const file_error& error) {

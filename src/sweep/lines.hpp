@@ -17,7 +17,7 @@ namespace fstiff::sweep {
 /// Scenes that stand side by side in a grid, as lines.
 struct Block {
     std::string text;
-    std::uint64_t failed = 0;  ///< scenes that cannot be computed
+    std::uint64_t failed = 0;  ///< scenes that cannot be computed, or not at every point
 };
 
 /// The lines of the scenes from \p first on, \p count of them. Scenes that differ in their point alone are computed

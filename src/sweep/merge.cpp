@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/merge.hpp"
 
+#include "scene/file.hpp"
 #include "sweep/results_file.hpp"
 
 #include <fstiff/core/error.hpp>
@@ -112,7 +113,7 @@ Merged merge(std::vector<std::string> files, const std::string& output) {
               [](const Part& a, const Part& b) { return a.description.shard.number < b.description.shard.number; });
 
     // copied while it is looked at; what turns out to be wrong is thrown away
-    const std::string partial = output + ".partial";
+    const std::string target = scene::output_target(output).string(), partial = target + ".partial";
     Description whole = parts.front().description;
     whole.shard = {};
     whole.bytes = whole.failed = 0;
@@ -147,7 +148,7 @@ Merged merge(std::vector<std::string> files, const std::string& output) {
         unlink(partial.c_str());
         return merged;
     }
-    if (std::rename(partial.c_str(), output.c_str()) != 0)
+    if (std::rename(partial.c_str(), target.c_str()) != 0)
         throw file_error(output, "cannot be written: " + std::generic_category().message(errno));
     write_description(output, whole);
     merged.scenes = whole.scenes;

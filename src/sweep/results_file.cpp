@@ -2,6 +2,7 @@
 #include "sweep/results_file.hpp"
 
 #include "scene/file.hpp"
+#include "sweep/rows.hpp"
 
 #include <fstiff/core/error.hpp>
 
@@ -13,10 +14,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -44,15 +45,6 @@ void sync_folder(const std::filesystem::path& folder) {
     close(descriptor);
 }
 
-/// The number behind {"index": of a line; none where it begins otherwise or does not end as a line does.
-bool read_index(std::string_view line, std::uint64_t& index) {
-    constexpr std::string_view begin = "{\"index\":";
-    if (!line.starts_with(begin) || !line.ends_with('}')) return false;
-    line.remove_prefix(begin.size());
-    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), index);
-    return error == std::errc() && (*end == ',' || *end == '}');
-}
-
 /// Looks at the lines of a file one after the other.
 class Scanner {
 public:
@@ -60,15 +52,17 @@ public:
 
     /// \returns whether the line follows those before.
     bool take(std::string_view line) {
-        std::uint64_t index = 0;
-        if (!read_index(line, index)) return false;
-        if (any_ && index == current_ + 1)
+        const std::optional<std::uint64_t> index = index_of_line(line);
+        if (!index) return false;
+        if (any_ && *index == current_ + 1) {
             complete();
-        else if (index != current_)
+            failing_ = false;
+        } else if (*index != current_) {
             return false;
+        }
         any_ = true;
-        failing_ = line.find("\"error\":\"") != std::string_view::npos;
-        current_ = index;
+        failing_ = failing_ || line.find("\"error\":\"") != std::string_view::npos;
+        current_ = *index;
         offset_ += line.size() + 1;
         return true;
     }

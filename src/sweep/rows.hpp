@@ -21,12 +21,20 @@ struct Row {
     std::optional<double> stiffness{};  ///< [Pa/m]; none where the scene asks for none
 };
 
+/// The index of the scene of \p line; none unless it is a whole line of results: one object of JSON that begins with its index
+/// and holds texts, numbers and null alone.
+[[nodiscard]] std::optional<std::uint64_t> index_of_line(std::string_view line);
+
 /// Calls \p call with every key of a line of results and the characters of its value, a text in its quotation marks.
 void for_each_field(std::string_view line,
                     const std::function<void(std::string_view key, std::string_view value)>& call);
 
+/// Calls \p call with every line of \p file and the index of its scene, until it returns false.
+/// \throws file_error where the file cannot be read, and naming the first line that is not whole or not in its order.
+void for_each_line(const std::string& file, const std::function<bool(std::string_view line, std::uint64_t index)>& call);
+
 /// Calls \p call with every line of \p file that has results, in their order, until it returns false.
-/// \throws file_error where the file cannot be read or is no file of results.
+/// \throws file_error as for_each_line, and naming the first line whose law or keys are not those of results.
 void for_each_row(const std::string& file, const std::function<bool(const Row&)>& call);
 
 }  // namespace fstiff::sweep

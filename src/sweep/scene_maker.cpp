@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <new>
 #include <string_view>
 
 namespace fstiff::sweep {
@@ -94,6 +95,9 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
         put(i, false);
     }
 
+    has_stiffness_ = first->stiffness || std::any_of(grid.axes.begin(), grid.axes.end(), [](const Axis& axis) {
+                         return axis.key.starts_with("output.");
+                     });
     folds_ = first->points.size() == 1;
     for (const scene::ChosenLaw& chosen : first->laws)  // boundary elements begin with the solution of the point before
         folds_ = folds_ && chosen.law->varies;
@@ -146,6 +150,10 @@ RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>
     }
     if (is_new) try {
             promise.set_value(read());
+        } catch (const std::bad_alloc&) {  // not what is wrong with the scene: the next one tries again
+            promise.set_exception(std::current_exception());
+            const std::lock_guard lock(mutex_);
+            all_.remove_if([&](const auto& one) { return one.first == key; });
         } catch (...) {
             promise.set_exception(std::current_exception());
         }

@@ -42,7 +42,7 @@ struct SensitivityRow {
 };
 
 /// Of the results \p file of the whole \p grid, which has a distribution. Of more than a million draws at one point of the
-/// grid the first million is taken. \throws domain_error where the results have no K.
+/// grid the first million is taken. \throws domain_error where no K in the results varies.
 [[nodiscard]] std::vector<SensitivityRow> sensitivities(const Grid& grid, const std::string& file);
 
 }  // namespace fstiff::sweep

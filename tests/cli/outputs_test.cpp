@@ -198,3 +198,85 @@ TEST_CASE("A seed is a whole number of 64 bits that is not negative") {
     CHECK(contains(greatest.out, "seed 18446744073709551615"));
     CHECK(greatest.out != fstiff(make + "0").out);
 }
+
+TEST_CASE("The output - is standard output, and what must be a file or a folder refuses it") {
+    const Folder folder;
+    folder.write("d.csv", profile());
+    folder.write("grid.toml", read(FSTIFF_SCENES "/../examples/sweeps/grid.toml"));
+    const std::string in = "cd '" + (folder / "") + "' && fstiff ";
+    for (const char* command : {"run", "fit d.csv", "measure d.csv", "spectrum d.csv", "peaks --profile d.csv", "formats",
+                                "export --to abaqus", "generate profile --points 64 --spacing '1 um' --hurst 0.5 --rms '1 um'"}) {
+        const Outcome plain = shell(in + command), dash = shell(in + command + " -o -");
+        INFO(command << "\n" << dash.err);
+        CHECK(plain.status % 4 == 0);
+        CHECK(dash.status == plain.status);
+        CHECK(!dash.out.empty());
+        CHECK(dash.out == plain.out);
+    }
+    CHECK(folder.files() == 2);
+    check_harmless(folder, "report -o -", 2, {"is standard output", "must be a folder"});
+    check_harmless(folder, "reproduce -o -", 2, {"is standard output", "must be a folder"});
+    check_harmless(folder, "sweep grid.toml -o -", 2, {"is standard output", "must be a file"});
+    check_harmless(folder, "merge x.jsonl -o -", 2, {"is standard output", "must be a file"});
+    REQUIRE(shell(in + "run -o ./-").status == 0);  // a file of that name
+    CHECK(read(folder / "-") == shell(in + "run").out);
+}
+
+TEST_CASE("An output is written through symbolic links, dangling ones too, and refused where they lead in a circle") {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "data");
+    std::filesystem::create_symlink("data/target.txt", folder / "one");
+    std::filesystem::create_symlink("one", folder / "two");
+    std::filesystem::create_symlink("nowhere/target.txt", folder / "astray");
+    std::filesystem::create_symlink("round", folder / "circle");
+    std::filesystem::create_symlink("circle", folder / "round");
+    const std::string in = "cd '" + (folder / "") + "' && fstiff ";
+    const std::string document = shell("fstiff formats").out;
+    for (const char* kind : {"dangling", "leads to a file"}) {
+        INFO(kind);
+        CHECK(shell(in + "formats -o two").status == 0);
+        CHECK(std::filesystem::is_symlink(folder / "two"));
+        CHECK(std::filesystem::is_symlink(folder / "one"));
+        CHECK(read(folder / "data/target.txt") == document);
+    }
+    check_harmless(folder, "formats -o astray", 3, {"astray: cannot be written", "the folder must exist"});
+    check_harmless(folder, "formats -o circle", 3, {"circle: cannot be written: Too many levels of symbolic links"});
+    std::filesystem::remove(folder / "data/target.txt");
+    check_harmless(folder, "run --plot data/new.svg -o data/new.svg", 3, {"written twice"});
+    std::filesystem::create_symlink("data/new.svg", folder / "picture.svg");
+    check_harmless(folder, "run --plot picture.svg -o data/new.svg", 3, {"written twice"});
+}
+
+TEST_CASE("Control characters of names are printed nowhere") {
+    const Folder folder;
+    const std::string name = "a\x1b[31m\x7f\xc2\x9b" "2J\n\xff" "b";  // escape, delete, the C1 of CSI, a line end, no UTF-8
+    const std::string profile_file = folder.write(name + ".csv", profile());
+    const std::string scene = folder.write(name + ".toml", scene_from("x.csv"));
+    folder.write("x.csv", profile());
+    const auto has_controls = [](const std::string& text) {
+        return text.find('\x1b') != std::string::npos || text.find('\x7f') != std::string::npos ||
+               text.find("\xc2\x9b") != std::string::npos || text.find('\xff') != std::string::npos;
+    };
+    const std::string picture = folder / "k.svg", page = folder / "site";
+    for (const std::string& command :
+         {"fit '" + profile_file + "'", "measure --format table '" + profile_file + "'", "spectrum '" + profile_file + "'",
+          "peaks --profile '" + profile_file + "'", "run --surface '" + profile_file + "'",
+          "run '" + scene + "' --plot '" + picture + "'", "run '" + scene + "' --full", "report '" + scene + "' -o '" + page + "'",
+          "export --to abaqus '" + scene + "'", "measure '" + profile_file + "'", "run '" + scene + "' --format json",
+          "truth '" + profile_file + "'", "run '" + folder / (name + "none") + "'"}) {
+        const Outcome outcome = test::fstiff(command);
+        INFO(command << "\n" << outcome.err);
+        CHECK((outcome.status % 4 == 0 || outcome.status == 3));
+        CHECK_FALSE(has_controls(outcome.out));
+        CHECK_FALSE(has_controls(outcome.err));
+        for (const std::string& line : lines(outcome.out + outcome.err)) {
+            INFO(line);
+            CHECK(!line.starts_with("\xEF\xBF\xBD" "b"));  // no line begins within the name
+        }
+    }
+    CHECK_FALSE(has_controls(read(picture)));
+    CHECK_FALSE(has_controls(read(folder / "k.plot.gp")));
+    CHECK_FALSE(has_controls(read(page + "/report.html")));
+    const std::string json = test::fstiff("measure '" + profile_file + "'").out;  // the name stays what it is
+    CHECK(contains(json, "\\u001b[31m\\u007f\\u009b2J\\n"));
+}

@@ -60,3 +60,16 @@ TEST_CASE("Work without a bar of its own shows the time on a terminal, and 10000
     CHECK(test::contains(bar, "points ["));
     CHECK(test::contains(bar, " s left"));
 }
+
+TEST_CASE("Work whose clock cannot start goes on without it") {
+    if (test::shell("script -qec true /dev/null; ulimit -s 4000000 && ulimit -v 2000000 && fstiff --version").status != 0)
+        SKIP_CASE("no program runs here with little memory, or the limits cannot be set");
+    const test::Folder folder;
+    const auto shown = test::shell(
+        "ulimit -s 4000000; ulimit -v 2000000; export TERM=vt100 FSTIFF_PROGRESS_DELAY=0; script -qec \"'" FSTIFF_COMMAND
+        "' run -o '" +
+        folder / "out" + "'\" /dev/null");
+    INFO(shown.out << shown.err);
+    CHECK(shown.status == 0);
+    CHECK(test::read(folder / "out") == test::fstiff("run").out);
+}

@@ -341,3 +341,81 @@ TEST_CASE("A real area above the nominal one is printed with exit code 4") {
     CHECK(test::contains(outcome.err, "real area exceeds the nominal area"));
     CHECK(test::contains(outcome.err, "separation is below 0"));
 }
+
+TEST_CASE("Full contact at one pressure is no result there, in every form and in truth, and nothing else is lost") {
+    using namespace test;
+    const Folder folder;
+    const Outcome map = test::fstiff("generate map --points 32 --spacing '1 um' --hurst 0.8 --rms '1 um'");
+    folder.write("m.txt", map.out);
+    const auto text_of = [&](const std::string& pressures, const std::string& laws) {
+        return "[surface]\nfrom = \"m.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+               "[contact]\npressures = [" +
+               pressures + "]\nlaws = [" + laws + "]\n[uncertainty]\nsamples = 20\n";
+    };
+    const std::string both = "\"hertz\", \"boundary_elements\"";
+    folder.write("s.toml", text_of("\"90 GPa\", \"10 MPa\"", both));
+    const std::string in = "cd '" + (folder / "") + "' && fstiff ";
+    const std::string warning = "boundary_elements has no result at 1 of 2 points, the first of them 9e+10 Pa: all points of "
+                                "the map are in contact";
+    const Outcome table = shell(in + "run s.toml --plot k.svg");
+    CHECK(table.status == 4);
+    CHECK(contains(table.out, warning));
+    CHECK(contains(read(folder / "k.svg"), "boundary elements"));
+    const Outcome csv = shell(in + "run s.toml --format csv"), json = shell(in + "run s.toml --format json");
+    CHECK(csv.status == 4);
+    CHECK(contains(csv.err, warning));
+    CHECK(Csv(csv.out).size() == 3);
+    CHECK(nlohmann::json::parse(json.out)["rows"].size() == 3);
+    const Outcome page = shell(in + "report s.toml -o page");
+    CHECK(page.status == 4);
+    CHECK(contains(read(folder / "page/report.html"), "all points of the map are in contact"));
+    folder.write("g.toml", text_of("\"90 GPa\", { values = [\"10 MPa\", \"20 MPa\", \"91 GPa\"] }", both));
+    for (const char* attempt : {"computed", "there already"}) {
+        INFO(attempt);
+        const Outcome some = shell(in + "sweep g.toml -o k.jsonl --plot sweep.svg");
+        CHECK(some.status == 4);
+        CHECK(contains(some.err, "3 scenes cannot be computed, or not whole"));
+    }
+    const std::vector<std::string> rows = lines(read(folder / "k.jsonl"));
+    REQUIRE(rows.size() == 3 * 2 * 2);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto row = nlohmann::json::parse(rows[i]);
+        const bool missed = row["law"] == "boundary_elements" && row["pressure_Pa"] > 1e10;
+        CHECK(row.contains("error") == missed);
+        CHECK(row["stiffness_Pa_per_m"].is_null() == missed);
+        if (missed) CHECK(row["error"] == "law boundary_elements: all points of the map are in contact");
+    }
+    const Outcome truth = shell(in + "truth m.txt --pressures '10 MPa,90 GPa' --format json");
+    CHECK(truth.status == 4);
+    const auto solved = nlohmann::json::parse(truth.out);
+    CHECK(solved["rows"][0]["stiffness_Pa_per_m"] > 0);
+    CHECK(solved["rows"][1]["stiffness_Pa_per_m"].is_null());
+    CHECK(solved["rows"][1]["stiffness_error_Pa_per_m"].is_null());
+    CHECK(solved["rows"][1]["real_area_fraction"] == 1);
+    CHECK(solved["warnings"][0] == "all points of the map are in contact at 1 of 2 pressures: there is no K there");
+    for (const char* extreme : {"5e-324 Pa", "1e308 Pa"}) {
+        const Outcome beyond = shell(in + "truth m.txt --pressures '10 MPa," + extreme + "'");
+        INFO(beyond.err);
+        CHECK(beyond.status == 3);
+        CHECK(contains(beyond.err, "is beyond the range of double precision; pressures must be less extreme"));
+    }
+    const Outcome closed = shell(in + "truth m.txt --pressures '90 GPa'");
+    CHECK(closed.status == 3);
+    CHECK(contains(closed.err, "m.txt: all points of the map are in contact at 9e+10 Pa, so that there is no K"));
+}
+
+TEST_CASE("Numbers of a measured surface beyond all reason are refused in one sentence") {
+    using namespace test;
+    const Outcome map = test::fstiff("generate map --points 32 --spacing '1 um' --hurst 0.8 --rms '1 um'");
+    const auto measured = nlohmann::json::parse(test::fstiff("measure -", map.out).out);
+    for (const char* key : {"rms_height", "rms_gradient"})
+        for (const double value : {1e308, 1e155, 1e-170, 1e-308}) {
+            auto changed = measured;
+            changed["surface"][key]["value"] = value;
+            const Outcome outcome = test::fstiff("run --surface -", changed.dump());
+            INFO(key << " = " << value << "\n" << outcome.err);
+            CHECK((outcome.status == 3 || outcome.status % 4 == 0));
+            CHECK(contains(outcome.out + outcome.err, outcome.status == 3 ? "must be " : "beyond the range of double"));
+            CHECK_FALSE(contains(outcome.err, "internal error"));
+        }
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What happens to a sweep that is killed, whose disk is full, or whose file another one writes: nothing is lost or doubled.
 #include "cli/command.hpp"
+#include "support/skip.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -104,6 +105,26 @@ TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on be
     CHECK(contains(no_room.err, "cannot be written: File too large"));
     CHECK(!std::filesystem::exists(folder / "all"));
     CHECK(!std::filesystem::exists(folder / "all.partial"));
+}
+
+TEST_CASE("A sweep whose threads find no room goes on with fewer, and says how many") {
+    const Folder folder;
+    const std::string file = folder.write("grid.toml", grid(500)), out = folder / "out";
+    REQUIRE(fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
+    if (shell("ulimit -s 4000000 && ulimit -v 100000 && fstiff --version").status != 0)
+        SKIP_CASE("no program runs here with little memory, or the limits cannot be set");
+    // each thread asks for a stack of the size of the limit on that of the process
+    for (const char* limits : {"-s 4000000 && ulimit -v 2000000", "-s 400000 && ulimit -v 2000000", "-v 500000", "-v 200000",
+                               "-v 140000", "-v 100000"}) {
+        std::filesystem::remove(out);
+        std::filesystem::remove(out + ".sweep");
+        const Outcome outcome = shell("ulimit " + std::string(limits) + " && fstiff sweep '" + file + "' -o '" + out +
+                                      "' --threads 64");
+        INFO(limits << "\n" << outcome.err);
+        CHECK(outcome.status == 0);
+        CHECK(contains(outcome.err, " of 64 threads computed; the system has no room for more"));
+        CHECK(read(out) == read(folder / "serial"));
+    }
 }
 
 TEST_CASE("Two sweeps cannot write one file at the same time") {

@@ -5,6 +5,7 @@
 
 #include "support/catch.hpp"
 
+#include <cmath>
 #include <vector>
 
 using namespace fstiff;
@@ -33,4 +34,17 @@ TEST_CASE("the change from one grid to the next covers the change to the one aft
     }
     CAPTURE(covered, all);
     CHECK(covered >= all * 3 / 4);
+}
+
+TEST_CASE("K of a map whose points all touch is infinite on both grids, without an error that is no number") {
+    SelfAffineOptions<double> of;
+    of.hurst = 0.8;
+    of.rms = 1e-3;
+    const HeightMap<double> map = self_affine_map(of, 32, 32, 1.0 / 32, 1.0 / 32);
+    const auto points = truth(map, 1.0, std::vector<double>{1e-4, 1.0}, {.points = 32, .edges = Edges::periodic});
+    CHECK(std::isfinite(points[0].state.stiffness));
+    CHECK(std::isfinite(points[0].stiffness_error));
+    CHECK(std::isinf(points[1].state.stiffness));
+    CHECK(points[1].state.contact_fraction == 1);
+    CHECK(points[1].stiffness_error == 0);
 }

@@ -198,6 +198,74 @@ TEST_CASE("persson takes the spectrum of a map with its mirror images, or of one
     }
 }
 
+TEST_CASE("A pressure that a law does not reach leaves its other pressures and the other laws alone") {
+    const MapFile file;
+    const auto at = [](std::string text, const std::string& pressures) {
+        return test::replaced(std::move(text), "\"1 MPa\", \"5 MPa\"", pressures);
+    };
+    const std::string one_face = file.surface();
+    const std::string two_faces = "shifts = 2\n[surface.upper]\n" + one_face + "\n[surface.lower]\n" + one_face;
+    const std::string elements = "[boundary_elements]\npoints = 32\n";
+    for (const std::string& surface : {one_face, two_faces}) {
+        const std::string text = scene_of(surface, "\"hertz\", \"boundary_elements\"", elements);
+        const auto reached = computed(at(text, "\"1 MPa\", \"5 MPa\""));
+        const auto all = computed(at(text, "\"90 GPa\", \"1 MPa\", \"80 GPa\", \"5 MPa\""));
+        REQUIRE(all.curves.size() == 2);
+        const scene::Curve& found = all.curves[1];
+        CHECK(found.places == std::vector<std::size_t>{1, 3});
+        REQUIRE(found.missed.size() == 2);
+        CHECK(found.missed[1].place == 2);
+        CHECK(found.missed[1].reason == "all points of the map are in contact");
+        CHECK(found.state_at(3) == 1);
+        CHECK_FALSE(found.state_at(2));
+        for (const scene::Column& column : found.columns) CHECK((column.values.empty() || column.values.size() == 2));
+        for (std::size_t i = 0; i < 2; ++i) {
+            // the solver begins with the pressures of the point before: equal to its tolerance
+            const double k = found.states[i].stiffness.value, alone = reached.curves[1].states[i].stiffness.value;
+            CHECK(test::relative_error(k, alone) < 1e-5);
+            // the band of a point is that of its pressure, whatever stands before it
+            CHECK(all.curves[0].states[2 * i + 1].stiffness.value == reached.curves[0].states[i].stiffness.value);
+            CHECK(all.curves[0].band[2 * i + 1].low == reached.curves[0].band[i].low);
+        }
+        CHECK(all.doubtful);
+        CHECK(std::count(all.warnings.begin(), all.warnings.end(),
+                         "law boundary_elements has no result at 2 of 4 points, the first of them 9e+10 Pa: all points "
+                         "of the map are in contact") == 1);
+    }
+    const std::string text = scene_of(one_face, "\"hertz\", \"boundary_elements\"", elements);
+    const auto none = computed(at(text, "\"90 GPa\""));
+    CHECK(none.curves[1].states.empty());
+    CHECK(none.curves[0].states.size() == 1);
+    CHECK(refused(at(scene_of(one_face, "\"boundary_elements\"", elements), "\"90 GPa\"")) ==
+          "s.toml:10: contact.pressures: law boundary_elements: all points of the map are in contact");
+    // at the hardness and above it, all points would flow
+    const auto hard = computed(at(scene_of(one_face, "\"boundary_elements\"", elements + "hardness = \"100 MPa\"\n"),
+                                  "\"100 MPa\", \"1 MPa\""));
+    CHECK(hard.curves[0].places == std::vector<std::size_t>{1});
+    CHECK(hard.curves[0].missed[0].reason == "pressure = 1e+08: must be less than boundary_elements.hardness (Pa)");
+}
+
+TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradient, is beyond the range of double") {
+    const MapFile file;
+    std::string soft = scene_of(file.surface(), "\"hybrid\", \"persson\", \"hertz\"");
+    soft = test::replaced(soft, "2 GPa", "2 MPa");
+    for (const char* pressure : {"1 MPa", "3 MPa", "8 MPa"}) {
+        const auto results = computed(test::replaced(soft, "\"1 MPa\", \"5 MPa\"", "\"" + std::string(pressure) + "\""));
+        for (const scene::Curve& curve : results.curves)
+            for (const scene::Column& column : curve.columns)
+                for (const double value : column.values) CHECK(std::isfinite(value));
+    }
+    const std::string numbers = "rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n";
+    for (const char* gradient : {"1e-308", "5e-324", "1e-170", "1e155", "1e308"}) {
+        const std::string surface = numbers + "rms_gradient = " + gradient;
+        INFO(gradient);
+        CHECK(test::contains(refused(scene_of(surface, "\"persson\"")), "beyond the range of double precision"));
+        const auto results = computed(scene_of(surface, "\"hertz\""));
+        for (const auto& curve : results.curves)
+            CHECK((!curve.rms_gradient || std::isfinite(5e6 / (results.modulus * *curve.rms_gradient))));
+    }
+}
+
 TEST_CASE("hybrid is the first law of a measured surface") {
     const MapFile file;
     std::string text = scene_of(file.surface(), "");

@@ -5,7 +5,10 @@
 
 #include <fstiff/core/error.hpp>
 
+#include <new>
 #include <stdexcept>
+#include <system_error>
+#include <thread>
 
 using namespace fstiff::sweep;
 
@@ -23,19 +26,21 @@ const std::string text =
 struct Collected {
     std::string text;
     std::uint64_t next = 0, failed = 0;
+    unsigned threads = 0;
 };
 
-Collected collected(const Grid& grid, std::uint64_t first, std::uint64_t end, unsigned threads) {
+Collected collected(const Grid& grid, std::uint64_t first, std::uint64_t end, unsigned threads,
+                    const ThreadStart& start = {}) {
     SceneMaker maker(grid);
     Collected all;
     all.next = first;
-    run(grid, maker, first, end, {.threads = threads},
-        [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
-            CHECK(next > all.next);
-            all.text += lines;
-            all.next = next;
-            all.failed += failed;
-        });
+    all.threads = run(grid, maker, first, end, {.threads = threads, .start = start},
+                      [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
+                          CHECK(next > all.next);
+                          all.text += lines;
+                          all.next = next;
+                          all.failed += failed;
+                      });
     return all;
 }
 
@@ -51,11 +56,32 @@ TEST_CASE("Any number of threads hands over the same lines in the order of the s
         const Collected many = collected(grid, 0, grid.size, threads);
         CHECK(many.text == one.text);
         CHECK(many.failed == one.failed);
+        CHECK(many.threads == threads);
     }
     // as two parts, wherever they are parted
     for (const std::uint64_t middle : {std::uint64_t(1), std::uint64_t(7), grid.size / 2})
         CHECK(collected(grid, 0, middle, 2).text + collected(grid, middle, grid.size, 3).text == one.text);
     CHECK(collected(grid, 5, 5, 2).text.empty());
+}
+
+TEST_CASE("Where a thread cannot start, those that did compute everything, and of none the caller does", "[threads]") {
+    const Grid grid = read_grid(text, "grid.toml");
+    const Collected whole = collected(grid, 0, grid.size, 1);
+    for (const unsigned most : {0U, 1U, 3U}) {
+        unsigned started = 0;
+        const ThreadStart few = [&](const std::function<void()>& call) {
+            if (started == most) throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+            ++started;
+            return std::thread(call);
+        };
+        const Collected some = collected(grid, 0, grid.size, 8, few);
+        CHECK(some.threads == most);
+        CHECK(some.text == whole.text);
+        CHECK(some.next == grid.size);
+        CHECK(some.failed == whole.failed);
+    }
+    const ThreadStart no_memory = [](const std::function<void()>&) -> std::thread { throw std::bad_alloc(); };
+    CHECK(collected(grid, 0, 100, 2, no_memory).threads == 0);
 }
 
 TEST_CASE("What the receiver throws ends all threads and reaches the caller", "[threads]") {

@@ -38,7 +38,8 @@ struct TruthOptions {
 template <Real T = double>
 struct TruthPoint {
     BoundaryElementState<T> state{};
-    T stiffness_error{};  ///< change from the grid half as fine [Pa/m]; 0 where it was not asked for
+    T stiffness_error{};  ///< change from the grid half as fine [Pa/m]; infinite where all points of one grid alone touch; 0
+                          ///< where all points of both touch, and where it was not asked for
     T gap_error{};        ///< the same of the mean gap [m]
 };
 
@@ -61,7 +62,8 @@ template <Real T, class Pressures>
         TruthPoint<T> point{solver.at_pressure(pressure)};
         if (options.grid_error) {
             const auto other = coarse.at_pressure(pressure);
-            point.stiffness_error = std::abs(other.stiffness - point.state.stiffness);
+            if (other.stiffness != point.state.stiffness)  // both are infinite where all points touch
+                point.stiffness_error = std::abs(other.stiffness - point.state.stiffness);
             point.gap_error = std::abs(other.mean_gap - point.state.mean_gap);
         }
         points.push_back(point);

@@ -79,13 +79,6 @@ double share_of(const std::string& text) {
     return percent ? number / 100 : number;
 }
 
-/// A file name may hold anything; a comment is one line.
-std::string one_line(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, '?');
-    return text;
-}
-
 bool is_stiffness(const std::optional<scene::PressureTable::Range>& slope_over_stiffness) {
     constexpr double rounding = 1e-6;
     return slope_over_stiffness && std::abs(slope_over_stiffness->least - 1) < rounding &&
@@ -101,12 +94,13 @@ std::string slope_of(const scene::PressureTable& table) {
     return "-dp/dd, " + least + (least == greatest ? "" : " to " + greatest) + " of K of law " + table.law;
 }
 
-std::string document_of(const Scene& scene, const scene::PressureTable& table, const Options& options, const Units& units) {
+std::string document_of(const Scene& scene, const PressureTable& table, const Options& options,
+                        const Units& units) {
     const bool calculix = options.solver == Solver::calculix;
     const auto pressure = [&](double p) { return rounded(p * units.pascal, 10); };
     const auto length = [&](double x) { return rounded(x * units.metre, 10); };
     std::string text;
-    const auto say = [&](const std::string& line) { text += "** " + one_line(line) + "\n"; };
+    const auto say = [&](const std::string& line) { text += "** " + printable(line) + "\n"; };
     say("fstiff " FSTIFF_VERSION ": contact law for " + std::string(name_of(options.solver)) +
         ", pressure against overclosure; its slope is " + slope_of(table));
     say("scene     " + scene.name + " (" + scene.file + "), SHA-256 " + scene.sha256);
@@ -137,7 +131,7 @@ std::string document_of(const Scene& scene, const scene::PressureTable& table, c
 }
 
 Report execute(const Options& options) {
-    if (!options.output.file.empty()) require_own(options.output.file);
+    if (const std::string file = options.output.target(); !file.empty()) require_own(file);
     const Units units = units_of(options.units);
     const auto pressure = [](const std::string& text, const char* name) {
         return text.empty() ? std::nullopt : std::optional(parse_positive(text, io::Dimension::pressure, name));
@@ -178,7 +172,7 @@ Command add_export(CLI::App& app) {
     command.option("--until", options->to, "greatest pressure of the table; the default is that of the scene");
     command.option("--law", options->law, "law of the scene; the default is its first that gives a separation");
     command.option("--peaks", options->peaks, "which of the scene's contact.peaks, from 1 on").show_default();
-    command.option("-o,--output", options->output.file, "write to FILE instead of standard output").type_name("FILE");
+    add_output_option(command, options->output);
     command.footer(
         "A file that fstiff did not make is not replaced.\n"
         "Example:\n  fstiff export --to calculix --units mm,N,MPa --tolerance 1%");

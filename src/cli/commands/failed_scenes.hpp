@@ -18,7 +18,8 @@ namespace fstiff::cli {
 inline void warn_of_failed_scenes(Report& report, std::uint64_t failed) {
     if (failed == 0) return;
     report.diagnostics.push_back("warning: " + counted(failed, "scene") +
-                                 " cannot be computed; their lines have the key \"error\" in place of results");
+                                 " cannot be computed, or not whole; what they lack has a line with the key "
+                                 "\"error\" in place of results");
     report.status = doubtful_result;
 }
 

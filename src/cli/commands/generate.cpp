@@ -184,7 +184,7 @@ Command add_generate(CLI::App& app) {
     command.option("--format", options->form, "form of the file: csv (default), sdf (binary) or sdf-text")
         .type_name("FORMAT")
         .one_of({"csv", "sdf", "sdf-text"});
-    command.option("-o,--output", options->output.file, "write to FILE instead of standard output").type_name("FILE");
+    add_output_option(command, options->output);
     command.footer(
         "The parameters and the seed stand in the first line of the CSV, on standard error for SDF.\n"
         "Example:\n"

@@ -82,11 +82,11 @@ std::string text_of(const RoughnessTable& table) {
 }
 
 std::string table(const MeasuredSurface& surface) {
-    std::string text = "fstiff " FSTIFF_VERSION ": surface of " + surface.file + "\n";
+    std::string text = "fstiff " FSTIFF_VERSION ": surface of " + printable(surface.file) + "\n";
     for (const std::string& decision : surface.decisions) text += "  " + decision + "\n";
     text += "\n" + rows_of(surface).text() + text_of(roughness_of(surface));
     for (const MeasuredSurface& part : surface.parts) {
-        text += "\n" + part.file + "\n";
+        text += "\n" + printable(part.file) + "\n";
         for (const std::string& decision : part.decisions) text += "  " + decision + "\n";
         text += rows_of(part).text() + text_of(roughness_of(part));
     }

@@ -19,6 +19,7 @@ struct Options {
 };
 
 Report execute(const Options& options) {
+    refuse_standard_output(options.merged, "a file, beside which its description stands");
     const std::string lines = sweep::lines_file(options.merged);
     sweep::require_form(options.merged);
     require_writable(options.merged);
@@ -27,7 +28,7 @@ Report execute(const Options& options) {
     if (lines != options.merged) sweep::write_hdf5(lines, options.merged);
     Report report;
     report.document = "fstiff merge: " + counted(merged.scenes, "scene") + " of " + counted(merged.shards, "shard") +
-                      " in " + options.merged + "\n";
+                      " in " + printable(options.merged) + "\n";
     warn_of_failed_scenes(report, merged.failed);
     return report;
 }

@@ -144,7 +144,7 @@ std::string table(const Options& options, const Source& source, const std::vecto
     const auto& p = source.density;
     std::string text = "fstiff " FSTIFF_VERSION ": peak density (4.4) from " + source.from;
     if (source.input) {
-        text += " " + display_name(options.surface.file) + "\n" + source_lines(*source.input, "  file              ");
+        text += " " + shown_name(options.surface.file) + "\n" + source_lines(*source.input, "  file              ");
         text += "  form removed      " + source.levelled->form + "; Rq " + shown_length(source.levelled->rms_as_read) +
                 " before, " + shown_length(source.levelled->rms) + " after";
         if (source.levelled->cut_offs.any()) text += "; " + source.levelled->cut_offs.sentence();

@@ -371,38 +371,36 @@ std::string material_sentence(const Scene& scene) {
     return text + (assumed ? ". Give your own in a scene, section [material]." : ".");
 }
 
-/// The points of a summary that the first curve reaches.
-std::vector<std::size_t> few_points(const Scene& scene, const Results& results) {
-    std::vector<std::size_t> points = summary_points(scene);
-    std::erase_if(points, [&](std::size_t i) { return i >= results.curves.front().states.size(); });
-    return points;
+/// K of \p curve at the place \p i among the points of the scene; none where the law does not reach it.
+std::optional<double> stiffness_at(const Curve& curve, std::size_t i) {
+    const auto at = curve.state_at(i);
+    return at ? std::optional(curve.states[*at].stiffness.value) : std::nullopt;
 }
 
 /// The unit of K of the whole page.
 Unit unit_of_stiffness(const Scene& scene, const Results& results) {
     std::vector<double> values;
     for (const Curve& curve : results.curves)
-        for (const std::size_t i : few_points(scene, results))
-            if (i < curve.states.size()) values.push_back(curve.states[i].stiffness.value);
+        for (const std::size_t i : summary_points(scene))
+            if (const auto stiffness = stiffness_at(curve, i)) values.push_back(*stiffness);
     return unit_for_all("Pa/m", values);
 }
 
-/// K of every curve at a few points, with its band.
+/// K of every curve at the points of a summary, with its band.
 Rows stiffness_rows(const Scene& scene, const Results& results, const Unit& unit) {
-    const auto& first = results.curves.front().states;
-    const std::vector<std::size_t> points = few_points(scene, results);
+    const std::vector<std::size_t> points = summary_points(scene);
     Rows rows{{"K/A₀ [" + std::string(unit.name) + "]"}};
     for (const std::size_t i : points)
-        rows[0].push_back(scene.at_separations ? "at d = " + with_unit(first[i].separation.value, "m", 3)
-                                               : "at " + with_unit(first[i].pressure.value, "Pa", 3));
+        rows[0].push_back(scene.at_separations ? "at d = " + with_unit(scene.points[i], "m", 3)
+                                               : "at " + with_unit(scene.points[i], "Pa", 3));
     for (const Curve& curve : results.curves) {
         std::vector<std::string> row{legend_of(curve)};
         for (const std::size_t i : points) {
-            const bool known = i < curve.states.size() && std::isfinite(curve.states[i].stiffness.value);
+            const auto at = curve.state_at(i);
             const auto shown = [&](double stiffness) { return with_unit(stiffness / unit.size, "", 3); };
-            row.push_back(known ? shown(curve.states[i].stiffness.value) : "-");
-            if (known && i < curve.band.size())
-                row.back() += " (" + shown(curve.band[i].low) + " to " + shown(curve.band[i].high) + ")";
+            row.push_back(at ? shown(curve.states[*at].stiffness.value) : "-");
+            if (at && *at < curve.band.size())
+                row.back() += " (" + shown(curve.band[*at].low) + " to " + shown(curve.band[*at].high) + ")";
         }
         rows.push_back(std::move(row));
     }
@@ -575,6 +573,7 @@ std::string page_of(const Scene& scene, const Results& results) {
 }
 
 Report execute(const Options& options) {
+    refuse_standard_output(options.folder, "a folder");
     const std::string file = (std::filesystem::path(options.folder) / "report.html").string();
     require_own(file);
     keep_for_output(file);
@@ -604,8 +603,9 @@ Report execute(const Options& options) {
         report.document = answer.str();
     } else {
         report.document = format == Format::csv ? csv_line({"file"}) + csv_line({file})
-                                                : "fstiff " FSTIFF_VERSION ": report of " + scene.name + " (" +
-                                                      scene.file + ")\n  " + file + "\n";
+                                                : "fstiff " FSTIFF_VERSION ": report of " +
+                                                      printable(scene.name + " (" + scene.file + ")") + "\n  " +
+                                                      printable(file) + "\n";
         for (const std::string& warning : results.warnings) report.diagnostics.push_back("warning: " + warning);
     }
     return report;

@@ -574,6 +574,7 @@ std::string json(const Reproduction& all, const std::vector<std::string>& files)
 }
 
 Report execute(const Options& options) {
+    refuse_standard_output(options.folder, "a folder");
     const std::filesystem::path folder(options.folder);
     const std::string errata = (folder / "errata.md").string(), index = (folder / "index.html").string();
     require_own(errata);

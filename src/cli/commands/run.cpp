@@ -145,7 +145,7 @@ std::string introduction(const Scene& scene, const Results& results) {
     for (const Assumed& one : assumed(scene))
         parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
     if (scene.faces.empty()) parts.push_back("the other face smooth");
-    std::string text = "fstiff " FSTIFF_VERSION ": " + scene.name + " (" + scene.file + ")\n";
+    std::string text = "fstiff " FSTIFF_VERSION ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
     text += believed(results) + in_lines("surface", parts);
     if (!scene.faces.empty()) {
         parts = {"of the sum of two rough faces"};
@@ -161,7 +161,7 @@ std::string introduction(const Scene& scene, const Results& results) {
             if (u.known[i])
                 parts.push_back(std::string(parameter_table[i].symbol) + " " +
                                 shown_percent(u.error[i] / u.value[i]));
-        parts.front() = measured.file + " (" + measured.kind + "), errors of " + parts.front();
+        parts.front() = printable(measured.file) + " (" + measured.kind + "), errors of " + parts.front();
         if (measured.cut_offs.any()) parts.push_back(measured.cut_offs.sentence());
         text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
     }
@@ -243,9 +243,10 @@ public:
         const std::string stem = key.substr(0, key.find("_Pa_per_m"));
         TextTable table = headed(heading.shown + (band ? ", 5 % to 95 %" : ""));
         for (const Curve& curve : results_.curves) {
-            const auto value = [&](const std::string& of, std::size_t i) -> std::optional<double> {
+            const auto value = [&](const std::string& of, std::size_t place) -> std::optional<double> {
+                const auto at = curve.state_at(place);
                 for (const scene::Column& column : curve.columns)
-                    if (column.key == of && i < column.values.size()) return column.values[i] * heading.factor;
+                    if (column.key == of && at && !column.values.empty()) return column.values[*at] * heading.factor;
                 return std::nullopt;
             };
             std::vector<std::string> row{padded(label_of(curve))};
@@ -273,12 +274,13 @@ public:
         for (const Curve& curve : results_.curves) {
             std::vector<std::string> row{padded(label_of(curve))};
             for (const std::size_t i : points_) {
-                if (i >= curve.states.size()) {  // the law ends before
+                const auto at = curve.state_at(i);
+                if (!at) {  // out of the law's reach
                     row.emplace_back("-");
                     continue;
                 }
                 const double p =
-                    dimensionless_pressure(curve.states[i].pressure.value, results_.modulus, *curve.rms_gradient);
+                    dimensionless_pressure(curve.states[*at].pressure.value, results_.modulus, *curve.rms_gradient);
                 const auto ratio = validated_ratio(curve.law->name, p);
                 row.push_back(rounded(p, 2) + ": " +
                               (ratio ? rounded(ratio->low, 3) + "–" + rounded(ratio->high, 3) : "-"));
@@ -410,7 +412,8 @@ Command add_run(CLI::App& app) {
     command.flag("--example", options->example, "print a scene with comments, to begin one of your own");
     command.footer(
         "A scene says what is in contact; run --example > my.toml is one to change. Exit code 4: a real area above the "
-        "nominal one,\nno convergence, or a measured parameter that is not known to a factor of two.\n"
+        "nominal one,\nno convergence, a point that a law does not reach, or a measured parameter that is not known to a "
+        "factor of two.\n"
         "Example:\n  fstiff run --format csv");
     return {command.app(), &options->output, [options] { return execute(*options); }};
 }

@@ -196,7 +196,7 @@ Rows rows_of(const Result& result) {
 
 std::string title_of(const Options& options) {
     return std::string(options.of == SpectrumKind::psd ? "power spectral density" : "autocorrelation function") +
-           " of " + display_name(options.surface.file);
+           " of " + shown_name(options.surface.file);
 }
 
 std::string table(const Options& options, const SurfaceInput& input, const Result& result) {

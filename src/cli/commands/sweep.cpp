@@ -46,11 +46,11 @@ std::string results_file(const Options& options, const sweep::Shard& shard) {
 }
 
 std::string summary(const sweep::Grid& grid, const sweep::Description& of, const std::string& file) {
-    std::string text = "fstiff sweep: " + grid.file + ", " + counted(grid.size, "scene");
+    std::string text = "fstiff sweep: " + printable(grid.file) + ", " + counted(grid.size, "scene");
     if (of.shard.of > 1)
         text += ", of which shard " + of.shard.text() + " has " +
                 std::to_string(of.shard.end(grid.size) - of.shard.first(grid.size));
-    text += "; results in " + file + "\n";
+    text += "; results in " + printable(file) + "\n";
     for (const sweep::Axis& axis : grid.axes) {
         text += "  " + axis.key;
         if (!axis.unit.empty()) text += " [" + axis.unit + "]";
@@ -111,13 +111,39 @@ std::string sensitivity_table(const sweep::Grid& grid, const std::string& file) 
                 : "\n");
 }
 
-/// What is computed of the results of the whole grid.
+/// What is computed of the results of the whole grid. One view that shows nothing leaves the other alone.
 void add_views(Report& report, const Options& options, const sweep::Grid& grid, const std::string& file) {
-    if (options.sensitivity) report.document += sensitivity_table(grid, file);
-    if (!options.picture.empty()) say_written(report, write_figure(sweep_figure(grid, file), options.picture));
+    const auto add = [&](const auto& view) {
+        try {
+            view();
+        } catch (const domain_error& error) {
+            report.diagnostics.push_back("warning: " + std::string(error.what()));
+            report.status = doubtful_result;
+        }
+    };
+    if (!options.picture.empty())
+        add([&] { say_written(report, write_figure(sweep_figure(grid, file), options.picture)); });
+    if (options.sensitivity) add([&] { report.document += sensitivity_table(grid, file); });
 }
 
-/// \throws Usage for a view of a shard, or of no distribution.
+/// Before anything is computed. \throws Usage for sensitivities of a grid that cannot have them.
+void require_draws(const sweep::Grid& grid) {
+    if (std::none_of(grid.axes.begin(), grid.axes.end(),
+                     [](const sweep::Axis& axis) { return axis.drawn.has_value(); }))
+        throw Usage("--sensitivity needs a distribution in the grid, such as { normal = [\"5 um\", \"0.2 um\"] }");
+    if (grid.samples < 3)
+        throw Usage("--sensitivity needs 3 draws at least at each point of the grid; sweep.samples = " +
+                    std::to_string(grid.samples) + " must be 3 or more");
+}
+
+/// Before anything is computed. \throws Usage for views of K in a grid that has none.
+void require_stiffness(const Options& options, const sweep::SceneMaker& maker) {
+    if (maker.has_stiffness() || (!options.sensitivity && options.picture.empty())) return;
+    throw Usage(std::string(options.sensitivity ? "--sensitivity" : "--plot") +
+                " needs K; output.quantities must hold \"stiffness\"");
+}
+
+/// \throws Usage for a view of a shard.
 void require_views(const Options& options, const sweep::Shard& shard) {
     if (shard.of > 1 && (options.sensitivity || !options.picture.empty()))
         throw Usage("--plot and --sensitivity need the whole grid; merge the shards first, then run fstiff sweep " +
@@ -133,6 +159,7 @@ Report execute(const Options& options) {
     }
     if (options.grid.empty() || options.results.empty())
         throw Usage("a grid and -o FILE are needed; see fstiff sweep --help");
+    refuse_standard_output(options.results, "a file, so that a run that was interrupted goes on");
     const sweep::Shard shard = sweep::parse_shard(options.shard);
     require_views(options, shard);
     const std::string output = results_file(options, shard), file = sweep::lines_file(output);
@@ -142,11 +169,10 @@ Report execute(const Options& options) {
         keep_for_output(one);
     }
     const sweep::Grid grid = sweep::read_grid(read_all(options.grid), display_name(options.grid));
-    if (options.sensitivity && std::none_of(grid.axes.begin(), grid.axes.end(),
-                                            [](const sweep::Axis& axis) { return axis.drawn.has_value(); }))
-        throw Usage("--sensitivity needs a distribution in the grid, such as { normal = [\"5 um\", \"0.2 um\"] }");
+    if (options.sensitivity) require_draws(grid);
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
-    if (!std::filesystem::exists(sweep::description_file(file))) maker.emplace(grid);
+    const auto make = [&] { require_stiffness(options, maker.emplace(grid)); };
+    if (!std::filesystem::exists(sweep::description_file(file))) make();
     sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
     Report report;
     if (results.dropped() > 0)
@@ -155,15 +181,18 @@ Report execute(const Options& options) {
     const std::uint64_t first = results.next(), end = shard.end(grid.size);
     const auto begun = std::chrono::steady_clock::now();
     if (!results.description().finished) {
-        if (!maker) maker.emplace(grid);
+        if (!maker) make();
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-        sweep::run(grid, *maker, first, end,
-                   {.threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores,
-                    .progress = progress_bar(true)},
-                   [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
-                       results.append(lines, next, failed);
-                   });
+        const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
+        const unsigned started = sweep::run(grid, *maker, first, end,
+                                            {.threads = wanted, .progress = progress_bar(true)},
+                                            [&](std::string_view lines, std::uint64_t next, std::uint64_t failed) {
+                                                results.append(lines, next, failed);
+                                            });
         results.finish();
+        if (started < wanted)
+            report.diagnostics.push_back(std::to_string(started) + " of " + counted(wanted, "thread") +
+                                         " computed; the system has no room for more");
     }
     if (output != file && (first != end || !std::filesystem::exists(output))) sweep::write_hdf5(file, output);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

@@ -63,7 +63,7 @@ Report execute(const Options& options) {
     const TruthOfMap solved = truth_of_map(request, read_surface_input(request.surface));
     return report({.table =
                        [&] {
-                           return "fstiff " FSTIFF_VERSION ": boundary elements of " + solved.file + "\n  " +
+                           return "fstiff " FSTIFF_VERSION ": boundary elements of " + printable(solved.file) + "\n  " +
                                   std::to_string(solved.points) + " points along the longer side, edges " +
                                   std::string(name_of(solved.edges)) + ", form removed: " + solved.form + "\n  sigma " +
                                   rounded(solved.rms_height * 1e6) + " µm, rms gradient " +
@@ -101,8 +101,8 @@ Command add_truth(CLI::App& app) {
                    "how the map goes on beyond its edges: mirrored (default) or periodic");
     add_output_options(command, options->output);
     command.footer(
-        "The error of K is its change from a grid half as fine. Exit code 4: it is above a fifth of K, or no "
-        "convergence.\n"
+        "The error of K is its change from a grid half as fine. Exit code 4: it is above a fifth of K, no convergence, "
+        "or at some\npressures all points of the map are in contact, so that there is no K.\n"
         "Example:\n  fstiff generate map --hurst 0.8 --rms \"1 um\" --spacing \"1 um\" | fstiff truth - --pressures "
         "\"10 MPa\"");
     return {command.app(), &options->output, [options] { return execute(*options); }};

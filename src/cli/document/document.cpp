@@ -16,12 +16,12 @@ Report report(const Document& document, Format format) {
     Report made;
     made.status = document.status;
     if (format == Format::table) {
-        made.document = document.table();
-        for (const std::string& warning : document.warnings) made.document += "warning: " + warning + "\n";
+        made.document = printable(document.table(), "\n");
+        for (const std::string& warning : document.warnings) made.document += "warning: " + printable(warning) + "\n";
         return made;
     }
     if (format == Format::csv) {
-        made.document = document.csv();
+        made.document = printable(document.csv(), "\n");
         made.diagnostics = document.csv_notes;
     } else {
         Json json = document.json();

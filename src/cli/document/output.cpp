@@ -79,13 +79,6 @@ public:
     void keep() { has_partials = 0; }
 };
 
-/// The file behind a symbolic link, which stays a link.
-fs::path target_of(const std::string& file) {
-    std::error_code error;
-    const fs::path target = fs::weakly_canonical(fs::absolute(file), error);
-    return error ? fs::path(file) : target;
-}
-
 /// \p folder and those above it that are not there, the innermost first.
 std::vector<std::string> missing_folders(const fs::path& folder) {
     std::vector<std::string> missing;
@@ -106,7 +99,19 @@ void add_format_option(Arguments& arguments, OutputOptions& options, Format init
 
 void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {
     add_format_option(arguments, options, initial);
-    arguments.option("-o,--output", options.file, "write to FILE instead of standard output").type_name("FILE");
+    add_output_option(arguments, options);
+}
+
+void add_output_option(Arguments& arguments, OutputOptions& options) {
+    arguments.option("-o,--output", options.file, "write to FILE instead of standard output, which - is")
+        .type_name("FILE");
+}
+
+std::string OutputOptions::target() const { return file == "-" ? std::string() : file; }
+
+void refuse_standard_output(const std::string& output, std::string_view wanted) {
+    if (output == "-")
+        throw Usage("--output = \"-\": is standard output; must be " + std::string(wanted));
 }
 
 void say_written(Report& report, const std::vector<std::string>& files) {
@@ -117,7 +122,7 @@ void say_written(Report& report, const std::vector<std::string>& files) {
 
 void require_writable(const std::string& file) {
     std::error_code error;
-    const fs::path target = target_of(file);
+    const fs::path target = output_target(file);
     if (fs::is_directory(target, error)) throw file_error(file, "is a folder; the output must be a file");
     if (!fs::is_directory(target.parent_path(), error)) cannot_write(file, ENOENT);
     if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0) cannot_write(file, errno);
@@ -157,7 +162,7 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder) {
     std::vector<fs::path> targets;
     std::vector<std::string> partials;
     for (const OutputFile& file : files) {
-        targets.push_back(target_of(file.name));
+        targets.push_back(output_target(file.name));
         const bool replaces = fs::exists(targets.back(), error);
         if (replaces && !fs::is_regular_file(targets.back(), error) && !fs::is_directory(targets.back(), error))
             partials.emplace_back();  // /dev/stdout, a pipe: written as it is

@@ -42,11 +42,18 @@ namespace fstiff::cli {
 
 struct OutputOptions {
     Format format = Format::table;
-    std::string file;  ///< empty: standard output
+    std::string file;  ///< as it was given; empty: standard output
+
+    /// The file to write; empty for standard output, which "-" is too.
+    [[nodiscard]] std::string target() const;
 };
 
 /// Adds --format and --output; \p initial is the format without --format.
 void add_output_options(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
+/// --output alone, for a subcommand that has one form.
+void add_output_option(Arguments& arguments, OutputOptions& options);
+/// \throws Usage where \p output is "-" and cannot be: it must be \p wanted.
+void refuse_standard_output(const std::string& output, std::string_view wanted);
 /// --format alone, for a subcommand that writes a folder: its document goes to standard output.
 void add_format_option(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
 

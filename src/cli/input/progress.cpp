@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 
 namespace fstiff::cli {
@@ -133,7 +134,11 @@ struct Working::Clock {
 Working::Working(std::string what) {
     if (!on_terminal()) return;
     clock_ = std::make_unique<Clock>();
-    clock_->thread = std::thread([clock = clock_.get(), name = std::move(what)] { clock->run(name); });
+    try {
+        clock_->thread = std::thread([clock = clock_.get(), name = std::move(what)] { clock->run(name); });
+    } catch (const std::system_error&) {  // no more threads: work goes on without the line
+        clock_.reset();
+    }
 }
 
 Working::~Working() {

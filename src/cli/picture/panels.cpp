@@ -30,10 +30,11 @@ struct Chosen {
     std::optional<std::size_t> peaks;
 };
 
-/// The laws in the order of the scene, each with its curves.
+/// The laws in the order of the scene, each with those of its curves that have points.
 std::vector<std::vector<const Curve*>> by_law(const Results& results) {
     std::vector<std::vector<const Curve*>> laws;
     for (const Curve& curve : results.curves) {
+        if (curve.states.empty()) continue;  // no pressure is within its reach
         const auto same = [&](const auto& of) { return of.front()->law == curve.law; };
         const auto at = std::find_if(laws.begin(), laws.end(), same);
         if (at == laws.end())
@@ -192,7 +193,9 @@ Panel quantity_panel(const Results& results, Axis axis, const std::function<doub
 }
 
 std::string left_out(const Results& results) {
-    return some_of(drawn(results).size(), results.curves.size());
+    const auto with_points = std::count_if(results.curves.begin(), results.curves.end(),
+                                           [](const Curve& curve) { return !curve.states.empty(); });
+    return some_of(drawn(results).size(), static_cast<std::size_t>(with_points));
 }
 
 Figure results_figure(const Scene& scene, const Results& results) {

@@ -64,8 +64,8 @@ std::string gnuplot_script(const Figure& given, const std::string& csv, const st
                        fixed_text(height, 0) + "\nset output " + for_gnuplot(picture) +
                        "\nset datafile separator ','\nset encoding utf8\nset grid\nset key outside right top\n"
                        "set multiplot layout " +
-                       std::to_string(figure.panels.size()) + ",1 title " + for_gnuplot(figure.title) + "\n";
-    for (const std::string& sentence : figure.verdict) text += "# " + sentence + "\n";
+                       std::to_string(figure.panels.size()) + ",1 title " + for_gnuplot(printable(figure.title)) + "\n";
+    for (const std::string& sentence : figure.verdict) text += "# " + printable(sentence) + "\n";
     std::size_t curve = 0;
     for (const Panel& panel : figure.panels) {
         text += "set title " + for_gnuplot(panel.title) + "\nset xlabel " + for_gnuplot(panel.x.label) +

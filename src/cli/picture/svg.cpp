@@ -283,7 +283,7 @@ std::string draw(const Panel& panel, double top, bool legend_below) {
 
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : scene::printable(text)) {
         if (c == '<')
             result += "&lt;";
         else if (c == '>')
@@ -293,7 +293,7 @@ std::string escaped(std::string_view text) {
         else if (c == '"')
             result += "&quot;";
         else
-            result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+            result += c;
     }
     return result;
 }

@@ -218,7 +218,7 @@ Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
         stiffness.push_back(*row.stiffness);
         return true;
     });
-    if (all.empty()) throw domain_error(file + ": has no K to draw; output.quantities must hold \"stiffness\"");
+    if (all.empty()) throw domain_error(file + ": has no K to draw");
 
     Panel panel;
     if (layout.x) {
