@@ -15,7 +15,7 @@ const std::string rest =
 TEST_CASE("the band holds K behind half and twice the root of two of lambda_s, and the sampled band") {
     const test::Folder folder;
     // rough down to the step: R hangs on lambda_s
-    const auto made = test::fstiff(
+    const auto made = test::run_fstiff(
         "generate profile --points 8192 --spacing '1 um' --hurst 0.6 --rms '1 um' --shortest '2 um' --longest '300 "
         "um'");
     folder.write("trace.csv", made.out);
@@ -55,16 +55,16 @@ TEST_CASE("the band holds K behind half and twice the root of two of lambda_s, a
         if (test::contains(sentence, "of the band of hertz")) said = sentence;
     CHECK(test::contains(said, "lambda_s between 8.5 µm and 17 µm"));
     CHECK(test::contains(said, "the errors dominate"));
-    folder.write("trace.csv", test::fstiff("generate profile --points 131072 --spacing '1 um' --hurst 0.6 --rms '1 um' "
+    folder.write("trace.csv", test::run_fstiff("generate profile --points 131072 --spacing '1 um' --hurst 0.6 --rms '1 um' "
                                            "--shortest '2 um' --longest '300 um'")
                                   .out);  // 16 times as long: the errors are a quarter, the spread over lambda_s stays
-    CHECK(test::contains(test::fstiff("run " + folder / "whole.toml").out, "choice of lambda_s dominates"));
+    CHECK(test::contains(test::run_fstiff("run " + folder / "whole.toml").out, "choice of lambda_s dominates"));
     for (const std::string sentence : sampled["verdict"]) CHECK(!test::contains(sentence, "of the band"));
 }
 
 TEST_CASE("what a scene writes by hand holds behind every lambda_s") {
     const test::Folder folder;
-    folder.write("trace.csv", test::fstiff("generate profile --points 2048 --spacing '1 um' --hurst 0.6 --rms '1 um' "
+    folder.write("trace.csv", test::run_fstiff("generate profile --points 2048 --spacing '1 um' --hurst 0.6 --rms '1 um' "
                                            "--shortest '2 um' --longest '200 um'")
                                   .out);
     const auto run = [&](const std::string& keys) {

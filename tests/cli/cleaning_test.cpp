@@ -7,11 +7,11 @@
 namespace {
 
 std::string map_text() {
-    return test::fstiff("generate map --points 64 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '4 um'").out;
+    return test::run_fstiff("generate map --points 64 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '4 um'").out;
 }
 
 nlohmann::json measured(const std::string& options, const std::string& input) {
-    const auto outcome = test::fstiff("measure - --lambda-s none --lambda-c none " + options, input);
+    const auto outcome = test::run_fstiff("measure - --lambda-s none --lambda-c none " + options, input);
     INFO(options << "\n" << outcome.err);
     REQUIRE(outcome.status % 4 == 0);
     return nlohmann::json::parse(outcome.out);
@@ -86,7 +86,7 @@ TEST_CASE("A mask, spikes and filling are done in this order, and told with thei
                         {"mask has 2 x 2", "64 x 64"}, map_text());
     test::check_refused("measure - --mask '" + folder.write("bad.txt", "1 2\n") + "'", 3, {"0 and 1 alone"},
                         map_text());
-    const auto over = test::fstiff("measure - --mask '" + mask + "' -o '" + mask + "'", map_text());
+    const auto over = test::run_fstiff("measure - --mask '" + mask + "' -o '" + mask + "'", map_text());
     CHECK(over.status == 3);
     CHECK(test::contains(over.err, "would be written over"));
     CHECK(test::read(mask) == marks);
@@ -106,7 +106,7 @@ TEST_CASE("A scene cleans as the command does") {
                      "true\ncrop = \"50 um,299 "
                      "um\"\nmask = \"mask.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = "
                      "0.3\n[contact]\npressures = [\"10 MPa\"]\nlaws = [\"hertz\"]\n");
-    const auto outcome = test::fstiff("run '" + scene + "' --format json");
+    const auto outcome = test::run_fstiff("run '" + scene + "' --format json");
     INFO(outcome.err);
     REQUIRE(outcome.status % 4 == 0);
     for (const char* words : {"crop: 250 of 400", "mask: 3 of 250", "spikes: 1 of 250", "fill: 4 of 250"})

@@ -69,7 +69,7 @@ inline Outcome shell(const std::string& script, const std::string& input = "") {
     return {WIFEXITED(code) ? WEXITSTATUS(code) : 1000 + WTERMSIG(code), read(folder / "out"), read(folder / "err")};
 }
 
-inline Outcome fstiff(const std::string& arguments, const std::string& input = "") {
+inline Outcome run_fstiff(const std::string& arguments, const std::string& input = "") {
     return shell("fstiff " + arguments, input);
 }
 
@@ -94,7 +94,7 @@ inline void check_refused(const std::string& arguments, int status, const std::v
                           const std::string& input = "") {
     const Folder folder;
     for (const std::string& output : {std::string(), " --output '" + folder / "result" + "'"}) {
-        const Outcome outcome = fstiff(arguments + output, input);
+        const Outcome outcome = run_fstiff(arguments + output, input);
         INFO("fstiff " << arguments << output << "\nstandard error: " << outcome.err);
         CHECK(outcome.status == status);
         CHECK(outcome.out.empty());

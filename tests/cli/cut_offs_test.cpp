@@ -16,7 +16,7 @@
 namespace {
 
 std::string map_text() {
-    return test::fstiff(
+    return test::run_fstiff(
                "generate map --points 160 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '4 um' --longest '48 "
                "um'")
         .out;
@@ -106,7 +106,7 @@ TEST_CASE("With none nothing is filtered, and the output says so") {
     CHECK(none["lambda_c_m"].is_null());
     CHECK(decided(none, "lambda_s none (as measured), lambda_c none"));
     for (const char* command : {"fit", "islands"})
-        CHECK(test::contains(test::fstiff(command + std::string(" - --lambda-s none"), text).out,
+        CHECK(test::contains(test::run_fstiff(command + std::string(" - --lambda-s none"), text).out,
                              "lambda_s none (as measured)"));
 }
 
@@ -124,12 +124,12 @@ TEST_CASE("Without the options the table chooses lambda_s by the step, and the o
     CHECK(blurred["lambda_s_m"] == 8e-6);
     CHECK(decided(blurred, "the index of the resolution"));
     for (const char* command : {"fit", "islands"})
-        CHECK(test::contains(test::fstiff(command + std::string(" -"), text).out, "lambda_s 5 µm (by the table"));
+        CHECK(test::contains(test::run_fstiff(command + std::string(" -"), text).out, "lambda_s 5 µm (by the table"));
 }
 
 TEST_CASE("The table chooses lambda_c of a profile by its Ra, and its D is that of the profile before lambda_c") {
     const std::string made =
-        test::fstiff("generate profile --points 16384 --spacing '0.5 um' --hurst 0.5 --rms '0.1 um' --longest '0.2 mm'")
+        test::run_fstiff("generate profile --points 16384 --spacing '0.5 um' --hurst 0.5 --rms '0.1 um' --longest '0.2 mm'")
             .out;
     const auto measured = test::json_of("measure -", made);
     CHECK(measured["lambda_s_m"] == 2.5e-6);
@@ -153,18 +153,18 @@ TEST_CASE("The table chooses lambda_c of a profile by its Ra, and its D is that 
 
 TEST_CASE("A file that is too short or too coarse for a default has none, and the output says why") {
     const auto few = test::json_of(
-        "measure -", test::fstiff("generate map --points 40 --spacing '1 um' --hurst 0.8 --rms '1 um'").out);
+        "measure -", test::run_fstiff("generate map --points 40 --spacing '1 um' --hurst 0.8 --rms '1 um'").out);
     CHECK(few["lambda_s_m"].is_null());
     CHECK(decided(
         few,
         "lambda_s none (as measured; 10 of 5 µm, the index of five steps of 1 µm, do not fit the length of 40 µm)"));
     const auto short_one = test::json_of(
-        "measure -", test::fstiff("generate profile --points 700 --spacing '0.5 um' --hurst 0.5 --rms '1 um'").out);
+        "measure -", test::run_fstiff("generate profile --points 700 --spacing '0.5 um' --hurst 0.5 --rms '1 um'").out);
     CHECK(short_one["lambda_s_m"] == 2.5e-6);
     CHECK(short_one["lambda_c_m"].is_null());
     CHECK(decided(short_one, "does not hold five of 80 µm"));
     const auto coarse = test::json_of(
-        "measure -", test::fstiff("generate profile --points 200 --spacing '10 um' --hurst 0.5 --rms '10 nm'").out);
+        "measure -", test::run_fstiff("generate profile --points 200 --spacing '10 um' --hurst 0.5 --rms '10 nm'").out);
     CHECK(coarse["lambda_s_m"] == 50e-6);
     CHECK(coarse["lambda_c_m"].is_null());
     CHECK(decided(coarse, "too short for the step"));
@@ -185,8 +185,8 @@ TEST_CASE("A scene takes lambda_s and lambda_c beside from, and measures as the 
     const auto measured = test::json_of("measure - --lambda-s '8 um' --lambda-c '40 um'", text);
     CHECK(test::contains(ran.dump(), measured["surface"]["peak_radius"]["quantity"].get<std::string>().substr(0, 8)));
     CHECK(test::contains(ran.dump(), "\"lambda_s_m\":8e-06"));
-    CHECK(test::contains(test::fstiff("run --surface -", measured.dump()).out, "lambda_s 8 µm"));
-    const std::string read_back = test::fstiff("run --surface - --format json", measured.dump()).out;
+    CHECK(test::contains(test::run_fstiff("run --surface -", measured.dump()).out, "lambda_s 8 µm"));
+    const std::string read_back = test::run_fstiff("run --surface - --format json", measured.dump()).out;
     CHECK(test::contains(nlohmann::json::parse(read_back).dump(), "\"lambda_s_m\":8e-06"));
     test::check_refused("run '" + scene("lambda_s = \"1 um\"") + "'", 3, {"lambda_s = \"1 um\"", "at least 2 steps"});
     test::check_refused("run '" + scene("lambda_s = 1.0") + "'", 3, {"lambda_s"});
@@ -222,7 +222,7 @@ TEST_CASE("The robust filter of lambda_c is that of the library, and says what i
     CHECK(decided(document, "lambda_c 40 µm (robust Gaussian, after the form was removed, "));
     CHECK(decided(document, " of 25600 points without weight, "));
     const std::string made =
-        test::fstiff("generate profile --points 4096 --spacing '1 um' --hurst 0.5 --rms '1 um'").out;
+        test::run_fstiff("generate profile --points 4096 --spacing '1 um' --hurst 0.5 --rms '1 um'").out;
     const auto flat = fstiff::level(fstiff::io::read_surface(made, "profile").profile(), fstiff::Form::line);
     const auto profile = test::json_of("measure - --lambda-s none --lambda-c '80 um' --filter robust", made);
     CHECK(same(profile["surface"]["rms_height"]["value"],

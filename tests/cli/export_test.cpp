@@ -31,11 +31,11 @@ Table table_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("export writes the keywords of either program, and one table in the units of the model") {
-    const auto calculix = test::fstiff("export --to calculix");
+    const auto calculix = test::run_fstiff("export --to calculix");
     CHECK(calculix.status == 0);
     CHECK(test::contains(
         calculix.out, "\n*SURFACE INTERACTION, NAME=FSTIFF\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0, 0\n"));
-    const auto abaqus = test::fstiff("export --to abaqus --units m,N,Pa");
+    const auto abaqus = test::run_fstiff("export --to abaqus --units m,N,Pa");
     CHECK(abaqus.status == 0);
     CHECK(test::contains(
         abaqus.out,
@@ -48,14 +48,14 @@ TEST_CASE("export writes the keywords of either program, and one table in the un
         CHECK(test::relative_error(metres.pressures[i], 1e6 * millimetres.pressures[i]) < 1e-9);
         CHECK(test::relative_error(metres.overclosures[i], 1e-3 * millimetres.overclosures[i]) < 1e-9);
     }
-    const Table inches = table_of(test::fstiff("export --to abaqus --units in,lbf,psi").out);
+    const Table inches = table_of(test::run_fstiff("export --to abaqus --units in,lbf,psi").out);
     CHECK(test::relative_error(inches.pressures.back() * 6894.757293168361, 1e8) < 1e-9);
     CHECK(test::relative_error(inches.overclosures.back() * 0.0254, metres.overclosures.back()) < 1e-9);
 }
 
 TEST_CASE("The ends of the table are as far apart as the separations that run prints") {
-    const test::Csv run(test::fstiff("run --format csv").out);
-    const auto outcome = test::fstiff("export --to abaqus --units m,N,Pa --from '1 MPa' --until '10 MPa'");
+    const test::Csv run(test::run_fstiff("run --format csv").out);
+    const auto outcome = test::run_fstiff("export --to abaqus --units m,N,Pa --from '1 MPa' --until '10 MPa'");
     const Table table = table_of(outcome.out);
     double at_one = 0, at_ten = 0;
     for (std::size_t row = 0; row < 31; ++row) {
@@ -69,7 +69,7 @@ TEST_CASE("The ends of the table are as far apart as the separations that run pr
 }
 
 TEST_CASE("The comments say where the table comes from and what it is good for") {
-    const std::string text = test::fstiff("export --to calculix --law hertz --peaks 2 --tolerance 5%").out;
+    const std::string text = test::run_fstiff("export --to calculix --law hertz --peaks 2 --tolerance 5%").out;
     for (const std::string part :
          {"** fstiff " FSTIFF_VERSION
           ": contact law for calculix, pressure against overclosure; its slope is -dp/dd, which is K of law hertz\n",
@@ -88,16 +88,16 @@ TEST_CASE("The comments say where the table comes from and what it is good for")
 }
 
 TEST_CASE("export writes the first law that run prints, and its first line says where its slope is not K") {
-    const auto outcome = test::fstiff("export --to abaqus");
+    const auto outcome = test::run_fstiff("export --to abaqus");
     const std::string first = test::lines(outcome.out).front();
-    const test::Csv run(test::fstiff("run --format csv").out);
+    const test::Csv run(test::run_fstiff("run --format csv").out);
     CHECK(first.starts_with("** fstiff " FSTIFF_VERSION ": contact law for abaqus, pressure against overclosure; "));
     CHECK(first.ends_with(" of K of law " + run.text(0, "law")));
     // (2/3) (3 - D)/(2 - D) of D = 1.62
     CHECK(test::contains(first, "its slope is -dp/dd, 0.413 of K of law fractal"));
     CHECK(test::contains(outcome.err, "warning: the slope of the table is -dp/dd, 0.413 of K of law fractal"));
     CHECK(outcome.status == 0);
-    CHECK(test::fstiff("export --to abaqus --law hertz").err.find("slope") == std::string::npos);
+    CHECK(test::run_fstiff("export --to abaqus --law hertz").err.find("slope") == std::string::npos);
 }
 
 TEST_CASE("export replaces its own files and no others") {
@@ -105,14 +105,14 @@ TEST_CASE("export replaces its own files and no others") {
     const std::string own = folder / "law.inp", deck = folder.write("model.inp", "*HEADING\nmine\n");
     for (const char* tolerance : {"1%", "2%"}) {
         const auto outcome =
-            test::fstiff(std::string("export --to calculix --tolerance ") + tolerance + " -o '" + own + "'");
+            test::run_fstiff(std::string("export --to calculix --tolerance ") + tolerance + " -o '" + own + "'");
         CHECK(outcome.status == 0);
         CHECK(outcome.out.empty());
         CHECK(test::contains(test::read(own), std::string("tolerance ") + tolerance[0] + " %"));
     }
-    const auto refused = test::fstiff("export --to calculix -o '" + deck + "'");
+    const auto refused = test::run_fstiff("export --to calculix -o '" + deck + "'");
     CHECK(refused.status == 3);
-    CHECK(test::fstiff("export --to calculix -o '" + folder.write("empty.inp", "") + "'").status == 0);
+    CHECK(test::run_fstiff("export --to calculix -o '" + folder.write("empty.inp", "") + "'").status == 0);
     CHECK(test::contains(refused.err, "model.inp: was not made by fstiff and is not replaced"));
     CHECK(test::read(deck) == "*HEADING\nmine\n");
     CHECK(test::lines(test::shell("fstiff export --to calculix -o /dev/stdout | cat").out).size() > 20);

@@ -63,7 +63,7 @@ std::string numbered(int rows, const std::string& separator = ",", const std::st
 
 TEST_CASE("The command gives what the library gives, to the last digit") {
     const auto profile = random_walk(4096);
-    const auto outcome = test::fstiff(read_metres + " --format json", one_column(profile));
+    const auto outcome = test::run_fstiff(read_metres + " --format json", one_column(profile));
     REQUIRE(outcome.status == 0);
     const auto document = nlohmann::json::parse(outcome.out);
     const auto flat = fstiff::level(profile, fstiff::Form::line);
@@ -81,7 +81,7 @@ TEST_CASE("The command gives what the library gives, to the last digit") {
     CHECK(document["structure_function"]["value_m2"].get<std::vector<double>>() == fit.structure_function.value);
     CHECK(document["structure_function"]["pairs"].get<std::vector<std::size_t>>() == fit.structure_function.pairs);
 
-    const test::Csv csv(test::fstiff(read_metres + " --format csv", one_column(profile)).out);
+    const test::Csv csv(test::run_fstiff(read_metres + " --format csv", one_column(profile)).out);
     CHECK(csv.header() == std::vector<std::string>{"lag_m", "value_m2", "pairs", "in_window"});
     REQUIRE(csv.size() == fit.structure_function.size());
     std::size_t inside = 0;
@@ -94,7 +94,7 @@ TEST_CASE("The command gives what the library gives, to the last digit") {
 
 TEST_CASE("A random walk has the dimension 1.5 within three of its errors") {
     const auto document =
-        nlohmann::json::parse(test::fstiff(read_metres + " --format json", one_column(random_walk(16384))).out);
+        nlohmann::json::parse(test::run_fstiff(read_metres + " --format json", one_column(random_walk(16384))).out);
     const double error = document["fractal_dimension_error"];
     CHECK(error < 0.05);
     CHECK(std::abs(document["fractal_dimension"].get<double>() - 1.5) < 3 * error);
@@ -103,7 +103,7 @@ TEST_CASE("A random walk has the dimension 1.5 within three of its errors") {
 TEST_CASE("Window, convention and form are those asked for") {
     const std::string text = one_column(random_walk(4096));
     const auto json = [&](const std::string& more) {
-        const auto outcome = test::fstiff(read_metres + " --format json " + more, text);
+        const auto outcome = test::run_fstiff(read_metres + " --format json " + more, text);
         INFO(more << outcome.err);
         REQUIRE(outcome.status == 0);
         return nlohmann::json::parse(outcome.out);
@@ -130,7 +130,7 @@ TEST_CASE("Window, convention and form are those asked for") {
 TEST_CASE("The unit of length does not matter") {
     auto profile = random_walk(4096);
     const auto document = [&](const std::string& arguments, const std::string& input) {
-        return nlohmann::json::parse(test::fstiff("fit - --format json " + arguments, input).out);
+        return nlohmann::json::parse(test::run_fstiff("fit - --format json " + arguments, input).out);
     };
     const auto metres = document("--spacing '0.5 um' --units m", one_column(profile));
     for (double& z : profile.heights) z *= 1e9;
@@ -143,7 +143,7 @@ TEST_CASE("The unit of length does not matter") {
 }
 
 TEST_CASE("The readable fit says what it decided about the file") {
-    const auto outcome = test::fstiff("fit -", [] {
+    const auto outcome = test::run_fstiff("fit -", [] {
         std::string text = "x [\xC2\xB5m];z [nm]\r\n";
         const auto profile = random_walk(1024);
         for (std::size_t i = 0; i < profile.size(); ++i) {
@@ -218,7 +218,7 @@ TEST_CASE("Measured profiles give D and G with their units, or say why not") {
     test::check_refused("fit " + folder + "/dektak-1.csv --lambda-s none --lambda-c none", 3,
                         {"fractal dimension of the window", "a plateau"});
     for (const auto& [file, options, points] : {std::tuple{"opdx-3.txt", " --units m,m --lambda-s none", 3001}}) {
-        const auto outcome = test::fstiff("fit '" + folder + "/" + file + "' --format json" + options);
+        const auto outcome = test::run_fstiff("fit '" + folder + "/" + file + "' --format json" + options);
         INFO(file << "\n" << outcome.err);
         REQUIRE(outcome.status == 0);
         const auto document = nlohmann::json::parse(outcome.out);
@@ -237,13 +237,13 @@ TEST_CASE("Measured profiles give D and G with their units, or say why not") {
 }
 
 TEST_CASE("A map is fitted along x and along y, and said to be anisotropic when it is") {
-    const auto made = test::fstiff("generate map --points 128 --spacing '1 um' --hurst 0.5 --rms '1 um'");
+    const auto made = test::run_fstiff("generate map --points 128 --spacing '1 um' --hurst 0.5 --rms '1 um'");
     REQUIRE(made.status == 0);
     const auto read = fstiff::io::read_surface(made.out, "map");
     const auto flat = fstiff::remove_form(read.map(), fstiff::MapForm::quadratic);
     const auto expected = fstiff::fit_directions(flat);
     const auto document =
-        nlohmann::json::parse(test::fstiff("fit - --lambda-s none --detrend quadratic --format json", made.out).out);
+        nlohmann::json::parse(test::run_fstiff("fit - --lambda-s none --detrend quadratic --format json", made.out).out);
     CHECK(document["x"]["fractal_dimension"] == expected.x.value().fractal.dimension);
     CHECK(document["y"]["fractal_dimension_error"] == expected.y.value().dimension_error);
     CHECK(document["anisotropic"] == expected.anisotropic());
@@ -264,7 +264,7 @@ TEST_CASE("A map is fitted along x and along y, and said to be anisotropic when 
         }
         stretched += "\n";
     }
-    const auto outcome = test::fstiff("fit -", stretched);
+    const auto outcome = test::run_fstiff("fit -", stretched);
     INFO(outcome.out << outcome.err);
     CHECK(outcome.status == 0);
     CHECK(test::contains(outcome.out, "warning: the map is anisotropic"));
@@ -276,7 +276,7 @@ TEST_CASE("Tip, resolution, seed and filter do in the command what they do in th
     const auto profile = random_walk(4096);
     const std::string text = one_column(profile);
     const auto json = [&](const std::string& more) {
-        const auto outcome = test::fstiff(read_metres + " --format json " + more, text);
+        const auto outcome = test::run_fstiff(read_metres + " --format json " + more, text);
         INFO(more << outcome.err);
         REQUIRE(outcome.status == 0);
         return nlohmann::json::parse(outcome.out);
@@ -314,9 +314,9 @@ TEST_CASE("Tip, resolution, seed and filter do in the command what they do in th
 }
 
 TEST_CASE("Lengths of a fine profile are shown in nm, and a G that is not known to a factor of two with two digits") {
-    const auto made = test::fstiff("generate profile --points 200 --spacing '5 nm' --hurst 0.3 --rms '3 nm'");
+    const auto made = test::run_fstiff("generate profile --points 200 --spacing '5 nm' --hurst 0.3 --rms '3 nm'");
     REQUIRE(made.status == 0);
-    const auto outcome = test::fstiff("fit - --lambda-s none", made.out);
+    const auto outcome = test::run_fstiff("fit - --lambda-s none", made.out);
     INFO(outcome.out);
     CHECK(test::contains(outcome.out, "spacing 5 nm, length 0.995 µm"));
     const auto at = outcome.out.find("  G = ");

@@ -12,7 +12,7 @@
 namespace {
 
 fstiff::io::Surface surface_of(const std::string& arguments) {
-    const auto outcome = test::fstiff("generate " + arguments);
+    const auto outcome = test::run_fstiff("generate " + arguments);
     INFO("fstiff generate " << arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == 0);
     return fstiff::io::read_surface(outcome.out, "generated");
@@ -90,10 +90,10 @@ TEST_CASE("What is generated is what the fit finds") {
 
 TEST_CASE("The same seed makes the same file, another seed another") {
     const std::string profile = "generate profile --points 64 --spacing '1 um' --hurst 0.5 --rms '1 um' --seed ";
-    CHECK(test::fstiff(profile + "1").out == test::fstiff(profile + "1").out);
-    CHECK(test::fstiff(profile + "1").out != test::fstiff(profile + "2").out);
-    CHECK(test::contains(test::lines(test::fstiff(profile + "1").out).front(), "seed 1"));
-    CHECK(test::contains(test::fstiff(profile + "1 --format sdf").err, "seed 1"));
+    CHECK(test::run_fstiff(profile + "1").out == test::run_fstiff(profile + "1").out);
+    CHECK(test::run_fstiff(profile + "1").out != test::run_fstiff(profile + "2").out);
+    CHECK(test::contains(test::lines(test::run_fstiff(profile + "1").out).front(), "seed 1"));
+    CHECK(test::contains(test::run_fstiff(profile + "1 --format sdf").err, "seed 1"));
 }
 
 TEST_CASE("What cannot be generated is refused") {

@@ -7,7 +7,7 @@ TEST_CASE("The example at the end of every --help works as pasted") {
     for (const std::string subcommand :
          {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
           "identify ", "reproduce ", "report ", "formats ", "export ", "sweep ", "merge ", "help "}) {
-        const auto help = test::fstiff(subcommand + "--help");
+        const auto help = test::run_fstiff(subcommand + "--help");
         INFO("fstiff " << subcommand << "--help\n" << help.out);
         CHECK(help.status == 0);
         CHECK(help.err.empty());
@@ -25,7 +25,7 @@ TEST_CASE("The example at the end of every --help works as pasted") {
 
 TEST_CASE("The version is that of the library") {
     for (const char* way : {"--version", "-V", "version"})
-        CHECK(test::fstiff(way).out == "fstiff " FSTIFF_VERSION "\n");
+        CHECK(test::run_fstiff(way).out == "fstiff " FSTIFF_VERSION "\n");
 }
 
 TEST_CASE("Wrong use ends with exit code 2 and one sentence") {
@@ -52,26 +52,26 @@ TEST_CASE("A wrong word is answered with the nearest right one") {
     test::check_refused("run --formt csv", 2, {"--formt", "did you mean --format?"});
     test::check_refused("fit x --widnow=1", 2, {"did you mean --window?"});
     test::check_refused("--vresion", 2, {"did you mean --version?"});
-    const auto help = test::fstiff("help msure");
+    const auto help = test::run_fstiff("help msure");
     CHECK(help.status == 2);
     CHECK(help.out.empty());
     CHECK(test::contains(help.err, "msure: is no subcommand or option"));
     CHECK(test::contains(help.err, "did you mean measure?"));
-    CHECK_FALSE(test::contains(test::fstiff("quaternion").err, "did you mean"));
-    CHECK_FALSE(test::contains(test::fstiff("run --zzzzzz").err, "did you mean"));
+    CHECK_FALSE(test::contains(test::run_fstiff("quaternion").err, "did you mean"));
+    CHECK_FALSE(test::contains(test::run_fstiff("run --zzzzzz").err, "did you mean"));
 }
 
 TEST_CASE("help prints what --help prints") {
-    const auto bare = test::fstiff("");
+    const auto bare = test::run_fstiff("");
     CHECK(bare.status == 0);
-    CHECK(bare.out == test::fstiff("--help").out);
-    CHECK(test::fstiff("help").out == bare.out);
+    CHECK(bare.out == test::run_fstiff("--help").out);
+    CHECK(test::run_fstiff("help").out == bare.out);
     for (const std::string command : {"run", "generate", "formats"}) {
-        const auto help = test::fstiff("help " + command);
+        const auto help = test::run_fstiff("help " + command);
         CHECK(help.status == 0);
-        CHECK(help.out == test::fstiff(command + " --help").out);
+        CHECK(help.out == test::run_fstiff(command + " --help").out);
     }
-    CHECK(test::contains(test::fstiff("--help").out, "kg/(m^2 s), Rayl, MRayl"));
+    CHECK(test::contains(test::run_fstiff("--help").out, "kg/(m^2 s), Rayl, MRayl"));
 }
 
 TEST_CASE("No help points at a file that is not installed") {
@@ -80,14 +80,14 @@ TEST_CASE("No help points at a file that is not installed") {
           "identify ", "reproduce ", "report ", "formats ", "export ", "sweep ", "merge ", "help "})
         for (const char* folder : {"docs/", "data/", "README"}) {
             INFO(command << folder);
-            CHECK_FALSE(test::contains(test::fstiff(command + "--help").out, folder));
+            CHECK_FALSE(test::contains(test::run_fstiff(command + "--help").out, folder));
         }
 }
 
 TEST_CASE("run --example prints a scene that runs, also with all that is commented out in it") {
-    const auto example = test::fstiff("run --example");
+    const auto example = test::run_fstiff("run --example");
     REQUIRE(example.status == 0);
-    const auto run = test::fstiff("run - --format csv", example.out);
+    const auto run = test::run_fstiff("run - --format csv", example.out);
     INFO(run.err);
     CHECK(run.status == 0);
     CHECK(test::lines(run.out).size() == 1 + 2 * 13);
@@ -102,7 +102,7 @@ TEST_CASE("run --example prints a scene that runs, also with all that is comment
             all += line + "\n";
     CHECK(taken == 11);
     const auto full =
-        test::fstiff("run - --format csv", test::replaced(all, "\"contacts\"]", "\"contacts\", \"reflection\"]"));
+        test::run_fstiff("run - --format csv", test::replaced(all, "\"contacts\"]", "\"contacts\", \"reflection\"]"));
     INFO(full.err);
     CHECK(full.status == 0);
     CHECK(test::contains(full.out, "reflection_p05"));
@@ -110,12 +110,12 @@ TEST_CASE("run --example prints a scene that runs, also with all that is comment
 }
 
 TEST_CASE("formats tells of every form that --input-format takes") {
-    const auto list = test::fstiff("formats --format csv");
+    const auto list = test::run_fstiff("formats --format csv");
     CHECK(list.status == 0);
     for (const char* name : {"profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "sur", "scene"}) {
         INFO(name);
         CHECK(test::contains(list.out, "\n" + std::string(name) + ","));
-        CHECK(test::contains(test::fstiff("formats").out, "\n" + std::string(name) + "  ("));
-        CHECK(test::contains(test::fstiff("formats --format json").out, "\"" + std::string(name) + "\""));
+        CHECK(test::contains(test::run_fstiff("formats").out, "\n" + std::string(name) + "  ("));
+        CHECK(test::contains(test::run_fstiff("formats --format json").out, "\"" + std::string(name) + "\""));
     }
 }

@@ -25,7 +25,7 @@ std::string scene(const std::string& sigma = "0.832 um", const std::string& dens
 /// K(p) or R(p) of the scene as a measured file: with errors of \p error of K, or absolute for R, and disturbed by
 /// \p noise of them up and down in turn.
 std::string measured(const std::string& column, double error, double noise = 0, const std::string& text = scene()) {
-    const auto outcome = test::fstiff("run - --format csv", text);
+    const auto outcome = test::run_fstiff("run - --format csv", text);
     REQUIRE(outcome.status == 0);
     const test::Csv rows(outcome.out);
     const bool is_stiffness = test::contains(column, "stiffness");
@@ -48,7 +48,7 @@ nlohmann::json identify(const test::Folder& folder, const std::string& start, co
                         const std::string& arguments, int status = 0) {
     folder.write("scene.toml", start);
     folder.write("data.csv", data);
-    const auto outcome = test::fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
+    const auto outcome = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
                                       "' --format json " + arguments);
     INFO(arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == status);
@@ -156,11 +156,11 @@ TEST_CASE("identify: parameters that the data cannot tell apart end with exit co
     const auto blind = identify(folder, scene(), data, "--fit D", 4);
     CHECK(test::contains(blind["warnings"][0].get<std::string>(), "do not depend on D here"));
     const auto table =
-        test::fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit R,Dp");
+        test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit R,Dp");
     CHECK(table.status == 4);
     CHECK(test::contains(table.out, "singular"));
     CHECK(test::contains(table.out, "warning: hertz"));
-    const auto csv = test::fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
+    const auto csv = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
                                   "' --fit R,Dp --format csv");
     CHECK(test::Csv(csv.out).text(1, "value").empty());
     CHECK(test::contains(csv.err, "cannot tell R and Dp apart"));
@@ -201,7 +201,7 @@ TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
     const auto fit = identify(folder, scene(), measured("stiffness_Pa_per_m", 0.02, 1), "--fit 'sigma, Dp'")["fits"][0];
     const std::string call =
         "identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit sigma,Dp";
-    const test::Csv csv(test::fstiff(call + " --format csv").out);
+    const test::Csv csv(test::run_fstiff(call + " --format csv").out);
     REQUIRE(csv.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         CHECK(csv.number(i, "value") == value(fit, i));
@@ -209,7 +209,7 @@ TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
         CHECK(csv.number(i, "correlation_Dp") == fit["correlation"][i][1].get<double>());
         CHECK(csv.number(i, "chi_squared") == fit["chi_squared"].get<double>());
     }
-    const auto table = test::fstiff(call + " --plot '" + folder / "fit.svg" + "'");
+    const auto table = test::run_fstiff(call + " --plot '" + folder / "fit.svg" + "'");
     CHECK(table.status == 0);
     for (const char* part : {"sigma [µm]", "D_p [1/mm²]", "standard error", "95 % from", "correlation", "chi²/dof",
                              "residual [errors]", "12 points"}) {
@@ -315,7 +315,7 @@ TEST_CASE("What run prints as CSV, identify takes") {
 TEST_CASE("Several computed curves of which none is of the scene are refused") {
     const test::Folder folder;
     folder.write("scene.toml", scene());
-    folder.write("run.csv", test::fstiff("run --format csv").out);
+    folder.write("run.csv", test::run_fstiff("run --format csv").out);
     test::check_refused("identify '" + folder / "scene.toml" + "' --measured '" + folder / "run.csv" + "' --fit sigma",
                         3, {"run.csv", "holds 5 computed curves", "must hold one curve"});
 }
@@ -350,7 +350,7 @@ TEST_CASE("A fit that misses its points, is bent by one of them or lies far from
         slipped, lines[6], lines[6].substr(0, comma + 1) + std::to_string(1.3 * std::stod(lines[6].substr(comma + 1))));
     CHECK(concerns(slipped, "sigma", 4) == Words{"outlier"});
     const auto table =
-        test::fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit sigma");
+        test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit sigma");
     CHECK(table.status == 4);
     CHECK(test::contains(table.out, "times as far from the model as the median of the points"));
 }

@@ -36,7 +36,7 @@ double worst(const test::Csv& rows) {
 }  // namespace
 
 TEST_CASE("Every value of the plain table comes back to 1e-12") {
-    const auto outcome = test::fstiff("integral " + table_file("integrals_plain.csv"));
+    const auto outcome = test::run_fstiff("integral " + table_file("integrals_plain.csv"));
     REQUIRE(outcome.status == 0);
     CHECK(outcome.err.empty());
     const test::Csv rows(outcome.out);
@@ -45,13 +45,13 @@ TEST_CASE("Every value of the plain table comes back to 1e-12") {
 }
 
 TEST_CASE("Every value of the plain table comes back to 1e-12 by the two-dimensional rule") {
-    const auto outcome = test::fstiff("integral --method tensor " + table_file("integrals_plain.csv"));
+    const auto outcome = test::run_fstiff("integral --method tensor " + table_file("integrals_plain.csv"));
     REQUIRE(outcome.status == 0);
     CHECK(worst(test::Csv(outcome.out)) < 1e-12);
 }
 
 TEST_CASE("The error estimates cover the true errors of the hard table, and no value is missing") {
-    const auto outcome = test::fstiff("integral " + table_file("integrals_hard.csv"));
+    const auto outcome = test::run_fstiff("integral " + table_file("integrals_hard.csv"));
     CHECK((outcome.status == 0 || outcome.status == 4));
     const test::Csv rows(outcome.out);
     CHECK(rows.size() == test::Table("integrals_hard.csv").size());
@@ -59,7 +59,7 @@ TEST_CASE("The error estimates cover the true errors of the hard table, and no v
 }
 
 TEST_CASE("The paper's rule has an error estimate that covers its error") {
-    const auto outcome = test::fstiff("integral --method paper " + table_file("integrals_plain.csv"));
+    const auto outcome = test::run_fstiff("integral --method paper " + table_file("integrals_plain.csv"));
     REQUIRE(outcome.status == 0);
     const test::Csv rows(outcome.out);
     CHECK(worst(rows) > 1e-9);  // a 50 x 50 Gauss-Legendre rule on a box knows nothing of the branch points
@@ -67,8 +67,8 @@ TEST_CASE("The paper's rule has an error estimate that covers its error") {
 }
 
 TEST_CASE("A tolerance saves evaluations and is met") {
-    const test::Csv coarse(test::fstiff("integral --tolerance 1e-4", two_rows).out),
-        fine(test::fstiff("integral", two_rows).out);
+    const test::Csv coarse(test::run_fstiff("integral --tolerance 1e-4", two_rows).out),
+        fine(test::run_fstiff("integral", two_rows).out);
     for (std::size_t i = 0; i < 2; ++i) {
         CHECK(test::relative_error(coarse.number(i, "value"), fine.number(i, "value")) < 1e-4);
         CHECK(coarse.number(i, "evaluations") < fine.number(i, "evaluations"));
@@ -77,7 +77,7 @@ TEST_CASE("A tolerance saves evaluations and is met") {
 }
 
 TEST_CASE("Rows come back in their order with their other columns as they were") {
-    const auto outcome = test::fstiff("integral -",
+    const auto outcome = test::run_fstiff("integral -",
                                       "\xEF\xBB\xBFnote,eta, theta,r,b,a,value\r\n\"x, "
                                       "y\",2,1.0,0.30,-0.5,+0.5,seven\r\n\r\nz,2,1,0.3,-0.5,5e-1,\r\n");
     REQUIRE(outcome.status == 0);
@@ -86,19 +86,19 @@ TEST_CASE("Rows come back in their order with their other columns as they were")
     CHECK(lines[0] == "note,eta,theta,r,b,a,input_value,value,error,evaluations");
     CHECK(lines[1].starts_with("\"x, y\",2,1.0,0.30,-0.5,+0.5,seven,"));
     CHECK(lines[2].starts_with("z,2,1,0.3,-0.5,5e-1,,"));
-    const test::Csv plain(test::fstiff("integral", two_rows).out);
+    const test::Csv plain(test::run_fstiff("integral", two_rows).out);
     CHECK(lines[2].find("," + plain.text(0, "value") + ",") != std::string::npos);
 }
 
 TEST_CASE("Values have 17 significant digits: they read back as the same number in JSON and in CSV") {
-    const test::Csv csv(test::fstiff("integral", two_rows).out);
-    const auto document = nlohmann::json::parse(test::fstiff("integral --format json", two_rows).out);
+    const test::Csv csv(test::run_fstiff("integral", two_rows).out);
+    const auto document = nlohmann::json::parse(test::run_fstiff("integral --format json", two_rows).out);
     CHECK(document["schema_version"] == 1);
     CHECK(document["method"] == "reduced");
     for (std::size_t i = 0; i < 2; ++i)
         for (const char* column : {"a", "b", "r", "theta", "eta", "value", "error", "evaluations"})
             CHECK(document["rows"][i][column].get<double>() == csv.number(i, column));
-    const auto table = test::fstiff("integral --format table", two_rows);
+    const auto table = test::run_fstiff("integral --format table", two_rows);
     CHECK(test::contains(table.out, csv.text(0, "value").substr(0, 14)));
 }
 

@@ -13,13 +13,13 @@ namespace {
 
 std::string map_text() {
     const auto made =
-        test::fstiff("generate map --points 96 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '8 um'");
+        test::run_fstiff("generate map --points 96 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '8 um'");
     REQUIRE(made.status == 0);
     return made.out;
 }
 
 nlohmann::json json_of(const std::string& arguments, const std::string& input, int status = 4) {
-    const auto outcome = test::fstiff("islands - --format json " + arguments, input);
+    const auto outcome = test::run_fstiff("islands - --format json " + arguments, input);
     INFO(arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == status);  // 4: R of ten islands is known to 58 %
     return nlohmann::json::parse(outcome.out);
@@ -45,7 +45,7 @@ TEST_CASE("The command sweeps the islands as the library does, to the last digit
         CHECK(document["curve"]["islands"].get<std::vector<std::size_t>>() == expected.curve.islands);
         CHECK(document["curve"]["mean_height_m"].get<std::vector<double>>() == expected.curve.mean_height);
 
-        const test::Csv csv(test::fstiff("islands - --lambda-s none --format csv " + arguments, text).out);
+        const test::Csv csv(test::run_fstiff("islands - --lambda-s none --format csv " + arguments, text).out);
         REQUIRE(csv.size() == expected.curve.size());
         std::size_t representative = 0;
         for (std::size_t i = 0; i < csv.size(); ++i) {
@@ -79,7 +79,7 @@ TEST_CASE("The unit of length does not matter to the islands") {
 }
 
 TEST_CASE("The readable islands say what was decided, and warn of a pair that means little") {
-    const auto outcome = test::fstiff("islands -", map_text());
+    const auto outcome = test::run_fstiff("islands -", map_text());
     REQUIRE(outcome.status == 4);
     for (const std::string part : {"format: matrix", "96 x 96 points", "8 neighbours", "D_p = ", "R = ", "seed 2014",
                                    "bearing area", "peaks only; their errors are rough"}) {
@@ -95,7 +95,7 @@ TEST_CASE("What holds no islands is refused") {
     test::check_refused("islands - --neighbours 6", 2, {"--neighbours"}, text);
     test::check_refused("islands - --detrend line", 2, {"--detrend", "line"}, text);
     test::check_refused("islands -", 3, {"standard input", "profile"},
-                        test::fstiff("generate profile --spacing '1 um' --hurst 0.5 --rms '1 um' --points 64").out);
+                        test::run_fstiff("generate profile --spacing '1 um' --hurst 0.5 --rms '1 um' --points 64").out);
     test::check_refused("islands - --tiles 99", 3, {"99"}, text);
     test::check_refused("islands nowhere.csv", 3, {"nowhere.csv", "no such file"});
     test::check_refused("islands - --input-format matrix --units um --dx '1 um' --dy '1 um'", 3, {"standard input"},

@@ -11,7 +11,7 @@ namespace test {
 
 /// Of a run that succeeds; exit code 4, a doubtful parameter, is no matter here.
 inline nlohmann::json json_of(const std::string& arguments, const std::string& input = "") {
-    const auto outcome = fstiff(arguments, input);
+    const auto outcome = run_fstiff(arguments, input);
     INFO("fstiff " << arguments << "\n" << outcome.err);
     REQUIRE(outcome.status % 4 == 0);
     return nlohmann::json::parse(outcome.out);

@@ -21,7 +21,7 @@ const std::string material = "[material.upper]\nyoungs_modulus = \"205 GPa\"\npo
 const std::string contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n";
 
 std::string generated(const std::string& arguments) {
-    const auto made = test::fstiff("generate " + arguments);
+    const auto made = test::run_fstiff("generate " + arguments);
     INFO(arguments << "\n" << made.err);
     REQUIRE(made.status == 0);
     return made.out;
@@ -36,7 +36,7 @@ std::string profile_text() {
 }
 
 nlohmann::json json_of(const std::string& arguments, const std::string& input = "") {
-    const auto outcome = test::fstiff(arguments, input);
+    const auto outcome = test::run_fstiff(arguments, input);
     INFO("fstiff " << arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == 0);
     return nlohmann::json::parse(outcome.out);
@@ -64,7 +64,7 @@ struct Row {
     double stiffness, low, high;
 };
 std::vector<Row> rows_of(const std::string& scene) {
-    const auto outcome = test::fstiff("run - --format csv", scene);
+    const auto outcome = test::run_fstiff("run - --format csv", scene);
     INFO(scene << "\n" << outcome.err);
     REQUIRE(outcome.status == 0);
     const test::Csv csv(outcome.out);
@@ -130,7 +130,7 @@ TEST_CASE(
     const std::string other = folder.write(
         "other.toml", "[surface]\nrms_height = \"9 um\"\npeak_radius = \"9 um\"\npeak_density = \"9 /mm^2\"\n" +
                           material + contact + laws);
-    REQUIRE(test::fstiff("measure '" + map + "' -o '" + (folder / "measured.json") + "'").status == 0);
+    REQUIRE(test::run_fstiff("measure '" + map + "' -o '" + (folder / "measured.json") + "'").status == 0);
     const auto direct = json_of("run '" + folder / "from_map.toml" + "' --format json");
     const auto indirect = json_of("run '" + folder / "from_json.toml" + "' --format json");
     CHECK(direct["rows"] == indirect["rows"]);
@@ -161,7 +161,7 @@ TEST_CASE("Errors of nothing make a band of no width") {
     const std::string surface =
         "[surface]\nrms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = "
         "1.5\n";
-    const auto none = test::fstiff("run - --format csv", surface + material + contact);
+    const auto none = test::run_fstiff("run - --format csv", surface + material + contact);
     CHECK(!test::contains(none.out, "stiffness_p05"));  // without errors no band
     // an error of 1e-9 of sigma moves K by some 1e-9 of itself
     for (const Row& row : rows_of(surface + "errors = { rms_height = \"1e-9 um\" }\n" + material + contact)) {
@@ -176,9 +176,9 @@ TEST_CASE("An error of nothing may be written with its unit, and gives what no e
     const std::string surface =
         "[surface]\nrms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nfractal_dimension = "
         "1.5\n";
-    const auto none = test::fstiff("run - --format csv", surface + material + contact);
+    const auto none = test::run_fstiff("run - --format csv", surface + material + contact);
     const auto zero =
-        test::fstiff("run - --format csv",
+        test::run_fstiff("run - --format csv",
                      surface + "errors = { rms_height = \"0 um\", peak_density = \"0 /mm^2\" }\n" + material + contact);
     CHECK(zero.status == 0);
     CHECK(zero.out == none.out);
@@ -229,13 +229,13 @@ TEST_CASE("The number for missing points is an option, a key of a scene, and in 
                    (i < 63 ? "," : "\n");
     const std::string how = "measure - --units um --dx '1 um' --dy '1 um'";
     test::check_refused(how, 3, {"-9999 um", "--missing \"-9999\""}, map);
-    const auto read = test::fstiff(how + " --missing -9999", map);
+    const auto read = test::run_fstiff(how + " --missing -9999", map);
     CHECK(read.status == 0);
     CHECK(test::contains(read.out, "missing (-9999, from options)"));
     const test::Folder folder;
     const std::string file = folder.write("map.csv", map);
     for (const char* missing : {"-9999", "\"-9999\""}) {
-        const auto scene = test::fstiff("run - --format csv",
+        const auto scene = test::run_fstiff("run - --format csv",
                                         "[surface]\nfrom = '" + file +
                                             "'\nunits = \"um\"\ndx = \"1 um\"\ndy = \"1 um\"\nmissing = " + missing +
                                             "\nfractal_dimension = 1.5\n" + material + contact);
@@ -255,7 +255,7 @@ TEST_CASE("The band of one uncertain parameter lies at its own quantiles") {
     const double s = std::sqrt(std::log(1.04)), z = 1.6448536269514722;
     const auto band = rows_of(scene(1, "errors = { rms_height = \"0.2 um\" }\n"));
     const auto stiffness_at = [&](double sigma) {
-        const test::Csv csv(test::fstiff("run - --format csv", scene(sigma, "")).out);
+        const test::Csv csv(test::run_fstiff("run - --format csv", scene(sigma, "")).out);
         std::vector<double> values;
         for (std::size_t i = 0; i < csv.size(); ++i) values.push_back(csv.number(i, "stiffness_Pa_per_m"));
         return values;
@@ -280,7 +280,7 @@ TEST_CASE("The same seed gives the same band, another seed another, and samples 
     const auto run = [&](const std::string& uncertainty) {
         const std::string scene =
             folder.write("s.toml", "[surface]\nfrom = \"map.txt\"\n" + material + contact + uncertainty);
-        const auto outcome = test::fstiff("run '" + scene + "' --format csv");
+        const auto outcome = test::run_fstiff("run '" + scene + "' --format csv");
         INFO(outcome.err);
         REQUIRE(outcome.status == 0);
         return outcome.out;
@@ -350,10 +350,10 @@ TEST_CASE("An option of a surface that makes no sense is refused in the words it
                         {"--pressures = \"1,5 MPa\": every pressure needs its unit, and the point"}, map_text());
     test::check_refused("ultrasound --stiffness '1 GPa/um' --impedance '46 MRayl' --frequency='-7 MHz'", 3,
                         {"--frequency = \"-7 MHz\": must be greater than 0"});
-    const auto whole = test::fstiff("measure - --units um " + step + "--lambda-c '299.5 um'", heights);
+    const auto whole = test::run_fstiff("measure - --units um " + step + "--lambda-c '299.5 um'", heights);
     INFO(whole.err);
     CHECK(whole.status % 4 == 0);  // as long as the profile: allowed
-    const auto document = test::fstiff("measure - --units um " + step, heights).out;
+    const auto document = test::run_fstiff("measure - --units um " + step, heights).out;
     for (const std::string command : {"measure -", "spectrum -", "truth -"})
         test::check_refused(command, 3, {"standard input: is JSON that fstiff printed", "run --surface"}, document);
     std::string rise;
@@ -399,14 +399,14 @@ TEST_CASE(
                     (i == 63 ? "\n" : " ");
     const std::string map = folder.write("hills.txt", text), file = folder / "hills.json";
     const std::string options = " --units um,nm --dx '1 um' --dy '1 um'";
-    const auto measured = test::fstiff("measure '" + map + "'" + options + " -o '" + file + "'");
+    const auto measured = test::run_fstiff("measure '" + map + "'" + options + " -o '" + file + "'");
     CHECK(measured.status == 4);
     const auto document = nlohmann::json::parse(test::read(file));
     const std::string said = "represents nothing";
     CHECK(test::contains(document["concerns"].dump(), "\"no_densest_level\""));
     CHECK(test::contains(document["warnings"].dump(), said));
     // R and D_p with two digits, sigma with five
-    const auto shown = test::fstiff("measure '" + map + "'" + options + " --format table");
+    const auto shown = test::run_fstiff("measure '" + map + "'" + options + " --format table");
     CHECK(shown.status == 4);
     const auto digits = [&](const std::string& name) {
         std::istringstream row(shown.out.substr(shown.out.find(name) + name.size()));
@@ -417,12 +417,12 @@ TEST_CASE(
     };
     CHECK(digits("rms_height") >= 4);
     CHECK(digits("peak_radius") <= 3);  // such as 0.12
-    const auto islands = test::fstiff("islands '" + map + "'" + options);
+    const auto islands = test::run_fstiff("islands '" + map + "'" + options);
     CHECK(islands.status == 4);
     CHECK(test::contains(islands.out, said));
 
     const auto repeats = [&](const std::string& call, int status) {
-        const auto outcome = test::fstiff(call);
+        const auto outcome = test::run_fstiff(call);
         INFO(call << "\n" << outcome.out << outcome.err);
         CHECK(outcome.status == status);
         CHECK(test::contains(outcome.out + outcome.err, said));
@@ -434,7 +434,7 @@ TEST_CASE(
                      "[surface]\nfrom = \"hills.json\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
                      "poisson_ratio = 0.3\n[contact]\npressures = [\"1 MPa\", \"3 MPa\", \"10 MPa\"]\n"
                      "laws = [\"hertz\"]\n");
-    REQUIRE(test::fstiff("run '" + scene + "' --format csv -o '" + folder / "k.csv" + "'").status == 4);
+    REQUIRE(test::run_fstiff("run '" + scene + "' --format csv -o '" + folder / "k.csv" + "'").status == 4);
     repeats("identify '" + scene + "' --measured '" + folder / "k.csv" + "' --fit sigma", 4);
     // both given by hand: the warning stays, but nothing rests on the islands
     folder.write("from.toml",
@@ -449,17 +449,17 @@ TEST_CASE("Heights in a wrong unit end with exit code 4 wherever they enter") {
     for (const char* command : {"measure -", "fit -", "spectrum -", "peaks --profile -"}) {
         CAPTURE(command);
         const std::string call = std::string(command) + " --format csv";
-        CHECK(!test::contains(test::fstiff(call, text).err, unit));
-        const auto steep = test::fstiff(call + " --units m,km", text);
+        CHECK(!test::contains(test::run_fstiff(call, text).err, unit));
+        const auto steep = test::run_fstiff(call + " --units m,km", text);
         CHECK(steep.status == 4);
         CHECK(test::contains(steep.err, wrong));
         CHECK(test::contains(steep.err, "is above 1 (measured)"));
         CHECK(test::contains(steep.err, unit));
         CHECK(test::contains(steep.err, "which states m for the heights; the option is used"));
     }
-    const auto measured = test::fstiff("measure - --units m,km --format json", text);
+    const auto measured = test::run_fstiff("measure - --units m,km --format json", text);
     CHECK(test::contains(measured.out, "\"implausible_gradient\""));
-    const auto run = test::fstiff("run --surface - --format csv", measured.out);
+    const auto run = test::run_fstiff("run --surface - --format csv", measured.out);
     CHECK(run.status == 4);
     CHECK(test::contains(run.err, unit));
 }
@@ -469,10 +469,10 @@ TEST_CASE("The column of the positions is an option, a key of a scene, and in th
     for (int i = 0; i < 200; ++i)
         text += std::to_string(i + 1) + ";" + std::to_string(0.5 * i) + ";" +
                 std::to_string(0.1 * std::sin(i * i % 101)) + "\n";
-    const auto plain = test::fstiff("measure - --format json", text);
+    const auto plain = test::run_fstiff("measure - --format json", text);
     CHECK(test::contains(plain.out, "positions in column 2, column 1 numbers the points"));
     CHECK(!test::contains(plain.out, "x_column"));
-    const auto chosen = test::fstiff("measure - --x-column 1 --column 3 --units um --format json", text);
+    const auto chosen = test::run_fstiff("measure - --x-column 1 --column 3 --units um --format json", text);
     CHECK(test::contains(chosen.out, "\"x_column\": 1"));
     CHECK(test::contains(chosen.out, "positions in column 1"));
     const test::Folder folder;
@@ -480,7 +480,7 @@ TEST_CASE("The column of the positions is an option, a key of a scene, and in th
     const auto scene = [&](const std::string& key) {
         return "[surface]\nfrom = '" + file + "'\n" + key + "\n" + material + contact;
     };
-    CHECK(test::contains(test::fstiff("run - --format json", scene("x_column = 2")).out, "surface.x_column"));
+    CHECK(test::contains(test::run_fstiff("run - --format json", scene("x_column = 2")).out, "surface.x_column"));
     test::check_refused("run -", 3, {":3", "surface.x_column", "from 1 to 4096"}, scene("x_column = 4097"));
     test::check_refused("measure - --column 4097", 2, {"--column"}, text);
 }

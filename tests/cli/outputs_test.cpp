@@ -9,7 +9,7 @@ namespace {
 
 /// A profile of 512 points as text, and where it is.
 std::string profile() {
-    const Outcome made = fstiff("generate profile --points 512 --spacing '1 um' --hurst 0.5 --rms '1 um'");
+    const Outcome made = run_fstiff("generate profile --points 512 --spacing '1 um' --hurst 0.5 --rms '1 um'");
     REQUIRE(made.status == 0);
     return made.out;
 }
@@ -148,7 +148,7 @@ TEST_CASE("A full disk is reported with its reason, and nothing is left on it") 
     CHECK(contains(outcome.err, "all.json: cannot be written: No space left on device"));
     CHECK(outcome.out == "status 3\n");
     if (!std::filesystem::exists("/dev/full")) return;
-    const Outcome full = fstiff("run > /dev/full");
+    const Outcome full = run_fstiff("run > /dev/full");
     CHECK(full.status == 3);
     CHECK(contains(full.err, "standard output cannot be written: No space left on device"));
 }
@@ -193,10 +193,10 @@ TEST_CASE("A seed is a whole number of 64 bits that is not negative") {
         check_refused(make + seed, 2, {"--seed = " + std::string(seed), allowed});
     for (const std::string command : {"fit x", "measure x", "islands x"})
         check_refused(command + " --seed -1", 2, {"--seed = -1", allowed});
-    const Outcome greatest = fstiff(make + "18446744073709551615");
+    const Outcome greatest = run_fstiff(make + "18446744073709551615");
     CHECK(greatest.status == 0);
     CHECK(contains(greatest.out, "seed 18446744073709551615"));
-    CHECK(greatest.out != fstiff(make + "0").out);
+    CHECK(greatest.out != run_fstiff(make + "0").out);
 }
 
 TEST_CASE("The output - is standard output, and what must be a file or a folder refuses it") {
@@ -264,7 +264,7 @@ TEST_CASE("Control characters of names are printed nowhere") {
           "run '" + scene + "' --plot '" + picture + "'", "run '" + scene + "' --full", "report '" + scene + "' -o '" + page + "'",
           "export --to abaqus '" + scene + "'", "measure '" + profile_file + "'", "run '" + scene + "' --format json",
           "truth '" + profile_file + "'", "run '" + folder / (name + "none") + "'"}) {
-        const Outcome outcome = test::fstiff(command);
+        const Outcome outcome = test::run_fstiff(command);
         INFO(command << "\n" << outcome.err);
         CHECK((outcome.status % 4 == 0 || outcome.status == 3));
         CHECK_FALSE(has_controls(outcome.out));
@@ -277,6 +277,6 @@ TEST_CASE("Control characters of names are printed nowhere") {
     CHECK_FALSE(has_controls(read(picture)));
     CHECK_FALSE(has_controls(read(folder / "k.plot.gp")));
     CHECK_FALSE(has_controls(read(page + "/report.html")));
-    const std::string json = test::fstiff("measure '" + profile_file + "'").out;  // the name stays what it is
+    const std::string json = test::run_fstiff("measure '" + profile_file + "'").out;  // the name stays what it is
     CHECK(contains(json, "\\u001b[31m\\u007f\\u009b2J\\n"));
 }

@@ -11,7 +11,7 @@
 namespace {
 
 nlohmann::json json(const std::string& arguments, const std::string& input = "") {
-    const auto outcome = test::fstiff("peaks --format json " + arguments, input);
+    const auto outcome = test::run_fstiff("peaks --format json " + arguments, input);
     INFO(arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == 0);
     return nlohmann::json::parse(outcome.out);
@@ -60,7 +60,7 @@ TEST_CASE("The height marginal integrates to one and has the mean of the closed 
     // the trapezoidal rule of step 0.05 on a near-Gaussian is exact to rounding; the tails beyond 8 are 1e-15
     CHECK(std::abs(sum - 1) < 1e-12);
     CHECK(std::abs(mean - document["mean_height"].get<double>()) < 1e-12);
-    const test::Csv csv(test::fstiff("peaks --format csv --theta pi/3 --r 0.5 --heights=-8,9,341").out);
+    const test::Csv csv(test::run_fstiff("peaks --format csv --theta pi/3 --r 0.5 --heights=-8,9,341").out);
     REQUIRE(csv.size() == 341);
     CHECK(csv.number(170, "density") == density[170]);
     CHECK(csv.number(170, "height") == heights[170]);
@@ -87,9 +87,9 @@ TEST_CASE("White noise as a profile has theta = pi/3 and one peak in three ordin
 
 TEST_CASE("The table and the CSV of peaks hold the same") {
     const auto document = json("--theta pi/3 --r 0.5");
-    const test::Csv csv(test::fstiff("peaks --format csv --theta pi/3 --r 0.5").out);
+    const test::Csv csv(test::run_fstiff("peaks --format csv --theta pi/3 --r 0.5").out);
     for (const std::string& name : csv.header()) CHECK(document[name].get<double>() == csv.number(0, name));
-    const auto table = test::fstiff("peaks --theta pi/3 --r 0.5 --heights 0,1,2");
+    const auto table = test::run_fstiff("peaks --theta pi/3 --r 0.5 --heights 0,1,2");
     for (const char* part : {"0.51824", "0.8348", "3.00737", "0.333333", "height"})
         CHECK(test::contains(table.out, part));
 }

@@ -37,7 +37,7 @@ const std::string scene_file = FSTIFF_SCENES "/../docs/stiffness.toml";
 
 TEST_CASE("run --plot draws the numbers of run, their band, the reference line and the reflection") {
     const Folder folder;
-    const Outcome outcome = fstiff("run '" + scene_file + "' --format csv --plot '" + folder / "out.svg" + "'");
+    const Outcome outcome = run_fstiff("run '" + scene_file + "' --format csv --plot '" + folder / "out.svg" + "'");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     for (const char* name : {"out.svg", "out.plot.csv", "out.plot.gp"}) CHECK(contains(outcome.err, name));
@@ -92,22 +92,22 @@ TEST_CASE("run --plot draws the numbers of run, their band, the reference line a
 
 TEST_CASE("run --plot writes the same picture twice, and into a page") {
     const Folder folder;
-    REQUIRE(fstiff("run --plot '" + folder / "one.svg" + "'").status == 0);
-    REQUIRE(fstiff("run --plot '" + folder / "two.svg" + "'").status == 0);
+    REQUIRE(run_fstiff("run --plot '" + folder / "one.svg" + "'").status == 0);
+    REQUIRE(run_fstiff("run --plot '" + folder / "two.svg" + "'").status == 0);
     CHECK(read(folder / "one.svg") == read(folder / "two.svg"));
-    REQUIRE(fstiff("run --plot '" + folder / "page.html" + "'").status == 0);
+    REQUIRE(run_fstiff("run --plot '" + folder / "page.html" + "'").status == 0);
     CHECK(contains(read(folder / "page.html"), "<!doctype html>"));
     CHECK(contains(read(folder / "page.html"), "<svg"));
 }
 
 TEST_CASE("run --plot refuses other endings, folders that are not there, and a scene without stiffness") {
     const Folder folder;
-    CHECK(fstiff("run --plot '" + folder / "out.png" + "'").status == 2);
-    CHECK(fstiff("run --plot '" + folder / "none/out.svg" + "'").status == 3);
+    CHECK(run_fstiff("run --plot '" + folder / "out.png" + "'").status == 2);
+    CHECK(run_fstiff("run --plot '" + folder / "none/out.svg" + "'").status == 3);
     std::string text = read(FSTIFF_SCENES "/sand_blasted_fine.toml");
     text = replaced(text, "quantities = [\"stiffness\", ", "quantities = [");
     const std::string scene = folder.write("scene.toml", text);
-    const Outcome outcome = fstiff("run '" + scene + "' --plot '" + folder / "out.svg" + "'");
+    const Outcome outcome = run_fstiff("run '" + scene + "' --plot '" + folder / "out.svg" + "'");
     CHECK(outcome.status == 3);
     CHECK(contains(outcome.err, "stiffness"));
     CHECK(folder.files() == 1);
@@ -132,7 +132,7 @@ std::vector<std::string> plots(const std::string& picture) {
 
 std::string drawn(const Folder& folder, const std::string& scene) {
     const std::string file = folder.write("scene.toml", scene);
-    const Outcome outcome = fstiff("run '" + file + "' --plot '" + folder / "out.svg" + "'");
+    const Outcome outcome = run_fstiff("run '" + file + "' --plot '" + folder / "out.svg" + "'");
     INFO(outcome.err);
     REQUIRE((outcome.status == 0 || outcome.status == 4));
     return read(folder / "out.svg");
@@ -284,7 +284,7 @@ TEST_CASE("The picture has the verdict in short") {
 
 TEST_CASE("The curve of boundary elements has the error that truth gives") {
     const Folder folder;
-    REQUIRE(fstiff("generate map --points 32 --spacing '1 um' --hurst 0.7 --rms '0.3 um' --shortest '6 um' -o '" +
+    REQUIRE(run_fstiff("generate map --points 32 --spacing '1 um' --hurst 0.7 --rms '0.3 um' --shortest '6 um' -o '" +
                    folder / "map.txt" + "'")
                 .status == 0);
     const std::string scene = "[surface]\nfrom = \"map.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
@@ -294,7 +294,7 @@ TEST_CASE("The curve of boundary elements has the error that truth gives") {
     CHECK(all_between(plot, "<path class=\"bar ", "/>").size() == 1);
     const auto curve = curves(folder / "out.plot.csv").at(0);
     CHECK(curve.label == "boundary_elements");
-    const Csv truth(fstiff("truth '" + folder / "map.txt" + "' --pressures '10 MPa,100 MPa,300 MPa' --format csv").out);
+    const Csv truth(run_fstiff("truth '" + folder / "map.txt" + "' --pressures '10 MPa,100 MPa,300 MPa' --format csv").out);
     REQUIRE(curve.low.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) {
         const double value = truth.number(i, "stiffness_Pa_per_m"), error = truth.number(i, "stiffness_error_Pa_per_m"),
@@ -307,7 +307,7 @@ TEST_CASE("The curve of boundary elements has the error that truth gives") {
 
 TEST_CASE("A page of one picture can be read on a telephone") {
     const Folder folder;
-    REQUIRE(fstiff("run '" + scene_file + "' --plot '" + folder / "k.html" + "'").status == 0);
+    REQUIRE(run_fstiff("run '" + scene_file + "' --plot '" + folder / "k.html" + "'").status == 0);
     const std::string page = read(folder / "k.html");
     CHECK(contains(page, "content=\"width=device-width\""));
     // letters of 16 pixels in a picture so narrow that 390 pixels show them with 10 at least
@@ -325,7 +325,7 @@ TEST_CASE("The axes of a picture are in the unit that fits") {
     CHECK(contains(picture, "nominal pressure p [kPa]"));
     CHECK(contains(picture, "K/A₀ [kPa/µm]"));
     const auto first = curves(folder / "out.plot.csv").at(0);
-    const Csv run(fstiff("run '" + folder / "scene.toml" + "' --format csv").out);
+    const Csv run(run_fstiff("run '" + folder / "scene.toml" + "' --format csv").out);
     CHECK(std::abs(first.x.at(0) * 1e3 / run.number(0, "pressure_Pa") - 1) < 1e-14);
     CHECK(std::abs(first.y.at(0) * 1e9 / run.number(0, "stiffness_Pa_per_m") - 1) < 1e-14);
 }

@@ -15,7 +15,7 @@ const std::string long_scene =
 TEST_CASE("Long work shows a bar with the time left on a terminal, and nothing in a pipe") {
     const test::Folder folder;
     const std::string scene = folder.write("scene.toml", long_scene);
-    const auto piped = test::fstiff("run '" + scene + "' --format csv");
+    const auto piped = test::run_fstiff("run '" + scene + "' --format csv");
     CHECK(piped.status == 0);
     CHECK(piped.err.empty());
     if (test::shell("script -qec true /dev/null").status != 0)
@@ -71,5 +71,5 @@ TEST_CASE("Work whose clock cannot start goes on without it") {
         folder / "out" + "'\" /dev/null");
     INFO(shown.out << shown.err);
     CHECK(shown.status == 0);
-    CHECK(test::read(folder / "out") == test::fstiff("run").out);
+    CHECK(test::read(folder / "out") == test::run_fstiff("run").out);
 }

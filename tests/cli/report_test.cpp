@@ -81,7 +81,7 @@ TEST_CASE("The report of given parameters shows stiffness, reflection, area, con
     std::string text = read(FSTIFF_SCENES "/sand_blasted_fine.toml");
     text = replaced(text, "[material.upper]", "errors = { rms_height = \"0.08 um\" }\n\n[material.upper]") + waves;
     const std::string scene = folder.write("scene.toml", text);
-    const Outcome outcome = fstiff("report '" + scene + "' -o '" + folder / "out" + "'");
+    const Outcome outcome = run_fstiff("report '" + scene + "' -o '" + folder / "out" + "'");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     CHECK(contains(outcome.out, folder / "out/report.html"));
@@ -96,7 +96,7 @@ TEST_CASE("The report of given parameters shows stiffness, reflection, area, con
         CHECK(contains(page, part));
     }
     // the numbers are those of run
-    const Csv run(fstiff("run '" + scene + "' --format csv").out);
+    const Csv run(run_fstiff("run '" + scene + "' --format csv").out);
     const double stiffness = run.number(10, "stiffness_Pa_per_m") / 1e12;
     char shown[32];
     std::snprintf(shown, sizeof shown, "%.5g", stiffness);
@@ -124,11 +124,11 @@ TEST_CASE("The report of given parameters shows stiffness, reflection, area, con
 
 TEST_CASE("The report of a measured profile shows it, its bearing curve and its structure function") {
     const Folder folder;
-    REQUIRE(fstiff("generate profile --points 8192 --spacing \"0.5 um\" --hurst 0.5 --rms \"1 um\" --longest \"1 mm\" "
+    REQUIRE(run_fstiff("generate profile --points 8192 --spacing \"0.5 um\" --hurst 0.5 --rms \"1 um\" --longest \"1 mm\" "
                    "--shortest \"4 um\" -o '" +
                    folder / "profile.csv" + "'")
                 .status == 0);
-    const Outcome outcome = fstiff("report --surface '" + folder / "profile.csv" + "' -o '" + folder / "out" + "'");
+    const Outcome outcome = run_fstiff("report --surface '" + folder / "profile.csv" + "' -o '" + folder / "out" + "'");
     INFO(outcome.err);
     REQUIRE((outcome.status == 0 || outcome.status == 4));
     const std::string page = read(folder / "out/report.html");
@@ -155,11 +155,11 @@ TEST_CASE("The report of a measured profile shows it, its bearing curve and its 
 TEST_CASE("The report of a measured map shows it in colours") {
     const Folder folder;
     REQUIRE(
-        fstiff("generate map --points 200 --rows 160 --spacing \"1 um\" --hurst 0.6 --rms \"1 um\" --shortest \"8 um\" "
+        run_fstiff("generate map --points 200 --rows 160 --spacing \"1 um\" --hurst 0.6 --rms \"1 um\" --shortest \"8 um\" "
                "--format sdf -o '" +
                folder / "map.sdf" + "'")
             .status == 0);
-    const Outcome outcome = fstiff("report --surface '" + folder / "map.sdf" + "' -o '" + folder / "out" + "'");
+    const Outcome outcome = run_fstiff("report --surface '" + folder / "map.sdf" + "' -o '" + folder / "out" + "'");
     INFO(outcome.err);
     REQUIRE((outcome.status == 0 || outcome.status == 4));
     const std::string page = read(folder / "out/report.html");
@@ -168,7 +168,7 @@ TEST_CASE("The report of a measured map shows it in colours") {
     CHECK(contains(page, "class=\"window fc0 c0\""));
     CHECK(contains(page, "class=\"window fc1 c1\""));
     // the pair that was chosen stands in both pictures of the islands, as fstiff islands gives it
-    const Csv islands(fstiff("islands '" + folder / "map.sdf" + "' --format csv").out);
+    const Csv islands(run_fstiff("islands '" + folder / "map.sdf" + "' --format csv").out);
     std::size_t most = 0;
     for (std::size_t i = 0; i < islands.size(); ++i)
         if (islands.number(i, "density_per_m2") > islands.number(most, "density_per_m2")) most = i;
@@ -191,16 +191,16 @@ TEST_CASE("The report of a measured map shows it in colours") {
 
 TEST_CASE("report refuses what run refuses, and leaves no folder then") {
     const Folder folder;
-    const Outcome bad = fstiff("report '" + folder.write("bad.toml", "x = 1") + "' -o '" + folder / "out" + "'");
+    const Outcome bad = run_fstiff("report '" + folder.write("bad.toml", "x = 1") + "' -o '" + folder / "out" + "'");
     CHECK(bad.status == 3);
     CHECK(lines(bad.err).size() == 1);
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
-    CHECK(fstiff("report").status == 2);
+    CHECK(run_fstiff("report").status == 2);
 }
 
 TEST_CASE("The report begins with the answer and says which material was assumed") {
     const Folder folder;
-    REQUIRE(fstiff("report -o '" + folder / "builtin" + "'").status == 0);
+    REQUIRE(run_fstiff("report -o '" + folder / "builtin" + "'").status == 0);
     const std::string page = read(folder / "builtin/report.html");
     CHECK(contains(page,
                    "Material assumed, not given: steel of the built-in scene, E = 205 GPa, ν = 0.3 of both bodies"));
@@ -211,7 +211,7 @@ TEST_CASE("The report begins with the answer and says which material was assumed
         CHECK(before_inputs(part));
     }
     // K at 10 MPa is that of run, in the unit of the table
-    const Csv run(fstiff("run --format csv").out);
+    const Csv run(run_fstiff("run --format csv").out);
     char shown[32];
     std::snprintf(shown, sizeof shown, "<td>%.3g</td>", run.number(20, "stiffness_Pa_per_m") / 1e12);
     CHECK(before_inputs(shown));
@@ -225,7 +225,7 @@ TEST_CASE("The report begins with the answer and says which material was assumed
                                                                   "[material.lower]\nyoungs_modulus = "
                                                                   "\"205 GPa\"",
                                                                   "[material.lower]\nyoungs_modulus = \"70 GPa\""));
-    REQUIRE(fstiff("report '" + scene + "' -o '" + folder / "own" + "'").status == 0);
+    REQUIRE(run_fstiff("report '" + scene + "' -o '" + folder / "own" + "'").status == 0);
     const std::string own = read(folder / "own/report.html");
     CHECK(contains(own, "Material: E = 205 GPa, ν = 0.3 on E = 70 GPa, ν = 0.3; no yield strength is given"));
     CHECK_FALSE(contains(own, "assumed"));
@@ -239,13 +239,13 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
     const Folder folder;
     const std::string how =
         " --points 128 --spacing '1 um' --hurst 0.7 --rms '0.5 um' --shortest '6 um' --longest '60 um'";
-    REQUIRE(fstiff("generate map" + how + " -o '" + folder / "map.txt" + "'").status == 0);
-    REQUIRE(fstiff("generate profile --points 8192 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --longest '1 mm' -o '" +
+    REQUIRE(run_fstiff("generate map" + how + " -o '" + folder / "map.txt" + "'").status == 0);
+    REQUIRE(run_fstiff("generate profile --points 8192 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --longest '1 mm' -o '" +
                    folder / "trace.txt" + "'")
                 .status == 0);
     for (const char* surface : {"map.txt", "trace.txt"}) {
         INFO(surface);
-        REQUIRE(fstiff("report --surface '" + folder / surface + "' -o '" + folder / "out" + "'").status % 4 == 0);
+        REQUIRE(run_fstiff("report --surface '" + folder / surface + "' -o '" + folder / "out" + "'").status % 4 == 0);
         const std::string pdf = folder / "out.pdf";
         REQUIRE(shell("chromium --headless --no-sandbox --disable-gpu --host-resolver-rules='MAP * ~NOTFOUND' "
                       "--virtual-time-budget=5000 --user-data-dir='" +
@@ -266,11 +266,11 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
 TEST_CASE("A report gives no sentence three times") {
     const Folder folder;
     // too few lags for D: the reason stands among the warnings and under the surface
-    REQUIRE(fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '40 um' "
+    REQUIRE(run_fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '40 um' "
                    "--longest '60 um' -o '" +
                    folder / "trace.txt" + "'")
                 .status == 0);
-    REQUIRE(fstiff("report --surface '" + folder / "trace.txt" + "' -o '" + folder / "out" + "'").status % 4 == 0);
+    REQUIRE(run_fstiff("report --surface '" + folder / "trace.txt" + "' -o '" + folder / "out" + "'").status % 4 == 0);
     const std::string page = read(folder / "out/report.html"), start = "No D and G: ";
     const auto at = page.find(start);
     REQUIRE(at != std::string::npos);
@@ -285,7 +285,7 @@ TEST_CASE("The report fits a telephone and is printed on few pages") {
     if (shell("command -v chromium").status != 0)
         SKIP_CASE("there is no chromium: the look of the report is not tested");
     const Folder folder;
-    REQUIRE(fstiff("report '" FSTIFF_SCENES "/../docs/stiffness.toml' -o '" + folder / "out" + "'").status == 0);
+    REQUIRE(run_fstiff("report '" FSTIFF_SCENES "/../docs/stiffness.toml' -o '" + folder / "out" + "'").status == 0);
     const std::string file = folder / "out/report.html",
                       start =
                           "chromium --headless --no-sandbox --disable-gpu "

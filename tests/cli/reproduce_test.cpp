@@ -69,7 +69,7 @@ double classic(const Surface& s, double pressure) {
 
 TEST_CASE("reproduce writes every figure three times, a page that holds them, and the errata") {
     const Folder folder;
-    const Outcome outcome = test::fstiff("reproduce -o '" + folder / "paper" + "'");
+    const Outcome outcome = test::run_fstiff("reproduce -o '" + folder / "paper" + "'");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     const std::string page = read(folder / "paper/index.html");
@@ -108,7 +108,7 @@ TEST_CASE("reproduce writes every figure three times, a page that holds them, an
 
 TEST_CASE("The curves of Figs. 7, 8 and 9 are those of the table of arbitrary precision") {
     const Folder folder;
-    REQUIRE(test::fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
+    REQUIRE(test::run_fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
     const Csv table(read(FSTIFF_TEST_DATA "/table1_curves.csv"));
     for (const Surface& s : paper_surfaces) {
         const Curves drawn = curves(folder / ("paper/" + std::string(s.figure) + ".plot.csv"));
@@ -162,7 +162,7 @@ TEST_CASE("The curves of Figs. 7, 8 and 9 are those of the table of arbitrary pr
 
 TEST_CASE("Fig. 2 is the density (4.4) integrated over the curvature") {
     const Folder folder;
-    REQUIRE(test::fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
+    REQUIRE(test::run_fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
     const Curves drawn = curves(folder / "paper/fig2.plot.csv");
     const double theta = pi / 3;
     for (const auto& [label, r] : {std::pair{"r = 1/2", 0.5}, {"r = 1/3", 1.0 / 3}, {"r = 1/5", 0.2}})
@@ -182,7 +182,7 @@ TEST_CASE("Fig. 2 is the density (4.4) integrated over the curvature") {
 
 TEST_CASE("Fig. 6 shows what was fitted, and Fig. 4 holds the radii at the level with the most islands") {
     const Folder folder;
-    REQUIRE(test::fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
+    REQUIRE(test::run_fstiff("reproduce -o '" + folder / "paper" + "'").status == 0);
     const Curves six = curves(folder / "paper/fig6.plot.csv");
     const auto &points = six.at({1, "S₂ of its second differences"}),
                &fitted = six.at({1, "what is fitted to S₂, with D and G"});
@@ -221,7 +221,7 @@ TEST_CASE("Fig. 6 shows what was fitted, and Fig. 4 holds the radii at the level
 
 TEST_CASE("The numbers behind the conclusions are the known ones") {
     const Folder folder;
-    const Outcome outcome = test::fstiff("reproduce --format json -o '" + folder / "paper" + "'");
+    const Outcome outcome = test::run_fstiff("reproduce --format json -o '" + folder / "paper" + "'");
     REQUIRE(outcome.status == 0);
     const Json document = Json::parse(outcome.out);
     std::map<std::string, std::map<std::string, std::pair<double, double>>> found;
@@ -253,16 +253,16 @@ TEST_CASE("The numbers behind the conclusions are the known ones") {
 
 TEST_CASE("reproduce gives the same files twice, and refuses what is no folder") {
     const Folder folder;
-    REQUIRE(test::fstiff("reproduce -o '" + folder / "one" + "'").status == 0);
-    REQUIRE(test::fstiff("reproduce -o '" + folder / "two" + "'").status == 0);
+    REQUIRE(test::run_fstiff("reproduce -o '" + folder / "one" + "'").status == 0);
+    REQUIRE(test::run_fstiff("reproduce -o '" + folder / "two" + "'").status == 0);
     for (const auto& entry : std::filesystem::directory_iterator(folder / "one")) {
         const std::string name = entry.path().filename().string();
         INFO(name);
         CHECK(read(folder / ("one/" + name)) == read(folder / ("two/" + name)));
     }
     const std::string file = folder.write("file", "text");
-    const Outcome refused = test::fstiff("reproduce -o '" + file + "'");
+    const Outcome refused = test::run_fstiff("reproduce -o '" + file + "'");
     CHECK(refused.status == 3);
     CHECK(contains(refused.err, "is no folder"));
-    CHECK(test::fstiff("reproduce").status == 2);
+    CHECK(test::run_fstiff("reproduce").status == 2);
 }

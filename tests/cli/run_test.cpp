@@ -43,7 +43,7 @@ TEST_CASE("The three surfaces of Table 1 give the curves of the reference table"
     for (const auto& entry : files) {
         const std::string surface = entry.first, file = entry.second;  // clang 14 captures no structured bindings
         const auto outcome =
-            test::fstiff("run - --format csv", scene(file, {{"pressures", seven_pressures},
+            test::run_fstiff("run - --format csv", scene(file, {{"pressures", seven_pressures},
                                                             {"peaks", four_peaks},
                                                             {"laws", "laws = [\"fractal\", \"hertz\"]"}}));
         REQUIRE(outcome.status == 0);
@@ -84,16 +84,16 @@ TEST_CASE("Only the columns that were asked for are printed") {
          ",separation_m,stiffness_Pa_per_m,stiffness_error_Pa_per_m,real_area_fraction,contacts_per_m2"}};
     for (const auto& [quantities, expected] : columns) {
         const std::string text = scene("sand_blasted_fine", {{"quantities", "quantities = [" + quantities + "]"}});
-        const auto outcome = test::fstiff("run - --format csv", text);
+        const auto outcome = test::run_fstiff("run - --format csv", text);
         CHECK(outcome.status == 0);
         CHECK(test::lines(outcome.out).front() == always + expected);
-        const auto document = nlohmann::json::parse(test::fstiff("run - --format json", text).out);
+        const auto document = nlohmann::json::parse(test::run_fstiff("run - --format json", text).out);
         CHECK(document["rows"][0].contains("stiffness_Pa_per_m") == test::contains(quantities, "stiffness"));
     }
 }
 
 TEST_CASE("Greenwood-Williamson leaves theta and r empty and is computed once") {
-    const test::Csv rows(test::fstiff("run --format csv").out);
+    const test::Csv rows(test::run_fstiff("run --format csv").out);
     REQUIRE(rows.size() == 5 * 31);
     std::map<std::string, int> count;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -105,7 +105,7 @@ TEST_CASE("Greenwood-Williamson leaves theta and r empty and is computed once") 
 }
 
 TEST_CASE("A range of pressures has its ends exactly and even logarithmic steps") {
-    const test::Csv rows(test::fstiff("run --format csv").out);
+    const test::Csv rows(test::run_fstiff("run --format csv").out);
     CHECK(rows.number(0, "pressure_Pa") == 1e5);
     CHECK(rows.number(30, "pressure_Pa") == 1e8);
     // exp(log) at 1e8 costs some 20 ulp
@@ -116,13 +116,13 @@ TEST_CASE("A range of pressures has its ends exactly and even logarithmic steps"
 
 TEST_CASE("The separations of a scene give the pressures they came from") {
     const auto by_pressure =
-        test::fstiff("run - --format csv", scene("sand_blasted_fine", {{"pressures", seven_pressures}}));
+        test::run_fstiff("run - --format csv", scene("sand_blasted_fine", {{"pressures", seven_pressures}}));
     const test::Csv forward(by_pressure.out);
     // law by law the separations differ: each curve back by itself, here the first
     std::string list;
     for (std::size_t i = 0; i < 7; ++i) list += (i ? ", \"" : "\"") + forward.text(i, "separation_m") + " m\"";
     const auto by_separation =
-        test::fstiff("run - --format csv", scene("sand_blasted_fine", {{"pressures", "separations = [" + list + "]"}}));
+        test::run_fstiff("run - --format csv", scene("sand_blasted_fine", {{"pressures", "separations = [" + list + "]"}}));
     REQUIRE(by_separation.status == 0);
     const test::Csv back(by_separation.out);
     // d ln p / d eta is 3.5 to 4.5 here: an ulp of eta is a few of p; the root is found to 1e-13
@@ -138,7 +138,7 @@ TEST_CASE("The law fractal_consistent is fractal at a pressure higher by the fac
     // f = (2/3)(3-D)/(2-D); at equal separation K is the same and p is f times that of fractal
     const std::string separations = "separations = [\"1 um\", \"2 um\"]";
     const test::Csv rows(
-        test::fstiff("run - --format csv",
+        test::run_fstiff("run - --format csv",
                      scene("sand_blasted_fine",
                            {{"pressures", separations}, {"laws", "laws = [\"fractal\", \"fractal_consistent\"]"}}))
             .out);
@@ -153,7 +153,7 @@ TEST_CASE("The law fractal_consistent is fractal at a pressure higher by the fac
 
 TEST_CASE("The length of the interaction may be named or given") {
     const auto stiffness = [](const std::string& interaction) {
-        const auto outcome = test::fstiff(
+        const auto outcome = test::run_fstiff(
             "run - --format csv", scene("sand_blasted_fine", {{"pressures", seven_pressures},
                                                               {"interaction", "interaction = " + interaction}}));
         INFO(interaction << outcome.err);
@@ -178,7 +178,7 @@ TEST_CASE("The length of the interaction may be named or given") {
 }
 
 TEST_CASE("The full table has units, K in both units, the validity figures and the warnings below, once") {
-    const auto outcome = test::fstiff("run --full");
+    const auto outcome = test::run_fstiff("run --full");
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
     for (const char* part : {"sand blasted (fine)", "p [MPa]", "p*", "K/A0 [GPa/µm]", "K/A0 [Pa/m]", "separation [µm]",
@@ -218,12 +218,12 @@ std::vector<std::string> cells_of(const std::string& text, const std::string& la
 }  // namespace
 
 TEST_CASE("The summary shows every law at decades of the pressure, what it is, and K against boundary elements") {
-    const auto outcome = test::fstiff("run");
+    const auto outcome = test::run_fstiff("run");
     CHECK(outcome.status == 0);
     CHECK(widest_line(outcome.out) <= 100);
     CHECK(test::lines(outcome.out).size() < 40);
     // the numbers are those of the CSV at 0.1, 1, 10 and 100 MPa
-    const test::Csv csv(test::fstiff("run --format csv").out);
+    const test::Csv csv(test::run_fstiff("run --format csv").out);
     const auto row = cells_of(outcome.out, "hertz, theta 1.047, r 0.8165");
     REQUIRE(row.size() == 4);
     for (std::size_t k = 0; k < 4; ++k)
@@ -255,7 +255,7 @@ TEST_CASE("The summary has every pressure that was asked for, in tables below on
         "errors = { rms_height = \"0.1 um\" }\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
         "poisson_ratio = 0.3\n[uncertainty]\nsamples = 20\n[contact]\nlaws = [\"hertz\"]\npressures = [" +
         pressures + "]\n";
-    const auto outcome = test::fstiff("run -", text);
+    const auto outcome = test::run_fstiff("run -", text);
     INFO(outcome.out);
     CHECK(widest_line(outcome.out) <= 100);
     std::vector<std::string> shown;
@@ -279,7 +279,7 @@ TEST_CASE("A measured surface gives p* to peaks with r = 0 and of one radius, a 
         "errors = { rms_height = \"4 nm\" }\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
         "[uncertainty]\nsamples = 40\n[contact]\npressures = { from = \"10 kPa\", to = \"1 GPa\", count = 6 }\n"
         "laws = [\"hertz\", \"greenwood_williamson\"]\npeaks = [ { theta = \"pi/4\", r = 0 } ]\n";
-    const auto outcome = test::fstiff("run -", text);
+    const auto outcome = test::run_fstiff("run -", text);
     INFO(outcome.out);
     CHECK(widest_line(outcome.out) <= 100);
     CHECK(test::contains(outcome.out, "sigma 40 nm, R 3 µm, D_p 1.3 /µm²"));
@@ -289,17 +289,17 @@ TEST_CASE("A measured surface gives p* to peaks with r = 0 and of one radius, a 
     CHECK(cells_of(validity, "hertz, theta 0.7854, r 0").size() >= 4);
     CHECK(cells_of(validity, "greenwood_williamson").size() >= 4);
     CHECK_FALSE(test::contains(outcome.out, "p* is not known"));
-    const auto full = test::fstiff("run - --full", text);
+    const auto full = test::run_fstiff("run - --full", text);
     CHECK(test::contains(full.out, "separation [nm]"));
     CHECK(test::contains(full.out, "p*"));
     CHECK(test::contains(full.out, "contacts [1/µm²]"));
 }
 
 TEST_CASE("In machine formats the warnings go to standard error and the document stays one document") {
-    const auto csv = test::fstiff("run --format csv");
+    const auto csv = test::run_fstiff("run --format csv");
     CHECK(test::contains(csv.err, "plasticity index"));
     CHECK_FALSE(test::contains(csv.out, "warning"));
-    const auto json = test::fstiff("run --format json");
+    const auto json = test::run_fstiff("run --format json");
     CHECK(test::contains(json.err, "plasticity index"));
     const auto document = nlohmann::json::parse(json.out);
     CHECK(document["warnings"].size() == test::lines(json.err).size());
@@ -308,8 +308,8 @@ TEST_CASE("In machine formats the warnings go to standard error and the document
 }
 
 TEST_CASE("JSON, CSV and the table hold the same numbers") {
-    const test::Csv csv(test::fstiff("run --format csv").out);
-    const auto document = nlohmann::json::parse(test::fstiff("run --format json").out);
+    const test::Csv csv(test::run_fstiff("run --format csv").out);
+    const auto document = nlohmann::json::parse(test::run_fstiff("run --format json").out);
     for (std::size_t i = 0; i < csv.size(); ++i)
         for (const auto& column : csv.header())
             if (column != "law" && !csv.text(i, column).empty())
@@ -319,23 +319,23 @@ TEST_CASE("JSON, CSV and the table hold the same numbers") {
 TEST_CASE("The output file is whole, replaces an older one and leaves nothing beside it") {
     const test::Folder folder;
     const std::string file = folder.write("curve.csv", "old");
-    const auto outcome = test::fstiff("run --format csv -o '" + file + "'");
+    const auto outcome = test::run_fstiff("run --format csv -o '" + file + "'");
     CHECK(outcome.status == 0);
     CHECK(outcome.out.empty());
-    CHECK(test::read(file) == test::fstiff("run --format csv").out);
+    CHECK(test::read(file) == test::run_fstiff("run --format csv").out);
     CHECK(folder.files() == 1);
     // a refused run leaves the older file as it was
-    CHECK(test::fstiff("run '" + folder / "none.toml" + "' -o '" + file + "'").status == 3);
+    CHECK(test::run_fstiff("run '" + folder / "none.toml" + "' -o '" + file + "'").status == 3);
     CHECK(test::lines(test::read(file)).size() == 1 + 5 * 31);
-    CHECK(test::fstiff("run -o '" + folder / "no/folder" + "'").status == 3);
-    CHECK(test::contains(test::fstiff("run -o '" + folder / "no/folder" + "'").err, "no/folder"));
-    CHECK(test::fstiff("run --format csv -o /dev/stdout").out == test::read(file));
+    CHECK(test::run_fstiff("run -o '" + folder / "no/folder" + "'").status == 3);
+    CHECK(test::contains(test::run_fstiff("run -o '" + folder / "no/folder" + "'").err, "no/folder"));
+    CHECK(test::run_fstiff("run --format csv -o /dev/stdout").out == test::read(file));
 }
 
 TEST_CASE("A real area above the nominal one is printed with exit code 4") {
     const std::string deep =
         scene("sand_blasted_fine", {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}});
-    const auto outcome = test::fstiff("run - --format csv", deep);
+    const auto outcome = test::run_fstiff("run - --format csv", deep);
     CHECK(outcome.status == 4);
     CHECK(test::Csv(outcome.out).number(0, "real_area_fraction") > 1);
     CHECK(test::contains(outcome.err, "real area exceeds the nominal area"));
@@ -345,7 +345,7 @@ TEST_CASE("A real area above the nominal one is printed with exit code 4") {
 TEST_CASE("Full contact at one pressure is no result there, in every form and in truth, and nothing else is lost") {
     using namespace test;
     const Folder folder;
-    const Outcome map = test::fstiff("generate map --points 32 --spacing '1 um' --hurst 0.8 --rms '1 um'");
+    const Outcome map = test::run_fstiff("generate map --points 32 --spacing '1 um' --hurst 0.8 --rms '1 um'");
     folder.write("m.txt", map.out);
     const auto text_of = [&](const std::string& pressures, const std::string& laws) {
         return "[surface]\nfrom = \"m.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
@@ -406,13 +406,13 @@ TEST_CASE("Full contact at one pressure is no result there, in every form and in
 
 TEST_CASE("Numbers of a measured surface beyond all reason are refused in one sentence") {
     using namespace test;
-    const Outcome map = test::fstiff("generate map --points 32 --spacing '1 um' --hurst 0.8 --rms '1 um'");
-    const auto measured = nlohmann::json::parse(test::fstiff("measure -", map.out).out);
+    const Outcome map = test::run_fstiff("generate map --points 32 --spacing '1 um' --hurst 0.8 --rms '1 um'");
+    const auto measured = nlohmann::json::parse(test::run_fstiff("measure -", map.out).out);
     for (const char* key : {"rms_height", "rms_gradient"})
         for (const double value : {1e308, 1e155, 1e-170, 1e-308}) {
             auto changed = measured;
             changed["surface"][key]["value"] = value;
-            const Outcome outcome = test::fstiff("run --surface -", changed.dump());
+            const Outcome outcome = test::run_fstiff("run --surface -", changed.dump());
             INFO(key << " = " << value << "\n" << outcome.err);
             CHECK((outcome.status == 3 || outcome.status % 4 == 0));
             CHECK(contains(outcome.out + outcome.err, outcome.status == 3 ? "must be " : "beyond the range of double"));

@@ -36,8 +36,8 @@ void check_scene_refused(const std::string& scene, const std::vector<std::string
 
 TEST_CASE("The built-in scene is the text of data/sand_blasted_fine.toml") {
     CHECK(test::read(FSTIFF_SCENES "/sand_blasted_fine.toml") == fstiff::scene::builtin_scene);
-    const auto built_in = test::fstiff("run --format csv");
-    const auto from_file = test::fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --format csv");
+    const auto built_in = test::run_fstiff("run --format csv");
+    const auto from_file = test::run_fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --format csv");
     CHECK(built_in.status == 0);
     CHECK(built_in.out == from_file.out);
 }
@@ -45,14 +45,14 @@ TEST_CASE("The built-in scene is the text of data/sand_blasted_fine.toml") {
 TEST_CASE("The example of docs/scene.md runs") {
     const std::string text = test::read(FSTIFF_SCENES "/../docs/scene.md");
     const auto start = text.find("```toml\n") + 8;
-    const auto outcome = test::fstiff("run - --format csv", text.substr(start, text.find("```", start) - start));
+    const auto outcome = test::run_fstiff("run - --format csv", text.substr(start, text.find("```", start) - start));
     INFO(outcome.err);
     CHECK(outcome.status == 0);
     CHECK(test::Csv(outcome.out).size() == (2 + 2 + 1) * 31);
 }
 
 TEST_CASE("A scene may come from standard input") {
-    const auto outcome = test::fstiff("run - --format csv", good);
+    const auto outcome = test::run_fstiff("run - --format csv", good);
     CHECK(outcome.status == 0);
     CHECK(test::Csv(outcome.out).size() == 1);
 }
@@ -157,10 +157,10 @@ TEST_CASE("Characters beyond ASCII are welcome in quotation marks and comments")
     std::string text = test::replaced(good, "\"0.832 um\"", "\"0.832 \xC2\xB5m\"  # Rauheit in \xC2\xB5m, \"fein\"");
     text = test::replaced(text, "\"short\"", "\"\"\"\nge\xC3\xA4tzt \\\" '#' \"\"\"");
     text = test::replaced(text, "\"40 um\"", "'40 \xCE\xBCm'");
-    const auto outcome = test::fstiff("run - --format csv", "\xEF\xBB\xBF" + text);
+    const auto outcome = test::run_fstiff("run - --format csv", "\xEF\xBB\xBF" + text);
     INFO(outcome.err);
     CHECK(outcome.status == 0);
-    CHECK(outcome.out == test::fstiff("run - --format csv", good).out);
+    CHECK(outcome.out == test::run_fstiff("run - --format csv", good).out);
 }
 
 TEST_CASE("A scene that is missing, empty, binary or a folder is refused") {
@@ -184,7 +184,7 @@ TEST_CASE("What a scene leaves out takes the documented default, and the documen
         test::replaced(test::replaced(good.substr(0, good.find("[output]")), "laws = [\"fractal\"]\n", ""),
                        "peaks = [ { theta = \"pi/4\", r = \"exponential\" } ]\n", ""),
         "interaction = \"none\"\n", "");
-    const auto outcome = test::fstiff("run - --format json", shortest);
+    const auto outcome = test::run_fstiff("run - --format json", shortest);
     REQUIRE(outcome.status == 0);
     const auto document = nlohmann::json::parse(outcome.out);
     CHECK(document["rows"].size() == 2 + 2 + 1);  // fractal and hertz on two peak densities, Greenwood-Williamson
@@ -203,13 +203,13 @@ TEST_CASE("What a scene leaves out takes the documented default, and the documen
     full = test::replaced(full, "[\"stiffness\"]", "[\"contacts\", \"separation\", \"real_area\", \"stiffness\"]");
     full = test::replaced(full, "[contact]",
                           "[material.lower]\nyoungs_modulus = \"205000 N/mm^2\"\npoisson_ratio = 0.3\n[contact]");
-    CHECK(test::fstiff("run - --format csv", full).out == test::fstiff("run - --format csv", shortest).out);
+    CHECK(test::run_fstiff("run - --format csv", full).out == test::run_fstiff("run - --format csv", shortest).out);
 }
 
 TEST_CASE("The document echoes every input as written and in SI, and the SHA-256 of the file") {
     const test::Folder folder;
     const std::string file = folder.write("scene.toml", good);
-    const auto outcome = test::fstiff("run '" + file + "' --format json");
+    const auto outcome = test::run_fstiff("run '" + file + "' --format json");
     REQUIRE(outcome.status == 0);
     const auto document = nlohmann::json::parse(outcome.out);
     CHECK(document["schema_version"] == 1);

@@ -29,7 +29,7 @@ const std::string section = "[ultrasound]\nfrequency = \"7 MHz\"\n" + steel;
 std::string quantities(const std::string& names) { return "[output]\nquantities = [" + names + "]\n"; }
 
 test::Csv run(const std::string& scene) {
-    const auto outcome = test::fstiff("run - --format csv", scene);
+    const auto outcome = test::run_fstiff("run - --format csv", scene);
     INFO(scene << outcome.err);
     REQUIRE(outcome.status == 0);
     return test::Csv(outcome.out);
@@ -64,7 +64,7 @@ TEST_CASE("The reflection of a scene is what fstiff ultrasound says of its stiff
     const std::string lower = "lower = { impedance = \"17.1 MRayl\" }\n";
     const test::Csv rows =
         run(without + "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\" }\n" + lower);
-    const auto other = test::fstiff(
+    const auto other = test::run_fstiff(
         "ultrasound --format json --frequency '5 MHz' --impedance '46 MRayl' --impedance2 "
         "'17.1 MRayl' --stiffness '" +
         rows.text(1, "stiffness_Pa_per_m") + " Pa/m'");
@@ -118,13 +118,13 @@ TEST_CASE("The band of R is that of K") {
 }
 
 TEST_CASE("The table and the JSON of run name the waves") {
-    const auto table = test::fstiff("run -", without + section);
+    const auto table = test::run_fstiff("run -", without + section);
     for (const char* part : {"7 MHz", "46.315 and 46.315 MRayl", "25.12 and 25.12 MRayl", "Kt/A0 [GPa/µm]", "|R|",
                              "shear |R|", "0.82353 K/A0"}) {
         INFO(part);
         CHECK(test::contains(table.out, part));
     }
-    const auto document = nlohmann::json::parse(test::fstiff("run - --format json", without + section).out);
+    const auto document = nlohmann::json::parse(test::run_fstiff("run - --format json", without + section).out);
     CHECK(document["ultrasound"]["frequency_Hz"] == 7e6);
     CHECK(document["ultrasound"]["shear_impedance_Rayl"] == 7850 * 3200.0);
     CHECK(document["inputs"]["ultrasound.upper.velocity"]["value"] == 5900);
@@ -135,8 +135,8 @@ TEST_CASE("The table and the JSON of run name the waves") {
 TEST_CASE("The reflection of a K with interaction is doubted") {
     const std::string scene = test::replaced(
         without, "peaks =", "interaction = { reading = \"effective_separation\", length = \"peak_spacing\" }\npeaks =");
-    CHECK(test::contains(test::fstiff("run -", scene + section).out, "not that of the interface alone"));
-    CHECK(!test::contains(test::fstiff("run -", scene).out, "not that of the interface alone"));
+    CHECK(test::contains(test::run_fstiff("run -", scene + section).out, "not that of the interface alone"));
+    CHECK(!test::contains(test::run_fstiff("run -", scene).out, "not that of the interface alone"));
 }
 
 TEST_CASE("A section ultrasound that is not whole is refused by file, line and key") {

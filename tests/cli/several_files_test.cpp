@@ -14,7 +14,7 @@ const std::string rest =
 /// A profile of \p points heights [um].
 std::vector<std::string> trace(int points, int seed) {
     const auto all =
-        test::lines(test::fstiff("generate profile --points " + std::to_string(points) +
+        test::lines(test::run_fstiff("generate profile --points " + std::to_string(points) +
                                  " --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '6 um' --longest '80 "
                                  "um' --seed " +
                                  std::to_string(seed))
@@ -94,18 +94,18 @@ TEST_CASE("a folder, a list of files and the JSON of both are one surface to a s
     const auto list =
         folder.write("list.toml", "[surface]\nfrom = [\"traces/a\", \"traces/b\"]\nunits = \"m\"\n" + rest);
     const auto whole = folder.write("whole.toml", "[surface]\nfrom = \"traces\"\nunits = \"m\"\n" + rest);
-    const auto document = test::fstiff("measure " + folder / "traces --units m");
+    const auto document = test::run_fstiff("measure " + folder / "traces --units m");
     REQUIRE(document.status == 0);
     const auto numbers = folder.write("numbers.toml", "[surface]\nfrom = \"traces.json\"\n" + rest);
     folder.write("traces.json", document.out);
-    const auto first = test::fstiff("run " + list + " --format csv");
+    const auto first = test::run_fstiff("run " + list + " --format csv");
     REQUIRE(first.status == 0);
-    CHECK(test::fstiff("run " + whole + " --format csv").out == first.out);
-    CHECK(test::fstiff("run " + numbers + " --format csv").out == first.out);
-    const auto rows = test::lines(test::fstiff("measure " + folder / "traces --units m --format csv").out);
+    CHECK(test::run_fstiff("run " + whole + " --format csv").out == first.out);
+    CHECK(test::run_fstiff("run " + numbers + " --format csv").out == first.out);
+    const auto rows = test::lines(test::run_fstiff("measure " + folder / "traces --units m --format csv").out);
     CHECK(rows.front() == "file,parameter,value,error,unit");
     CHECK(rows[1].find("pooled,rms_height,") == 0);
-    CHECK(test::contains(test::fstiff("measure " + folder / "traces --units m --format table").out, "2 files pooled"));
+    CHECK(test::contains(test::run_fstiff("measure " + folder / "traces --units m --format table").out, "2 files pooled"));
 }
 
 TEST_CASE("files that are not of one surface are refused in one sentence") {
@@ -113,16 +113,16 @@ TEST_CASE("files that are not of one surface are refused in one sentence") {
     const auto all = trace(4096, 3);
     const auto a = folder.write("a", text_of(all, 0, 2048)), b = folder.write("b", text_of(all, 0, 4096, 2));
     const auto map =
-        folder.write("map", test::fstiff("generate map --points 32 --spacing '1 um' --hurst 0.8 --rms '1 um'").out);
+        folder.write("map", test::run_fstiff("generate map --points 32 --spacing '1 um' --hurst 0.8 --rms '1 um'").out);
     const auto refused = [&](const std::string& arguments, const std::string& sentence, int status = 3) {
-        const auto outcome = test::fstiff("measure " + arguments);
+        const auto outcome = test::run_fstiff("measure " + arguments);
         INFO(outcome.err);
         CHECK(outcome.status == status);
         CHECK(test::contains(outcome.err, sentence));
         CHECK(outcome.out.empty());
     };
     refused(a + " " + b + " --units m --lambda-s none", "files of unlike steps must have one --lambda-s");
-    CHECK(test::fstiff("measure " + a + " " + b + " --units m --lambda-s '12 um'").status % 4 == 0);
+    CHECK(test::run_fstiff("measure " + a + " " + b + " --units m --lambda-s '12 um'").status % 4 == 0);
     refused(a + " " + map + " --units m", "files of one surface must be of one kind");
     std::filesystem::create_directory(folder / "empty");
     refused(folder / "empty", "is a folder without files");

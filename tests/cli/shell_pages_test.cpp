@@ -19,7 +19,7 @@ std::vector<std::string> matches(const std::string& text, const std::string& pat
 
 /// Names of the commands, as --help lists them.
 std::vector<std::string> commands() {
-    const std::string help = test::fstiff("--help").out;
+    const std::string help = test::run_fstiff("--help").out;
     const auto begin = help.find("Subcommands:"), end = help.find("\n\n", begin);
     const auto names = matches(help.substr(begin, end - begin), "^  ([a-z]+) ");
     REQUIRE(names.size() >= 16);
@@ -33,7 +33,7 @@ struct ShownOption {
 /// Options of a command, as --help lists them.
 std::vector<ShownOption> options(const std::string& command) {
     std::vector<ShownOption> shown;
-    for (const std::string& line : matches(test::fstiff(command + " --help").out, "^  (-.*)$")) {
+    for (const std::string& line : matches(test::run_fstiff(command + " --help").out, "^  (-.*)$")) {
         ShownOption option;
         option.names = matches(line.substr(0, line.find(' ')), "(-{1,2}[a-z][a-z0-9-]*)");
         if (const auto brace = line.find(":{"); brace != std::string::npos)
@@ -58,7 +58,7 @@ std::string plain(std::string page) {
 TEST_CASE("the manual page of every command has every option, word and example of --help") {
     std::size_t found = 0;
     for (const std::string& command : commands()) {
-        const auto page = test::fstiff("help " + command + " --man");
+        const auto page = test::run_fstiff("help " + command + " --man");
         INFO("fstiff help " << command << " --man\n" << page.out << page.err);
         REQUIRE(page.status == 0);
         CHECK(page.out.starts_with(".TH FSTIFF\\-"));
@@ -71,17 +71,17 @@ TEST_CASE("the manual page of every command has every option, word and example o
             CHECK(test::contains(text, tag + (words.empty() ? "" : words + "\n")));
             ++found;
         }
-        const std::string help = test::fstiff("help " + command).out;
+        const std::string help = test::run_fstiff("help " + command).out;
         CHECK(test::contains(text, ".SH EXAMPLE\n.EX\n" + help.substr(help.rfind("Example:\n") + 9)));
     }
     CHECK(found > 150);
 
-    const std::string program = plain(test::fstiff("help --man").out);
+    const std::string program = plain(test::run_fstiff("help --man").out);
     for (const std::string& command : commands()) CHECK(test::contains(program, "fstiff-" + command + "(1)"));
     CHECK(test::contains(program, "  area                m^2, cm^2"));
     CHECK(test::contains(program, "\nExit codes: 0 done"));
     for (const std::string wrong : {"help nonsense --man", "help --man nonsense", "help --completion ksh"}) {
-        const auto refused = test::fstiff(wrong);
+        const auto refused = test::run_fstiff(wrong);
         INFO(wrong << ": " << refused.err);
         CHECK(refused.status == 2);
         CHECK(refused.out.empty());
@@ -95,7 +95,7 @@ TEST_CASE("man and mandoc find nothing wrong in the manual pages") {
     std::vector<std::string> pages{""};
     for (const std::string& command : commands()) pages.push_back(command + " ");
     for (const std::string& page : pages) {
-        const std::string file = folder.write("page.1", test::fstiff("help " + page + "--man").out);
+        const std::string file = folder.write("page.1", test::run_fstiff("help " + page + "--man").out);
         INFO("page " << page);
         if (installed("man")) {
             const auto man = test::shell("LC_ALL=C.UTF-8 man --warnings -l '" + file + "' 2>&1 >/dev/null");
@@ -116,7 +116,7 @@ TEST_CASE("man and mandoc find nothing wrong in the manual pages") {
 TEST_CASE("bash completes every command, option and word") {
     if (!installed("bash")) SKIP_CASE("bash is not installed");
     const test::Folder folder;
-    const std::string script = folder.write("completion", test::fstiff("help --completion bash").out);
+    const std::string script = folder.write("completion", test::run_fstiff("help --completion bash").out);
     std::string asked;  // one line of bash for each place to complete at, all answered by one bash
     std::vector<std::vector<std::string>> wanted;
     const auto ask = [&](const std::string& words, int place, const std::vector<std::string>& offered) {
@@ -165,7 +165,7 @@ TEST_CASE("bash completes every command, option and word") {
 TEST_CASE("fish and zsh complete commands, options and words") {
     const test::Folder folder;
     if (installed("fish")) {
-        const std::string script = folder.write("fstiff.fish", test::fstiff("help --completion fish").out);
+        const std::string script = folder.write("fstiff.fish", test::run_fstiff("help --completion fish").out);
         const auto first = [&](const std::string& typed) {
             const auto answer =
                 test::shell("fish --no-config -c \"source '" + script + "'; complete -C '" + typed + "'\"");
@@ -181,7 +181,7 @@ TEST_CASE("fish and zsh complete commands, options and words") {
         test::leave_out("fish is not installed");
     }
     if (installed("zsh")) {
-        folder.write("_fstiff", test::fstiff("help --completion zsh").out);
+        folder.write("_fstiff", test::run_fstiff("help --completion zsh").out);
         // a zsh at a terminal of its own: what is typed, the tabulator, then "print -r GOT" before the line, and enter
         const std::string script = folder.write("zsh", R"(zmodload zsh/zpty
 zpty z zsh -f -i

@@ -25,20 +25,20 @@ const std::string none = " --lambda-s none --lambda-c none";
 
 std::string profile_text() {
     const auto made =
-        test::fstiff("generate profile --points 500 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '8 um'");
+        test::run_fstiff("generate profile --points 500 --spacing '1 um' --hurst 0.7 --rms '1 um' --shortest '8 um'");
     REQUIRE(made.status == 0);
     return made.out;
 }
 
 std::string map_text() {
     const auto made =
-        test::fstiff("generate map --points 96 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '8 um'");
+        test::run_fstiff("generate map --points 96 --spacing '1 um' --hurst 0.8 --rms '1 um' --shortest '8 um'");
     REQUIRE(made.status == 0);
     return made.out;
 }
 
 nlohmann::json document_of(const std::string& arguments, const std::string& input = "") {
-    const auto outcome = test::fstiff(arguments + none + " --format json", input);
+    const auto outcome = test::run_fstiff(arguments + none + " --format json", input);
     INFO(arguments << "\n" << outcome.err);
     REQUIRE((outcome.status == 0 || outcome.status == 4));
     return nlohmann::json::parse(outcome.out);
@@ -61,7 +61,7 @@ std::string measured_file(const std::string& name) {
         return {};
     }
 #ifndef FSTIFF_HAS_X3P
-    if (name.ends_with(".x3p") && contains(test::fstiff("measure " + path).err, "X3P")) {
+    if (name.ends_with(".x3p") && contains(test::run_fstiff("measure " + path).err, "X3P")) {
         leave_out("built without X3P: " + path);
         return {};
     }
@@ -82,7 +82,7 @@ TEST_CASE("The spectrum of a profile is that of the library, to the last digit")
         REQUIRE(psd.size() + 1 == expected.size());
         CHECK(psd == std::vector<double>(expected.value.begin() + 1, expected.value.end()));
         CHECK(document["inputs"]["taper"] == fstiff::name_of(window));
-        const Csv csv(test::fstiff("spectrum - --format csv" + taper + none, text).out);
+        const Csv csv(test::run_fstiff("spectrum - --format csv" + taper + none, text).out);
         REQUIRE(csv.size() == psd.size());
         CHECK(csv.number(7, "psd_m3") == psd[7]);
         CHECK(csv.number(7, "wavenumber_rad_per_m") == expected.wavenumber[8]);
@@ -177,14 +177,14 @@ TEST_CASE("measure names the standard and says what is not defined, and its CSV 
     const auto roughness = document_of("measure - --resamples 2", text)["roughness"];
     CHECK(roughness["standard"] == "ISO 25178-2:2021");
     CHECK(roughness["Sz_m"].get<double>() == roughness["Sp_m"].get<double>() + roughness["Sv_m"].get<double>());
-    const auto table = test::fstiff("measure - --resamples 2 --format table" + none, text).out;
+    const auto table = test::run_fstiff("measure - --resamples 2 --format table" + none, text).out;
     CHECK(contains(table, "by ISO 25178-2:2021"));
-    CHECK_FALSE(contains(test::fstiff("measure - --resamples 2 --format csv" + none, text).out, "Sa"));
+    CHECK_FALSE(contains(test::run_fstiff("measure - --resamples 2 --format csv" + none, text).out, "Sa"));
 
     const auto line = document_of("measure - --resamples 2", profile_text())["roughness"];
     CHECK(line["standard"] == "ISO 21920-2:2021");
     CHECK(relative_error(line["section_length_m"].get<double>(), 100e-6) < 1e-12);
-    const auto cut = test::fstiff("measure - --resamples 2 --lambda-s none --lambda-c '80 um'", profile_text());
+    const auto cut = test::run_fstiff("measure - --resamples 2 --lambda-s none --lambda-c '80 um'", profile_text());
     const auto sections = nlohmann::json::parse(cut.out)["roughness"];
     CHECK(contains(sections["sections"].get<std::string>(), "lambda_c"));
     CHECK(relative_error(sections["section_length_m"].get<double>(), 80e-6) < 1e-12);
@@ -206,7 +206,7 @@ TEST_CASE("Missing points have an autocorrelation and no spectrum, and say so") 
     for (int i = 0; i < 100; ++i) text += i == 30 ? "nan\n" : std::to_string(std::sin(0.3 * i)) + "\n";
     const std::string how = "spectrum - --units um --spacing '1 um'" + none;
     check_refused(how, 3, {"standard input", "1 missing points", "before its spectrum"}, text);
-    const auto acf = test::fstiff(how + " --of acf", text);
+    const auto acf = test::run_fstiff(how + " --of acf", text);
     CHECK(acf.status == 0);
     CHECK(contains(acf.out, "1 of 100 points are missing; their pairs are left out"));
     check_refused("spectrum -", 3, {"standard input", "empty"});
@@ -218,7 +218,7 @@ TEST_CASE("The picture of a spectrum has its curves, its numbers and its script,
     const Folder folder;
     folder.write("map.csv", map_text());
     for (const std::string of : {"psd", "acf"}) {
-        const auto made = test::fstiff("spectrum '" + (folder / "map.csv") + "' --of " + of + none + " --plot '" +
+        const auto made = test::run_fstiff("spectrum '" + (folder / "map.csv") + "' --of " + of + none + " --plot '" +
                                        (folder / (of + ".svg")) + "'");
         INFO(made.err);
         CHECK(made.status == 0);
@@ -239,10 +239,10 @@ TEST_CASE("The picture of a spectrum has its curves, its numbers and its script,
         CHECK(read(folder / (of + ".plot.csv")).starts_with("# fstiff "));
     }
     CHECK(folder.files() == 7);
-    const auto refused = test::fstiff("spectrum '" + (folder / "map.csv") + "' -o '" + (folder / "map.csv") + "'");
+    const auto refused = test::run_fstiff("spectrum '" + (folder / "map.csv") + "' -o '" + (folder / "map.csv") + "'");
     CHECK(refused.status == 3);
     CHECK(contains(refused.err, "is an input of this command"));
-    CHECK(test::fstiff("spectrum '" + (folder / "map.csv") + "' --plot picture.txt").status == 2);
+    CHECK(test::run_fstiff("spectrum '" + (folder / "map.csv") + "' --plot picture.txt").status == 2);
 }
 
 TEST_CASE("Of several files the roughness is the mean of theirs, and each file has its own") {
@@ -250,7 +250,7 @@ TEST_CASE("Of several files the roughness is the mean of theirs, and each file h
     std::string names;
     for (const std::string seed : {"1", "2", "3"})
         names += " '" +
-                 folder.write(seed + ".csv", test::fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.7 "
+                 folder.write(seed + ".csv", test::run_fstiff("generate profile --points 400 --spacing '1 um' --hurst 0.7 "
                                                           "--rms '1 um' --shortest '8 um' --seed " +
                                                           seed)
                                                  .out) +
@@ -265,6 +265,6 @@ TEST_CASE("Of several files the roughness is the mean of theirs, and each file h
         mean += file["roughness"]["Rz_m"].get<double>() / 3;
     }
     CHECK(relative_error(pooled["Rz_m"].get<double>(), mean) < 1e-14);
-    const auto table = test::fstiff("measure" + names + " --resamples 2 --format table" + none);
+    const auto table = test::run_fstiff("measure" + names + " --resamples 2 --format table" + none);
     CHECK(contains(table.out, "means of 3 files"));
 }

@@ -43,7 +43,7 @@ pid_t start(std::vector<std::string> arguments) {
 TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same bytes, in 20 runs") {
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid(10000));
-    REQUIRE(fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
+    REQUIRE(run_fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
     const std::string serial = read(folder / "serial");
     int killed = 0, went_on = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -82,7 +82,7 @@ TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on be
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid(5000)), out = folder / "out";
     const std::string sweep = "fstiff sweep '" + file + "' -o '" + out + "'";
-    REQUIRE(fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
+    REQUIRE(run_fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
     const std::string serial = read(folder / "serial");
     REQUIRE(serial.size() > 3'000'000);
     const Outcome full = shell("ulimit -f 4000; " + sweep);  // blocks of 512 bytes: 2 MB
@@ -94,7 +94,7 @@ TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on be
     CHECK(part.back() == '\n');
     CHECK(serial.starts_with(part));
     CHECK(contains(read(out + ".sweep"), "\"finished\": false"));
-    const Outcome merged = fstiff("merge '" + out + "' -o '" + folder / "all" + "'");
+    const Outcome merged = run_fstiff("merge '" + out + "' -o '" + folder / "all" + "'");
     CHECK(merged.status == 4);
     CHECK(contains(merged.err, "is not finished; run: fstiff sweep"));
     CHECK(shell(sweep).status == 0);
@@ -110,7 +110,7 @@ TEST_CASE("A full disk ends a sweep with its reason, and the next one goes on be
 TEST_CASE("A sweep whose threads find no room goes on with fewer, and says how many") {
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid(500)), out = folder / "out";
-    REQUIRE(fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
+    REQUIRE(run_fstiff("sweep '" + file + "' -o '" + folder / "serial" + "'").status == 0);
     if (shell("ulimit -s 4000000 && ulimit -v 100000 && fstiff --version").status != 0)
         SKIP_CASE("no program runs here with little memory, or the limits cannot be set");
     // each thread asks for a stack of the size of the limit on that of the process
@@ -134,13 +134,13 @@ TEST_CASE("Two sweeps cannot write one file at the same time") {
     for (int i = 0; i < 1000 && !std::filesystem::exists(out + ".sweep"); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     for (const char* shard : {"1/2", "2/2"}) {
-        const Outcome second = fstiff("sweep '" + file + "' -o '" + out + "' --shard " + shard);
+        const Outcome second = run_fstiff("sweep '" + file + "' -o '" + out + "' --shard " + shard);
         CHECK(second.status == 3);
         CHECK(contains(second.err, "is being written by another process; give every shard a file of its own"));
     }
     kill(first, SIGKILL);
     waitpid(first, nullptr, 0);
-    const Outcome other = fstiff("sweep '" + file + "' -o '" + out + "' --shard 2/2");
+    const Outcome other = run_fstiff("sweep '" + file + "' -o '" + out + "' --shard 2/2");
     CHECK(other.status == 3);
     CHECK(contains(other.err, "holds the results of shard 1/2, not 2/2"));
 }

@@ -71,7 +71,7 @@ void check_as_run(const std::string& results, const Of& of, std::size_t every = 
     std::size_t at = 0;
     for (const auto& [index, rows] : by_index) {
         if (at++ % every != 0) continue;
-        const Outcome run = fstiff("run - --format csv", of(rows.front()));
+        const Outcome run = run_fstiff("run - --format csv", of(rows.front()));
         INFO("scene " << index << ": " << run.err);
         REQUIRE((run.status == 0 || run.status == 4));
         const auto csv = lines(run.out);
@@ -112,7 +112,7 @@ TEST_CASE("Each line of a sweep has the digits of fstiff run of that scene, for 
         const bool draws = contains(written, "normal") || contains(written, "uniform");
         const std::string file =
             folder.write("grid.toml", scene_with(key, written) + (draws ? "[sweep]\nsamples = 3\n" : ""));
-        const Outcome outcome = fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --threads 1");
+        const Outcome outcome = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --threads 1");
         INFO(key << ": " << outcome.err);
         REQUIRE(outcome.status == 0);
         check_as_run(read(folder / "out"), [&, name = key, si = unit](const Line& line) {
@@ -129,7 +129,7 @@ TEST_CASE("Words and tables may be swept, and stand in the lines as texts") {
         "grid.toml",
         replaced(text, "peaks = \"surface\"",
                  "peaks = { values = [\"surface\", [ { theta = 1, r = 0.2 }, { theta = 0.9, r = 0 } ]] }"));
-    REQUIRE(fstiff("sweep '" + file + "' -o '" + folder / "out" + "'").status == 0);
+    REQUIRE(run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "'").status == 0);
     const auto all = lines(read(folder / "out"));
     REQUIRE(all.size() == 2 * (1 + 2) * 2);  // laws, peaks, points
     CHECK(value(fields(all[0]), "contact.laws[0]") == "\"hertz\"");
@@ -147,7 +147,7 @@ TEST_CASE("Words and tables may be swept, and stand in the lines as texts") {
 TEST_CASE("Measured files may be swept") {
     const Folder folder;
     for (const char* seed : {"1", "2"})
-        REQUIRE(fstiff("generate profile --hurst 0.8 --rms '1 um' --points 2000 --spacing '1 um' --seed " +
+        REQUIRE(run_fstiff("generate profile --hurst 0.8 --rms '1 um' --points 2000 --spacing '1 um' --seed " +
                        std::string(seed) + " -o '" + folder / ("trace" + std::string(seed) + ".csv") + "'")
                     .status == 0);
     const std::string text =
@@ -156,7 +156,7 @@ TEST_CASE("Measured files may be swept") {
         "[contact]\nlaws = [\"hertz\"]\npressures = [ { values = [\"1 MPa\", \"10 MPa\"] } ]\n[uncertainty]\nsamples = "
         "0\n";
     const std::string file = folder.write("grid.toml", text);
-    const Outcome outcome = fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
+    const Outcome outcome = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     const auto all = lines(read(folder / "out"));
@@ -166,7 +166,7 @@ TEST_CASE("Measured files may be swept") {
         const std::string by_hand =
             replaced(replaced(text, "{ values = [\"trace1.csv\", [\"trace1.csv\", \"trace2.csv\"]] }", from),
                      "{ values = [\"1 MPa\", \"10 MPa\"] }", pressure);
-        return lines(fstiff("run '" + folder.write("hand.toml", by_hand) + "' --format csv").out).at(1);
+        return lines(run_fstiff("run '" + folder.write("hand.toml", by_hand) + "' --format csv").out).at(1);
     };
     CHECK(contains(scene("\"trace1.csv\"", "\"10 MPa\""), value(fields(all[1]), "stiffness_Pa_per_m")));
     CHECK(
@@ -183,8 +183,8 @@ TEST_CASE("K by the table of a law is within the error that it tells, for any nu
         const Folder folder;
         const std::string exact = folder.write("exact.toml", text),
                           tables = folder.write("tables.toml", text + "[sweep]\ntabulate = true\n");
-        REQUIRE(fstiff("sweep '" + exact + "' -o '" + folder / "exact" + "'").status == 0);
-        REQUIRE(fstiff("sweep '" + tables + "' -o '" + folder / "tables" + "' --threads 2").status == 0);
+        REQUIRE(run_fstiff("sweep '" + exact + "' -o '" + folder / "exact" + "'").status == 0);
+        REQUIRE(run_fstiff("sweep '" + tables + "' -o '" + folder / "tables" + "' --threads 2").status == 0);
         const auto wanted = lines(read(folder / "exact")), found = lines(read(folder / "tables"));
         REQUIRE(found.size() == wanted.size());
         double most = 0;
@@ -202,14 +202,14 @@ TEST_CASE("K by the table of a law is within the error that it tells, for any nu
         CHECK(most < 1e-13);     // of separations of a micrometre
         CHECK(wanted != found);  // they are tables
         for (const char* i : {"1", "2", "3"})
-            REQUIRE(fstiff("sweep '" + tables + "' --shard " + i + "/3 -o '" + folder / "part-{shard}" + "'").status ==
+            REQUIRE(run_fstiff("sweep '" + tables + "' --shard " + i + "/3 -o '" + folder / "part-{shard}" + "'").status ==
                     0);
         REQUIRE(shell("fstiff merge '" + folder / "" + "'part-* -o '" + folder / "all" + "'").status == 0);
         CHECK(read(folder / "all") == read(folder / "tables"));
     }
     const Folder folder;
     const auto refused = [&](const std::string& text, const std::string& sentence) {
-        const Outcome outcome = fstiff("sweep '" + folder.write("grid.toml", text + "[sweep]\ntabulate = true\n") +
+        const Outcome outcome = run_fstiff("sweep '" + folder.write("grid.toml", text + "[sweep]\ntabulate = true\n") +
                                        "' -o '" + folder / "out" + "'");
         CHECK(outcome.status == 3);
         CHECK(contains(outcome.err, sentence));
@@ -221,7 +221,7 @@ TEST_CASE("K by the table of a law is within the error that it tells, for any nu
 
 TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their points are computed together or not") {
     const Folder folder;
-    REQUIRE(fstiff("generate map --hurst 0.8 --rms '0.3 um' --points 48 --spacing '1 um' --format sdf -o '" +
+    REQUIRE(run_fstiff("generate map --hurst 0.8 --rms '0.3 um' --points 48 --spacing '1 um' --format sdf -o '" +
                    folder / "map.sdf" + "'")
                 .status == 0);
     for (const char* laws : {"\"summits\", \"hybrid\", \"persson\"", "\"hybrid\", \"boundary_elements\""}) {
@@ -233,7 +233,7 @@ TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their p
             "]\npeaks = [ { theta = 1, r = 0.5 } ]\npressures = [ { values = [\"1 MPa\", \"3 MPa\", \"9 "
             "MPa\"] } ]\n[boundary_elements]\npoints = 32\n[uncertainty]\nsamples = 0\n";
         const std::string file = folder.write("grid.toml", text), out = folder / "out";
-        const Outcome outcome = fstiff("sweep '" + file + "' -o '" + out + "'");
+        const Outcome outcome = run_fstiff("sweep '" + file + "' -o '" + out + "'");
         INFO(outcome.err);
         REQUIRE(outcome.status == 0);
         check_as_run(read(out), [&](const Line& line) {
@@ -253,7 +253,7 @@ TEST_CASE("The merged shards are the sweep itself, byte for byte, for any number
                                               "[sweep]\nsamples = 3\n"}) {
         const Folder work;
         const std::string file = work.write("grid.toml", text);
-        REQUIRE(fstiff("sweep '" + file + "' -o '" + work / "serial" + "' --threads 1").status == 0);
+        REQUIRE(run_fstiff("sweep '" + file + "' -o '" + work / "serial" + "' --threads 1").status == 0);
         const std::string serial = read(work / "serial");
         CHECK(lines(serial).size() == 2 * 7 * (contains(text, "samples") ? 3 : 2) * 11);
         for (const int shards : {1, 2, 3, 8}) {
@@ -276,9 +276,9 @@ TEST_CASE("A second sweep does nothing, and a cut one goes on, wherever it was c
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid), out = folder / "out";
     const std::string sweep = "sweep '" + file + "' -o '" + out + "'";
-    REQUIRE(fstiff(sweep).status == 0);
+    REQUIRE(run_fstiff(sweep).status == 0);
     const std::string whole = read(out), description = read(out + ".sweep");
-    const Outcome again = fstiff(sweep);
+    const Outcome again = run_fstiff(sweep);
     CHECK(again.status == 0);
     CHECK(contains(again.err, "nothing is left to compute"));
     CHECK(read(out) == whole);
@@ -289,19 +289,19 @@ TEST_CASE("A second sweep does nothing, and a cut one goes on, wherever it was c
         folder.write("out.sweep", unfinished);
         folder.write("out", whole.substr(0, left));
         INFO("cut at " << left);
-        CHECK(fstiff(sweep).status == 0);
+        CHECK(run_fstiff(sweep).status == 0);
         CHECK(read(out) == whole);
         CHECK(read(out + ".sweep") == description);
     }
     // zeros behind what was synced, as some file systems leave them after a loss of power, and a scene in between that is lost
     folder.write("out.sweep", unfinished);
     folder.write("out", whole.substr(0, 1000) + std::string(5000, '\0'));
-    CHECK(fstiff(sweep).status == 0);
+    CHECK(run_fstiff(sweep).status == 0);
     CHECK(read(out) == whole);
     folder.write("out.sweep", unfinished);
     const std::size_t middle = whole.find("{\"index\":70,"), behind = whole.find("{\"index\":71,");
     folder.write("out", whole.substr(0, middle) + whole.substr(behind));
-    CHECK(fstiff(sweep).status == 0);
+    CHECK(run_fstiff(sweep).status == 0);
     CHECK(read(out) == whole);
 }
 
@@ -309,7 +309,7 @@ TEST_CASE("Results of another grid, shard or unknown origin are refused") {
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid), out = folder / "out";
     const auto sweep = [&](const std::string& more = "") {
-        return fstiff("sweep '" + file + "' -o '" + out + "'" + more);
+        return run_fstiff("sweep '" + file + "' -o '" + out + "'" + more);
     };
     REQUIRE(sweep().status == 0);
     const std::string whole = read(out);
@@ -330,7 +330,7 @@ TEST_CASE("Results of another grid, shard or unknown origin are refused") {
     CHECK(contains(sweep().err, "was changed since it was finished"));
     folder.write("out", whole);
     CHECK(sweep().status == 0);
-    const Outcome itself = fstiff("sweep '" + file + "' -o '" + file + "'");
+    const Outcome itself = run_fstiff("sweep '" + file + "' -o '" + file + "'");
     CHECK(itself.status == 3);
     CHECK(contains(itself.err, "would be written over"));
     CHECK(read(file) == grid);
@@ -340,7 +340,7 @@ TEST_CASE("What is wrong with a value is told before anything is computed") {
     const Folder folder;
     const auto check = [&](const std::string& text, const std::string& sentence) {
         const std::string file = folder.write("grid.toml", text);
-        const Outcome outcome = fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
+        const Outcome outcome = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
         INFO(outcome.err);
         CHECK(outcome.status == 3);
         CHECK(contains(outcome.err, sentence));
@@ -354,8 +354,8 @@ TEST_CASE("What is wrong with a value is told before anything is computed") {
     check(replaced(grid, "poisson_ratio", "poison_ratio"), "unknown key");
     check(replaced(grid, "[\"20 um\", \"40 um\"]", "{ from = \"20 um\", to = \"40 um\", count = 1e18 }"),
           "surface.peak_radius.count = 1e+18: must be a whole number from 2 to 9007199254740992, written without a");
-    CHECK(fstiff("sweep").status == 2);
-    CHECK(fstiff("sweep '" + folder.write("grid.toml", grid) + "' -o '" + folder / "out" + "' --shard 3").status == 2);
+    CHECK(run_fstiff("sweep").status == 2);
+    CHECK(run_fstiff("sweep '" + folder.write("grid.toml", grid) + "' -o '" + folder / "out" + "' --shard 3").status == 2);
 }
 
 TEST_CASE("A scene that cannot be computed says why, and the others have their results") {
@@ -363,7 +363,7 @@ TEST_CASE("A scene that cannot be computed says why, and the others have their r
     const std::string file =
         folder.write("grid.toml", replaced(grid, "{ from = \"0.1 MPa\", to = \"100 MPa\", count = 11 }",
                                            "{ values = [\"1 MPa\", \"1e20 MPa\", \"2 MPa\"] }"));
-    const Outcome outcome = fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
+    const Outcome outcome = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
     CHECK(outcome.status == 4);
     CHECK(contains(outcome.err, "14 scenes cannot be computed"));
     std::map<bool, std::set<std::string>> seen;
@@ -375,10 +375,10 @@ TEST_CASE("A scene that cannot be computed says why, and the others have their r
     }
     CHECK(seen[true].size() == 14);
     CHECK(seen[false].size() == 28);
-    const Outcome again = fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
+    const Outcome again = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
     CHECK(again.status == 4);
     CHECK(contains(again.err, "14 scenes cannot be computed"));
-    const Outcome merged = fstiff("merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
+    const Outcome merged = run_fstiff("merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
     CHECK(merged.status == 4);
     CHECK(read(folder / "all") == read(folder / "out"));
 }
@@ -387,7 +387,7 @@ TEST_CASE("Merging says which shard is missing, double, unfinished or of another
     const Folder folder;
     const std::string file = folder.write("grid.toml", grid);
     const auto sweep = [&](const std::string& shard, const std::string& name) {
-        REQUIRE(fstiff("sweep '" + file + "' --shard " + shard + " -o '" + folder / name + "'").status == 0);
+        REQUIRE(run_fstiff("sweep '" + file + "' --shard " + shard + " -o '" + folder / name + "'").status == 0);
     };
     for (const char* i : {"1", "2", "3", "4"}) sweep(std::string(i) + "/4", "part-" + std::string(i) + ".jsonl");
     const auto check = [&](const std::string& names, const std::vector<std::string>& sentences) {

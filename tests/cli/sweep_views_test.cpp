@@ -24,7 +24,7 @@ std::string grid(const std::string& rms, const std::string& radius, const std::s
 Csv drawn(const Folder& folder, const std::string& text) {
     const std::string file = folder.write("grid.toml", text);
     const Outcome outcome =
-        fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --plot '" + folder / "k.svg" + "'");
+        run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --plot '" + folder / "k.svg" + "'");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     CHECK(contains(read(folder / "k.svg"), "<svg "));
@@ -137,7 +137,7 @@ TEST_CASE("Sensitivities are those of the draws, and a shard or a grid without d
                  "youngs_modulus = \"205 GPa\"", "youngs_modulus = { lognormal = [\"205 GPa\", 0.2] }");
     const std::string file = folder.write("grid.toml", text);
     const std::string sweep = "sweep '" + file + "' -o '" + folder / "out" + "' --sensitivity";
-    const Outcome outcome = fstiff(sweep);
+    const Outcome outcome = run_fstiff(sweep);
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.status == 0);
     const auto all = lines(outcome.out);
@@ -161,14 +161,14 @@ TEST_CASE("Sensitivities are those of the draws, and a shard or a grid without d
         shares += found[static_cast<std::size_t>(2 * i)];
     }
     CHECK(std::abs(found[6] - (1 - shares)) < 2e-3);  // rounded to three digits
-    const Outcome shard = fstiff(sweep + " --shard 1/2");
+    const Outcome shard = run_fstiff(sweep + " --shard 1/2");
     CHECK(shard.status == 2);
     CHECK(contains(shard.err, "merge the shards first"));
     // what they need is told before anything is computed
     const auto refused = [&](const std::string& from, const std::string& to, const std::string& view,
                              const std::string& sentence) {
         const std::string other = folder.write("other.toml", replaced(text, from, to));
-        const Outcome early = fstiff("sweep '" + other + "' -o '" + folder / "none" + "' " + view);
+        const Outcome early = run_fstiff("sweep '" + other + "' -o '" + folder / "none" + "' " + view);
         INFO(early.err);
         CHECK(early.status == 2);
         CHECK(contains(early.err, sentence));
@@ -179,7 +179,7 @@ TEST_CASE("Sensitivities are those of the draws, and a shard or a grid without d
     refused("samples = 5000\n", no_stiffness, "--sensitivity", "--sensitivity needs K; output.quantities must hold");
     refused("samples = 5000\n", no_stiffness, "--plot '" + folder / "none.svg" + "'", "--plot needs K");
     const std::string plain = folder.write("plain.toml", grid("[\"0.8 um\"]", "\"40 um\"", "pressures = [\"1 MPa\"]"));
-    CHECK(fstiff("sweep '" + plain + "' -o '" + folder / "plain" + "' --sensitivity").status == 2);
+    CHECK(run_fstiff("sweep '" + plain + "' -o '" + folder / "plain" + "' --sensitivity").status == 2);
 }
 
 TEST_CASE("Inputs that K does not hang on have no sensitivities, and the picture of the same call is drawn") {
@@ -190,7 +190,7 @@ TEST_CASE("Inputs that K does not hang on have no sensitivities, and the picture
                               "poisson_ratio = 0.3\n",
                               "poisson_ratio = 0.3\nyield_strength = { lognormal = [\"400 MPa\", 0.1] }\n"));
     const Outcome outcome =
-        fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --sensitivity --plot '" + folder / "k.svg" + "'");
+        run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "' --sensitivity --plot '" + folder / "k.svg" + "'");
     INFO(outcome.err);
     CHECK(outcome.status == 4);
     CHECK(contains(outcome.err, "no K in it varies over 3 draws or more"));
@@ -203,21 +203,21 @@ TEST_CASE("Results whose lines were damaged are not drawn, and go on where they 
     const std::string file =
         folder.write("grid.toml", grid("[\"0.5 um\", \"1 um\", \"2 um\"]", "\"40 um\"", "pressures = [\"1 MPa\"]"));
     const std::string sweep = "sweep '" + file + "' -o '" + folder / "out" + "'";
-    REQUIRE(fstiff(sweep).status == 0);
+    REQUIRE(run_fstiff(sweep).status == 0);
     const std::string whole = read(folder / "out"), known = read(folder / "out.sweep");
     std::string damaged = whole;
     damaged.replace(whole.find('\n') + 60, 8, "????????");
     folder.write("out", damaged);
-    const Outcome drawn = fstiff(sweep + " --plot '" + folder / "k.svg" + "'");
+    const Outcome drawn = run_fstiff(sweep + " --plot '" + folder / "k.svg" + "'");
     INFO(drawn.err);
     CHECK(drawn.status == 3);
     CHECK(contains(drawn.err, "out:2: is no whole line of results"));
     CHECK_FALSE(std::filesystem::exists(folder / "k.svg"));
-    const Outcome merged = fstiff("merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
+    const Outcome merged = run_fstiff("merge '" + folder / "out" + "' -o '" + folder / "all" + "'");
     CHECK(merged.status == 4);
     CHECK(contains(merged.err, "was changed since it was finished: whole up to scene 1 of 3"));
     folder.write("out.sweep", replaced(known, "\"finished\": true", "\"finished\": false"));
-    const Outcome again = fstiff(sweep);
+    const Outcome again = run_fstiff(sweep);
     CHECK(again.status == 0);
     CHECK(contains(again.err, "are computed again"));
     CHECK(read(folder / "out") == whole);

@@ -18,7 +18,7 @@ const std::string numbers =
     "0.5\ntheta = 0.6\n";
 
 std::string map_text(int seed, const std::string& rms) {
-    return test::fstiff("generate map --points 192 --spacing '1 um' --hurst 0.8 --rms '" + rms +
+    return test::run_fstiff("generate map --points 192 --spacing '1 um' --hurst 0.8 --rms '" + rms +
                         "' --shortest '8 um' --longest '60 um' --seed " + std::to_string(seed))
         .out;
 }
@@ -29,14 +29,14 @@ TEST_CASE("a face beside a smooth one is [surface], and says so") {
     const test::Folder folder;
     const auto alone = folder.write("alone.toml", "[surface]\n" + numbers + rest);
     const auto upper = folder.write("upper.toml", "[surface.upper]\n" + numbers + rest);
-    const auto one = test::fstiff("run " + alone + " --format csv"),
-               same = test::fstiff("run " + upper + " --format csv");
+    const auto one = test::run_fstiff("run " + alone + " --format csv"),
+               same = test::run_fstiff("run " + upper + " --format csv");
     REQUIRE(one.status == 0);
     CHECK(one.out == same.out);
     CHECK(
         test::json_of("run " + alone + " --format json")["inputs"]["surface.lower"]["written"].get<std::string>().find(
             "smooth") == 0);
-    CHECK(test::contains(test::fstiff("run " + alone).out, "the other face smooth"));
+    CHECK(test::contains(test::run_fstiff("run " + alone).out, "the other face smooth"));
 }
 
 TEST_CASE("two equal faces are one of sqrt(2) the heights, with the same peaks a unit of area") {
@@ -47,7 +47,7 @@ TEST_CASE("two equal faces are one of sqrt(2) the heights, with the same peaks a
                      "[surface]\nrms_height = \"1.1313708498984762 um\"\npeak_radius = \"28.284271247461902 um\"\n"
                      "peak_density = \"900 /mm^2\"\nfractal_dimension = 1.3\nr = 0.5\ntheta = 0.6\n" +
                          rest);
-    const auto a = test::fstiff("run " + two + " --format json"), b = test::fstiff("run " + as_one + " --format json");
+    const auto a = test::run_fstiff("run " + two + " --format json"), b = test::run_fstiff("run " + as_one + " --format json");
     REQUIRE(a.status == 0);
     const auto rows = nlohmann::json::parse(a.out)["rows"], truth = nlohmann::json::parse(b.out)["rows"];
     REQUIRE(rows.size() == truth.size());
@@ -55,7 +55,7 @@ TEST_CASE("two equal faces are one of sqrt(2) the heights, with the same peaks a
         const double k = rows[i]["stiffness_Pa_per_m"], of = truth[i]["stiffness_Pa_per_m"];
         CHECK(std::abs(k - of) < 1e-10 * of);
     }
-    CHECK(!test::contains(test::fstiff("run " + two).out, "the other face smooth"));
+    CHECK(!test::contains(test::run_fstiff("run " + two).out, "the other face smooth"));
 }
 
 TEST_CASE("two maps: what is measured of both adds up to what is measured of their sum, within the errors") {
@@ -111,7 +111,7 @@ TEST_CASE("two maps: what is measured of both adds up to what is measured of the
 TEST_CASE("what two faces cannot have is told in one sentence") {
     const test::Folder folder;
     const auto refused = [&](const std::string& surface, const std::string& sentence, const std::string& more = "") {
-        const auto outcome = test::fstiff("run " + folder.write("scene.toml", surface + rest + more));
+        const auto outcome = test::run_fstiff("run " + folder.write("scene.toml", surface + rest + more));
         INFO(outcome.err);
         CHECK(outcome.status == 3);
         CHECK(test::contains(outcome.err, sentence));

@@ -14,7 +14,7 @@ namespace {
 const std::string steel = " --frequency '7 MHz' --impedance '46 MRayl'";
 
 nlohmann::json json(const std::string& arguments) {
-    const auto outcome = test::fstiff("ultrasound --format json " + arguments);
+    const auto outcome = test::run_fstiff("ultrasound --format json " + arguments);
     INFO(arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == 0);
     return nlohmann::json::parse(outcome.out);
@@ -63,10 +63,10 @@ TEST_CASE("Density and velocity stand for the impedance") {
 
 TEST_CASE("The table and the CSV of ultrasound hold the same") {
     const auto document = json("--stiffness '1.764 GPa/um'" + steel);
-    const test::Csv csv(test::fstiff("ultrasound --format csv --stiffness '1.764 GPa/um'" + steel).out);
+    const test::Csv csv(test::run_fstiff("ultrasound --format csv --stiffness '1.764 GPa/um'" + steel).out);
     CHECK(csv.size() == 1);
     for (const std::string& name : csv.header()) CHECK(document[name].get<double>() == csv.number(0, name));
-    const auto table = test::fstiff("ultrasound --stiffness '1.764 GPa/um'" + steel);
+    const auto table = test::run_fstiff("ultrasound --stiffness '1.764 GPa/um'" + steel);
     CHECK(test::contains(table.out, "1.764 GPa/µm = 1.764e+15 Pa/m"));
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("A file of measured reflections gives K of every row with its error") 
     const std::string file =
         "# a comment\npressure [MPa]; temperature; |R|; R_error\n1; 20; 0,99; 0,001\n10; 20; 0,9; 0,002\n"
         "60; 20; 0,5; 0,002\n";
-    const auto outcome = test::fstiff("ultrasound --reflection - --format json" + steel, file);
+    const auto outcome = test::run_fstiff("ultrasound --reflection - --format json" + steel, file);
     REQUIRE(outcome.status == 0);
     const auto rows = nlohmann::json::parse(outcome.out)["rows"];
     REQUIRE(rows.size() == 3);
@@ -111,18 +111,18 @@ TEST_CASE("A file of measured reflections gives K of every row with its error") 
     }
     // the CSV reads back as measured stiffnesses
     const test::Folder folder;
-    const auto csv = test::fstiff("ultrasound --reflection - --format csv" + steel, file);
+    const auto csv = test::run_fstiff("ultrasound --reflection - --format csv" + steel, file);
     CHECK(test::lines(csv.out).front() == "pressure_Pa,stiffness_Pa_per_m,stiffness_error_Pa_per_m");
     // taken as such, though the surface of the built-in scene has no such K
-    CHECK(test::fstiff("identify --measured - --law hertz --fit sigma", csv.out).status == 4);
-    const auto table = test::fstiff("ultrasound --reflection -" + steel, file);
+    CHECK(test::run_fstiff("identify --measured - --law hertz --fit sigma", csv.out).status == 4);
+    const auto table = test::run_fstiff("ultrasound --reflection -" + steel, file);
     for (const char* part : {"error of K [%]", "0.99", "46 MRayl"}) CHECK(test::contains(table.out, part));
 }
 
 TEST_CASE("Reflections without a column of errors take --reflection-error, or have none") {
     const std::string file = "p [MPa],R\n1,0.9\n";
-    const auto with = test::fstiff("ultrasound --reflection - --reflection-error 0.002 --format csv" + steel, file);
-    const auto without = test::fstiff("ultrasound --reflection - --format csv" + steel, file);
+    const auto with = test::run_fstiff("ultrasound --reflection - --reflection-error 0.002 --format csv" + steel, file);
+    const auto without = test::run_fstiff("ultrasound --reflection - --format csv" + steel, file);
     CHECK(test::relative_error(test::Csv(with.out).number(0, "stiffness_error_Pa_per_m"),
                                test::Csv(with.out).number(0, "stiffness_Pa_per_m") * 0.002 / (0.9 * 0.19)) < 2e-14);
     CHECK(test::lines(without.out).front() == "pressure_Pa,stiffness_Pa_per_m");
@@ -131,7 +131,7 @@ TEST_CASE("Reflections without a column of errors take --reflection-error, or ha
 TEST_CASE("Rows whose R no stiffness gives have none, and the exit code says so") {
     const std::string file = "p [MPa],R,error\n1,1.002,0.002\n2,0.999,0.002\n10,0.9,0.002\n60,0.4,0.002\n";
     const std::string call = "ultrasound --reflection - --impedance2 '17 MRayl'" + steel;
-    const auto json = test::fstiff(call + " --format json", file);
+    const auto json = test::run_fstiff(call + " --format json", file);
     CHECK(json.status == 4);
     const auto document = nlohmann::json::parse(json.out);
     CHECK(document["rows"][0]["stiffness_Pa_per_m"].is_null());
@@ -140,8 +140,8 @@ TEST_CASE("Rows whose R no stiffness gives have none, and the exit code says so"
     CHECK(test::contains(json.err, "no stiffness there"));
     CHECK(test::contains(json.err, "2 of 4 rows, the first at line 2"));
     CHECK(test::contains(json.err, "within two errors of 1"));
-    CHECK(test::Csv(test::fstiff(call + " --format csv", file).out).size() == 2);
-    CHECK(test::contains(test::fstiff(call, file).out, "warning: R is not between"));
+    CHECK(test::Csv(test::run_fstiff(call + " --format csv", file).out).size() == 2);
+    CHECK(test::contains(test::run_fstiff(call, file).out, "warning: R is not between"));
 }
 
 TEST_CASE("A file of reflections that is none is refused by line") {

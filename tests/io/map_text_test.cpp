@@ -8,7 +8,6 @@
 #include <sstream>
 
 using namespace fstiff;
-using io::MapForm;
 using io::MapTextOptions;
 
 namespace {
@@ -61,7 +60,7 @@ TEST_CASE("A matrix has its size and units from a Gwyddion header, however mixed
     const auto found = read("# Width: 0.01 mm\n# Height: 8 \xC2\xB5m\n# Value units: \xB5m\n" + matrix(" "));
     check_map(found, 2e-6, 2e-6, 1e-6);
     CHECK(found.record.sentences().size() == 6);
-    CHECK(found.record.form == MapForm::matrix);
+    CHECK(found.record.form == io::MapForm::matrix);
 }
 
 TEST_CASE("A matrix has its pitch and a height factor from a header of keys") {
@@ -188,7 +187,7 @@ TEST_CASE("Triples give the grid back in whatever order the points come") {
     CHECK(test::ulps(found.map.dy, 2e-3) <= 1);
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) REQUIRE(found.map.heights(j, i) == height(i, j) * 1e-9);
-    CHECK(found.record.form == MapForm::triples);
+    CHECK(found.record.form == io::MapForm::triples);
 }
 
 TEST_CASE("Points that triples do not hold are missing, and whole missing lines keep their place") {
@@ -228,15 +227,15 @@ TEST_CASE("Points off a grid, twice at a place or without a unit are refused") {
     for (int i = 0; i < 40; ++i)
         grid += std::to_string(i % 8) + " " + std::to_string(i / 8) + " " + std::to_string((i * i) % 11) + "\n";
     CHECK(has(refusal(scattered), "format = triples or format = matrix"));
-    CHECK(has(refusal(scattered, {.form = MapForm::triples, .units = "um"}), "lie on no regular grid"));
+    CHECK(has(refusal(scattered, {.form = io::MapForm::triples, .units = "um"}), "lie on no regular grid"));
     CHECK(has(refusal(grid), "states no units and none are given"));
     CHECK(has(refusal(grid, {.dx = 1e-6, .dy = 1e-6, .units = "um"}), "format = triples or format = matrix"));
     CHECK(
-        has(refusal("# dx: 2 um\n" + grid, {.form = MapForm::triples, .units = "um"}), "disagrees with the positions"));
+        has(refusal("# dx: 2 um\n" + grid, {.form = io::MapForm::triples, .units = "um"}), "disagrees with the positions"));
     CHECK(has(refusal(grid + "3 2 1\n", {.units = "um"}), "line 41: repeats the point of line 20"));
-    CHECK(has(refusal(grid + "nan 2 1\n", {.form = MapForm::triples, .units = "um"}), "line 41: has no position"));
+    CHECK(has(refusal(grid + "nan 2 1\n", {.form = io::MapForm::triples, .units = "um"}), "line 41: has no position"));
     CHECK(read(grid, {.units = "um"}).map.size() == 40);
-    CHECK(read(grid, {.form = MapForm::matrix, .dx = 1e-6, .dy = 1e-6, .units = "um"}).map.columns() == 3);
+    CHECK(read(grid, {.form = io::MapForm::matrix, .dx = 1e-6, .dy = 1e-6, .units = "um"}).map.columns() == 3);
 }
 
 TEST_CASE("Bad text is refused with the line and the cell") {
@@ -320,7 +319,7 @@ TEST_CASE("Zygo's XYZ text has its pixel in line 8 and heights in um", "[zygo]")
             text += std::to_string(10 + i) + (i % 2 ? "\t" : " ") + std::to_string(20 + j) + " " + plain(i, j) + "\n";
     const auto found = read(text + "#\n");
     check_map(found, 5.5e-5, 5.5e-5, 1e-6);
-    CHECK(found.record.form == MapForm::triples);
+    CHECK(found.record.form == io::MapForm::triples);
     REQUIRE(found.record.warnings.size() == 1);
     CHECK(has(found.record.warnings[0], "Zygo XYZ states no unit of its heights, which are taken for um"));
     const auto given = read(text, {.units = "nm"});

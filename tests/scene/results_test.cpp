@@ -34,7 +34,7 @@ TEST_CASE("The scenes of data/ have the numbers that fstiff run prints") {
         const std::string file = std::string(FSTIFF_SCENES "/") + name + ".toml";
         INFO(file);
         const auto results = compute(scene::read_scene(test::read(file), {.name = file}));
-        const auto outcome = test::fstiff("run '" + file + "' --format csv");
+        const auto outcome = test::run_fstiff("run '" + file + "' --format csv");
         REQUIRE(outcome.status == (results.doubtful ? 4 : 0));
         const test::Csv printed(outcome.out);
         std::size_t row = 0, differences = 0, compared = 0;

@@ -46,7 +46,7 @@ TEST_CASE("An HDF5 file of results has the numbers of the lines, bit for bit") {
         "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
         "[contact]\nlaws = [\"hertz\", \"greenwood_williamson\"]\npeaks = [ { theta = 1, r = 0.5 } ]\n"
         "pressures = [ { values = [\"1 MPa\", \"1e20 MPa\", \"2 MPa\"] } ]\n");
-    const Outcome outcome = test::fstiff("sweep '" + file + "' -o '" + folder / "out.h5" + "'");
+    const Outcome outcome = test::run_fstiff("sweep '" + file + "' -o '" + folder / "out.h5" + "'");
     INFO(outcome.err);
     REQUIRE(outcome.status == 4);  // of the great pressure
     const std::string text = read(folder / "out.h5.jsonl");
@@ -71,9 +71,9 @@ TEST_CASE("An HDF5 file of results has the numbers of the lines, bit for bit") {
     H5Fclose(opened);
 
     for (const char* i : {"1", "2"})
-        static_cast<void>(test::fstiff("sweep '" + file + "' --shard " + i + "/2 -o '" + folder / "part-{shard}.jsonl'"));
+        static_cast<void>(test::run_fstiff("sweep '" + file + "' --shard " + i + "/2 -o '" + folder / "part-{shard}.jsonl'"));
     REQUIRE(
-        test::fstiff("merge '" + folder / "part-1.jsonl' '" + folder / "part-2.jsonl' -o '" + folder / "all.h5'").status ==
+        test::run_fstiff("merge '" + folder / "part-1.jsonl' '" + folder / "part-2.jsonl' -o '" + folder / "all.h5'").status ==
         4);
     CHECK(read(folder / "all.h5.jsonl") == text);
     CHECK(stored(folder / "all.h5", "stiffness_Pa_per_m", size)[0] == numbers(text, "stiffness_Pa_per_m")[0]);
@@ -81,7 +81,7 @@ TEST_CASE("An HDF5 file of results has the numbers of the lines, bit for bit") {
 #else
 TEST_CASE("An HDF5 file of results is refused in words") {
     const test::Folder folder;
-    const auto outcome = test::fstiff("sweep none.toml -o '" + folder / "out.h5" + "'");
+    const auto outcome = test::run_fstiff("sweep none.toml -o '" + folder / "out.h5" + "'");
     CHECK(outcome.status == 2);
     CHECK(test::contains(outcome.err, "was built without HDF5; write .jsonl"));
     SKIP_CASE("HDF5 is not here");
@@ -90,10 +90,10 @@ TEST_CASE("An HDF5 file of results is refused in words") {
 
 TEST_CASE("Parquet is refused with what to do instead") {
     const test::Folder folder;
-    const auto outcome = test::fstiff("sweep none.toml -o '" + folder / "out.parquet" + "'");
+    const auto outcome = test::run_fstiff("sweep none.toml -o '" + folder / "out.parquet" + "'");
     CHECK(outcome.status == 2);
     CHECK(test::contains(outcome.err, "convert it with pyarrow"));
-    const auto table = test::fstiff("sweep none.toml -o '" + folder / "out.csv" + "'");
+    const auto table = test::run_fstiff("sweep none.toml -o '" + folder / "out.csv" + "'");
     CHECK(table.status == 2);
     CHECK(test::contains(table.err, "must end in .jsonl or .h5"));
 }
