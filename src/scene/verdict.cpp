@@ -116,8 +116,7 @@ std::string about_pressures(const Scene& scene, const Results& results) {
     const std::string beyond = "nothing was compared above p* = " + rounded(max_validated_pressure);
     if (low > max_validated_pressure) return text + beyond;
     const std::string hybrid = advised(scene, "hybrid");
-    text += hybrid.empty() ? "hybrid, the law for elastic contacts, " +
-                                 refusal_of(*find_law("hybrid"), scene) +
+    text += hybrid.empty() ? "hybrid " + refusal_of(*find_law("hybrid"), scene) +
                                  "; hertz is good to a fifth at p* of 0.002 to 0.008"
                            : "of elastic contacts believe " + hybrid +
                                  accuracy_of_hybrid(low, "a quarter above p* = 0.001 and a factor of two below");

@@ -360,7 +360,7 @@ TEST_CASE("Full contact at one pressure is no result there, in every form and in
     const Outcome table = shell(in + "run s.toml --plot k.svg");
     CHECK(table.status == 4);
     CHECK(contains(table.out, warning));
-    CHECK(contains(read(folder / "k.svg"), "boundary elements"));
+    CHECK(contains(read(folder / "k.svg"), "boundary_elements"));
     const Outcome csv = shell(in + "run s.toml --format csv"), json = shell(in + "run s.toml --format json");
     CHECK(csv.status == 4);
     CHECK(contains(csv.err, warning));

@@ -197,7 +197,7 @@ constexpr std::string_view without_blanks(std::string_view text) {
     };
     while (const std::size_t length = blank_at(0)) text.remove_prefix(length);
     const auto last_blank = [&]() -> std::size_t {
-        for (const std::size_t length : {3, 2, 1})
+        for (std::size_t length = 3; length > 0; --length)
             if (length <= text.size() && blank_at(text.size() - length) == length) return length;
         return 0;
     };

@@ -53,14 +53,14 @@ template <Real T>
     std::vector<T> some;
     for (const T d : differences)
         if (!std::isnan(d)) some.push_back(d);
-    std::vector<bool> far(differences.size(), false);
-    if (some.empty()) return far;
+    std::vector<bool> is_far(differences.size(), false);
+    if (some.empty()) return is_far;
     const T middle = median(some);
     for (T& d : some) d = std::abs(d - middle);
     const T scale = tukey_factor<T> / 3 * median(some);
     if (scale > T(0))
-        for (std::size_t i = 0; i < far.size(); ++i) far[i] = std::abs(differences[i] - middle) > limit * scale;
-    return far;
+        for (std::size_t i = 0; i < is_far.size(); ++i) is_far[i] = std::abs(differences[i] - middle) > limit * scale;
+    return is_far;
 }
 
 }  // namespace detail

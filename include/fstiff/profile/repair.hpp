@@ -45,10 +45,10 @@ Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remo
             if (k != i && !std::isnan(profile.heights[k])) neighbours.push_back(profile.heights[k]);
         if (neighbours.size() >= 2) differences[i] = profile.heights[i] - median(neighbours);
     }
-    const std::vector<bool> far = detail::far_from_median(differences, limit);
+    const std::vector<bool> is_far = detail::far_from_median(differences, limit);
     Repair repair;
     for (std::size_t i = 0; i < size; ++i) {
-        if (!far[i]) continue;
+        if (!is_far[i]) continue;
         ++repair.removed;
         if (remove) profile.heights[i] = std::numeric_limits<T>::quiet_NaN();
     }

@@ -51,10 +51,10 @@ MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool rem
             if (neighbours.size() < 3) continue;
             differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - median(neighbours);
         }
-    const std::vector<bool> far = detail::far_from_median(differences, limit);
+    const std::vector<bool> is_far = detail::far_from_median(differences, limit);
     MapRepair repair;
     for (Eigen::Index k = 0; k < map.size(); ++k)
-        if (far[static_cast<std::size_t>(k)]) {
+        if (is_far[static_cast<std::size_t>(k)]) {
             ++repair.removed;
             if (remove) map.heights.data()[k] = std::numeric_limits<T>::quiet_NaN();
         }
