@@ -198,21 +198,41 @@ RoughContactOptions<double> options_of(const ContactInputs& inputs) {
     return options;
 }
 
+/// The elastic asperity laws with their factors as numbers: one contact and one fit are compiled for all three.
+class ElasticLaw : public detail::HertzianForm<ElasticLaw> {
+public:
+    template <class Law>
+    explicit ElasticLaw(const Law& law)
+        : load_(law.load_factor()),
+          stiffness_(law.stiffness_factor()),
+          log_load_slope_(law.log_load_slope()),
+          log_stiffness_slope_(law.log_stiffness_slope()) {}
+    [[nodiscard]] double load_factor() const { return load_; }
+    [[nodiscard]] double stiffness_factor() const { return stiffness_; }
+    [[nodiscard]] double log_load_slope() const { return log_load_slope_; }
+    [[nodiscard]] double log_stiffness_slope() const { return log_stiffness_slope_; }
+    [[nodiscard]] static double area_factor() { return HertzLaw<double>::area_factor(); }
+
+private:
+    double load_, stiffness_, log_load_slope_, log_stiffness_slope_;
+};
+using LawOfDimension = ElasticLaw (*)(double dimension);
+
+ElasticLaw fractal(double dimension) { return ElasticLaw(FractalLaw<double>(dimension)); }
+ElasticLaw fractal_consistent(double dimension) { return ElasticLaw(FractalConsistentLaw<double>(dimension)); }
+ElasticLaw hertz(double) { return ElasticLaw(HertzLaw<double>{}); }
+
 /// A contact of joint peaks with the asperity law that \p of_dimension makes of the fractal dimension.
-template <auto of_dimension>
+template <LawOfDimension of_dimension>
 std::unique_ptr<AnyContact> joint(const ContactInputs& inputs) {
     return held(RoughContact(inputs.surface, *inputs.peaks, of_dimension(inputs.fractal_dimension),
                              inputs.effective_modulus, options_of(inputs)));
 }
 
-template <auto of_dimension>
+template <LawOfDimension of_dimension>
 Identification<double> fitted(const FitInputs& inputs) {
     return identify(inputs.data, inputs.wanted, inputs.start, of_dimension, inputs.options);
 }
-
-constexpr auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
-constexpr auto fractal_consistent = [](double dimension) { return FractalConsistentLaw<double>(dimension); };
-constexpr auto hertz = [](double) { return HertzLaw<double>{}; };
 
 std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
     return held(
@@ -255,7 +275,7 @@ std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
         return over_shifts(inputs, [&](const Summits<double>& of) {
             return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs));
         });
-    return held(HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),
+    return held(HybridContact(RoughContact(inputs.surface, *inputs.peaks, hertz(0), inputs.effective_modulus),
                               crowded(inputs)));
 }
 
