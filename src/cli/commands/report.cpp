@@ -284,8 +284,8 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
     }
     page.begin("div class=\"pair\"");
     const Rows peaks = surface.profile ? profile_part(page, surface) : map_part(page, surface);
-    page.end("div");
     if (peaks.size() > 1) page.table(peaks);
+    page.end("div");
 }
 
 /// Name and value with its error of what the surface is given by.
