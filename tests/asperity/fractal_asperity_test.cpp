@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace fractal_asperity_test {
+
 using fstiff::AsperityFamily;
 using fstiff::Fractal;
 using fstiff::FractalAsperity;
@@ -281,3 +283,5 @@ TEMPLATE_TEST_CASE("an asperity out of range is refused by name", "[asperity]", 
     CHECK(part(refusal([&] { (void)steep.base_diameter(T(1)); }), "range of the floating-point type") == "");
     CHECK(part(refusal([&] { (void)steep.base_diameter(T(1e-16)); }), "range of the floating-point type") == "");
 }
+
+}  // namespace fractal_asperity_test

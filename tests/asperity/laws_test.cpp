@@ -12,6 +12,8 @@
 #include <limits>
 #include <type_traits>
 
+namespace laws_test {
+
 using fstiff::AsperityLaw;
 using fstiff::FractalConsistentLaw;
 using fstiff::FractalLaw;
@@ -170,3 +172,5 @@ TEMPLATE_TEST_CASE("a fractal dimension outside (1, 2) is refused by name", "[la
     CHECK(test::refusal([] { FractalLaw<T> law(T(2.5)); }) ==
           "fractal_dimension = 2.5: must be between 1 and 2, both excluded");
 }
+
+}  // namespace laws_test

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace material_test {
+
 using fstiff::effective_modulus;
 using fstiff::Material;
 
@@ -75,3 +77,5 @@ TEMPLATE_TEST_CASE("elastic constants out of range are refused by name", "[mater
     CHECK(test::refusal([&] { (void)effective_modulus<T>({1, T(0.5)}, good); }) == "");
     CHECK(test::refusal([&] { (void)effective_modulus<T>({1, T(-0.99)}, good); }) == "");
 }
+
+}  // namespace material_test

@@ -4,6 +4,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace mindlin_test {
+
 using namespace fstiff;
 
 namespace {
@@ -44,3 +46,5 @@ TEST_CASE("Mindlin's ratio refuses what no body has") {
               static_cast<void>(tangential_ratio<double>({1, 0.3}, {1, 0.6}));
           }).find("poisson_ratio") != std::string::npos);
 }
+
+}  // namespace mindlin_test

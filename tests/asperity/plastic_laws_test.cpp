@@ -10,6 +10,8 @@
 
 #include <map>
 
+namespace plastic_laws_test {
+
 using namespace fstiff;
 
 TEST_CASE("load, area and stiffness of one plastic asperity: the table to 1e-13") {
@@ -71,3 +73,5 @@ TEST_CASE("constants of a material that are none are refused") {
     CHECK(test::refusal([] { PlasticLaw<double>(0, 1e11); }).find("hardness") == 0);
     CHECK(PlasticMaterial<double>{1e11, 4e8, 0.3}.hardness_or_default() == 2.8 * 4e8);
 }
+
+}  // namespace plastic_laws_test

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace band_test {
+
 namespace {
 
 const std::string rest =
@@ -80,3 +82,5 @@ TEST_CASE("what a scene writes by hand holds behind every lambda_s") {
     CHECK(std::abs(row["stiffness_p05_Pa_per_m"].get<double>() / K - 1) < 1e-9);
     CHECK(std::abs(row["stiffness_p95_Pa_per_m"].get<double>() / K - 1) < 1e-9);
 }
+
+}  // namespace band_test

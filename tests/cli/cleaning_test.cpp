@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace cleaning_test {
+
 namespace {
 
 std::string map_text() {
@@ -112,3 +114,5 @@ TEST_CASE("A scene cleans as the command does") {
     for (const char* words : {"crop: 250 of 400", "mask: 3 of 250", "spikes: 1 of 250", "fill: 4 of 250"})
         CHECK(test::contains(outcome.out, words));
 }
+
+}  // namespace cleaning_test

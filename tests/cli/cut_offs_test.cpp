@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+namespace cut_offs_test {
+
 namespace {
 
 std::string map_text() {
@@ -232,3 +234,5 @@ TEST_CASE("The robust filter of lambda_c is that of the library, and says what i
     CHECK(test::json_of("measure - --lambda-s none --lambda-c none --filter robust", made)["filter"].is_null());
     test::check_refused("measure - --filter spline", 2, {"--filter", "spline"}, made);
 }
+
+}  // namespace cut_offs_test

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace export_test {
+
 namespace {
 
 struct Table {
@@ -131,3 +133,5 @@ TEST_CASE("export refuses in one sentence") {
     test::check_refused("export --to abaqus --from 5", 3, {"--from", "without a unit"});
     test::check_refused("export missing.toml --to abaqus", 3, {"missing.toml"});
 }
+
+}  // namespace export_test

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace file_forms_test {
+
 namespace {
 
 const std::string files = FSTIFF_TEST_DATA "/formats/";
@@ -62,3 +64,5 @@ TEST_CASE("A file cut short ends with one sentence and exit code 3, and leaves n
     }
     CHECK(folder.files() == 1);
 }
+
+}  // namespace file_forms_test

@@ -22,6 +22,8 @@
 
 #include <sstream>
 
+namespace fit_test {
+
 namespace {
 
 /// A random walk, D = 1.5. A linear congruential generator is enough.
@@ -327,3 +329,5 @@ TEST_CASE("Lengths of a fine profile are shown in nm, and a G that is not known 
     REQUIRE(std::stod(error) > std::stod(value) / 2);
     CHECK(value.substr(0, value.find('e')).size() <= 3);  // such as 2.5
 }
+
+}  // namespace fit_test

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace generate_test {
+
 namespace {
 
 fstiff::io::Surface surface_of(const std::string& arguments) {
@@ -111,3 +113,5 @@ TEST_CASE("What cannot be generated is refused") {
                         {"4096 x 4096", "2^22"});
     test::check_refused("generate wm --spacing '1 um' --dimension 2.5 --roughness '1 nm'", 3, {"2.5"});
 }
+
+}  // namespace generate_test

@@ -3,6 +3,8 @@
 
 #include <fstiff/core/version.hpp>
 
+namespace help_test {
+
 TEST_CASE("The example at the end of every --help works as pasted") {
     for (const std::string subcommand :
          {"", "run ", "measure ", "fit ", "islands ", "spectrum ", "peaks ", "integral ", "generate ", "ultrasound ",
@@ -119,3 +121,5 @@ TEST_CASE("formats tells of every form that --input-format takes") {
         CHECK(test::contains(test::run_fstiff("formats --format json").out, "\"" + std::string(name) + "\""));
     }
 }
+
+}  // namespace help_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+namespace identify_test {
+
 namespace {
 
 /// A scene with one law and peak density; \p sigma and \p density are what the fits start from.
@@ -354,3 +356,5 @@ TEST_CASE("A fit that misses its points, is bent by one of them or lies far from
     CHECK(table.status == 4);
     CHECK(test::contains(table.out, "times as far from the model as the median of the points"));
 }
+
+}  // namespace identify_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+namespace integral_test {
+
 namespace {
 
 const std::string table_file(const std::string& name) { return std::string("'") + FSTIFF_TEST_DATA + "/" + name + "'"; }
@@ -145,3 +147,5 @@ TEST_CASE("Rows that are no rows of the integrals are refused with file and line
     test::check_refused("integral --tolerance nan", 2, {"--tolerance = nan", "between"}, two_rows);
     test::check_refused("integral --method simpson", 2, {"--method", "simpson"}, two_rows);
 }
+
+}  // namespace integral_test

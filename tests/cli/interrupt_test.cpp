@@ -13,6 +13,8 @@
 #include <csignal>
 #include <cstdlib>
 
+namespace interrupt_test {
+
 using namespace test;
 
 namespace {
@@ -112,3 +114,5 @@ TEST_CASE("Ctrl-C while a folder or a picture is written leaves nothing of them"
     CHECK(folder.files() == 0);
 }
 #endif
+
+}  // namespace interrupt_test

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace islands_test {
+
 namespace {
 
 std::string map_text() {
@@ -101,3 +103,5 @@ TEST_CASE("What holds no islands is refused") {
     test::check_refused("islands - --input-format matrix --units um --dx '1 um' --dy '1 um'", 3, {"standard input"},
                         "1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n");
 }
+
+}  // namespace islands_test

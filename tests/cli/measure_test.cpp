@@ -15,6 +15,8 @@
 #include <numbers>
 #include <sstream>
 
+namespace measure_test {
+
 namespace {
 
 const std::string material = "[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n";
@@ -484,3 +486,5 @@ TEST_CASE("The column of the positions is an option, a key of a scene, and in th
     test::check_refused("run -", 3, {":3", "surface.x_column", "from 1 to 4096"}, scene("x_column = 4097"));
     test::check_refused("measure - --column 4097", 2, {"--column"}, text);
 }
+
+}  // namespace measure_test

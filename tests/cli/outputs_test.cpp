@@ -3,6 +3,8 @@
 #include "cli/command.hpp"
 #include "support/skip.hpp"
 
+namespace outputs_test {
+
 using namespace test;
 
 namespace {
@@ -280,3 +282,5 @@ TEST_CASE("Control characters of names are printed nowhere") {
     const std::string json = test::run_fstiff("measure '" + profile_file + "'").out;  // the name stays what it is
     CHECK(contains(json, "\\u001b[31m\\u007f\\u009b2J\\n"));
 }
+
+}  // namespace outputs_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace peaks_test {
+
 namespace {
 
 nlohmann::json json(const std::string& arguments, const std::string& input = "") {
@@ -116,3 +118,5 @@ TEST_CASE("Peaks refuses what no density has") {
     check_refused("peaks --profile none.csv", 3, {"none.csv", "no such file"});
     check_refused("peaks --profile - --spacing '1 um' --units um", 3, {"standard input", "16"}, "1\n2\n1\n");
 }
+
+}  // namespace peaks_test

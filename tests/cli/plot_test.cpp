@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+namespace plot_test {
+
 using namespace test;
 
 namespace {
@@ -329,3 +331,5 @@ TEST_CASE("The axes of a picture are in the unit that fits") {
     CHECK(std::abs(first.x.at(0) * 1e3 / run.number(0, "pressure_Pa") - 1) < 1e-14);
     CHECK(std::abs(first.y.at(0) * 1e9 / run.number(0, "stiffness_Pa_per_m") - 1) < 1e-14);
 }
+
+}  // namespace plot_test

@@ -3,6 +3,8 @@
 #include "cli/command.hpp"
 #include "support/skip.hpp"
 
+namespace progress_test {
+
 namespace {
 
 const std::string long_scene =
@@ -73,3 +75,5 @@ TEST_CASE("Work whose clock cannot start goes on without it") {
     CHECK(shown.status == 0);
     CHECK(test::read(folder / "out") == test::run_fstiff("run").out);
 }
+
+}  // namespace progress_test

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace report_test {
+
 using namespace test;
 using Json = nlohmann::json;
 
@@ -243,9 +245,14 @@ TEST_CASE("The printed report of a measured surface begins with its answer and h
     REQUIRE(run_fstiff("generate profile --points 8192 --spacing '0.5 um' --hurst 0.5 --rms '1 um' --longest '1 mm' -o '" +
                    folder / "trace.txt" + "'")
                 .status == 0);
-    for (const char* surface : {"map.txt", "trace.txt"}) {
+    const std::string upper = "[surface.upper]\nfrom = \"map.txt\"\n", lower = "[surface.lower]\nfrom = \"map.txt\"\n",
+                      steel = "youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n";
+    const std::string two = folder.write("two.toml", upper + lower + "[material.upper]\n" + steel + "[material.lower]\n" +
+                                                         steel + "[contact]\npressures = [\"1 MPa\", \"1 GPa\"]\n");
+    for (const std::string& surface :
+         {"--surface '" + folder / "map.txt" + "'", "--surface '" + folder / "trace.txt" + "'", "'" + two + "'"}) {
         INFO(surface);
-        REQUIRE(run_fstiff("report --surface '" + folder / surface + "' -o '" + folder / "out" + "'").status % 4 == 0);
+        REQUIRE(run_fstiff("report " + surface + " -o '" + folder / "out" + "'").status % 4 == 0);
         const std::string pdf = folder / "out.pdf";
         REQUIRE(shell("chromium --headless --no-sandbox --disable-gpu --host-resolver-rules='MAP * ~NOTFOUND' "
                       "--virtual-time-budget=5000 --user-data-dir='" +
@@ -318,3 +325,5 @@ TEST_CASE("The report fits a telephone and is printed on few pages") {
     CHECK(std::stod(seen.out.substr(at + 5)) <= 390);
     CHECK(std::stod(seen.out.substr(seen.out.find("text ", at) + 5)) > 9);  // readable: the lines of text are 9 high
 }
+
+}  // namespace report_test

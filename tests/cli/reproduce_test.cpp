@@ -8,6 +8,8 @@
 #include <map>
 #include <numbers>
 
+namespace reproduce_test {
+
 using namespace test;
 using Json = nlohmann::json;
 
@@ -266,3 +268,5 @@ TEST_CASE("reproduce gives the same files twice, and refuses what is no folder")
     CHECK(contains(refused.err, "is no folder"));
     CHECK(test::run_fstiff("reproduce").status == 2);
 }
+
+}  // namespace reproduce_test

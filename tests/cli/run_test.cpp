@@ -12,6 +12,8 @@
 #include <regex>
 #include <sstream>
 
+namespace run_test {
+
 namespace {
 
 /// A scene of the data folder with other lines in its [contact] section.
@@ -419,3 +421,5 @@ TEST_CASE("Numbers of a measured surface beyond all reason are refused in one se
             CHECK_FALSE(contains(outcome.err, "internal error"));
         }
 }
+
+}  // namespace run_test

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace scales_test {
+
 TEST_CASE("each row of --scales is the measurement and the K behind its cut-offs") {
     const test::Folder folder;
     const auto trace =
@@ -68,3 +70,5 @@ TEST_CASE("the table of --scales, its CSV and its picture are of one file") {
     CHECK(test::run_fstiff("measure " + map + " --scales --pressure 10").status == 3);
     CHECK(test::run_fstiff("measure " + map + " --scales --modulus '0 GPa'").status == 3);
 }
+
+}  // namespace scales_test

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace scene_test {
+
 namespace {
 
 const std::string good = R"(name = "short"
@@ -224,3 +226,5 @@ TEST_CASE("The document echoes every input as written and in SI, and the SHA-256
     else
         test::leave_out("there is no sha256sum: the digest is not compared");
 }
+
+}  // namespace scene_test

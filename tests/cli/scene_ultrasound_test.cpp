@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace scene_ultrasound_test {
+
 namespace {
 
 const std::string without = R"([surface]
@@ -168,3 +170,5 @@ TEST_CASE("The example of a section ultrasound in docs/scene.md runs") {
     const test::Csv rows = run(without + text.substr(start, text.find("```", start) - start));
     CHECK(has(rows, "shear_reflection"));
 }
+
+}  // namespace scene_ultrasound_test

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cmath>
 
+namespace several_files_test {
+
 namespace {
 
 const std::string rest =
@@ -128,3 +130,5 @@ TEST_CASE("files that are not of one surface are refused in one sentence") {
     refused(folder / "empty", "is a folder without files");
     refused(a + " " + folder / "none --units m", "none");
 }
+
+}  // namespace several_files_test

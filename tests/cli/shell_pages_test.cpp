@@ -5,6 +5,8 @@
 
 #include <regex>
 
+namespace shell_pages_test {
+
 namespace {
 
 bool installed(const std::string& program) { return test::shell("command -v " + program).status == 0; }
@@ -204,3 +206,5 @@ zpty -d z
         test::leave_out("zsh is not installed");
     }
 }
+
+}  // namespace shell_pages_test

@@ -16,6 +16,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace spectrum_test {
+
 using test::check_refused, test::contains, test::Csv, test::Folder, test::leave_out, test::read, test::relative_error,
     test::roughness_reference;
 
@@ -268,3 +270,5 @@ TEST_CASE("Of several files the roughness is the mean of theirs, and each file h
     const auto table = test::run_fstiff("measure" + names + " --resamples 2 --format table" + none);
     CHECK(contains(table.out, "means of 3 files"));
 }
+
+}  // namespace spectrum_test

@@ -11,6 +11,8 @@
 #include <chrono>
 #include <thread>
 
+namespace sweep_faults_test {
+
 using namespace test;
 
 namespace {
@@ -144,3 +146,5 @@ TEST_CASE("Two sweeps cannot write one file at the same time") {
     CHECK(other.status == 3);
     CHECK(contains(other.err, "holds the results of shard 1/2, not 2/2"));
 }
+
+}  // namespace sweep_faults_test

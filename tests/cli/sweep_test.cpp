@@ -8,6 +8,8 @@
 #include <regex>
 #include <set>
 
+namespace sweep_test {
+
 using namespace test;
 
 namespace {
@@ -427,3 +429,5 @@ TEST_CASE("Merging says which shard is missing, double, unfinished or of another
     CHECK(lost.status == 3);
     CHECK(contains(lost.err, "part-2.jsonl.sweep that belongs to it is missing"));
 }
+
+}  // namespace sweep_test

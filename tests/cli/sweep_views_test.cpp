@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+namespace sweep_views_test {
+
 using namespace test;
 
 namespace {
@@ -221,3 +223,5 @@ TEST_CASE("Results whose lines were damaged are not drawn, and go on where they 
     CHECK(contains(again.err, "are computed again"));
     CHECK(read(folder / "out") == whole);
 }
+
+}  // namespace sweep_views_test

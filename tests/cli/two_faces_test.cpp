@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace two_faces_test {
+
 namespace {
 
 const std::string rest =
@@ -125,3 +127,5 @@ TEST_CASE("what two faces cannot have is told in one sentence") {
     refused("[surface.upper]\n" + numbers + "[surface.lower]\nrms_height = \"1\"\n", "surface.lower.rms_height");
     refused("surface.upper = 3\n" + both.substr(both.find("[surface.lower]")), "");
 }
+
+}  // namespace two_faces_test

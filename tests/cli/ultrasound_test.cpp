@@ -9,6 +9,8 @@
 #include <complex>
 #include <numbers>
 
+namespace ultrasound_test {
+
 namespace {
 
 const std::string steel = " --frequency '7 MHz' --impedance '46 MRayl'";
@@ -154,3 +156,5 @@ TEST_CASE("A file of reflections that is none is refused by line") {
     test::check_refused(call, 3, {"stiffnesses", "reflection"}, "p [MPa],K [GPa/um]\n1,0.5\n");
     test::check_refused(call, 3, {"header but no row"}, "p [MPa],R\n");
 }
+
+}  // namespace ultrasound_test

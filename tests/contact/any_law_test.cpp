@@ -10,6 +10,8 @@
 
 #include <numbers>
 
+namespace any_law_test {
+
 using namespace fstiff;
 
 namespace {
@@ -215,3 +217,5 @@ TEST_CASE("interaction is in series with every law, and with peaks of one radius
     CHECK(test::relative_error(at.stiffness.value, fractal_stiffness_factor(1.62) * at.loading_stiffness.value) <
           1e-14);
 }
+
+}  // namespace any_law_test

@@ -11,6 +11,8 @@
 #include <numbers>
 #include <span>
 
+namespace contact_curve_test {
+
 using namespace fstiff;
 
 namespace {
@@ -113,3 +115,5 @@ TEST_CASE("A state is in range while twice each of its numbers is") {
         CHECK((!with(which, most, 0) && !with(which, 0, most) && !with(which, std::nan(""), 0)));
     }
 }
+
+}  // namespace contact_curve_test

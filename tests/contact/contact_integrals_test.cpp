@@ -12,6 +12,8 @@
 #include <random>
 #include <vector>
 
+namespace contact_integrals_test {
+
 using fstiff::contact_integral;
 using fstiff::contact_integrals;
 using fstiff::Estimate;
@@ -354,3 +356,5 @@ TEST_CASE("bad arguments are refused by name, value and range") {
     CHECK(refused(0.5, 0, 1, 0).starts_with("relative_tolerance = 0: must be"));
     CHECK(refused(0.5, 0, 1, 0.5).starts_with("relative_tolerance = 0.5: must be"));
 }
+
+}  // namespace contact_integrals_test

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+namespace contact_law_test {
+
 using namespace fstiff;
 
 namespace {
@@ -743,3 +745,5 @@ TEST_CASE("float laws, and ranges that cannot be compiled") {
     CHECK(of_law(0).starts_with("stiffness = 0: must be"));
     CHECK(of_law(-1).starts_with("stiffness = "));
 }
+
+}  // namespace contact_law_test

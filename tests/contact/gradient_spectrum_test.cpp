@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace gradient_spectrum_test {
+
 using namespace fstiff;
 
 TEST_CASE("q of the gradient of a band is that up to which the spectrum has this gradient") {
@@ -47,3 +49,5 @@ TEST_CASE("q of the gradient of shells is constant in a shell") {
     for (const double G : {0.01, 0.2}) CHECK(test::relative_error(pieces[0].inverse_q(G), 1 / 3.0) < 1e-15);
     CHECK(test::relative_error(pieces[1].inverse_q(0.4), 0.25) < 1e-15);
 }
+
+}  // namespace gradient_spectrum_test

@@ -11,6 +11,8 @@
 
 #include <numbers>
 
+namespace greenwood_williamson_test {
+
 using namespace fstiff;
 
 namespace {
@@ -83,3 +85,5 @@ TEST_CASE("what is not asked for is 0, and bad input is refused") {
         test::refusal([&] { static_cast<void>(contact.at_separation(-1.0)); }).starts_with("separation = -1: must be"));
     CHECK(test::refusal([] { GreenwoodWilliamson<double>(fine, -1); }).starts_with("effective_modulus = -1"));
 }
+
+}  // namespace greenwood_williamson_test

@@ -16,6 +16,8 @@
 #include <map>
 #include <thread>
 
+namespace hybrid_contact_test {
+
 using namespace fstiff;
 
 namespace {
@@ -186,3 +188,5 @@ TEST_CASE("Persson's and the hybrid contact are tabulated like any other") {
     check(hybrid.crowded(), 1e-5, 0.02);
     check(hybrid, 1e-5, 0.02);
 }
+
+}  // namespace hybrid_contact_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace interaction_test {
+
 using namespace fstiff;
 
 TEST_CASE("The length of an interaction is that of the nominal area, or the spacing of the peaks") {
@@ -13,3 +15,5 @@ TEST_CASE("The length of an interaction is that of the nominal area, or the spac
     CHECK(test::refusal([] { (void)interaction_length_of_area(0.0); }).starts_with("nominal_area = 0: must be"));
     CHECK(test::refusal([] { (void)interaction_length_of_peaks(-1.0); }).starts_with("peak_density = -1: must be"));
 }
+
+}  // namespace interaction_test

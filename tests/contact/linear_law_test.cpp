@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace linear_law_test {
+
 using namespace fstiff;
 
 TEST_CASE("The linear law is the slope of an exponential load, and of no scale") {
@@ -28,3 +30,5 @@ TEST_CASE("The linear law refuses what has no stiffness") {
           "pressure = -1: must be finite and not negative");
     CHECK(test::refusal([] { (void)linear_stiffness(1.0, 0.0); }).starts_with("rms_height = 0: must be"));
 }
+
+}  // namespace linear_law_test

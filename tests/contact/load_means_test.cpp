@@ -7,6 +7,8 @@
 #include "support/paper.hpp"
 #include "support/table.hpp"
 
+namespace load_means_test {
+
 using namespace fstiff;
 
 TEST_CASE("load-weighted interference of plastic peaks: the nine digits of the table") {
@@ -75,3 +77,5 @@ TEST_CASE("a law that knows omega_c needs no other") {
     CHECK(test::relative_error(own.interference.value, 2 * given.interference.value) < 1e-14);
     CHECK(own.radius_ratio.value == given.radius_ratio.value);
 }
+
+}  // namespace load_means_test

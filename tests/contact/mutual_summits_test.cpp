@@ -11,6 +11,8 @@
 
 #include <numbers>
 
+namespace mutual_summits_test {
+
 using namespace fstiff;
 
 static_assert(ProportionalContact<MutualSummits<double>, double>);
@@ -68,3 +70,5 @@ TEST_CASE("summits that are too crowded are refused") {
     CHECK(test::refusal([&] { (void)contact.at_pressure(0.0); }).find("pressure") == 0);
     CHECK(test::refusal([&] { (void)contact.at_separation(1.0); }).find("separation") == 0);
 }
+
+}  // namespace mutual_summits_test

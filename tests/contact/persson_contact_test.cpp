@@ -9,6 +9,8 @@
 
 #include <map>
 
+namespace persson_contact_test {
+
 using namespace fstiff;
 
 namespace {
@@ -116,3 +118,5 @@ TEST_CASE("what Persson's law does not allow is refused") {
     for (const double eta : {0.0, -1.0, std::nan(""), 1e9})
         CHECK(test::refusal([&] { (void)contact.log_pressure(eta); }).find("eta") == 0);
 }
+
+}  // namespace persson_contact_test

@@ -6,6 +6,8 @@
 #include "support/catch.hpp"
 #include "support/scalars.hpp"
 
+namespace persson_sensitivity_test {
+
 using namespace fstiff;
 
 TEST_CASE("derivatives of Persson's K are differences of it") {
@@ -46,3 +48,5 @@ TEST_CASE("derivatives at the ends of the ranges are refused") {
               (void)sensitivity(PerssonParameters<double>{1e-6, 0.1, 1.51, 0.8, 1e11}, 1e6);
           }).find("alpha") == 0);
 }
+
+}  // namespace persson_sensitivity_test

@@ -8,6 +8,8 @@
 #include "support/paper.hpp"
 #include "support/table.hpp"
 
+namespace plastic_contact_test {
+
 using namespace fstiff;
 
 TEST_CASE("plastic peaks of the paper's surfaces: the table to 1e-8") {
@@ -54,3 +56,5 @@ TEST_CASE("unloading and loading: K is not the slope of a plastic load, and p ov
     }
     CHECK(test::refusal([&] { (void)contact.at_pressure(H); }).find("less than the hardness") != std::string::npos);
 }
+
+}  // namespace plastic_contact_test

@@ -11,6 +11,8 @@
 #include <numbers>
 #include <random>
 
+namespace random_contacts_test {
+
 using namespace fstiff;
 
 namespace {
@@ -164,3 +166,5 @@ TEST_CASE("200 random contacts: pressure and separation are each other's inverse
         });
     }
 }
+
+}  // namespace random_contacts_test

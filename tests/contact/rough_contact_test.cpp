@@ -17,6 +17,8 @@
 #include <string>
 #include <type_traits>
 
+namespace rough_contact_test {
+
 using namespace fstiff;
 
 namespace {
@@ -309,3 +311,5 @@ TEST_CASE("a separation out of range is refused with the bounds in its own unit"
     CHECK(test::refusal([&] { static_cast<void>(contact.at_separation(-0.00149)); }) ==
           "separation = -0.00149: must be between -0.001 and 1 m, -1000 and 1e6 rms heights");
 }
+
+}  // namespace rough_contact_test

@@ -6,6 +6,8 @@
 #include "support/paper.hpp"
 #include "support/scalars.hpp"
 
+namespace sensitivity_test {
+
 using namespace fstiff;
 
 #ifdef FSTIFF_TEST_LONG_DOUBLE
@@ -237,3 +239,5 @@ TEST_CASE("a law without powers is differentiated to 1e-8, as its powers say") {
     CHECK(std::isnan(sensitivity(RoughContact(fine, PeakDistribution<double>(0.5, 1), PlasticByPowers{}, 112.6e9), 1e6)
                          .fractal_dimension));
 }
+
+}  // namespace sensitivity_test

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <random>
 
+namespace summit_contact_test {
+
 using namespace fstiff;
 
 static_assert(ProportionalContact<SummitContact<double>, double>);
@@ -72,3 +74,5 @@ TEST_CASE("contacts of summits that are none are refused") {
         CHECK(test::refusal([&] { (void)contact.at_pressure(p); }).find("pressure") == 0);
     CHECK(test::refusal([&] { (void)contact.at_separation(1e-3); }).find("separation") == 0);
 }
+
+}  // namespace summit_contact_test

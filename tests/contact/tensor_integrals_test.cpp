@@ -16,6 +16,8 @@
 #include <array>
 #include <vector>
 
+namespace tensor_integrals_test {
+
 using fstiff::PeakDistribution;
 
 TEST_CASE("two dimensions give the plain table to 1e-12, and cover their error") {
@@ -343,3 +345,5 @@ TEST_CASE("the paper's rule: four digits on plain problems, as it is known for")
               static_cast<void>(fstiff::paper_integral(0.3, 0.0, PeakDistribution<double>(0.5, 1), 0.0));
           }).starts_with("a = 0.3"));
 }
+
+}  // namespace tensor_integrals_test

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace validity_test {
+
 using namespace fstiff;
 using test::relative_error;
 
@@ -152,3 +154,5 @@ TEST_CASE("Gradients that are given or implied are checked for a wrong unit") {
     CHECK_FALSE(check({std::numeric_limits<double>::quiet_NaN()}).holds());
     CHECK(name_of(Concern::implausible_gradient) == "implausible_gradient");
 }
+
+}  // namespace validity_test

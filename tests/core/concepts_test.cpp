@@ -4,6 +4,8 @@
 
 #include "support/catch.hpp"
 
+namespace concepts_test {
+
 TEST_CASE("the three floating-point types are Real, integers and pointers are not", "[concepts]") {
     CHECK((fstiff::Real<float>));
     CHECK((fstiff::Real<double>));
@@ -12,3 +14,5 @@ TEST_CASE("the three floating-point types are Real, integers and pointers are no
     CHECK(!(fstiff::Real<bool>));
     CHECK(!(fstiff::Real<double*>));
 }
+
+}  // namespace concepts_test

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <type_traits>
 
+namespace error_test {
+
 namespace {
 
 // Decimal comma and thousands in blocks, as a user's program may have set them globally.
@@ -200,3 +202,5 @@ TEMPLATE_TEST_CASE("integers are refused with all their digits", "[error]", int,
     CHECK(test::refusal([&] { fstiff::require(false, "points", value, "at most 4"); }) ==
           "points = 1234567890: must be at most 4");
 }
+
+}  // namespace error_test

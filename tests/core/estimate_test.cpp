@@ -6,6 +6,8 @@
 
 #include <type_traits>
 
+namespace estimate_test {
+
 TEMPLATE_TEST_CASE("an estimate starts from zero and takes designated initialisers", "[estimate]", float, double,
                    long double) {
     using T = TestType;
@@ -16,3 +18,5 @@ TEMPLATE_TEST_CASE("an estimate starts from zero and takes designated initialise
     const fstiff::Estimate<T> some{.value = 2, .error = T(0.5), .evaluations = 7};
     CHECK((some.value == 2 && some.error == T(0.5) && some.evaluations == 7));
 }
+
+}  // namespace estimate_test

@@ -9,13 +9,20 @@
 #include <string>
 #include <string_view>
 
+namespace names_test {
+
 namespace {
 enum class Fruit { apple = -1, pear = 4, unnamed = 7 };
 enum class Silent { one };
 }  // namespace
 
+}  // namespace names_test
+
 template <>
-inline constexpr auto fstiff::names<Fruit> = fstiff::name_list<Fruit>({{Fruit::apple, "apple"}, {Fruit::pear, "pear"}});
+inline constexpr auto fstiff::names<names_test::Fruit> =
+    fstiff::name_list<names_test::Fruit>({{names_test::Fruit::apple, "apple"}, {names_test::Fruit::pear, "pear"}});
+
+namespace names_test {
 
 using namespace fstiff;
 
@@ -40,3 +47,5 @@ TEMPLATE_TEST_CASE("Every word of the library reads back as its value", "[names]
     const std::string said = test::refusal([] { (void)parse<TestType>("no such word", "word"); });
     CHECK(said == "word = \"no such word\": must be one of " + choices_text<TestType>());
 }
+
+}  // namespace names_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace numbers_test {
+
 TEMPLATE_TEST_CASE("the constants are those of the standard library", "[numbers]", float, double) {
     using T = TestType;
     CHECK(fstiff::numbers::pi_v<T> == std::numbers::pi_v<T>);
@@ -24,3 +26,5 @@ TEST_CASE("the constants of long double have all its digits", "[numbers]") {
     CHECK(test::ulps(fstiff::numbers::ln2_v<long double>, std::log(2.0L)) <= 1);
     CHECK(test::ulps(fstiff::numbers::ln10_v<long double>, std::log(10.0L)) <= 1);
 }
+
+}  // namespace numbers_test

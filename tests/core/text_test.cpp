@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+namespace text_test {
+
 namespace {
 
 template <class T>
@@ -179,3 +181,5 @@ TEST_CASE("a decimal comma in the locale of C changes nothing", "[text]") {
     CHECK(hex == "1.8p-2");
     CHECK((point.value == 1.5 && comma.value == 1 && comma.length == 1 && back == 0.375));
 }
+
+}  // namespace text_test

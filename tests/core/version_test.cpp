@@ -6,8 +6,12 @@
 
 #include <string>
 
+namespace version_test {
+
 TEST_CASE("the version text is made of the version numbers", "[version]") {
     CHECK(std::string(FSTIFF_VERSION) == std::to_string(FSTIFF_VERSION_MAJOR) + "." +
                                              std::to_string(FSTIFF_VERSION_MINOR) + "." +
                                              std::to_string(FSTIFF_VERSION_PATCH));
 }
+
+}  // namespace version_test

@@ -16,6 +16,8 @@
 #include <array>
 #include <numbers>
 
+namespace errata_test {
+
 using namespace fstiff;
 
 namespace {
@@ -180,3 +182,5 @@ TEST_CASE("What plastic flow alone would give over the printed fractal law") {
         CHECK(reads(most, ends[i][1], i == 0 ? 0.01 : 0.1));
     }
 }
+
+}  // namespace errata_test

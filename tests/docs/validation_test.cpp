@@ -11,6 +11,8 @@
 #include <limits>
 #include <numbers>
 
+namespace validation_test {
+
 using namespace fstiff;
 
 namespace {
@@ -102,3 +104,5 @@ TEST_CASE("every elastic stiffness exceeds the chord from the first touch, p/(R_
         }
     CHECK(compared > 100);
 }
+
+}  // namespace validation_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace fit_concerns_test {
+
 using namespace fstiff;
 
 namespace {
@@ -141,3 +143,5 @@ TEST_CASE("R and D_p of K(p) cannot be told apart, sigma alone has nothing again
     CHECK(concerns_of(both)[0].parameters == std::vector{Parameter::peak_radius, Parameter::peak_density});
     CHECK(concerns_of(identify(data, {Parameter::rms_height}, truth, hertz)).empty());
 }
+
+}  // namespace fit_concerns_test

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <random>
 
+namespace identify_test {
+
 using namespace fstiff;
 
 namespace {
@@ -312,3 +314,5 @@ TEST_CASE("identify refuses data and starting values that no model has") {
     data[1] = {1e6, std::nan(""), 1};
     refused({rms_height}, true_contact, "data[1].stiffness = nan");
 }
+
+}  // namespace identify_test

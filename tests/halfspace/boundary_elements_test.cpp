@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace boundary_elements_test {
+
 using namespace fstiff;
 
 namespace {
@@ -114,3 +116,5 @@ TEST_CASE("maps that boundary elements do not take") {
         CHECK(test::refusal([&] { (void)solver.at_pressure(p); }).find("pressure") == 0);
     CHECK(std::isinf(solver.at_pressure(1.0).stiffness));  // all in contact
 }
+
+}  // namespace boundary_elements_test

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace surface_compliance_test {
+
 using namespace fstiff;
 
 TEST_CASE("a wave of pressure deflects by 2/(E |q|) of it") {
@@ -33,3 +35,5 @@ TEST_CASE("a wave of pressure deflects by 2/(E |q|) of it") {
             CHECK((field - pressure).abs().maxCoeff() < 1e-13);
         }
 }
+
+}  // namespace surface_compliance_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+namespace truth_test {
+
 using namespace fstiff;
 
 TEST_CASE("the change from one grid to the next covers the change to the one after", "[long]") {
@@ -48,3 +50,5 @@ TEST_CASE("K of a map whose points all touch is infinite on both grids, without 
     CHECK(points[1].state.contact_fraction == 1);
     CHECK(points[1].stiffness_error == 0);
 }
+
+}  // namespace truth_test

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace binary_numbers_test {
+
 using namespace fstiff::io::detail;
 using namespace std::string_view_literals;
 
@@ -27,3 +29,5 @@ TEST_CASE("Numbers of floating point of either byte order are those of IEEE 754"
     CHECK(double_at("\x55\x55\x55\x55\x55\x55\xD5\x3F and more"sv) == 1.0 / 3);
     CHECK(float_at("\0\x40\xED\xC2 and more"sv) == -118.625F);
 }
+
+}  // namespace binary_numbers_test

@@ -6,6 +6,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace column_titles_test {
+
 using namespace fstiff;
 using namespace fstiff::io::detail;
 
@@ -155,3 +157,5 @@ TEST_CASE("Triples may stand next to a column that numbers them", "[index]") {
     CHECK(found.map().dx == read(plain).map().dx);
     CHECK(found.record.sentences().back() == "columns: x, y and heights in 2, 3, 4; left out: 1");
 }
+
+}  // namespace column_titles_test

@@ -11,6 +11,8 @@
 
 #include <sstream>
 
+namespace format_files_test {
+
 using namespace fstiff;
 
 TEST_CASE("Files of other programs hold what other readers find in them, number for number") {
@@ -64,3 +66,5 @@ TEST_CASE("Files of other programs hold what other readers find in them, number 
         CHECK(found.record.sentences().size() >= 5);
     }
 }
+
+}  // namespace format_files_test

@@ -7,6 +7,8 @@
 
 #include <cstring>
 
+namespace gsf_test {
+
 using namespace fstiff;
 using namespace std::string_literals;
 
@@ -107,3 +109,5 @@ TEST_CASE("Every simple field cut short is refused with a sentence") {
         REQUIRE(!test::refusal([&] { (void)io::read_surface(whole.substr(0, size), "file"); }).empty());
     }
 }
+
+}  // namespace gsf_test

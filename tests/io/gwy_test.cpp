@@ -7,6 +7,8 @@
 
 #include <cstring>
 
+namespace gwy_test {
+
 using namespace fstiff;
 using namespace std::string_literals;
 
@@ -165,3 +167,5 @@ TEST_CASE("Every file of Gwyddion cut short is refused with a sentence") {
         REQUIRE(!refusal(whole.substr(0, size)).empty());
     }
 }
+
+}  // namespace gwy_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace header_test {
+
 using namespace fstiff;
 using namespace fstiff::io::detail;
 
@@ -48,3 +50,5 @@ TEST_CASE("units that are given are at most as many as there is use for", "[head
     CHECK(test::refusal([] { (void)given_units("um,nm,m", 2, "file", "two"); }) ==
           "file: units = \"um,nm,m\": must be two");
 }
+
+}  // namespace header_test

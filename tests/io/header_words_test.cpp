@@ -3,6 +3,8 @@
 
 #include "support/catch.hpp"
 
+namespace header_words_test {
+
 using namespace fstiff::io::detail;
 
 TEST_CASE("A word is known in UTF-8 and in 8-bit code pages") {
@@ -23,3 +25,5 @@ TEST_CASE("Other words are not taken for one") {
          {"hohe", "hoehe", "h\xC3\xB6", "h\xC3\xB6hen", "h\xC3\xB6h\xC3\xA9", "", " ", "\xF6", "breit"})
         CHECK_FALSE((is_one_of_words(other, height_words) || is_one_of_words(other, width_words)));
 }
+
+}  // namespace header_words_test

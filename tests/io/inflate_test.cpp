@@ -5,6 +5,8 @@
 
 #include <string>
 
+namespace inflate_test {
+
 using namespace fstiff;
 using namespace std::string_literals;
 
@@ -31,3 +33,5 @@ TEST_CASE("A stream that holds more or fewer bytes, is cut short or damaged is r
     damaged[8] = 'x';  // the sum tells
     CHECK(inflated(damaged, 3) == "refused");
 }
+
+}  // namespace inflate_test

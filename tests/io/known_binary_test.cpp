@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace known_binary_test {
+
 using namespace fstiff;
 using namespace std::string_literals;
 
@@ -57,3 +59,5 @@ TEST_CASE("Endless input is refused at its first block") {
     CHECK(has(refusal(bytes), "is binary"));
     CHECK(buffer.calls <= 2);
 }
+
+}  // namespace known_binary_test

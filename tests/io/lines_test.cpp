@@ -7,6 +7,8 @@
 
 #include <sstream>
 
+namespace lines_test {
+
 using namespace fstiff;
 using namespace fstiff::io::detail;
 
@@ -64,3 +66,5 @@ TEST_CASE("a text is no text when it holds NUL or nothing, and loses its byte or
           "file: is empty; must be delimited text with rows");
     CHECK_FALSE(test::refusal([] { (void)text_of(std::string("1\0", 2), "file", "rows"); }).empty());
 }
+
+}  // namespace lines_test

@@ -7,6 +7,8 @@
 #include <functional>
 #include <sstream>
 
+namespace map_text_test {
+
 using namespace fstiff;
 using io::MapTextOptions;
 
@@ -332,3 +334,5 @@ TEST_CASE("Zygo's XYZ text has its pixel in line 8 and heights in um", "[zygo]")
     CHECK(has(refusal(unknown), "line 8: states no size of a pixel"));
     CHECK(has(refusal(head.substr(0, head.size() - 2)), "no row of numbers"));
 }
+
+}  // namespace map_text_test

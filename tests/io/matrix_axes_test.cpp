@@ -6,6 +6,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace matrix_axes_test {
+
 using namespace fstiff;
 
 namespace {
@@ -162,3 +164,5 @@ TEST_CASE("Of x, y, z and more the heights are z", "[axes]") {
     CHECK(has(refusal(text("x [um],y [um],z [um],I\n", "%.1f,%.1f,%.3f,%d\n", 60) + "0.13,77.7,1,2\n"),
               "lie on no regular grid"));
 }
+
+}  // namespace matrix_axes_test

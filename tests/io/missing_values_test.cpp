@@ -4,6 +4,8 @@
 
 #include "support/catch.hpp"
 
+namespace missing_values_test {
+
 using namespace fstiff::io::detail;
 
 namespace {
@@ -40,3 +42,5 @@ TEST_CASE("Plateaus, steps and constants are heights", "[missing]") {
     CHECK(suspect({missing, missing}) == std::nullopt);
     CHECK(suspect({}) == std::nullopt);
 }
+
+}  // namespace missing_values_test

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstring>
 
+namespace npy_test {
+
 using namespace fstiff;
 using namespace std::string_literals;
 
@@ -181,3 +183,5 @@ TEST_CASE("Every array cut short is refused with a sentence, and every byte may 
             (void)refusal(bytes);  // anything but a domain_error ends the test
         }
 }
+
+}  // namespace npy_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace number_table_test {
+
 using namespace fstiff::io::detail;
 
 namespace {
@@ -62,3 +64,5 @@ TEST_CASE("a first row with both decimal signs is refused once the others have o
     for (const TableRules& rules : {padded, whole})
         CHECK(test::refusal([&] { (void)table_of("0.5;1,5\n1,5;2,5\n", rules); }).find("file, line 1: \"1,5\"") == 0);
 }
+
+}  // namespace number_table_test

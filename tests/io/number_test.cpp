@@ -4,6 +4,8 @@
 
 #include "support/catch.hpp"
 
+namespace number_test {
+
 using namespace fstiff::io::detail;
 
 TEST_CASE("a cell is a number when nothing else is in it", "[number]") {
@@ -49,3 +51,5 @@ TEST_CASE("what a message shows of a cell is short and printable", "[number]") {
     CHECK(is_missing_word("NaN"));
     CHECK_FALSE(is_missing_word("bads"));
 }
+
+}  // namespace number_test

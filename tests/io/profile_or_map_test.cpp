@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace profile_or_map_test {
+
 using namespace fstiff;
 using namespace fstiff::io::detail;
 
@@ -41,3 +43,5 @@ TEST_CASE("one row is a profile of 16 points at least, more rows are a map", "[p
     set_spacings(few, 2e-6, 0, "file");
     CHECK(test::refusal([&] { (void)as_surface(few, "file"); }).find("file: ") == 0);
 }
+
+}  // namespace profile_or_map_test

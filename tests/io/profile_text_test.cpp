@@ -8,6 +8,8 @@
 #include <functional>
 #include <sstream>
 
+namespace profile_text_test {
+
 using namespace fstiff;
 using io::ProfileTextOptions;
 
@@ -513,3 +515,5 @@ TEST_CASE("Options that contradict what the file states are used, and said", "[c
           "--units \"um\" contradicts line 2, which states nm for the heights; the option is used");
     CHECK(warnings(stated)[1] == "--spacing 1e-06 m contradicts line 1, which states 0.5 um; the option is used");
 }
+
+}  // namespace profile_text_test

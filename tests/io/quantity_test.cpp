@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace quantity_test {
+
 using namespace fstiff;
 using io::Dimension;
 
@@ -107,3 +109,5 @@ TEST_CASE("The decimal sign is the point in every locale") {
     }
     std::setlocale(LC_ALL, before.c_str());
 }
+
+}  // namespace quantity_test

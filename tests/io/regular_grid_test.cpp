@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace regular_grid_test {
+
 using namespace fstiff::io::detail;
 
 TEST_CASE("an axis is found through missing lines and rounded positions", "[regular_grid]") {
@@ -37,3 +39,5 @@ TEST_CASE("heights go to their points, and no point is there twice", "[regular_g
     CHECK(test::refusal([&] { (void)heights_on(*grid_of(twice), twice, "file"); }) ==
           "file, line 4: repeats the point of line 2, x = 1, y = 0; every point must come once");
 }
+
+}  // namespace regular_grid_test

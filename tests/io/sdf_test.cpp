@@ -8,6 +8,8 @@
 #include <cstring>
 #include <sstream>
 
+namespace sdf_test {
+
 using namespace fstiff;
 
 namespace {
@@ -197,3 +199,5 @@ TEST_CASE("A file of one profile needs no Yscale") {
     CHECK(found.map.dy == 1e-6);
     CHECK(found.map.heights(0, 0) == 4.5);
 }
+
+}  // namespace sdf_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace smd_test {
+
 using namespace fstiff;
 using namespace std::string_literals;
 
@@ -160,3 +162,5 @@ TEST_CASE("Every profile in records that is cut short before its heights end is 
         }
     }
 }
+
+}  // namespace smd_test

@@ -9,6 +9,8 @@
 #include <cstring>
 #include <functional>
 
+namespace sur_test {
+
 using namespace fstiff;
 
 namespace {
@@ -221,3 +223,5 @@ TEST_CASE("Every file of Digital Surf cut short is refused with a sentence") {
         REQUIRE(!refusal(whole.substr(0, size)).empty());
     }
 }
+
+}  // namespace sur_test

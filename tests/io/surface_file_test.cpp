@@ -11,6 +11,8 @@
 
 #include <sstream>
 
+namespace surface_file_test {
+
 using namespace fstiff;
 using io::SurfaceFormat;
 using io::SurfaceOptions;
@@ -208,3 +210,5 @@ TEST_CASE("What the readers of text warn of is told of the surface") {
         1);
     CHECK(read(grid(), {.units = "um"}).record.warnings.empty());
 }
+
+}  // namespace surface_file_test

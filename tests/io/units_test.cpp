@@ -9,6 +9,8 @@
 #include <numbers>
 #include <string>
 
+namespace units_test {
+
 using namespace fstiff;
 using io::Dimension;
 
@@ -72,3 +74,5 @@ TEST_CASE("Any blank may stand between a number and its unit") {
     CHECK_THROWS_AS(io::parse_quantity("0.8 \xE2\x80\xA6 um", Dimension::length, "x"), domain_error);
     CHECK_THROWS_AS(io::parse_quantity("0.8\xC2\xA0", Dimension::length, "x"), domain_error);
 }
+
+}  // namespace units_test

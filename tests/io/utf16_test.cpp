@@ -4,6 +4,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace utf16_test {
+
 using namespace fstiff;
 using namespace std::string_literals;
 
@@ -79,3 +81,5 @@ TEST_CASE("A text in UTF-16 cut short is read or refused") {
     CHECK(has(refusal(whole.substr(2)), "UTF-16 without its byte order mark"));
     CHECK(has(refusal("\xFF\xFE\0\0\x31\0\0\0"s), "NUL bytes"));  // UTF-32
 }
+
+}  // namespace utf16_test

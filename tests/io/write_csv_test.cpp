@@ -8,6 +8,8 @@
 #include <random>
 #include <sstream>
 
+namespace write_csv_test {
+
 using namespace fstiff;
 
 namespace {
@@ -82,3 +84,5 @@ TEST_CASE("What is no profile or map is not written") {
     output.setstate(std::ios::badbit);
     CHECK(!test::refusal([&] { io::write_csv(output, map); }).empty());
 }
+
+}  // namespace write_csv_test

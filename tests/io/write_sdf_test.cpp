@@ -9,6 +9,8 @@
 #include <bit>
 #include <sstream>
 
+namespace write_sdf_test {
+
 using namespace fstiff;
 
 namespace {
@@ -87,3 +89,5 @@ TEST_CASE("An output that takes nothing is a file that cannot be written") {
     output.setstate(std::ios::badbit);
     CHECK_THROWS_AS(io::write_sdf(output, rough_map()), file_error);
 }
+
+}  // namespace write_sdf_test

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <sstream>
 
+namespace x3p_test {
+
 using namespace fstiff;
 
 namespace {
@@ -250,3 +252,5 @@ TEST_CASE("An archive that is no X3P file is called what it is") {
     CHECK(refusal(packed({{"LAYER_0.raw", "x"}, {"index.xml", "x"}})).find("Sensofar") != std::string::npos);
     CHECK(refusal(packed({{"heights.npy", "x"}})).find("NumPy") != std::string::npos);
 }
+
+}  // namespace x3p_test

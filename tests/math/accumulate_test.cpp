@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace accumulate_test {
+
 using namespace fstiff;
 
 TEST_CASE("two_sum gives the rounding of a sum, whichever is larger") {
@@ -49,3 +51,5 @@ TEST_CASE("The power of two below a number is the greatest that is not above it"
     CHECK(power_of_two_below(0.0) == 1);
     CHECK(power_of_two_below(std::numeric_limits<double>::denorm_min()) == std::numeric_limits<double>::denorm_min());
 }
+
+}  // namespace accumulate_test

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+namespace decompositions_test {
+
 using namespace fstiff;
 
 namespace {
@@ -123,3 +125,5 @@ TEMPLATE_TEST_CASE("eigenvectors and eigenvalues give the symmetric matrix back"
     CHECK(values.minCoeff() == T(0));
     CHECK(values.maxCoeff() == T(2));
 }
+
+}  // namespace decompositions_test

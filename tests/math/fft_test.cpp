@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+namespace fft_test {
+
 using namespace fstiff;
 
 TEMPLATE_TEST_CASE("A transform is the sum that defines it, and its inverse gives the data back", "", float, double,
@@ -105,3 +107,5 @@ TEST_CASE("Lengths that do not fit a transform are refused") {
     CHECK_FALSE(test::refusal([&] { fft.forward(data, spectrum); }).empty());
     CHECK_FALSE(test::refusal([&] { fft.inverse(spectrum, data); }).empty());
 }
+
+}  // namespace fft_test

@@ -6,6 +6,8 @@
 
 #include <gsl/gsl_integration.h>
 
+namespace gauss_legendre_test {
+
 using fstiff::GaussLegendre;
 
 TEMPLATE_TEST_CASE("N points integrate polynomials of degree 2N-1", "", float, double, long double) {
@@ -45,3 +47,5 @@ TEST_CASE("the middle node of an odd rule is 0") {
     CHECK(test::ulps(GaussLegendre<double, 3>::get().weight[1], 8.0 / 9) <= 4);
     CHECK(test::ulps(GaussLegendre<double, 3>::get().node[2], std::sqrt(0.6)) <= 4);
 }
+
+}  // namespace gauss_legendre_test

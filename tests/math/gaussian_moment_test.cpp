@@ -12,6 +12,8 @@
 #include <numbers>
 #include <random>
 
+namespace gaussian_moment_test {
+
 using fstiff::gaussian_moment;
 namespace detail = fstiff::detail;
 
@@ -151,3 +153,5 @@ TEST_CASE("F_a is finite at the ends and refuses what is no number") {
           "a = 0.75: must be -1/2, 0, 1/2, 1, 3/2 or 5/2");
     CHECK(test::refusal([] { static_cast<void>(gaussian_moment(0.5, std::nan(""))); }).starts_with("x = nan"));
 }
+
+}  // namespace gaussian_moment_test

@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+namespace gaussian_smoother_test {
+
 using namespace fstiff;
 
 TEST_CASE("The sums with Gaussian weights are those of the double loop") {
@@ -37,3 +39,5 @@ TEST_CASE("No numbers, no width and a wrong count of numbers are refused") {
     std::vector<double> four(4, 1.0);
     CHECK_FALSE(test::refusal([&] { smooth(four); }).empty());
 }
+
+}  // namespace gaussian_smoother_test

@@ -4,6 +4,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace least_squares_test {
+
 using namespace fstiff;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("least squares refuses too few points and a start outside") {
               static_cast<void>(least_squares<double>(Vector::Ones(1), 2, nothing));
           }).find("starting values") != std::string::npos);
 }
+
+}  // namespace least_squares_test

@@ -11,6 +11,8 @@
 #include <iterator>
 #include <limits>
 
+namespace piecewise_test {
+
 using namespace fstiff;
 using namespace fstiff::detail;
 
@@ -108,3 +110,5 @@ TEMPLATE_TEST_CASE("only numbers in the range are contained", "", float, double)
     for (const T x : {T(0), -T(0), T(1), -infinity, infinity, Limits::max(), Limits::denorm_min()})
         CHECK_FALSE(is_nan(x));
 }
+
+}  // namespace piecewise_test

@@ -4,6 +4,8 @@
 
 #include "support/catch.hpp"
 
+namespace random_test {
+
 using namespace fstiff;
 
 TEST_CASE("splitmix64 gives the published numbers of seed 0") {
@@ -31,3 +33,5 @@ TEST_CASE("Pairs of normal numbers have mean 0, variance 1, fourth moment 3, and
     CHECK(std::abs(fourth - 3) < 4 * std::sqrt(96 / (2.0 * pairs)));
     CHECK(std::abs(product) < 4 * std::sqrt(1.0 / pairs));
 }
+
+}  // namespace random_test

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace root_test {
+
 using fstiff::newton_bracketed;
 using fstiff::RootStatus;
 
@@ -247,3 +249,5 @@ TEST_CASE("the search may throw only when the function may", "[root]") {
     CHECK(noexcept(newton_bracketed(quiet, 0.0, 1.0, 0.5, 0.0)));
     CHECK(!(noexcept(newton_bracketed(loud, 0.0, 1.0, 0.5, 0.0))));
 }
+
+}  // namespace root_test

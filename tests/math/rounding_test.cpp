@@ -6,6 +6,8 @@
 
 #include <vector>
 
+namespace rounding_test {
+
 using fstiff::detail::is_rounding;
 
 namespace {
@@ -42,3 +44,5 @@ TEST_CASE("Rounding is told from roughness, in every unit of length") {
     const std::vector<double> two{0, 1, 1, 0, 0, 1, 0, 1}, rest{-.5, .5, .5, -.5, -.5, .5, -.5, .5};
     CHECK_FALSE(is_rounding(two.data(), rest.data(), two.size(), 1.0));  // two heights, not one that is rounded
 }
+
+}  // namespace rounding_test

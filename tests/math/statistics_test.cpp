@@ -9,6 +9,8 @@
 
 #include <numeric>
 
+namespace statistics_test {
+
 using namespace fstiff;
 
 TEST_CASE("The quantile of sorted values is linear between neighbours") {
@@ -63,3 +65,5 @@ TEST_CASE("quantiles of Student's t are those of GSL") {
         for (const int degrees : {5, 6, 8, 10, 20, 30, 100}) CHECK(error(normal, degrees) < 1e-3);
     }
 }
+
+}  // namespace statistics_test

@@ -4,6 +4,8 @@
 
 #include "support/catch.hpp"
 
+namespace tukey_test {
+
 using namespace fstiff;
 
 TEST_CASE("The factor is three standard deviations over the median of Gaussian absolute values") {
@@ -39,3 +41,5 @@ TEST_CASE("Spikes are far from the median by its robust deviation, and nothing i
     CHECK_FALSE(detail::far_from_median(std::vector<double>{0, 0, 0, 0, 9}, 5.).back());
     CHECK_FALSE(detail::far_from_median(std::vector<double>{nan}, 5.).front());
 }
+
+}  // namespace tukey_test

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <random>
 
+namespace height_statistics_test {
+
 using namespace fstiff;
 
 TEST_CASE("skewness, kurtosis and gradient of a profile are plain sums about the mean") {
@@ -60,3 +62,5 @@ TEST_CASE("too few points are refused") {
     for (int i = 0; i < 40; ++i) profile.heights.push_back(std::sin(i));
     CHECK(test::refusal([&] { (void)height_statistics(profile); }).find("at least 64") != std::string::npos);
 }
+
+}  // namespace height_statistics_test

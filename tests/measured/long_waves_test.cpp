@@ -6,6 +6,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace long_waves_test {
+
 using namespace fstiff;
 using Parts = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -105,3 +107,5 @@ TEST_CASE("sigma of a process lies within its band for 86 % of traces and more, 
             CHECK(inside >= 0.86 * seeds);  // 90 % less two standard errors
         }
 }
+
+}  // namespace long_waves_test

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace measured_concerns_test {
+
 using namespace fstiff;
 using enum MeasuredConcern;
 
@@ -130,3 +132,5 @@ TEST_CASE("A map that is stretched is told to be anisotropic") {
     const Concerns found = concerns_of(surface_parameters(level(map, MapForm::plane)));
     CHECK(std::find(found.begin(), found.end(), anisotropic) != found.end());
 }
+
+}  // namespace measured_concerns_test

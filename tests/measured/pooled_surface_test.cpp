@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace pooled_surface_test {
+
 using namespace fstiff;
 
 namespace {
@@ -75,3 +77,5 @@ TEST_CASE("skewness, kurtosis and gradient of the parts are those of the whole")
     CHECK(test::relative_error(mean.rms_gradient.value, truth.rms_gradient.value) < 1e-13);
     CHECK(mean.skewness.error > 0);
 }
+
+}  // namespace pooled_surface_test

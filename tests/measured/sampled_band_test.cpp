@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace sampled_band_test {
+
 using namespace fstiff;
 
 namespace {
@@ -74,3 +76,5 @@ TEST_CASE("No surfaces, surfaces out of range and values that change their numbe
               (void)sampled_band(surface(), [&](const auto&) { return std::vector<double>(++size); }, {.samples = 3});
           }) == "values of a drawn surface = 2: must be 1, as of the first");
 }
+
+}  // namespace sampled_band_test

@@ -6,6 +6,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace sections_test {
+
 using namespace fstiff;
 
 namespace {
@@ -225,3 +227,5 @@ TEST_CASE("The interval of 95 % covers D along x and along y at every decimation
         CHECK(error < 0.13 * fitted);
     }
 }
+
+}  // namespace sections_test

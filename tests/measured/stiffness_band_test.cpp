@@ -7,6 +7,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace stiffness_band_test {
+
 using namespace fstiff;
 using test::relative_error;
 
@@ -97,3 +99,5 @@ TEST_CASE("Surfaces that do not reach a pressure are left out there, and what ca
     CHECK(test::refusal([&] { (void)stiffness_band(surface(), std::vector{-1.0}, fractal, 112.6e9); }) ==
           "pressure = -1: must be finite and greater than 0");
 }
+
+}  // namespace stiffness_band_test

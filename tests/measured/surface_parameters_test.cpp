@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <numbers>
 
+namespace surface_parameters_test {
+
 using namespace fstiff;
 
 namespace {
@@ -675,3 +677,5 @@ TEST_CASE("The fits and the islands behind the numbers are kept, and are those o
         surface_parameters(Profile<double>{{profile.heights.begin(), profile.heights.begin() + 20}, 1e-6}, how);
     CHECK(flat.profile_fit.has_value() == flat.why_no_dimension.empty());
 }
+
+}  // namespace surface_parameters_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace uncertain_sum_test {
+
 using namespace fstiff;
 
 namespace {
@@ -87,3 +89,5 @@ TEST_CASE("skewness and kurtosis of a sum are those of all pairs of heights") {
     CHECK(test::relative_error(sum.moments.m0, truth.moments.m0) < 1e-14);
     CHECK(test::relative_error(sum.rms_gradient.value, 0.1 * std::sqrt(2.0)) < 1e-14);
 }
+
+}  // namespace uncertain_sum_test

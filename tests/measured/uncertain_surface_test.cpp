@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+namespace uncertain_surface_test {
+
 using namespace fstiff;
 
 namespace {
@@ -318,3 +320,5 @@ TEST_CASE("Float draws are those of double, rounded") {
             CHECK(test::relative_error(static_cast<double>(a[i]), b[i]) <= 1e-5);
     }
 }
+
+}  // namespace uncertain_surface_test

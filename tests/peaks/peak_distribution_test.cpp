@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+namespace peak_distribution_test {
+
 using fstiff::PeakDistribution;
 
 namespace {
@@ -141,3 +143,5 @@ TEST_CASE("parameters out of range are refused by name, value and range") {
               static_cast<void>(PeakDistribution<double>(0.5, 1).curvature_moment(5));
           }).starts_with("moment order = 5"));
 }
+
+}  // namespace peak_distribution_test

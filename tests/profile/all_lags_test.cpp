@@ -10,6 +10,8 @@
 #include <functional>
 #include <numbers>
 
+namespace all_lags_test {
+
 using namespace fstiff;
 
 namespace {
@@ -190,3 +192,5 @@ TEST_CASE("Profiles without pairs, of few points or with an infinite height are 
     CHECK(refusal({1.0, std::numeric_limits<double>::infinity()}, 1.0, 0).find("height") != std::string::npos);
     CHECK(refusal({1e250, 0.0}, 1.0, 0).find("structure function = ") == 0);
 }
+
+}  // namespace all_lags_test

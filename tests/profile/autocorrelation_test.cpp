@@ -7,6 +7,8 @@
 #include "support/fractional_brownian.hpp"
 #include "support/roughness_reference.hpp"
 
+namespace autocorrelation_test {
+
 using namespace fstiff;
 
 TEST_CASE("The autocorrelation by transform is that of direct sums over the pairs that exist") {
@@ -68,3 +70,5 @@ TEST_CASE("A profile that is all one slope has no autocorrelation length within 
     CHECK(test::refusal([&] { (void)autocorrelation_length(found, 1.0); }).find("between 0 and 1") !=
           std::string::npos);
 }
+
+}  // namespace autocorrelation_test

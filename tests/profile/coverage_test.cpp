@@ -6,6 +6,8 @@
 
 #include "support/catch.hpp"
 
+namespace coverage_test {
+
 using namespace fstiff;
 
 namespace {
@@ -98,3 +100,5 @@ TEST_CASE("A spectrum that is flat at every lag that is left is refused") {
     CHECK(covered(0.5, 16, 2, 20, 256e-6).fitted == 0);
     CHECK(covered(0.8, 16, 2, 20, 256e-6).fitted == 0);
 }
+
+}  // namespace coverage_test

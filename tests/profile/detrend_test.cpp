@@ -6,6 +6,8 @@
 
 #include <array>
 
+namespace detrend_test {
+
 using namespace fstiff;
 
 namespace {
@@ -102,3 +104,5 @@ TEST_CASE("A form of more coefficients than points is refused") {
                     (void)detrend(Profile<double>{{1, std::numeric_limits<double>::infinity()}, 1.0}, Form::mean);
                 }).empty());
 }
+
+}  // namespace detrend_test

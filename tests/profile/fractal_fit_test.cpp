@@ -9,6 +9,8 @@
 
 #include <random>
 
+namespace fractal_fit_test {
+
 using namespace fstiff;
 
 namespace {
@@ -423,3 +425,5 @@ TEST_CASE("A structure function fits as the profile it came from, and the mean o
     measured.second_differences = second_differences(profile, std::span<const std::size_t>(triples));
     CHECK(test::refusal([&] { (void)fit_fractal(measured, {.tip_radius = 1e-6}); }).find("tip radius") == 0);
 }
+
+}  // namespace fractal_fit_test

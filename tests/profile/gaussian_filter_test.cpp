@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <numbers>
 
+namespace gaussian_filter_test {
+
 using namespace fstiff;
 
 namespace {
@@ -131,3 +133,5 @@ TEST_CASE("Cut-offs and profiles out of range are refused") {
     infinite.heights[3] = std::numeric_limits<double>::infinity();
     CHECK(refusal(infinite, 10e-6).find("height") == 0);
 }
+
+}  // namespace gaussian_filter_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace lag_window_test {
+
 using namespace fstiff;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("Lags below the resolution are left out, and a refusal says so") {
     CHECK(reliable.note(1e-3) == "; lags below 4e-06 m are left out for lambda_s");
     CHECK(detail::ReliableLags<double>{}.note(1e-3).empty());
 }
+
+}  // namespace lag_window_test

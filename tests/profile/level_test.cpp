@@ -6,6 +6,8 @@
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"
 
+namespace level_test {
+
 using namespace fstiff;
 
 namespace {
@@ -82,3 +84,5 @@ TEST_CASE("A profile that is its own form is refused as a constant one is, whate
             CHECK_NOTHROW(level(profile, form));
         }
 }
+
+}  // namespace level_test

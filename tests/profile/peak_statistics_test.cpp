@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+namespace peak_statistics_test {
+
 using namespace fstiff;
 
 namespace {
@@ -126,3 +128,5 @@ TEST_CASE("Profiles whose statistics leave the range of the peak density are ref
     sine.heights.pop_back();
     CHECK(std::abs(peak_statistics(sine).r - 0.99975) < 1e-6);
 }
+
+}  // namespace peak_statistics_test

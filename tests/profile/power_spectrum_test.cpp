@@ -8,6 +8,8 @@
 
 #include <numbers>
 
+namespace power_spectrum_test {
+
 using namespace fstiff;
 
 namespace {
@@ -153,3 +155,5 @@ TEST_CASE("Without a window the integral of the spectrum is the variance") {
     CHECK(test::relative_error(spectrum.moment(0), std::pow(rms_height(profile), 2)) < 1e-13);
     CHECK(spectrum.value[0] == 0);
 }
+
+}  // namespace power_spectrum_test

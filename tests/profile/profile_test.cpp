@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace profile_test {
+
 using namespace fstiff;
 
 TEMPLATE_TEST_CASE("The rms height of a sine over whole periods is its amplitude over the root of 2", "", float, double,
@@ -60,3 +62,5 @@ TEST_CASE("A profile that is too short, constant, infinite or without spacing is
         CHECK(refusal(bad).find("spacing = ") != std::string::npos);
     }
 }
+
+}  // namespace profile_test

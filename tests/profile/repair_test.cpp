@@ -7,6 +7,8 @@
 
 #include <random>
 
+namespace repair_test {
+
 using namespace fstiff;
 
 /// A neighbour of a spike may go with it where the roughness is smooth: its median has the spike among four.
@@ -49,3 +51,5 @@ TEST_CASE("Gaps of a profile are filled by straight lines, its ends by the neare
     CHECK_THROWS_AS(fill_missing(none), domain_error);
     CHECK_THROWS_AS(find_spikes(profile, 0), domain_error);
 }
+
+}  // namespace repair_test

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <random>
 
+namespace robust_gaussian_filter_test {
+
 using namespace fstiff;
 
 namespace {
@@ -138,3 +140,5 @@ TEST_CASE("A cut-off, an order or a profile out of range of the robust filter is
     CHECK_THROWS_AS(robust_waviness(profile, 1.), domain_error);
     CHECK_THROWS_AS(robust_waviness(profile, 80e-6, 1), domain_error);
 }
+
+}  // namespace robust_gaussian_filter_test

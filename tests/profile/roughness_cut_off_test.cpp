@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+namespace roughness_cut_off_test {
+
 using namespace fstiff;
 
 namespace {
@@ -58,3 +60,5 @@ TEST_CASE("What the length or the step does not allow is told") {
     CHECK_FALSE(hopeless.lambda_c);
     CHECK(hopeless.reason == CutOffReason::too_coarse);
 }
+
+}  // namespace roughness_cut_off_test

@@ -8,6 +8,8 @@
 
 #include <numbers>
 
+namespace roughness_parameters_test {
+
 using namespace fstiff;
 
 namespace {
@@ -110,3 +112,5 @@ TEST_CASE("Too short profiles and impossible cut-offs are refused") {
     CHECK(test::refusal([] { (void)roughness_parameters(sine(1, 15, 2)); }).find("15 points") != std::string::npos);
     CHECK(test::refusal([] { (void)roughness_parameters(sine(1, 50, 2), -1.0); }).find("cut-off") != std::string::npos);
 }
+
+}  // namespace roughness_parameters_test

@@ -6,6 +6,8 @@
 #include "support/catch.hpp"
 #include "support/normal.hpp"
 
+namespace second_differences_test {
+
 using namespace fstiff;
 
 namespace {
@@ -66,3 +68,5 @@ TEST_CASE("A line is not seen, and lags beyond half the profile are refused") {
     CHECK(test::refusal([&] { (void)second_differences(profile, std::span<const std::size_t>(too_long)); }) ==
           "lag = 500 samples: must be between 1 and 499");
 }
+
+}  // namespace second_differences_test

@@ -10,6 +10,8 @@
 
 #include <numbers>
 
+namespace spectral_moments_test {
+
 using namespace fstiff;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("Profiles without moments are refused") {
     for (std::size_t i = 0; i < 20; ++i) huge[i] = static_cast<double>(i * i % 7) * 1e200;
     CHECK(refusal(huge, 1.0).find("m0 = ") == 0);
 }
+
+}  // namespace spectral_moments_test

@@ -8,6 +8,8 @@
 #include "support/catch.hpp"
 #include "support/normal.hpp"
 
+namespace structure_errors_test {
+
 using namespace fstiff;
 
 namespace {
@@ -108,3 +110,5 @@ TEST_CASE("Resamples of a walk scatter as walks do, at lags of which it holds ma
               0.18);
     }
 }
+
+}  // namespace structure_errors_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace structure_fit_test {
+
 using namespace fstiff;
 
 namespace {
@@ -105,3 +107,5 @@ TEST_CASE("The root of a matrix gives the matrix, and its inverse the identity")
               .cwiseAbs()
               .maxCoeff() < 1e-14);
 }
+
+}  // namespace structure_fit_test

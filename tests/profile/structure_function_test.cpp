@@ -8,6 +8,8 @@
 
 #include <random>
 
+namespace structure_function_test {
+
 using namespace fstiff;
 
 namespace {
@@ -149,3 +151,5 @@ TEST_CASE("A lag outside the profile is refused") {
     CHECK_FALSE(test::refusal([&] { (void)at(profile, {0}); }).empty());
     CHECK_FALSE(test::refusal([&] { (void)at(Profile<double>{{1, 2, 3}, 0.0}, {1}); }).empty());
 }
+
+}  // namespace structure_function_test

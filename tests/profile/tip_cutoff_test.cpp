@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace tip_cutoff_test {
+
 using namespace fstiff;
 
 namespace {
@@ -86,3 +88,5 @@ TEST_CASE("Missing points drop their triples, and what is out of range is refuse
     CHECK(test::refusal([&] { (void)tip_cutoff(profile, 0.0); }).find("tip radius = 0") == 0);
     CHECK(test::refusal([&] { (void)tip_cutoff(profile, missing); }).find("tip radius") == 0);
 }
+
+}  // namespace tip_cutoff_test

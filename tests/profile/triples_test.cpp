@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace triples_test {
+
 using namespace fstiff;
 
 TEST_CASE("Triples give slopes, curvatures and peaks, and leave out what is missing") {
@@ -34,3 +36,5 @@ TEST_CASE("Triples give slopes, curvatures and peaks, and leave out what is miss
     CHECK(compensated.mean_square_slope() == plain.mean_square_slope());
     CHECK(compensated.mean_square_curvature() == plain.mean_square_curvature());
 }
+
+}  // namespace triples_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace window_spread_test {
+
 using namespace fstiff;
 
 namespace {
@@ -44,3 +46,5 @@ TEST_CASE("D and G of an exact power law come back, with their derivatives") {
     CHECK(none.dimension > 2);
     CHECK(none.log_g_row.isZero());
 }
+
+}  // namespace window_spread_test

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace coverage_test {
+
 namespace scene = fstiff::scene;
 
 namespace {
@@ -96,3 +98,5 @@ TEST_CASE("The band of 5 to 95 % holds K(10 MPa) of the process in 80 % of trace
         CHECK(covered[1] >= 0.8 * computed);
     }
 }
+
+}  // namespace coverage_test

@@ -19,6 +19,8 @@
 #include <fstream>
 #include <numbers>
 
+namespace laws_test {
+
 using namespace fstiff;
 
 namespace {
@@ -299,3 +301,5 @@ TEST_CASE("Every law says what it is") {
     for (const scene::Law& law : scene::laws()) CHECK(!law.nature.empty());
     CHECK(scene::find_law("fractal")->nature.starts_with("the print of the paper"));
 }
+
+}  // namespace laws_test

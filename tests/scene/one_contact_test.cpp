@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace one_contact_test {
+
 namespace {
 
 using namespace fstiff;
@@ -136,3 +138,5 @@ TEST_CASE("a number that may be 0 is not taken for 0 where it was not given") {
     numbers.theta.reset();
     CHECK(sentence_of([&] { return contact_of("hertz", numbers); }) == "law hertz: needs theta");
 }
+
+}  // namespace one_contact_test

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace overclosure_test {
+
 using namespace fstiff;
 using Row = scene::PressureTable::Row;
 
@@ -108,3 +110,5 @@ TEST_CASE("A shorter range, and what a table cannot be made of") {
     CHECK(refusal({.from = -1.0}) == "--from = -1: must be finite and greater than 0");
     CHECK(refusal({.tolerance = 0.3}) == "--tolerance = 0.3: must be between 0.001 % and 20 %");
 }
+
+}  // namespace overclosure_test

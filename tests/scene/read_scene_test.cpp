@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace read_scene_test {
+
 namespace scene = fstiff::scene;
 using fstiff::Parameter;
 using test::contains;
@@ -262,3 +264,5 @@ TEST_CASE("What is not known to a factor of two is said once") {
     CHECK(lines[0] == "D_p is known to 40 % only");
     CHECK(contains(lines[1], "R (180 %): not known to a factor of two"));
 }
+
+}  // namespace read_scene_test

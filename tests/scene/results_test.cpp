@@ -14,6 +14,8 @@
 #include <array>
 #include <cmath>
 
+namespace results_test {
+
 namespace scene = fstiff::scene;
 
 namespace {
@@ -277,3 +279,5 @@ TEST_CASE("A measured curve has one decimal sign, and a point next to decimal co
     const std::string why = test::refusal([&] { (void)read("1,5;0,25\n1.000;0,5\n"); });
     CHECK(test::contains(why, "curve.csv:3: pressure = \"1.000\": must be a number with a decimal comma"));
 }
+
+}  // namespace results_test

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace shown_unit_test {
+
 namespace scene = fstiff::scene;
 
 namespace {
@@ -73,3 +75,5 @@ TEST_CASE("measure and run show a fine map in the same units") {
     CHECK(test::contains(table.out, std::string(scene::unit_of_density(density).name)));
     CHECK(measured.status == run.status);
 }
+
+}  // namespace shown_unit_test

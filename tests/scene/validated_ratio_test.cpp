@@ -6,6 +6,8 @@
 
 #include <sstream>
 
+namespace validated_ratio_test {
+
 namespace scene = fstiff::scene;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("Between two rows the ratio covers both, and outside of the table ther
     CHECK(!scene::validated_ratio("hertz", 0.26));
     CHECK(!scene::validated_ratio("gauss", 0.02));
 }
+
+}  // namespace validated_ratio_test

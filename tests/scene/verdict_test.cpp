@@ -15,6 +15,8 @@
 #include <limits>
 #include <stdexcept>
 
+namespace verdict_test {
+
 namespace scene = fstiff::scene;
 using test::contains;
 
@@ -130,3 +132,5 @@ TEST_CASE("Where points are missing, the way to fill them is named, and hybrid i
     CHECK(contains(test::refusal([&] { (void)read(with("", "laws = [\"boundary_elements\"]")); }), "fill = true"));
     CHECK(read(with("fill = true\n", "")).laws.front().law->name == "hybrid");
 }
+
+}  // namespace verdict_test

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+namespace bearing_curve_test {
+
 using namespace fstiff;
 
 TEST_CASE("As many heights stand above the curve as it says") {
@@ -40,3 +42,5 @@ TEST_CASE("A bearing curve needs a height and a step") {
     CHECK(test::refusal([&] { (void)bearing_curve<double>(one, 0); }) ==
           "steps of a bearing curve = 0: must be at least 1");
 }
+
+}  // namespace bearing_curve_test

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace contact_parameter_test {
+
 using namespace fstiff;
 
 namespace {
@@ -110,3 +112,5 @@ TEST_CASE("The variable of a fit: closed forms, there and back, and its slope", 
     CHECK(!parameter_in_range(Parameter::offset, infinite));
     CHECK(!parameter_in_range(Parameter::r, nan_value));
 }
+
+}  // namespace contact_parameter_test

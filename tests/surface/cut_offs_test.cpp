@@ -11,6 +11,8 @@
 #include <array>
 #include <numbers>
 
+namespace cut_offs_test {
+
 using namespace fstiff;
 
 namespace {
@@ -96,3 +98,5 @@ TEST_CASE("cut-offs do not depend on the unit of length, and refuse what cannot 
     CHECK_THROWS_AS(slope_ratio(0.5, 1e-3, 2e-3), domain_error);
     CHECK_THROWS_AS(shortest_wave(0.5, 1e-3, 1.0), domain_error);
 }
+
+}  // namespace cut_offs_test

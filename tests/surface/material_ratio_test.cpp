@@ -12,6 +12,8 @@
 
 #include <numbers>
 
+namespace material_ratio_test {
+
 using namespace fstiff;
 
 namespace {
@@ -117,3 +119,5 @@ TEST_CASE("Too few heights, and heights that do not vary, are refused") {
     CHECK(test::refusal([] { (void)of(std::vector<double>(15, 1.0)); }).find("at least 16") != std::string::npos);
     CHECK(test::refusal([] { (void)of(std::vector<double>(20, 1.0)); }).find("varying height") != std::string::npos);
 }
+
+}  // namespace material_ratio_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace moments_test {
+
 using namespace fstiff;
 
 TEST_CASE("moments of peaks, peaks of moments") {
@@ -19,3 +21,5 @@ TEST_CASE("moments of peaks, peaks of moments") {
     CHECK(test::relative_error(stated.bandwidth(), 8.24) < 1e-14);
     CHECK(test::relative_error(stated.m2, 0.005) < 1e-15);
 }
+
+}  // namespace moments_test

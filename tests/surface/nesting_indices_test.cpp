@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <string>
 
+namespace nesting_indices_test {
+
 using namespace fstiff;
 
 TEST_CASE("The nesting index of a length is the least of the series that is as long") {
@@ -51,3 +53,5 @@ TEST_CASE("The resolution and the tip lengthen lambda_s, and never shorten it") 
     CHECK(shortest_lambda_s(1e-6f) == 5e-6f);
     CHECK_THROWS_AS(shortest_lambda_s(0.), domain_error);
 }
+
+}  // namespace nesting_indices_test

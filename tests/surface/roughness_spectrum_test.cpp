@@ -6,6 +6,8 @@
 #include "support/catch.hpp"
 #include "support/table.hpp"
 
+namespace roughness_spectrum_test {
+
 using namespace fstiff;
 
 TEST_CASE("moments of a band: the table to 1e-13") {
@@ -59,3 +61,5 @@ TEST_CASE("what no isotropic surface has is refused") {
     CHECK(test::refusal([&] { BandSpectrum<double>{1, 0.8, 2, 2, 2}.validate(); }).find("q2") == 0);
     CHECK(test::refusal([&] { SpectrumShells<double>{}.validate(); }).find("shells") == 0);
 }
+
+}  // namespace roughness_spectrum_test

@@ -4,6 +4,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace spectrum_window_test {
+
 using namespace fstiff;
 
 TEST_CASE("Hann's window is half a cosine wave, symmetric, and of mean square 3/8") {
@@ -19,3 +21,5 @@ TEST_CASE("Hann's window is half a cosine wave, symmetric, and of mean square 3/
     }
     CHECK(test::relative_error(square, 3.0 / 8) < 1e-14);
 }
+
+}  // namespace spectrum_window_test

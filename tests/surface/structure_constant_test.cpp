@@ -7,6 +7,8 @@
 
 #include <limits>
 
+namespace structure_constant_test {
+
 using namespace fstiff;
 
 TEMPLATE_TEST_CASE("At D = 1.5 the constant is pi as printed and pi^2 / ln gamma as exact", "", float, double,
@@ -87,3 +89,5 @@ TEST_CASE("What is out of range is refused by name and value") {
     CHECK_FALSE(test::refusal([] { (void)fractal_roughness(1.001, 1e-6, 1e-21); }).empty());
     CHECK(log_fractal_roughness(1.001, 1e-6, 1e-21) < -1000);
 }
+
+}  // namespace structure_constant_test

@@ -7,6 +7,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace two_faces_test {
+
 using namespace fstiff;
 
 namespace {
@@ -105,3 +107,5 @@ TEST_CASE("two equal faces, and one beside a face that is nearly smooth") {
     CHECK(sum_of_faces(scaled(near_one, 0.5), a).fractal_dimension);
     CHECK_THROWS_AS(sum_of_faces(a.roughness, Roughness<double>{1e-6, -1, 1e9}), domain_error);
 }
+
+}  // namespace two_faces_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+namespace draws_test {
+
 using namespace fstiff::sweep;
 
 TEST_CASE("Philox gives the known answers of its authors") {
@@ -65,3 +67,5 @@ TEST_CASE("The distributions have the quantiles that their names promise") {
     CHECK(std::abs(log.quantile(one) / (40 * std::exp(0.1)) - 1) < 1e-14);
     CHECK(uniform.quantile(0.25) == 4.5);
 }
+
+}  // namespace draws_test

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <thread>
 
+namespace engine_test {
+
 using namespace fstiff::sweep;
 
 namespace {
@@ -91,3 +93,5 @@ TEST_CASE("What the receiver throws ends all threads and reaches the caller", "[
                         [](std::string_view, std::uint64_t, std::uint64_t) { throw std::runtime_error("full"); }),
                     std::runtime_error);
 }
+
+}  // namespace engine_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+namespace grid_test {
+
 using namespace fstiff::sweep;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("What is wrong with a grid is told with line, key and value") {
     check_refused(grid_text("rms_height = { from = 1, to = 2, count = 9000000000000000 }\nalpha = [2, 3]"),
                   "has more than 2^53 scenes");
 }
+
+}  // namespace grid_test

@@ -7,7 +7,11 @@
 #include <hdf5.h>
 
 #include <cmath>
+#endif
 
+namespace hdf5_test {
+
+#ifdef FSTIFF_HAS_HDF5
 using namespace test;
 
 namespace {
@@ -97,3 +101,5 @@ TEST_CASE("Parquet is refused with what to do instead") {
     CHECK(table.status == 2);
     CHECK(test::contains(table.err, "must end in .jsonl or .h5"));
 }
+
+}  // namespace hdf5_test

@@ -10,6 +10,8 @@
 
 #include <sstream>
 
+namespace lines_test {
+
 using namespace fstiff::sweep;
 namespace scene = fstiff::scene;
 
@@ -70,3 +72,5 @@ TEST_CASE("A text of a line is JSON whatever its bytes are") {
     CHECK(read("\xE2\x80") == unknown + unknown);
     CHECK(read("\xF0\x80\x80\x80") == unknown + unknown + unknown + unknown);  // three bytes would do
 }
+
+}  // namespace lines_test

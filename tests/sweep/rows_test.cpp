@@ -6,6 +6,8 @@
 
 #include <fstiff/core/error.hpp>
 
+namespace rows_test {
+
 using namespace fstiff::sweep;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("Rows are read in their order, and the first that is damaged is named"
     CHECK(read_back(two + line(2, "hertz", "\"stiffXXXX_Pa_per_m\":1}")) == ":3:" + damaged);
     CHECK(read_back("nothing\n") == ": is no file of results; must be what fstiff sweep wrote");
 }
+
+}  // namespace rows_test

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace sensitivity_test {
+
 using namespace fstiff::sweep;
 
 TEST_CASE("Sobol' indices and rank correlations of a product of powers are those of the closed form") {
@@ -50,3 +52,5 @@ TEST_CASE("An input alone has the index 1, another one 0, and a constant none") 
     CHECK(std::abs(sensitivity(y, falling)->rank_correlation) < 3 / std::sqrt(5000.0));
     CHECK(!sensitivity(x, std::vector<double>(5000, 2.5)));
 }
+
+}  // namespace sensitivity_test

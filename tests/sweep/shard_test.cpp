@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 
+namespace shard_test {
+
 using namespace fstiff::sweep;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("A shard is i/n, or that of the job") {
     CHECK_THROWS_AS(automatic({{"PMI_RANK", "x"}, {"PMI_SIZE", "4"}}), fstiff::domain_error);
     for (const char* name : variables) unsetenv(name);
 }
+
+}  // namespace shard_test

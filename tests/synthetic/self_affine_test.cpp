@@ -4,6 +4,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace self_affine_test {
+
 using namespace fstiff;
 
 namespace {
@@ -209,3 +211,5 @@ TEST_CASE("Parameters out of range are named") {
     CHECK(test::refusal([&] { (void)self_affine_map(good, 64, 64, 0.0, 1e-6); }).find("dx = 0") == 0);
     CHECK(test::refusal([&] { (void)self_affine_profile(good, 64, nan); }).find("spacing = ") == 0);
 }
+
+}  // namespace self_affine_test

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace weierstrass_mandelbrot_test {
+
 using namespace fstiff;
 
 namespace {
@@ -140,3 +142,5 @@ TEST_CASE("A generator out of range is refused by name and value") {
     CHECK_FALSE(test::refusal([&] { (void)wm.sample(10, 0.0); }).empty());
     CHECK_FALSE(test::refusal([&] { (void)wm(std::numeric_limits<double>::infinity()); }).empty());
 }
+
+}  // namespace weierstrass_mandelbrot_test

@@ -8,6 +8,8 @@
 
 #include <numbers>
 
+namespace areal_autocorrelation_test {
+
 using namespace fstiff;
 
 namespace {
@@ -165,3 +167,5 @@ TEST_CASE("Periodic maps with missing points and thresholds beyond 1 are refused
     const auto one = given(5, 1, 1, [](double, double) { return 1.0; });
     CHECK(test::refusal([&] { (void)texture_parameters(one, 1.5); }).find("between 0 and 1") != std::string::npos);
 }
+
+}  // namespace areal_autocorrelation_test

@@ -9,6 +9,8 @@
 
 #include <numbers>
 
+namespace areal_parameters_test {
+
 using namespace fstiff;
 
 TEST_CASE("Areal parameters are those that numpy finds") {
@@ -88,3 +90,5 @@ TEST_CASE("A map without a whole cell has no developed area") {
     CHECK_FALSE(areal_parameters(map).developed_area_ratio);
     CHECK(areal_parameters(map).rms_gradient > 0);
 }
+
+}  // namespace areal_parameters_test

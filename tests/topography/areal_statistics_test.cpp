@@ -9,6 +9,8 @@
 #include <array>
 #include <numbers>
 
+namespace areal_statistics_test {
+
 using namespace fstiff;
 
 namespace {
@@ -249,3 +251,5 @@ TEST_CASE("Sines have the mean square curvature of the second difference, exactl
     CHECK(test::relative_error(found.m4_y, m4_y) <= 1e-13);
     CHECK(test::relative_error(found.m4, (m4_x + m4_y) / 2) <= 1e-13);
 }
+
+}  // namespace areal_statistics_test

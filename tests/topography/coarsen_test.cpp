@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace coarsen_test {
+
 using namespace fstiff;
 
 TEST_CASE("whole ratios are block means") {
@@ -49,3 +51,5 @@ TEST_CASE("maps that cannot be made coarser are refused") {
     map.heights(2, 2) = std::nan("");
     CHECK(test::refusal([&] { (void)coarsened(map, 2, 2); }).find("1 missing points") != std::string::npos);
 }
+
+}  // namespace coarsen_test

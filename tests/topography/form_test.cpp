@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace form_test {
+
 using namespace fstiff;
 
 namespace {
@@ -173,3 +175,5 @@ TEST_CASE("A map that is its own form is refused as a constant one is, whatever 
             CHECK_NOTHROW(level(map, form));
         }
 }
+
+}  // namespace form_test

@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+namespace gaussian_map_filter_test {
+
 using namespace fstiff;
 
 namespace {
@@ -105,3 +107,5 @@ TEST_CASE("Cut-offs of a map below two steps of its coarser side or beyond its s
     CHECK(refusal(missing).find("cut-off") == 0);
     CHECK_FALSE(test::refusal([&] { (void)gaussian_high_pass(map, 2.9e-6); }).empty());
 }
+
+}  // namespace gaussian_map_filter_test

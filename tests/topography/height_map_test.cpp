@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace height_map_test {
+
 using namespace fstiff;
 
 TEMPLATE_TEST_CASE("Mean and rms of a map take the points that exist, whatever the offset", "", float, double,
@@ -28,3 +30,5 @@ TEST_CASE("A map without points, or of one height, has no mean or no rms") {
     CHECK(mean_height(map) == 2);
     CHECK(test::refusal([&] { (void)rms_height(map); }).find("map of constant height") == 0);
 }
+
+}  // namespace height_map_test

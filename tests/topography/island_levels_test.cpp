@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+namespace island_levels_test {
+
 using namespace fstiff;
 
 namespace {
@@ -103,3 +105,5 @@ TEMPLATE_TEST_CASE("The range of heights leaves missing points out", "", float, 
     none.heights(2, 2) = -std::numeric_limits<T>::infinity();
     CHECK(detail::height_range(none).low == -std::numeric_limits<T>::infinity());
 }
+
+}  // namespace island_levels_test

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+namespace islands_test {
+
 using namespace fstiff;
 
 namespace {
@@ -432,3 +434,5 @@ TEST_CASE("The sweep and the resamples tell how far they are, and what the hook 
     };
     CHECK_THROWS_AS(representative_islands(map, {}, spread), std::runtime_error);
 }
+
+}  // namespace islands_test

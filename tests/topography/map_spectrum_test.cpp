@@ -9,6 +9,8 @@
 #include <map>
 #include <numbers>
 
+namespace map_spectrum_test {
+
 using namespace fstiff;
 
 namespace {
@@ -203,3 +205,5 @@ TEST_CASE("maps without a spectrum are refused") {
     for (const Edges edges : {Edges::mirrored, Edges::periodic})
         CHECK(test::refusal([&] { (void)map_spectrum(map, edges); }).find("1 missing points") != std::string::npos);
 }
+
+}  // namespace map_spectrum_test

@@ -10,6 +10,8 @@
 
 #include <numbers>
 
+namespace radial_spectrum_test {
+
 using namespace fstiff;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("Maps with missing points have no spectrum") {
               (void)radial_spectrum(test::reference_map("map_holes"));
           }).find("missing points: must be filled") != std::string::npos);
 }
+
+}  // namespace radial_spectrum_test

@@ -6,6 +6,8 @@
 
 #include <random>
 
+namespace repair_test {
+
 using namespace fstiff;
 
 TEST_CASE("A hole in a surface that is harmonic in five points is filled by that surface") {
@@ -46,3 +48,5 @@ TEST_CASE("Spikes of a map are taken out, and of Gaussian roughness less than 1e
     CHECK(find_spikes(map, 8).removed == 10);
     for (Eigen::Index j = 10; j < 300; j += 30) CHECK(std::isnan(map.heights(j, 17)));
 }
+
+}  // namespace repair_test

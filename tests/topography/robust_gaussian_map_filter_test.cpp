@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <random>
 
+namespace robust_gaussian_map_filter_test {
+
 using namespace fstiff;
 
 namespace {
@@ -93,3 +95,5 @@ TEST_CASE("Grooves on a tenth of a map move the Gaussian mean surface, and not t
     CHECK(moved < moved_gaussian / 40);
     CHECK_THROWS_AS(robust_waviness(clean, 1e-6), domain_error);
 }
+
+}  // namespace robust_gaussian_map_filter_test

@@ -4,6 +4,8 @@
 
 #include "support/catch.hpp"
 
+namespace shifted_sum_test {
+
 using namespace fstiff;
 
 namespace {
@@ -52,3 +54,5 @@ TEST_CASE("a missing point is missing in the sum, and maps of two grids have non
     CHECK(no_sum_of(upper, lower) == "the points of the maps are not equally far apart");
     CHECK_THROWS_AS(shifted_sum(upper, lower, 0, 0), domain_error);
 }
+
+}  // namespace shifted_sum_test

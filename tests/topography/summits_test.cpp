@@ -6,6 +6,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace summits_test {
+
 using namespace fstiff;
 
 TEST_CASE("the summits of a map add up to its statistics") {
@@ -49,3 +51,5 @@ TEST_CASE("a paraboloid is one summit of its curvatures") {
     CHECK(test::relative_error(top.y, 9e-7) < 1e-15);
     CHECK(test::relative_error(top.height, -map.heights.mean()) < 1e-12);
 }
+
+}  // namespace summits_test

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+namespace propagation_test {
+
 using namespace fstiff;
 
 namespace {
@@ -133,3 +135,5 @@ TEST_CASE("The error of R is that of K carried on, and back again") {
         }
     CHECK(reflection(Estimate<double>{0, 0, 0}, pairs[0], omega).value == 1);
 }
+
+}  // namespace propagation_test

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+namespace resolvable_stiffness_test {
+
 using namespace fstiff;
 using test::relative_error;
 
@@ -33,3 +35,5 @@ TEST_CASE("Bodies that reflect nearly all leave no range, and ends in disorder a
                    (void)resolvable_stiffness(Impedances<double>{46e6, 46e6}, 4.4e7, ends.first, ends.second);
                }).empty());
 }
+
+}  // namespace resolvable_stiffness_test

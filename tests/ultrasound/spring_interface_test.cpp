@@ -12,6 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace spring_interface_test {
+
 using fstiff::Impedances;
 
 namespace {
@@ -270,3 +272,5 @@ TEMPLATE_TEST_CASE("arguments out of range are refused by name", "[ultrasound]",
     CHECK(has(refusal([&] { (void)fstiff::stiffness_from_reflection(std::numeric_limits<T>::min(), T(1e9), T(1e9)); }),
               "reflection = "));
 }
+
+}  // namespace spring_interface_test
