@@ -31,12 +31,15 @@ def main():
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--eigen", default="/usr/include/eigen3", help="include folders, divided by semicolons")
     parser.add_argument("--flags", default="-O2")
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--rounds", type=int, default=2)
+    parser.add_argument("--program", type=pathlib.Path, help="a file in place of the README's program")
     parser.add_argument("--ratio", type=float, default=4.5, help="greatest multiple of the CPU seconds of Eigen alone")
     parser.add_argument("--bytes", type=int, default=300000, help="greatest size of the object file")
     options = parser.parse_args()
 
-    program = (ROOT / "README.md").read_text(encoding="utf-8").split("\n```cpp\n", 1)[1].split("\n```", 1)[0]
+    program = (options.program or ROOT / "README.md").read_text(encoding="utf-8")
+    if not options.program:
+        program = program.split("\n```cpp\n", 1)[1].split("\n```", 1)[0]
     flags = ["-std=c++20", *options.flags.split(), f"-I{ROOT / 'include'}"]
     flags += [flag for folder in options.eigen.split(";") for flag in ("-isystem", folder)]
     with tempfile.TemporaryDirectory() as folder:

@@ -62,13 +62,17 @@ if(NOT result EQUAL 0)
     message(SEND_ERROR "${said}")
 endif()
 
-set(before "#include <algorithm>\n#include <limits>")
-compile("${before}" "inline int right(int a) { return (std::max)(a, (std::numeric_limits<int>::min)()); }")
+compile("#include <algorithm>\n#include <limits>" "inline int right(int a) { return (std::max)(a, (std::numeric_limits<int>::min)()); }")
 if(NOT result EQUAL 0)
     message(SEND_ERROR "refused: ${said}")
 endif()
-foreach(wrong IN ITEMS "return std::max(a, 1);" "return a + std::numeric_limits<int>::min();" "int near = a;"
-                       "return a; int far;" "int small = a;" "const int E = a;" "const int G = a;")
+foreach(wrong IN ITEMS "return std::max(a, 1);" "return a + std::numeric_limits<int>::min();" "int near = a; return near;"
+                       "int far = a; return far;" "int small = a; return small;" "const int E = a; return E;"
+                       "const int G = a; return G;")
+    set(before "")
+    if(wrong MATCHES "std::")
+        set(before "#include <algorithm>\n#include <limits>")
+    endif()
     compile("${before}" "inline int wrong(int a) { ${wrong} }")
     if(result EQUAL 0)
         message(SEND_ERROR "accepted: ${wrong}")

@@ -31,10 +31,10 @@ void print_contact() {
 void print_surfaces() {
     const auto trace =
         fstiff::self_affine_profile<double>({.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 500e-6}, 4096, 0.5e-6);
-    const auto measured = fstiff::surface_parameters(fstiff::level(trace, fstiff::Form::line));
-    print("sigma", measured.rms_height.value);
-    print("R", measured.peak_radius.value);
-    print("D", measured.fractal_dimension ? measured.fractal_dimension->value : 0);
+    const auto level = fstiff::level(trace, fstiff::Form::line);
+    print("kurtosis", fstiff::height_statistics(level.profile).kurtosis.value);
+    print("rms curvature", fstiff::peak_statistics(level.profile).rms_curvature);
+    print("S of the fourth lag", fstiff::structure_function(level.profile).value[3]);
     const auto map = fstiff::self_affine_map<double>(
         {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = 32e-6, .shortest_wavelength = 8e-6}, 128, 128, 0.5e-6,
         0.5e-6);
