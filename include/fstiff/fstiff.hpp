@@ -133,6 +133,7 @@
 #include <fstiff/measured/from_profile.hpp>
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
+#include <fstiff/measured/lay.hpp>
 #include <fstiff/measured/long_waves.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/pooled_surface.hpp>

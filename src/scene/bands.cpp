@@ -188,6 +188,7 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
                     parts.window_high = std::max(parts.window_high, change);
                 }
             }
+            if (scene.has_lay) band.high = std::min(lay_factor * band.high, std::numeric_limits<double>::max() / 2);
             curve.band.push_back(band);
         }
         next += scene.points.size();

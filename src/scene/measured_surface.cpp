@@ -66,8 +66,18 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
     surface.peaks = found.peaks_counted;
     surface.concerns = concerns_of(found);
-    if (has(surface.concerns, MeasuredConcern::anisotropic))
+    const bool lay = has(surface.concerns, MeasuredConcern::lay);
+    if (has(surface.concerns, MeasuredConcern::anisotropic) && !lay)
         warned.push_back("the map differs along x and y; the models take it for isotropic");
+    if (lay)
+        warned.push_back(
+            profile ? "the profile repeats itself every " + shown_length(found.repetition.period) + " (autocorrelation " +
+                          rounded(found.repetition.correlation, 2) +
+                          "): the face has a lay, and a profile cannot show how far its ridges reach; K may be up to " +
+                          rounded(lay_factor) + " times higher; measure a map"
+                    : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
+                          "): laws over a distribution of peaks take it for isotropic; hybrid and boundary_elements "
+                          "take the map as it is");
     if (has(surface.concerns, MeasuredConcern::long_waves))
         warned.push_back(shown_percent(found.long_wave_share) +
                          " of the mean square height are waves longer than an eighth of the " + surface.kind +
@@ -124,8 +134,12 @@ std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const 
     return all;
 }
 
+bool is_profile_with_lay(const MeasuredSurface& surface) {
+    return surface.kind == "profile" && has(surface.concerns, MeasuredConcern::lay);
+}
+
 bool is_doubtful(const MeasuredSurface& surface) {
-    return has(surface.concerns, MeasuredConcern::implausible_gradient) ||
+    return has(surface.concerns, MeasuredConcern::implausible_gradient) || is_profile_with_lay(surface) ||
            !unknown_parameters(surface, surface.parameters).empty();
 }
 

@@ -179,7 +179,7 @@ void add_warnings(const Scene& scene, Results& results) {
 
     const std::size_t before = results.warnings.size();
     for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
-    if (results.warnings.size() > before || scene.implausible || !unknown_parameters(scene).empty())
+    if (results.warnings.size() > before || scene.implausible || scene.has_lay || !unknown_parameters(scene).empty())
         results.doubtful = true;
 }
 

@@ -560,6 +560,8 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     for (const auto& [name, face] : measured_faces(scene))
         for (const std::string& warning : face->measured->warnings)
             scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + warning);
+    for (const auto& [name, face] : measured_faces(scene))
+        scene.has_lay = scene.has_lay || is_profile_with_lay(*face->measured);
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.subtable("material"), scene);
     read_persson(source, top, scene);

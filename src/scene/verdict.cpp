@@ -171,6 +171,7 @@ std::string about_flow(const Scene& scene, const Results& results) {
 std::vector<std::string> short_verdict(const Scene& scene, const Results& results) {
     const AboutHeights heights = about_heights(scene);
     std::vector<std::string> sentences;
+    if (scene.has_lay) return {"A profile of a face with a lay cannot tell K: measure a map."};
     for (std::string sentence :
          {heights.shorter,
           peaks_flow(results) ? "The peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
@@ -185,9 +186,13 @@ std::vector<std::string> short_verdict(const Scene& scene, const Results& result
 
 std::vector<std::string> verdict(const Scene& scene, const Results& results) {
     std::vector<std::string> sentences;
+    if (scene.has_lay)  // no law holds
+        sentences.push_back("a profile repeats itself, so that its face has a lay: it cannot tell K, which may be up to " +
+                            rounded(lay_factor) + " times higher, as the bands say; believe hybrid or boundary_elements of a map");
     const AboutHeights heights = about_heights(scene);
     for (std::string sentence :
-         {heights.sentence, about_flow(scene, results), heights.far_from_gaussian ? "" : about_pressures(scene, results),
+         {scene.has_lay ? "" : heights.sentence, about_flow(scene, results),
+          scene.has_lay || heights.far_from_gaussian ? "" : about_pressures(scene, results),
           about_contacts(scene, results)})
         if (!sentence.empty()) sentences.push_back(std::move(sentence));
     sentences.insert(sentences.end(), results.about_band.begin(), results.about_band.end());

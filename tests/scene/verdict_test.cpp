@@ -6,7 +6,9 @@
 
 #include "scene/validated_ratio.hpp"
 
+#include <fstiff/core/text.hpp>
 #include <fstiff/io/write_csv.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/half_space_maps.hpp"
@@ -131,6 +133,39 @@ TEST_CASE("Where points are missing, the way to fill them is named, and hybrid i
     CHECK_FALSE(contains(sentences, "add \"boundary_elements\""));
     CHECK(contains(test::refusal([&] { (void)read(with("", "laws = [\"boundary_elements\"]")); }), "fill = true"));
     CHECK(read(with("fill = true\n", "")).laws.front().law->name == "hybrid");
+}
+
+TEST_CASE("A profile across grooves is told to be no measure of K, and its band reaches 20 times as high") {
+    const test::Folder folder;
+    fstiff::SelfAffineOptions<double> rough;
+    rough.hurst = 0.7, rough.rms = 0.12e-6, rough.longest_wavelength = 60e-6, rough.shortest_wavelength = 16e-6;
+    fstiff::Profile<double> profile = fstiff::self_affine_profile(rough, 1024, 4e-6);
+    const auto scene_of_profile = [&](const char* name) {
+        std::string rows;
+        for (std::size_t i = 0; i < profile.size(); ++i)
+            rows += fstiff::shortest_text(double(i) * 4) + "," + fstiff::shortest_text(profile.heights[i] * 1e6) + "\n";
+        folder.write(std::string(name) + ".csv", rows);
+        return read("[surface]\nfrom = \"" + folder / name + ".csv\"\nunits = \"um\"\n[material.upper]\n"
+                    "youngs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\npressures = [\"10 MPa\"]\n"
+                    "laws = [\"hertz\"]\n[uncertainty]\nsamples = 40\n");
+    };
+    CHECK_FALSE(contains(verdict_of(scene_of_profile("isotropic")), "lay"));
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const double x = std::remainder(double(i) * 4, 256);
+        profile.heights[i] += x * x / 1600 * 1e-6;
+    }
+    scene::Scene turned = scene_of_profile("turned");
+    CHECK(turned.has_lay);
+    const scene::Results with = scene::compute(turned);
+    CHECK(with.doubtful);
+    REQUIRE_FALSE(with.verdict.empty());
+    CHECK(contains(with.verdict.front(), "its face has a lay: it cannot tell K"));
+    for (const std::string& sentence : with.verdict) CHECK_FALSE(contains(sentence, "too large"));
+    CHECK(with.short_verdict == std::vector<std::string>{"A profile of a face with a lay cannot tell K: measure a map."});
+    turned.has_lay = false;
+    const scene::Results without = scene::compute(turned);
+    CHECK(test::relative_error(with.curves[0].band[0].high, 20 * without.curves[0].band[0].high) < 1e-14);
+    CHECK(with.curves[0].band[0].low == without.curves[0].band[0].low);
 }
 
 }  // namespace verdict_test

@@ -11,6 +11,8 @@
 ///                          a lag shows waves up to some ten times as long
 ///     spectrum_differs     D of the power spectrum differs by 0.1 and three standard deviations
 ///     anisotropic          a map differs along x and y: the models take it for isotropic
+///     lay                  a profile repeats itself, or Str of a map is below 0.3 (measured/lay.hpp): a profile does not know
+///                          how far the ridges reach, and K may be 20 times higher
 ///     long_waves           three quarters of the mean square height and more are in waves longer than an eighth of the
 ///                          surface: sigma is that of this length
 ///     few_peaks            R and D_p come from fewer than 30 peaks: their errors are rough
@@ -40,6 +42,7 @@ enum class MeasuredConcern {
     filtered,
     spectrum_differs,
     anisotropic,
+    lay,
     long_waves,
     few_peaks,
     radius_uncertain,
@@ -57,6 +60,7 @@ inline constexpr auto names<MeasuredConcern> = name_list<MeasuredConcern>({
     {MeasuredConcern::filtered, "filtered"},
     {MeasuredConcern::spectrum_differs, "spectrum_differs"},
     {MeasuredConcern::anisotropic, "anisotropic"},
+    {MeasuredConcern::lay, "lay"},
     {MeasuredConcern::long_waves, "long_waves"},
     {MeasuredConcern::few_peaks, "few_peaks"},
     {MeasuredConcern::radius_uncertain, "radius_uncertain"},
@@ -128,12 +132,13 @@ template <Real T>
     return found;
 }
 
-/// Of curved, anisotropic, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
+/// Of curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface) {
     std::vector<MeasuredConcern> found;
     if (surface.curved) found.push_back(MeasuredConcern::curved);
     if (surface.anisotropic) found.push_back(MeasuredConcern::anisotropic);
+    if (surface.repetition.is_lay() || is_lay(surface.texture_aspect_ratio)) found.push_back(MeasuredConcern::lay);
     const bool long_waves = surface.long_wave_share > T(0.75);
     if (long_waves) found.push_back(MeasuredConcern::long_waves);
     detail::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);

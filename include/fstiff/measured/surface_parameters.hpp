@@ -37,6 +37,7 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/height_sums.hpp>
+#include <fstiff/measured/lay.hpp>
 #include <fstiff/measured/long_waves.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
@@ -105,6 +106,8 @@ struct SurfaceParameters {
     LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
     T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
     bool anisotropic{};           ///< of a map
+    Repetition<T> repetition{};   ///< of a profile
+    T texture_aspect_ratio{1};    ///< Str of a map
     bool curved{};                ///< no clean power law in the window
     std::size_t peaks_counted{};  ///< behind R and D_p
     std::size_t blocks{};         ///< independent parts that the errors come from
@@ -265,6 +268,7 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
                               [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, whole, waves);
+    result.repetition = repetition(profile);
     detail::store_sums(result, whole, spread, unit, step, step);
     detail::require_numbers(result);
     result.peaks_counted = all.triples.peaks;
@@ -330,6 +334,7 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     const auto waves = detail::long_waves<S>(map.rows(), map.columns(), whole[0] * whole[0], height);
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, whole, waves);
+    result.texture_aspect_ratio = texture_aspect_ratio(map);
     detail::store_sums(result, whole, spread, unit, static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) {
