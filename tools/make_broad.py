@@ -33,15 +33,15 @@ def maps():
     for seed in (1, 2, 3):
         for hurst in ("0.8", "0.999"):
             yield hurst, 4, "none", 128, 512, seed
-    for seed in (1, 2):
-        for hurst in ("0.999", "0.8"):
-            yield hurst, 2, "none", 256, 1024, seed
-    yield "0.999", 2, "none", 512, 2048, 1
+    for hurst, seed in (("0.999", 1), ("0.8", 1), ("0.999", 2)):
+        yield hurst, 2, "none", 256, 1024, seed
+    yield "0.8", 4, "none", 512, 2048, 1
+    for hurst, seed in (("0.999", 1), ("0.8", 2), ("0.5", 1), ("0.999", 2), ("0.8", 3)):
+        yield hurst, 4, "none", 256, 1024, seed
+    yield "0.999", 4, "none", 512, 2048, 1
     for seed in (1, 2, 3):
         for hurst in ("0.2", "0.5"):
             yield hurst, 4, "none", 128, 512, seed
-    for seed in (2, 3):
-        yield "0.8", 4, "none", 256, 1024, seed
 
 
 def key(row):

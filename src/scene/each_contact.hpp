@@ -31,11 +31,6 @@ inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const Any
     return points;
 }
 
-/// Whether \p law has a curve for each joint distribution of peaks.
-inline bool is_joint(const Law& law, const Scene& scene) {
-    return law.has_peaks && !(law.summits_of_map && scene.map && scene.spectrum_of_map);
-}
-
 /// The rms gradient of the surface for p*, the same for every law: known; of the surface's own r and theta; of its spectrum,
 /// where it has one; else of the last entry of contact.peaks that gives one (r = 0 gives none).
 inline std::optional<double> gradient(const Scene& scene) {
@@ -72,7 +67,7 @@ void for_each_contact(const Scene& scene, double modulus, const ProgressHook& pr
     for (const ChosenLaw& chosen : scene.laws) {
         const Law& law = *chosen.law;
         inputs.options = chosen.options;
-        if (!is_joint(law, scene)) {
+        if (!law.has_peaks) {
             visit(Curve{.law = &law, .rms_gradient = slope}, [&] { return law.contact(inputs); });
             continue;
         }
