@@ -3,7 +3,7 @@
 """Makes tests/data/broad.csv: boundary elements of Gaussian self-affine maps, narrow and broad.
 
     tools/make_broad.py build/release/bin/fstiff_broad            adds the maps that the table lacks; an hour of one core for all
-    tools/make_broad.py build/release/bin/fstiff_broad --check 4  computes every fourth map of 256 points again: exit code 1 when
+    tools/make_broad.py build/release/bin/fstiff_broad --check 20 computes every twentieth map of 256 points again: exit code 1 when
                                                                   a stiffness differs by more than 1e-3
 
 A map is (Hurst exponent, wave number of the roll-off, waves below it, cut-off, points a side, seed); wave numbers count waves a side.

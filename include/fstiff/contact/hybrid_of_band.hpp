@@ -31,6 +31,7 @@
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -63,11 +64,14 @@ public:
               std::type_identity_t<T> alpha = alpha_of_hills<T>)
         : hills_(peaks_of_band(cut_at_bandwidth(band, alpha), effective_modulus)),
           summits_(peaks_of_band(band, effective_modulus)),
-          closing_(effective_modulus * band.rms_gradient() / std::sqrt(T(2))) {}
+          closing_(effective_modulus * band.rms_gradient() / std::sqrt(T(2))),
+          most_(hills_.at_separation(-900 * hills_.rms_height(), Quantity::pressure).pressure.value) {}
 
     /// The hills under the nominal pressure \p pressure [Pa]. \throws domain_error as RoughContact.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        return of_whole_band(hills_.at_pressure(pressure, wanted), pressure, wanted);
+        ContactState<T> state = hills_.at_pressure((std::min)(pressure, most_), wanted);
+        if (pressure > most_) state.pressure.value = pressure;
+        return of_whole_band(state, pressure, wanted);
     }
     /// The hills at the separation \p separation [m] of the mean planes. \throws domain_error as RoughContact.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
@@ -99,6 +103,7 @@ private:
 
     RoughContact<T, HertzLaw<T>> hills_, summits_;
     T closing_;  ///< E g/sqrt(2) [Pa]
+    T most_;     ///< [Pa]; beyond, K of the hills stays: it is 0.002 of Persson's and less there, whose fifth power counts
 };
 
 /// \p gamma is that of PerssonContact. \throws domain_error as PerssonContact and BandHills.

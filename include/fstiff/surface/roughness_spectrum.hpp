@@ -119,6 +119,27 @@ template <Real T>
     return spectrum;
 }
 
+/// The least Hurst exponent with which a band without a flat part has the moments \p moments and is at most \p widest = q2/q1
+/// wide, such as the length of a profile over two steps; 0 where any does, 1 where none does. To 1e-12.
+template <Real T>
+[[nodiscard]] T least_hurst(const SpectralMoments<T>& moments, std::type_identity_t<T> widest) {
+    require(widest > 1, "widest band", widest, "greater than 1");
+    const T log_ratio = std::log(widest);
+    if (!std::isfinite(log_ratio)) return 0;
+    const auto is_too_wide = [&](T hurst) {  // alpha of a band grows with H and with q2/q1
+        const auto F = [&](T s) { return detail::power_integral(s - 2 * hurst, log_ratio); };
+        return moments.bandwidth() > T(1.5) * (F(T(0)) / F(T(2))) * (F(T(4)) / F(T(2)));
+    };
+    T low = 0, high = 1;
+    if (!is_too_wide(low)) return low;
+    if (is_too_wide(high)) return high;
+    for (int i = 0; i < 40; ++i) {
+        const T middle = (low + high) / 2;
+        (is_too_wide(middle) ? low : high) = middle;
+    }
+    return high;
+}
+
 /// The band without a flat part that has the moments \p moments and the Hurst exponent \p hurst.
 /// \throws domain_error unless 0 < H <= 1 and alpha > 3/2, with ln(q2/q1) between 0.001 and 60.
 template <Real T>
