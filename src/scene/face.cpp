@@ -93,6 +93,10 @@ double hurst_exponent(const Face& face) {
     return std::max(of_dimension, least_hurst(spectral_moments(face), face.widest_band));
 }
 
+bool has_isotropic_peaks(const Face& face) {
+    return (face.alpha || face.rms_gradient) && spectral_moments(face).bandwidth() > 1.5;
+}
+
 std::string no_spectrum(const Face& face) {
     if (face.map && face.spectrum_of_map) {
         if (const std::string missing = missing_points(*face.map); !missing.empty()) return missing;

@@ -55,6 +55,8 @@ struct Face {
 /// measured.
 [[nodiscard]] SpectralMoments<double> spectral_moments(const Face& face);
 [[nodiscard]] double hurst_exponent(const Face& face);
+/// Whether the joint peaks of \p face follow from its alpha: it is known, or rms_gradient makes it, and above 1.5.
+[[nodiscard]] bool has_isotropic_peaks(const Face& face);
 /// Why \p face has no spectrum for Persson's theory, and what gives it one; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Face& face);
 /// How many points of the maps of \p map are missing, and how they are filled; empty where none is.

@@ -21,7 +21,8 @@ OneContact contact_of(Scene of, double modulus, std::size_t law, std::size_t pea
     if (law >= kept.laws.size()) refuse_entry("law", law, "an entry of contact.laws");
     std::size_t wanted = peaks;
     for (std::size_t i = 0; i <= law; ++i) {
-        const std::size_t curves = kept.laws[i].law->has_peaks ? kept.peaks.size() : 1;
+        const Law& one_law = *kept.laws[i].law;
+        const std::size_t curves = one_law.has_peaks ? peaks_of(one_law, kept).size() : 1;
         if (i < law)
             wanted += curves;
         else if (peaks >= curves)

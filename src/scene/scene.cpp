@@ -308,7 +308,11 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
         for (const char* theta : {"pi/4", "pi/3"})
             scene.peaks.push_back(
                 {io::parse_angle(theta, "theta"), std::nullopt, false, {.file = source.file}, "contact.peaks."});
-        source.record(contact.key("peaks"), "theta = pi/4 and pi/3, r = exponential (default)");
+        scene.default_peaks = true;
+        const bool isotropic = has_isotropic_peaks(scene);
+        source.record(contact.key("peaks"), isotropic ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws theta = pi/4 "
+                                                        "and pi/3, r = exponential (default)"
+                                                      : "theta = pi/4 and pi/3, r = exponential (default)");
     }
 }
 

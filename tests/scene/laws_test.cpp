@@ -2,7 +2,7 @@
 // The keys of a scene for the laws beside those of the paper. Truth: the library's contacts, made by hand; tests/data.
 #include "scene/results.hpp"
 
-#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/io/write_csv.hpp>
@@ -69,10 +69,8 @@ TEST_CASE("rms_height, rms_gradient and alpha suffice for hybrid and persson") {
     const auto results = computed(scene_of(moments, "\"hybrid\", \"persson\"", "[persson]\ngamma = 0.5\n"));
     const double E = 1e9;
     const auto m = moments_of_gradient(1.1e-6, 0.1, 8.24);
-    const Roughness<double> surface{1.1e-6, peak_radius_of(m), peak_density_of(m)};
     const PerssonContact<double> persson(band_of_moments(m, 0.7), E, 0.5);
-    const HybridContact hybrid(RoughContact(surface, PeakDistribution<double>(0.5, 1.0), HertzLaw<double>{}, E),
-                               persson);
+    const auto hybrid = hybrid_of_band(band_of_moments(m, 0.7), E, 0.5);
     REQUIRE(results.curves.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         const double p = i == 0 ? 1e6 : 5e6;
