@@ -297,3 +297,16 @@ TEST_CASE("Every law says what it is") {
     for (const scene::Law& law : scene::laws()) CHECK(!law.nature.empty());
     CHECK(scene::find_law("fractal")->nature.starts_with("the print of the paper"));
 }
+
+TEST_CASE("Where alpha is known and no peaks are given, they are those of an isotropic surface, but of paper laws") {
+    const std::string numbers = "rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 25\nfractal_dimension = 1.4";
+    const std::string text = scene_of(numbers, "\"fractal\", \"hertz\"");
+    CHECK(computed(text).curves.size() == 2);  // peaks that are given hold for all
+    const auto curves = computed(test::replaced(text, "peaks = [{ theta = 1.0, r = 0.5 }]\n", "")).curves;
+    REQUIRE(curves.size() == 3);
+    for (std::size_t i = 0; i < 2; ++i) CHECK(curves[i].law->name == "fractal");
+    CHECK(test::relative_error(*curves[1].theta, std::numbers::pi / 3) < 1e-15);
+    CHECK(curves[2].law->name == "hertz");
+    CHECK(test::relative_error(*curves[2].r, 0.2) < 1e-12);  // 1/sqrt(25)
+    CHECK(*curves[2].theta == 1e-3);
+}
