@@ -104,6 +104,7 @@
 #include <fstiff/contact/gradient_spectrum.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_means.hpp>

@@ -31,9 +31,13 @@ inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const Any
     return points;
 }
 
-/// Whether \p law has a curve for each joint distribution of peaks.
-inline bool is_joint(const Law& law, const Scene& scene) {
-    return law.has_peaks && !(law.summits_of_map && scene.map && scene.spectrum_of_map);
+/// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where the scene names none,
+/// those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.
+inline std::vector<Peaks> peaks_of(const Law& law, const Scene& scene) {
+    if (!law.has_peaks) return {};
+    if (!scene.default_peaks || law.needs_dimension || !has_isotropic_peaks(scene)) return scene.peaks;
+    const auto peaks = PeakDistribution<double>::isotropic(spectral_moments(scene).bandwidth());
+    return {{.theta = peaks.theta(), .r = peaks.r(), .key = "contact.peaks."}};
 }
 
 /// The rms gradient of the surface for p*, the same for every law: known; of the surface's own r and theta; of its spectrum,
@@ -72,11 +76,11 @@ void for_each_contact(const Scene& scene, double modulus, const ProgressHook& pr
     for (const ChosenLaw& chosen : scene.laws) {
         const Law& law = *chosen.law;
         inputs.options = chosen.options;
-        if (!is_joint(law, scene)) {
+        if (!law.has_peaks) {
             visit(Curve{.law = &law, .rms_gradient = slope}, [&] { return law.contact(inputs); });
             continue;
         }
-        for (const Peaks& of : scene.peaks) {
+        for (const Peaks& of : peaks_of(law, scene)) {
             const PeakDistribution<double> peaks = peak_density(of);
             inputs.peaks = &peaks;
             visit(Curve{.law = &law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = slope},

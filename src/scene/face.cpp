@@ -8,7 +8,9 @@
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fstiff::scene {
@@ -35,6 +37,24 @@ bool is_as_measured(const Face& face) {
     return face.surface.rms_height == measured(Parameter::rms_height) &&
            face.surface.peak_radius == measured(Parameter::peak_radius) &&
            face.surface.peak_density == measured(Parameter::peak_density);
+}
+
+/// Greatest wave number over the least that \p measured can hold: from its length, or lambda_c, to two steps, or lambda_s.
+double widest_band(const MeasuredSurface& measured) {
+    double length = 0, step = 0;
+    if (measured.profile) {
+        step = measured.profile->profile.spacing;
+        length = static_cast<double>(measured.profile->profile.heights.size()) * step;
+    } else if (measured.map) {
+        const HeightMap<double>& map = measured.map->map;
+        step = std::max(map.dx, map.dy);
+        length = std::max(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
+    }
+    double widest = length > 0 ? std::min(length, measured.cut_offs.lambda_c.value_or(length)) /
+                                     std::max(2 * step, measured.cut_offs.lambda_s.value_or(0))
+                               : 0;
+    for (const MeasuredSurface& part : measured.parts) widest = std::max(widest, widest_band(part));
+    return widest > 1 ? widest : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -68,7 +88,13 @@ SpectralMoments<double> spectral_moments(const Face& face) {
 }
 
 double hurst_exponent(const Face& face) {
-    return face.hurst ? *face.hurst : face.fractal_dimension ? 2 - *face.fractal_dimension : 0.8;
+    if (face.hurst) return *face.hurst;
+    const double of_dimension = face.fractal_dimension ? 2 - *face.fractal_dimension : 0.8;
+    return std::max(of_dimension, least_hurst(spectral_moments(face), face.widest_band));
+}
+
+bool has_isotropic_peaks(const Face& face) {
+    return (face.alpha || face.rms_gradient) && spectral_moments(face).bandwidth() > 1.5;
 }
 
 std::string no_spectrum(const Face& face) {
@@ -127,6 +153,7 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
 
 Face face_of(const MeasuredSurface& measured) {
     Face face;
+    face.widest_band = widest_band(measured);
     face.measured = measured;
     const auto& p = measured.parameters;
     const auto value = [&](Parameter which) { return p.value[index_of(which)]; };

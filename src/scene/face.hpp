@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,7 @@ struct Face {
     std::optional<double> fractal_roughness;           ///< [m]
     std::optional<double> r, theta;                    ///< of the surface [1, rad]; both or none
     std::optional<double> rms_gradient, alpha, hurst;  ///< written, or measured; alpha is Nayak's m0 m4/m2^2
+    double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least that was measured
     double gradient_error = 0;  ///< standard error of rms_gradient that is independent of all others
     bool radius_follows = false, density_follows = false;  ///< R, D_p: of rms_height, rms_gradient and alpha
     bool spectrum_of_map = true;                       ///< [persson] spectrum = "map", where there is one
@@ -48,10 +50,13 @@ struct Face {
     }
 };
 
-/// Moments of the spectrum of \p face, and its Hurst exponent (2 - D, or 0.8 where neither is known): from rms gradient and
-/// alpha where they are known, else from R and D_p with eq. (4.10) and Nayak.
+/// Moments of the spectrum of \p face: from rms gradient and alpha where they are known, else from R and D_p with eq. (4.10) and
+/// Nayak. And its Hurst exponent: 2 - D, or 0.8 where neither is known, but no less than a band takes that is as wide as what was
+/// measured.
 [[nodiscard]] SpectralMoments<double> spectral_moments(const Face& face);
 [[nodiscard]] double hurst_exponent(const Face& face);
+/// Whether the joint peaks of \p face follow from its alpha: it is known, or rms_gradient makes it, and above 1.5.
+[[nodiscard]] bool has_isotropic_peaks(const Face& face);
 /// Why \p face has no spectrum for Persson's theory, and what gives it one; empty where it has one.
 [[nodiscard]] std::string no_spectrum(const Face& face);
 /// How many points of the maps of \p map are missing, and how they are filled; empty where none is.

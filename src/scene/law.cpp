@@ -7,7 +7,7 @@
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
-#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -275,8 +275,7 @@ std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
         return over_shifts(inputs, [&](const Summits<double>& of) {
             return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs));
         });
-    return held(HybridContact(RoughContact(inputs.surface, *inputs.peaks, hertz(0), inputs.effective_modulus),
-                              crowded(inputs)));
+    return held(hybrid_of_band(band_of_moments(inputs.moments, inputs.hurst), inputs.effective_modulus, inputs.gamma));
 }
 
 std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
@@ -399,12 +398,12 @@ const std::array<Law, 11> table{{
      .contact = greenwood_williamson},
     {.name = "hybrid",
      .nature = "elastic, for all loads: peaks and Persson's theory",
+     .has_peaks = false,
      .load = "at equal K",
      .stiffness = "(hertz^5 + persson^5)^(1/5)",
-     .peaks = "(4.4); of a map its summits",
+     .peaks = "of the spectrum cut where alpha is 6; of a map its summits",
      .contact = hybrid,
      .needs_spectrum = true,
-     .summits_of_map = true,
      .holds_when_crowded = true},
     {.name = "persson",
      .nature = "elastic, of the spectrum: crowded contacts",

@@ -128,7 +128,6 @@ struct Law {
     std::span<const LawOption> options{};
     bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
     bool needs_summits = false, needs_whole_map = false;  ///< of the map; the latter of 16 points a side at least
-    bool summits_of_map = false;      ///< of a map it takes the summits in place of a joint distribution
     bool holds_when_crowded = false;  ///< peaks that push each other down are in it
     bool ends = false;                ///< has no state above some pressure: the curve ends there, with a warning
     std::span<const double>

@@ -21,7 +21,8 @@ OneContact contact_of(Scene of, double modulus, std::size_t law, std::size_t pea
     if (law >= kept.laws.size()) refuse_entry("law", law, "an entry of contact.laws");
     std::size_t wanted = peaks;
     for (std::size_t i = 0; i <= law; ++i) {
-        const std::size_t curves = is_joint(*kept.laws[i].law, kept) ? kept.peaks.size() : 1;
+        const Law& one_law = *kept.laws[i].law;
+        const std::size_t curves = one_law.has_peaks ? peaks_of(one_law, kept).size() : 1;
         if (i < law)
             wanted += curves;
         else if (peaks >= curves)
@@ -66,7 +67,7 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
                                               : numbers.poisson_ratio.value_or(0);
     require(poisson > -1 && poisson <= 0.5, "poisson_ratio", poisson, "greater than -1 and at most 0.5");
     of.softer_poisson = poisson;
-    if (measured && is_joint(*found, of)) {
+    if (measured && found->has_peaks) {
         if (!of.r) throw domain_error("law " + law + ": needs r and theta of the surface: " + measured->peaks_refusal);
         of.peaks.push_back({.theta = *of.theta, .r = of.r});
     } else if (!measured && found->has_peaks) {

@@ -331,7 +331,8 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     results.surface_checks = check_surface(scene.surface, results.modulus, scene.yield_strength);
     std::size_t curves = 0;
-    for (const ChosenLaw& chosen : scene.laws) curves += is_joint(*chosen.law, scene) ? scene.peaks.size() : 1;
+    for (const ChosenLaw& chosen : scene.laws)
+        curves += chosen.law->has_peaks ? peaks_of(*chosen.law, scene).size() : 1;
     ProgressHook of_all;  // one bar for the points of all curves
     if (progress)
         of_all = [&](std::string_view what, std::size_t done, std::size_t all) {

@@ -308,7 +308,11 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
         for (const char* theta : {"pi/4", "pi/3"})
             scene.peaks.push_back(
                 {io::parse_angle(theta, "theta"), std::nullopt, false, {.file = source.file}, "contact.peaks."});
-        source.record(contact.key("peaks"), "theta = pi/4 and pi/3, r = exponential (default)");
+        scene.default_peaks = true;
+        const bool isotropic = has_isotropic_peaks(scene);
+        source.record(contact.key("peaks"), isotropic ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws theta = pi/4 "
+                                                        "and pi/3, r = exponential (default)"
+                                                      : "theta = pi/4 and pi/3, r = exponential (default)");
     }
 }
 
@@ -474,9 +478,13 @@ std::vector<Assumed> assumed(const Scene& scene) {
     if (of_map || std::none_of(scene.laws.begin(), scene.laws.end(),
                                [](const ChosenLaw& chosen) { return chosen.law->needs_spectrum; }))
         return all;
-    if (!scene.hurst)
-        all.push_back({"hurst", "H", scene.fractal_dimension ? "2 - D" : "assumed, since D is not known",
-                       hurst_exponent(scene)});
+    if (!scene.hurst) {
+        const double hurst = hurst_exponent(scene), least = least_hurst(spectral_moments(scene), scene.widest_band);
+        all.push_back({"hurst", "H",
+                       hurst == least ? "of a band as wide as what was measured"
+                       : scene.fractal_dimension ? "2 - D" : "assumed, since D is not known",
+                       hurst});
+    }
     if (!scene.alpha)
         all.push_back({"alpha", "alpha", scene.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
                        spectral_moments(scene).bandwidth()});

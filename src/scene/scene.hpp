@@ -103,6 +103,7 @@ struct Scene : Face {
     std::string points_where;  ///< file, line and key for messages
     std::vector<ChosenLaw> laws;
     std::vector<Peaks> peaks;
+    bool default_peaks = false;  ///< contact.peaks was not there, and those of the surface are not known
     InteractionReading reading = InteractionReading::none;
     InteractionLength length = InteractionLength::nominal;
     double given_length = 0;  ///< [m], for InteractionLength::given

@@ -19,5 +19,7 @@ struct ValidatedRatio {
 
 /// The range of p* in the table.
 inline constexpr double min_validated_pressure = 0.002, max_validated_pressure = 0.25;
+/// p* to which hybrid and persson were compared (tests/contact/hybrid_of_band_test.cpp), and beyond which they refuse.
+inline constexpr double max_compared_pressure = 0.75;
 
 }  // namespace fstiff::scene

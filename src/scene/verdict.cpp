@@ -113,7 +113,9 @@ std::string about_pressures(const Scene& scene, const Results& results) {
     if (!range) return "";
     const auto [low, high] = *range;
     std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) + ": ";
-    const std::string beyond = "nothing was compared above p* = " + rounded(max_validated_pressure);
+    const std::string beyond = "above p* = " + rounded(max_validated_pressure) +
+                               " hybrid and persson alone were compared, within 15 % up to " +
+                               rounded(max_compared_pressure) + ", where the contact is closed";
     if (low > max_validated_pressure) return text + beyond;
     const std::string hybrid = advised(scene, "hybrid");
     text += hybrid.empty() ? "hybrid " + refusal_of(*find_law("hybrid"), scene) +
@@ -129,12 +131,12 @@ std::string shortly_about_pressures(const Scene& scene, const Results& results) 
     if (!range) return "";
     const auto [low, high] = *range;
     const std::string limit = rounded(max_validated_pressure);
-    if (low > max_validated_pressure) return "No law was compared at these pressures (p* above " + limit + ").";
+    if (low > max_validated_pressure) return "Above p* = " + limit + " hybrid and persson alone were compared.";
     if (advised(scene, "hybrid").empty())
         return "No elastic law is recommended: hybrid cannot be computed for this surface.";
     return std::string("Recommended elastic law: hybrid") + (has_law(scene, "hybrid") ? "" : " (not in contact.laws)") +
            accuracy_of_hybrid(low, "a factor of two") +
-           (high > max_validated_pressure ? "; not compared above p* = " + limit + "." : ".");
+           (high > max_validated_pressure ? "; the only one compared above p* = " + limit + "." : ".");
 }
 
 std::string about_contacts(const Scene& scene, const Results& results) {

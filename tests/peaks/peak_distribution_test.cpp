@@ -125,6 +125,20 @@ TEST_CASE("exponential autocorrelation: 1 - r^2 = cot^2 theta") {
     CHECK_NOTHROW(PeakDistribution<long double>::exponential(fstiff::numbers::pi_v<long double> / 4));
 }
 
+TEST_CASE("peaks of an isotropic surface: r = 1/sqrt(alpha), and the limit of a vanishing step") {
+    const auto peaks = PeakDistribution<double>::isotropic(4.0);
+    CHECK(peaks.r() == 0.5);
+    // theta -> 0: t/(c sqrt(2 pi)) exp(-(zeta - r t)^2/(2 c^2)) exp(-t^2/2), a Rayleigh distribution of curvatures
+    const double c = std::sqrt(0.75);
+    for (const double t : {0.1, 1.0, 3.0}) {
+        const double z = (1.2 - 0.5 * t) / c, limit = t / (c * std::sqrt(2 * pi)) * std::exp(-(z * z + t * t) / 2);
+        CHECK(test::relative_error(peaks(1.2, t), limit) < 2e-6);
+    }
+    CHECK(test::relative_error(peaks.mean_curvature(), std::sqrt(pi / 2)) < 1e-6);
+    for (const double alpha : {1.0, 0.0, std::nan("")})
+        CHECK(test::refusal([&] { PeakDistribution<double>::isotropic(alpha); }).starts_with("Nayak's alpha"));
+}
+
 TEST_CASE("parameters out of range are refused by name, value and range") {
     const auto refused = [](double r, double theta) {
         return test::refusal([&] { PeakDistribution<double>(r, theta); });

@@ -2,7 +2,7 @@
 // The keys of a scene for the laws beside those of the paper. Truth: the library's contacts, made by hand; tests/data.
 #include "scene/results.hpp"
 
-#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/io/write_csv.hpp>
@@ -71,10 +71,8 @@ TEST_CASE("rms_height, rms_gradient and alpha suffice for hybrid and persson") {
     const auto results = computed(scene_of(moments, "\"hybrid\", \"persson\"", "[persson]\ngamma = 0.5\n"));
     const double E = 1e9;
     const auto m = moments_of_gradient(1.1e-6, 0.1, 8.24);
-    const Roughness<double> surface{1.1e-6, peak_radius_of(m), peak_density_of(m)};
     const PerssonContact<double> persson(band_of_moments(m, 0.7), E, 0.5);
-    const HybridContact hybrid(RoughContact(surface, PeakDistribution<double>(0.5, 1.0), HertzLaw<double>{}, E),
-                               persson);
+    const auto hybrid = hybrid_of_band(band_of_moments(m, 0.7), E, 0.5);
     REQUIRE(results.curves.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         const double p = i == 0 ? 1e6 : 5e6;
@@ -300,6 +298,19 @@ TEST_CASE("scenes that a law cannot be computed of are refused with what is miss
 TEST_CASE("Every law says what it is") {
     for (const scene::Law& law : scene::laws()) CHECK(!law.nature.empty());
     CHECK(scene::find_law("fractal")->nature.starts_with("the print of the paper"));
+}
+
+TEST_CASE("Where alpha is known and no peaks are given, they are those of an isotropic surface, but of paper laws") {
+    const std::string numbers = "rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 25\nfractal_dimension = 1.4";
+    const std::string text = scene_of(numbers, "\"fractal\", \"hertz\"");
+    CHECK(computed(text).curves.size() == 2);  // peaks that are given hold for all
+    const auto curves = computed(test::replaced(text, "peaks = [{ theta = 1.0, r = 0.5 }]\n", "")).curves;
+    REQUIRE(curves.size() == 3);
+    for (std::size_t i = 0; i < 2; ++i) CHECK(curves[i].law->name == "fractal");
+    CHECK(test::relative_error(*curves[1].theta, std::numbers::pi / 3) < 1e-15);
+    CHECK(curves[2].law->name == "hertz");
+    CHECK(test::relative_error(*curves[2].r, 0.2) < 1e-12);  // 1/sqrt(25)
+    CHECK(*curves[2].theta == 1e-3);
 }
 
 }  // namespace laws_test

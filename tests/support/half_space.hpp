@@ -6,7 +6,7 @@
 #include "support/table.hpp"
 
 #include <fstiff/contact/greenwood_williamson.hpp>
-#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
@@ -51,8 +51,9 @@ inline std::vector<HalfSpaceRatio> half_space_ratios() {
         const GreenwoodWilliamson<double> one_radius(surface, modulus);
         const auto moments = moments_of_gradient(surface.rms_height, surfaces.input(i, "rms_gradient"),
                                                  surfaces.input(i, "alpha"));
-        const PerssonContact<double> persson(band_of_moments(moments, surfaces.input(i, "hurst")), modulus);
-        const HybridContact hybrid(RoughContact(surface, peaks, HertzLaw<double>{}, modulus), persson);
+        const auto band = band_of_moments(moments, surfaces.input(i, "hurst"));
+        const PerssonContact<double> persson(band, modulus);
+        const auto hybrid = hybrid_of_band(band, modulus);
         const std::pair<std::string, std::function<double(double)>> laws[] = {
             {"hybrid", [&](double p) { return hybrid.stiffness(p); }},
             {"persson", [&](double p) { return persson.stiffness(p); }},

@@ -62,4 +62,48 @@ TEST_CASE("what no isotropic surface has is refused") {
     CHECK(test::refusal([&] { SpectrumShells<double>{}.validate(); }).find("shells") == 0);
 }
 
+TEST_CASE("a band is cut where alpha has the value asked for, and is left alone where it has less") {
+    for (const double hurst : {0.2, 0.8, 1.0})
+        for (const double rolloff : {1.0, 3.0}) {
+            const BandSpectrum<double> band{1, hurst, 1, rolloff, 1000};
+            const auto cut = cut_at_bandwidth(band, 5.0);
+            CAPTURE(hurst, rolloff);
+            CHECK(test::relative_error(cut.moments().bandwidth(), 5.0) < 1e-12);
+            CHECK(cut.C0 == band.C0);
+            CHECK(cut.q1 == band.q1);
+            CHECK(cut.q_rolloff == band.q_rolloff);
+            CHECK(cut.q2 < band.q2);
+            CHECK(cut_at_bandwidth(cut, 5.1).q2 == cut.q2);
+            // the heights stay, the gradient goes
+            CHECK(cut.rms_gradient() < 0.7 * band.rms_gradient());
+        }
+    const BandSpectrum<double> band{1, 0.8, 1, 1, 1000};
+    for (const double alpha : {2.0, 0.0, std::nan("")})
+        CHECK(test::refusal([&] { (void)cut_at_bandwidth(band, alpha); }).find("alpha of the cut") == 0);
+}
+
+TEST_CASE("the least Hurst exponent of a band that is no wider than asked for") {
+    for (const double alpha : {30.0, 200.0, 900.0}) {
+        const auto moments = moments_of_gradient(1e-6, 0.1, alpha);
+        double last = 1;
+        for (const double widest : {100.0, 1500.0, 1e5}) {
+            const double hurst = least_hurst(moments, widest);
+            CAPTURE(alpha, widest, hurst);
+            CHECK(hurst <= last);
+            last = hurst;
+            if (hurst == 1) {
+                const auto band = band_of_moments(moments, hurst);
+                CHECK(band.q2 / band.q1 > widest);
+            } else if (hurst > 0) {
+                const auto band = band_of_moments(moments, hurst);
+                CHECK(test::relative_error(band.q2 / band.q1, widest) < 1e-9);
+            }
+        }
+    }
+    CHECK(least_hurst(moments_of_gradient(1e-6, 0.1, 2.0), 1e3) == 0);
+    CHECK(least_hurst(moments_of_gradient(1e-6, 0.1, 1e4), 10.0) == 1);
+    CHECK(least_hurst(moments_of_gradient(1e-6, 0.1, 1e4), std::numeric_limits<double>::infinity()) == 0);
+    CHECK(test::refusal([] { (void)least_hurst(moments_of_gradient(1e-6, 0.1, 9.0), 1.0); }).find("widest") == 0);
+}
+
 }  // namespace roughness_spectrum_test

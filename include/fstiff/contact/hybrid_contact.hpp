@@ -47,14 +47,15 @@ public:
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
     }
 
-    /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
+    /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as stiffness() of either law.
     [[nodiscard]] T stiffness(T pressure) const {
         return joined(peaks_.at_pressure(pressure, Quantity::stiffness).stiffness.value, crowded_.stiffness(pressure));
     }
 
     /// The contact under the nominal pressure \p pressure [Pa].
-    /// \throws domain_error unless it is positive and within the reach of both laws.
+    /// \throws domain_error unless it is positive and within the reach of both laws: at most 0.75 E g.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        crowded_.require_compared(pressure);
         const bool stiff = has(wanted, Quantity::stiffness | Quantity::loading_stiffness);
         const Quantity of_peaks = stiff ? wanted | Quantity::stiffness : wanted;
         ContactState<T> state = peaks_.at_pressure(pressure, of_peaks);
@@ -78,7 +79,7 @@ public:
         return this->state_at_separation(separation, wanted);
     }
 
-    /// Separation [m] of the mean planes under \p pressure [Pa]; 0 from 2 E g on. \throws domain_error as at_pressure.
+    /// Separation [m] of the mean planes under \p pressure [Pa]; 0 from 2 E g on. \throws domain_error as stiffness.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
         require_positive("pressure", pressure);
         const T above = log_end() - std::log(pressure);

@@ -68,6 +68,13 @@ public:
         return {std::sqrt((std::max)(T(0), (1 - cot) * (1 + cot))), theta};
     }
 
+    /// The peaks of an isotropic surface of Nayak's alpha, measured at a vanishing step: r = 1/sqrt(alpha) and theta = 0.001,
+    /// next to its limit 0 by 1e-6 of the density. \throws domain_error unless alpha > 1.
+    static PeakDistribution isotropic(T alpha) {
+        require(alpha > 1 && std::isfinite(alpha), "Nayak's alpha", alpha, "finite and greater than 1");
+        return {1 / std::sqrt(alpha), T(1e-3)};
+    }
+
     /// Correlation of the height and the curvature of an ordinate, sigma_m^2/(sigma sigma_kappa).
     [[nodiscard]] T r() const { return r_; }
     /// Angle of the sampling [rad]: sin(theta) = h sigma_kappa/(2 sigma_m); 0 for a vanishing step h.

@@ -11,6 +11,9 @@
 ///
 ///     m0 = 2 pi C0 F(-2H)   m2 = pi C0 F(2-2H)   m4 = (3/4) pi C0 F(4-2H)   alpha = m0 m4/m2^2 fixes q2/q1 alone
 ///
+/// alpha grows with the upper end of a band. cut_at_bandwidth ends it where alpha has a given value: the short waves that are
+/// left out decide m4, and with it the radius and the density of the peaks, but hardly the height.
+///
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398 (moments, alpha); Persson et al., J. Phys. Condens. Matter 17 (2005) R1
 ///             (spectrum, Hurst exponent).
 /// Units       q [rad/m], C0 such that C is in m^4, m0 [m^2], m2 dimensionless, m4 [1/m^2]
@@ -28,6 +31,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace fstiff {
@@ -75,6 +79,7 @@ struct BandSpectrum {
     [[nodiscard]] T m0() const { return 2 * numbers::pi_v<T> * integral(1); }
     [[nodiscard]] T m2() const { return numbers::pi_v<T> * integral(3); }
     [[nodiscard]] T m4() const { return numbers::pi_v<T> * T(0.75) * integral(5); }
+    [[nodiscard]] SpectralMoments<T> moments() const { return {m0(), m2(), m4()}; }
     [[nodiscard]] T rms_height() const { return std::sqrt(m0()); }
     [[nodiscard]] T rms_gradient() const { return std::sqrt(2 * m2()); }
 };
@@ -114,6 +119,27 @@ template <Real T>
     return spectrum;
 }
 
+/// The least Hurst exponent with which a band without a flat part has the moments \p moments and is at most \p widest = q2/q1
+/// wide, such as the length of a profile over two steps; 0 where any does, 1 where none does. To 1e-12.
+template <Real T>
+[[nodiscard]] T least_hurst(const SpectralMoments<T>& moments, std::type_identity_t<T> widest) {
+    require(widest > 1, "widest band", widest, "greater than 1");
+    const T log_ratio = std::log(widest);
+    if (!std::isfinite(log_ratio)) return 0;
+    const auto is_too_wide = [&](T hurst) {  // alpha of a band grows with H and with q2/q1
+        const auto F = [&](T s) { return detail::power_integral(s - 2 * hurst, log_ratio); };
+        return moments.bandwidth() > T(1.5) * (F(T(0)) / F(T(2))) * (F(T(4)) / F(T(2)));
+    };
+    T low = 0, high = 1;
+    if (!is_too_wide(low)) return low;
+    if (is_too_wide(high)) return high;
+    for (int i = 0; i < 40; ++i) {
+        const T middle = (low + high) / 2;
+        (is_too_wide(middle) ? low : high) = middle;
+    }
+    return high;
+}
+
 /// The band without a flat part that has the moments \p moments and the Hurst exponent \p hurst.
 /// \throws domain_error unless 0 < H <= 1 and alpha > 3/2, with ln(q2/q1) between 0.001 and 60.
 template <Real T>
@@ -148,6 +174,28 @@ template <Real T>
     band.q1 = band.q_rolloff = std::sqrt(2 * moments.m2 / moments.m0 * (F0 / F2));
     band.q2 = band.q1 * std::exp(log_ratio);
     band.C0 = moments.m0 / (2 * numbers::pi_v<T> * F0) * std::pow(band.q1, 2 * hurst);
+    return band;
+}
+
+/// The waves of \p band up to the wave number at which Nayak's alpha reaches \p alpha; all of them where it does not.
+/// \throws domain_error as BandSpectrum::validate, and unless alpha > 2, which a flat part alone does not reach.
+template <Real T>
+[[nodiscard]] BandSpectrum<T> cut_at_bandwidth(BandSpectrum<T> band, std::type_identity_t<T> alpha) {
+    band.validate();
+    require(alpha > 2 && std::isfinite(alpha), "alpha of the cut", alpha, "finite and greater than 2");
+    if (band.moments().bandwidth() <= alpha) return band;
+    const T highest = std::log(band.q2 / band.q_rolloff);
+    const auto excess = [&](T x) {  // of ln alpha, and its slope against ln q2
+        band.q2 = band.q_rolloff * std::exp(x);
+        const SpectralMoments<T> m = band.moments();
+        const T q = band.q2, C = band.C0 * std::pow(q, -2 - 2 * band.hurst), unit = numbers::pi_v<T> * C * q * q;
+        const T slope = unit * (2 / m.m0 + T(0.75) * q * q * q * q / m.m4 - 2 * q * q / m.m2);
+        return std::pair(std::log(m.bandwidth() / alpha), slope);
+    };
+    const auto found = newton_bracketed(excess, 4 * std::numeric_limits<T>::epsilon(), highest, highest / 2,
+                                        4 * std::numeric_limits<T>::epsilon() * (1 + highest));
+    if (!found.converged()) throw domain_error("alpha of the cut: not found in the band");
+    band.q2 = band.q_rolloff * std::exp(found.root);
     return band;
 }
 

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes tests/data/broad.csv: boundary elements of Gaussian self-affine maps, narrow and broad.
+
+    tools/make_broad.py build/release/bin/fstiff_broad            adds the maps that the table lacks; an hour of one core for all
+    tools/make_broad.py build/release/bin/fstiff_broad --check 20 computes every twentieth map of 256 points again: exit code 1 when
+                                                                  a stiffness differs by more than 1e-3
+
+A map is (Hurst exponent, wave number of the roll-off, waves below it, cut-off, points a side, seed); wave numbers count waves a side.
+The shortest wave has four points; of two maps also eight, on a grid twice as fine, which says what the grid costs.
+"""
+import argparse
+import csv
+import pathlib
+import subprocess
+import sys
+
+TABLE = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data" / "broad.csv"
+COLUMNS = ("hurst", "roll_off", "long_waves", "cut_off", "points", "seed", "m0", "m2", "m4", "p_star", "stiffness_over_E",
+           "area_fraction", "mean_gap", "spots")
+ALL = ("0.2", "0.5", "0.8", "0.999")
+
+
+def maps():
+    """In the order of their cost."""
+    for seed in (1, 2, 3, 4):
+        for hurst in ALL:
+            for roll_off, waves in ((4, "none"), (8, "none"), (16, "none"), (8, "plateau"), (16, "plateau")):
+                yield hurst, roll_off, waves, 64, 256, seed
+    for hurst in ("0.8", "0.2"):
+        yield hurst, 4, "none", 64, 512, 1
+    yield "0.8", 4, "none", 256, 1024, 1
+    for seed in (1, 2, 3):
+        for hurst in ("0.8", "0.999"):
+            yield hurst, 4, "none", 128, 512, seed
+    for hurst, seed in (("0.999", 1), ("0.8", 1), ("0.999", 2)):
+        yield hurst, 2, "none", 256, 1024, seed
+    yield "0.8", 4, "none", 512, 2048, 1
+    for hurst, seed in (("0.999", 1), ("0.8", 2), ("0.5", 1), ("0.999", 2), ("0.8", 3)):
+        yield hurst, 4, "none", 256, 1024, seed
+    yield "0.999", 4, "none", 512, 2048, 1
+    for seed in (1, 2, 3):
+        for hurst in ("0.2", "0.5"):
+            yield hurst, 4, "none", 128, 512, seed
+
+
+def key(row):
+    return tuple(str(row[c]) for c in COLUMNS[:6])
+
+
+def computed(program, surface):
+    return subprocess.run([program, *map(str, surface)], check=True, capture_output=True, text=True).stdout.splitlines()
+
+
+def check(program, every):
+    rows = list(csv.DictReader(TABLE.open()))
+    small = [s for s in maps() if s[4] == 256][::every]
+    worst = 0
+    for surface in small:
+        known = [float(r["stiffness_over_E"]) for r in rows if key(r) == tuple(map(str, surface))]
+        again = [float(line.split(",")[10]) for line in computed(program, surface)]
+        worst = max([worst, *(abs(a / b - 1) for a, b in zip(known, again, strict=True))])
+    print(f"{len(small)} maps, largest difference {worst:.1e}")
+    return worst > 1e-3
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("program", help="fstiff_broad")
+    options.add_argument("--check", type=int, metavar="EVERY")
+    given = options.parse_args()
+    if given.check:
+        return check(given.program, given.check)
+    if not TABLE.exists():
+        TABLE.write_text(",".join(COLUMNS) + "\n")
+    done = {key(row) for row in csv.DictReader(TABLE.open())}
+    for surface in maps():
+        if tuple(map(str, surface)) in done:
+            continue
+        lines = computed(given.program, surface)
+        with TABLE.open("a") as table:
+            table.write("\n".join(lines) + "\n")
+        print(*surface, flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
