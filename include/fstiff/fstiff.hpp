@@ -89,6 +89,7 @@
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
+#include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>
