@@ -85,6 +85,7 @@
 #include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/synthetic/self_affine.hpp>

@@ -37,7 +37,8 @@ TEST_CASE("the summits of a map add up to its statistics") {
     const auto n = static_cast<double>(found.summits.size());
     CHECK(height / n > statistics.summit_height);  // tops lie above the points
     CHECK(height / n < statistics.summit_height + 1e-8);
-    CHECK(test::relative_error(curvature / n, statistics.summit_curvature) < 1e-12);
+    CHECK(curvature / n > statistics.summit_curvature);  // which loses (pi/12)^2/3
+    CHECK(curvature / n < statistics.summit_curvature * 1.03);
     CHECK(test::relative_error(found.rms_height, statistics.rms_height) < 1e-12);
     CHECK(test::relative_error(n / found.area, statistics.summit_density) < 1e-14);
     for (std::size_t i = 1; i < found.summits.size(); ++i)
@@ -79,7 +80,7 @@ TEST_CASE("a paraboloid is one summit of its principal curvatures, with its top 
     }
 }
 
-TEST_CASE("curvatures and tops of a wave of n points are short by what three points lose") {
+TEST_CASE("curvatures and tops of a wave of n points are short by what five points lose") {
     const double pi = std::numbers::pi;
     for (const int n : {8, 16, 64}) {
         HeightMap<double> map;
@@ -93,8 +94,8 @@ TEST_CASE("curvatures and tops of a wave of n points are short by what three poi
         REQUIRE(found.summits.size() == 4);
         for (const auto& top : found.summits) {
             CAPTURE(n, top.height, top.max_curvature);
-            // cos 0.3 of a step off the top, and the difference of the second order
-            const double lost = std::pow(pi / n, 2) / 3 + std::pow(2 * pi * 0.3 / n, 2) / 2;
+            // the cosine of 0.3 of a step off the top, and the difference of the fourth order
+            const double lost = std::pow(pi / n, 4) * 8 / 45 + std::pow(2 * pi * 0.3 / n, 2) / 2;
             CHECK(std::abs(top.max_curvature / (4 * pi * pi) - 1) < 1.01 * lost);
             CHECK(std::abs(top.min_curvature / (4 * pi * pi) - 1) < 1.01 * lost);
             CHECK(std::abs(top.height - 2) < 0.5 * std::pow(2 * pi / n, 4) * 0.3 * 0.3);
