@@ -54,10 +54,9 @@ public:
             for (std::size_t k = start_[i]; k < start_[i + 1]; ++k) sum += near_value_[k] * force[near_point_[k]];
             u[static_cast<Eigen::Index>(i)] += sum;
         }
-        grid_.setZero();
-        visit_windows([&](Eigen::Index point, T& cell, T weight) { cell += weight * force[point]; });
+        spread(force);
         compliance_.deflect(grid_);
-        visit_windows([&](Eigen::Index point, const T& cell, T weight) { u[point] += weight * cell * per_cell_; });
+        read(u);
         return u;
     }
 
@@ -75,6 +74,7 @@ public:
 private:
     static constexpr int window = 8;          ///< points of the grid along one side
     static constexpr int neighbours = 60;     ///< within r_c, of points that are spread evenly
+    static constexpr Eigen::Index margin = window / 2;
     static constexpr T shape = T(2.3) * window;
 
     struct Cell {
@@ -86,8 +86,9 @@ private:
         Eigen::Index point;
     };
     struct Window {
-        std::array<Eigen::Index, window> column, row;
-        std::array<T, window> along_x, along_y;
+        Eigen::Index first;  ///< column of the margined grid
+        std::array<Eigen::Index, window> row;
+        Eigen::Array<T, 1, window> along_x, along_y;
     };
 
     PointForces(Values x, Values y, const Cell& cell)
@@ -100,6 +101,7 @@ private:
                           return one * one;
                       }) {
         grid_.resize(cells(cell.height), cells(cell.width));
+        margined_.resize(grid_.rows(), grid_.cols() + 2 * margin);
         const T a = 4 / range_, pi = numbers::pi_v<T>;
         self_ = -2 * a / (pi * std::sqrt(pi));
         mean_ = 2 / (a * std::sqrt(pi) * cell.width * cell.height);
@@ -150,19 +152,48 @@ private:
 
     void make_windows(const Values& x, const Values& y, const Cell& cell) {
         const T whole = transform_of_window(T(0));
-        const auto fill = [&](T at, Eigen::Index size, auto& index, auto& weight) {
-            const auto first = static_cast<Eigen::Index>(std::ceil(at - T(window) / 2));
-            for (int k = 0; k < window; ++k) {
-                index[static_cast<std::size_t>(k)] = wrapped(first + k, size, cell.edges);
-                weight[static_cast<std::size_t>(k)] = window_at(T(first + k) - at) / whole;
-            }
-        };
-        windows_.resize(static_cast<std::size_t>(x.size()));
+        // centres of the cells lie at half steps
+        const auto first_of = [](T at) { return static_cast<Eigen::Index>(std::ceil(at - T(window) / 2)); };
         for (Eigen::Index i = 0; i < x.size(); ++i) {
-            Window& one = windows_[static_cast<std::size_t>(i)];
-            // centres of the cells lie at half steps
-            fill(x[i] / cell.width * T(grid_.cols()) - T(0.5), grid_.cols(), one.column, one.along_x);
-            fill(y[i] / cell.height * T(grid_.rows()) - T(0.5), grid_.rows(), one.row, one.along_y);
+            const T right = x[i] / cell.width * T(grid_.cols()) - T(0.5), down = y[i] / cell.height * T(grid_.rows()) - T(0.5);
+            Window one;
+            one.first = first_of(right) + margin;
+            for (int k = 0; k < window; ++k) {
+                one.row[static_cast<std::size_t>(k)] = wrapped(first_of(down) + k, grid_.rows(), cell.edges);
+                one.along_x[k] = window_at(T(first_of(right) + k) - right) / whole;
+                one.along_y[k] = window_at(T(first_of(down) + k) - down) / whole;
+            }
+            windows_.push_back(one);
+        }
+        for (Eigen::Index k = 0; k < margin; ++k) {
+            beyond_.push_back({k, wrapped(k - margin, grid_.cols(), cell.edges)});
+            beyond_.push_back({grid_.cols() + margin + k, wrapped(grid_.cols() + k, grid_.cols(), cell.edges)});
+        }
+    }
+
+    /// The pressures of \p force on the grid.
+    void spread(const Values& force) {
+        margined_.setZero();
+        for (std::size_t i = 0; i < windows_.size(); ++i) {
+            const Window& one = windows_[i];
+            const Eigen::Array<T, 1, window> share = per_cell_ * force[static_cast<Eigen::Index>(i)] * one.along_x;
+            for (int k = 0; k < window; ++k)
+                margined_.row(one.row[static_cast<std::size_t>(k)]).template segment<window>(one.first) += one.along_y[k] * share;
+        }
+        grid_ = margined_.middleCols(margin, grid_.cols());
+        for (const auto& [outside, inside] : beyond_) grid_.col(inside) += margined_.col(outside);
+    }
+
+    /// Adds the deflections of the grid at the points to \p u.
+    void read(Values& u) {
+        margined_.middleCols(margin, grid_.cols()) = grid_;
+        for (const auto& [outside, inside] : beyond_) margined_.col(outside) = grid_.col(inside);
+        for (std::size_t i = 0; i < windows_.size(); ++i) {
+            const Window& one = windows_[i];
+            Eigen::Array<T, 1, window> sum = Eigen::Array<T, 1, window>::Zero();
+            for (int k = 0; k < window; ++k)
+                sum += one.along_y[k] * margined_.row(one.row[static_cast<std::size_t>(k)]).template segment<window>(one.first);
+            u[static_cast<Eigen::Index>(i)] += (sum * one.along_x).sum();
         }
     }
 
@@ -195,19 +226,10 @@ private:
         }
     }
 
-    template <class Use>
-    void visit_windows(const Use& use) {
-        for (std::size_t i = 0; i < windows_.size(); ++i) {
-            const Window& one = windows_[i];
-            for (std::size_t k = 0; k < window; ++k)
-                for (std::size_t l = 0; l < window; ++l)
-                    use(static_cast<Eigen::Index>(i), grid_(one.row[k], one.column[l]), one.along_y[k] * one.along_x[l]);
-        }
-    }
-
     T range_, self_{}, mean_{}, per_cell_{};
     SurfaceCompliance<T> compliance_;
-    GridField<T> grid_;
+    GridField<T> grid_, margined_;  ///< the latter with columns beyond the edges, for windows across them
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> beyond_;  ///< each such column and where it belongs
     std::vector<Window> windows_;
     std::vector<std::size_t> start_;         ///< of the pairs of each point
     std::vector<Eigen::Index> near_point_;
