@@ -16,6 +16,7 @@
 /// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729 (summits as point forces on each other); Johnson, Contact
 ///             Mechanics (1985), eq. (4.26); the periodic g without its mean and the rule for close pairs: this project.
 /// Units       SI
+/// Time        0.03 s for 290 contacts, 0.12 s for 720, 0.7 s for 2200, 2.4 s for 4000 (one pressure, one core)
 /// Valid       up to 5000 summits in contact, on 8 % of the area: p/(E g) of 0.03 or so
 /// Accuracy    K over boundary elements, 39 maps of 19 kinds, Gaussian, skewed, worn, machined, stretched, 6 of them broad (alpha 17 to
 ///             255), nothing fitted: rms 3.5, 4.2, 5.6, 6.0 % at p/(E g) = 0.0003, 0.001, 0.003, 0.01, where summits that do not feel
@@ -178,11 +179,10 @@ private:
     /// The solution at a given load over E, or at the separation that \p at has.
     static constexpr T held_separation = -1;
     enum class Aim { rough, exact };
-    [[nodiscard]] Solution iterate(Newton& at, T load, Aim aim) const {
-        // of a start that is too stiff both of a close pair cannot move: roughly, they are kept farther apart
-        const T apart = aim == Aim::rough ? T(0.2) : T(1), enough = aim == Aim::rough ? T(0.1) : T(1e-10);
+    [[nodiscard]] Solution iterate(Newton& at, T load, Aim aim, T apart) const {
+        const T enough = aim == Aim::rough ? T(0.1) : T(1e-10);
         T change = 1;
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < 40; ++i) {
             part(at, apart, i < 4);
             const Values r = at.carried(at.slopes()).sqrt();
             const Values rest = at.z - at.delta - at.omega - at.forces.deflections(at.loads());
@@ -244,13 +244,23 @@ private:
         return settled(separation, alone_.at_separation(separation, Quantity::pressure).pressure.value, held_separation);
     }
 
-    /// With as many of the highest summits as touch: those that were left out are held against the deflected surface.
+    /// Where Newton's method does not get through, the higher carries of pairs that are less close too: 0.64, 1, 1.6 contact radii.
     [[nodiscard]] Solution settled(T delta, T pressure, T load) const {
+        Solution found;
+        for (const T apart : {T(1), T(0.4), T(0.15)}) {
+            found = settled(delta, pressure, load, apart);
+            if (found.stiffness > 0 || found.crowding.contacts > max_summits) break;
+        }
+        return checked(found, pressure);
+    }
+    /// With as many of the highest summits as touch: those that were left out are held against the deflected surface.
+    [[nodiscard]] Solution settled(T delta, T pressure, T load, T apart) const {
         Newton at = start(reached(delta, pressure * T(0.6)), delta);
+        // of a start that is too stiff both of a close pair cannot move: roughly, they are kept farther apart
         for (Aim aim = Aim::rough;; aim = Aim::exact) {
-            const Solution s = iterate(at, load, aim);
-            if (aim == Aim::exact && s.crowding.contacts > max_summits) return checked(s, pressure);
-            if (!add_missed(at, s) && aim == Aim::exact) return checked(s, pressure);
+            const Solution s = iterate(at, load, aim, aim == Aim::rough ? apart / 5 : apart);
+            if (aim == Aim::exact && (s.crowding.contacts > max_summits || !(s.stiffness > 0))) return s;
+            if (!add_missed(at, s) && aim == Aim::exact) return s;
         }
     }
     /// Adds the summits that touch the deflected surface of \p s; whether there are any.
