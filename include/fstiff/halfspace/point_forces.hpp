@@ -7,9 +7,9 @@
 ///     1/r = erfc(a r)/r + erf(a r)/r      the first summed over the images within r_c = 4/a, the second on a grid:
 ///                                         2/q erfc(q/(2a)), forces spread and read through a window of 8 points
 ///
-/// The images are those of a repeating or a mirrored cell, as those of halfspace/surface_compliance.hpp, whose mean deflection is 0
-/// too: u counts from the mean plane of the deflected surface. The window is an exponential of a semicircle, of which the transform is
-/// divided out.
+/// The images are those of a repeating or a mirrored cell, as those of halfspace/surface_compliance.hpp, whose mean
+/// deflection is 0 too: u counts from the mean plane of the deflected surface. The window is an exponential of a semicircle,
+/// of which the transform is divided out.
 ///
 /// Reference   Ewald, Ann. Phys. 369 (1921) 253, here for 1/r over a plane; Hockney, Eastwood, Computer Simulation Using Particles
 ///             (1988), ch. 8; the window: Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479.
