@@ -85,10 +85,12 @@
 #include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
+#include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/asperity/fractal_asperity.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>

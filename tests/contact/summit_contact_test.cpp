@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth: Hertz's formula for one and for two summits; K as the slope of p.
+// Truth: Hertz's formula for one sphere; K as the slope of p; sums over elliptic summits of periodic maps in
+// tests/data/elliptic_summits.csv.
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/table.hpp"
 
+#include <map>
 #include <numbers>
 #include <random>
+#include <string>
+
+namespace summit_contact_test {
 
 namespace summit_contact_test {
 
@@ -35,7 +41,7 @@ Summits<double> drawn(std::size_t count) {
 }  // namespace
 
 TEST_CASE("one summit is Hertz's sphere") {
-    const Summits<double> one{{{2e-6, 3e4, 5e4, 0, 0}}, 1e-8, 1e-4, 1e-4, 1e-6};
+    const Summits<double> one{{{2e-6, 4e4, 4e4, 0, 0}}, 1e-8, 1e-4, 1e-4, 1e-6};
     const double E = 1e11, R = 2 / 8e4, omega = 3e-7;
     const SummitContact<double> contact(one, E);
     const auto state = contact.at_separation(2e-6 - omega);
@@ -63,6 +69,24 @@ TEST_CASE("pressure and separation undo each other, K is the slope, whatever the
         const auto log_p = contact.log_pressure(state.eta);
         CHECK(test::relative_error(log_p.log, std::log(p)) < 1e-10);
         CHECK(test::relative_error(log_p.slope, -state.stiffness.value / p * 1e-6) < 1e-10);
+    }
+}
+
+TEST_CASE("sums over the elliptic summits of maps, from round ones to ones stretched 4:1, by other means") {
+    const test::Table points("elliptic_summits.csv"), truth("elliptic_summits_stiffness.csv");
+    std::map<std::string, Summits<double>> maps;
+    for (std::size_t row = 0; row < points.size(); ++row) {
+        Summits<double>& map = maps[points.text(row, "map")];
+        map.area = map.rms_height = 1;
+        map.summits.push_back({points.input(row, "height"), points.input(row, "max_curvature"),
+                               points.input(row, "min_curvature"), 0, 0});
+    }
+    REQUIRE(maps.size() == 3);
+    for (std::size_t row = 0; row < truth.size(); ++row) {
+        const SummitContact<double> contact(maps.at(truth.text(row, "map")), 1.0);
+        const double K = contact.at_pressure(truth.input(row, "p_over_E")).stiffness.value;
+        CAPTURE(truth.text(row, "map"), truth.input(row, "p_over_E"));
+        CHECK(test::relative_error(K, truth.input(row, "stiffness_times_L_over_E")) < 1e-11);
     }
 }
 

@@ -3,23 +3,26 @@
 /// \file
 /// The contact of a map's own summits: a sum over them in place of the integral over a distribution.
 ///
-///     p = E/A0 sum (4/3) sqrt(R_i) (z_i - d)^(3/2)      K = E/A0 sum 2 sqrt(R_i (z_i - d))
-///     A/A0 = pi/A0 sum R_i (z_i - d)                    n = number of z_i > d, over A0
+///     p = E/A0 sum c_i (z_i - d)^(3/2)         K = E/A0 sum (3/2) c_i (z_i - d)^(1/2)
+///     A/A0 = 1/A0 sum pi a b                   n = number of z_i > d, over A0
+///
+/// c_i = (4/3) (k1 k2)^(-1/4) F2^(-3/2) of the principal curvatures of each summit, a b of its ellipse
+/// (asperity/elliptic_hertz.hpp).
 ///
 /// Skewed and peaky surfaces are taken as they are, and no peak is higher than those that were measured. What is missing is that
 /// neighbours push each other down: contact/hybrid_contact.hpp adds it.
 ///
-/// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014),
-///             eq. (3.7) for one asperity.
+/// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625; Johnson, Contact Mechanics (1985), eq. (4.26) for one
+///             asperity.
 /// Units       SI
 /// Valid       separations below the highest summit; pressures > 0
 /// Accuracy    of the sums 1e-14; of a surface few summits carry at light loads, and the next map of it has others
 ///             (tests/contact/summit_contact_test.cpp)
 
+#include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
-#include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
 #include <fstiff/topography/summits.hpp>
 
@@ -35,7 +38,7 @@
 
 namespace fstiff {
 
-/// The contact of the summits of one map, each by itself.
+/// The contact of the summits of one map, each by itself: ellipses of Hertz.
 template <Real T = double>
 class SummitContact : public SlopeContact<SummitContact<T>, T> {
     using Values = Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>;
@@ -48,8 +51,10 @@ public:
         require_positive("rms_height", of.rms_height);
         require(!of.summits.empty(), "summits", of.summits.size(), "at least 1");
         for (const Summit<T>& one : of.summits) {
+            const EllipticHertz<T> hertz = elliptic_hertz(one.max_curvature, one.min_curvature);
             height_.push_back(one.height);
-            radius_.push_back(one.radius());
+            load_factor_.push_back(hertz.load_factor);
+            area_factor_.push_back(hertz.area_factor);
         }
     }
 
@@ -65,7 +70,7 @@ public:
         require_positive("pressure", pressure);
         // p^(2/3) is nearly linear in d
         const T target = std::cbrt(pressure) * std::cbrt(pressure), top = height_[0];
-        const T single = std::cbrt(T(0.75) * pressure * area_ / modulus_ / std::sqrt(radius_[0]));
+        const T single = std::cbrt(pressure * area_ / modulus_ / load_factor_[0]);
         T low = top - single * single;  // the highest alone would carry it there, so that all together do
         const auto residual = [&](T d) {
             const Sums j = sums(d);
@@ -106,10 +111,10 @@ private:
         const auto n = static_cast<Eigen::Index>(touching - height_.begin());
         if (n == 0) return {0, 0, 0, 0};
         const Eigen::Array<T, Eigen::Dynamic, 1> omega = Values(height_.data(), n) - d;
-        const Eigen::Array<T, Eigen::Dynamic, 1> half = (Values(radius_.data(), n) * omega).sqrt();
+        const Eigen::Array<T, Eigen::Dynamic, 1> slope = Values(load_factor_.data(), n) * omega.sqrt();
         const T per_area = 1 / area_;
-        return {T(4) / 3 * modulus_ * per_area * (half * omega).sum(), 2 * modulus_ * per_area * half.sum(),
-                numbers::pi_v<T> * per_area * half.square().sum(), per_area * T(n)};
+        return {modulus_ * per_area * (slope * omega).sum(), T(1.5) * modulus_ * per_area * slope.sum(),
+                per_area * (Values(area_factor_.data(), n) * omega).sum(), per_area * T(n)};
     }
 
     [[nodiscard]] ContactState<T> state(T d, T error, Quantity wanted) const {
@@ -131,7 +136,7 @@ private:
     }
 
     T modulus_, area_, rms_height_;
-    std::vector<T> height_, radius_;  ///< the highest first
+    std::vector<T> height_, load_factor_, area_factor_;  ///< the highest first
 };
 
 }  // namespace fstiff

@@ -31,15 +31,30 @@ public:
     /// For \p rows by \p columns cells of the size \p dy by \p dx [m]. \throws domain_error for less than 2 a side and sizes
     /// that are not finite and positive.
     SurfaceCompliance(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges)
+        : SurfaceCompliance(rows, columns, dx, dy, edges, [](T) { return T(1); }, [](T) { return T(1); }) {}
+
+    /// With each wave taken \p radial(|q|) \p along(q_x dx) \p along(q_y dy) times: a part of the half space, seen through a
+    /// window of points.
+    template <class Radial, class Along>
+    SurfaceCompliance(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges, const Radial& radial,
+                      const Along& along)
         : along_x_(static_cast<std::size_t>(columns), edges), along_y_(static_cast<std::size_t>(rows), edges) {
         require_positive("dx", dx);
         require_positive("dy", dy);
-        const T unit_x = 2 * numbers::pi_v<T> / (dx * T(columns)), unit_y = 2 * numbers::pi_v<T> / (dy * T(rows));
+        using Line = Eigen::Array<T, Eigen::Dynamic, 1>;
+        const auto waves = [](const detail::LineTransform<T>& line, Eigen::Index points, T step) -> Line {
+            return Line::NullaryExpr(points, [&](Eigen::Index k) {
+                return 2 * numbers::pi_v<T> / (step * T(points)) * line.wave_number(static_cast<std::size_t>(k));
+            });
+        };
+        const Line qx = waves(along_x_, columns, dx), qy = waves(along_y_, rows, dy);
+        const Line share_x = (qx * dx).unaryExpr(along), share_y = (qy * dy).unaryExpr(along);
         compliance_.resize(columns, rows);  // a line along y side by side: NOLINT(readability-suspicious-call-argument)
         for (Eigen::Index i = 0; i < columns; ++i)
-            for (Eigen::Index j = 0; j < rows; ++j)
-                compliance_(i, j) = 2 / std::hypot(unit_x * along_x_.wave_number(static_cast<std::size_t>(i)),
-                                                   unit_y * along_y_.wave_number(static_cast<std::size_t>(j)));
+            for (Eigen::Index j = 0; j < rows; ++j) {
+                const T q = std::hypot(qx[i], qy[j]);
+                compliance_(i, j) = 2 / q * radial(q) * share_x[i] * share_y[j];
+            }
         stiffness_ = 1 / compliance_;
         compliance_(0, 0) = stiffness_(0, 0) = 0;
     }
