@@ -219,7 +219,8 @@ std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
         GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, Heights::gaussian, options_of(inputs)));
 }
 
-PerssonContact<double> crowded(const ContactInputs& inputs) {
+/// Persson's contact of the spectrum.
+PerssonContact<double> of_spectrum(const ContactInputs& inputs) {
     return inputs.map && inputs.spectrum_of_map
                ? PerssonContact<double>(inputs.map->spectrum(inputs.elements.edges), inputs.effective_modulus,
                                         inputs.gamma)
@@ -227,36 +228,45 @@ PerssonContact<double> crowded(const ContactInputs& inputs) {
                                         inputs.gamma);
 }
 
-std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(crowded(inputs)); }
+std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(of_spectrum(inputs)); }
 
 /// Whether summits push each other down; 0 for a sum of summits that do not, as which a band varies.
 constexpr std::array<double, 1> quick_summits{0};
 constexpr std::array<LawOption, 1> summit_options{{{.key = "mutual", .is_flag = true, .otherwise = 1}}};
 
-/// The mean of what \p make makes of the summits of every shift.
+/// The mean of what \p make makes of the summits of every shift and its number.
 template <class Make>
 std::unique_ptr<AnyContact> over_shifts(const ContactInputs& inputs, const Make& make) {
     std::vector<std::unique_ptr<AnyContact>> contacts;
-    for (const Summits<double>& one : inputs.map->summits) contacts.push_back(held(make(one)));
+    for (std::size_t shift = 0; shift < inputs.map->summits.size(); ++shift)
+        contacts.push_back(held(make(inputs.map->summits[shift], shift)));
     return mean_over(std::move(contacts));
+}
+
+/// The crowded contact of one shift by its bearing curve.
+BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
+    const MapOfSurface& map = *inputs.map;
+    return map.bearings
+        ->contact(map.first_bearing + shift, inputs.elements.edges, inputs.effective_modulus, inputs.gamma)
+        .scaled(map.taller);
 }
 
 std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
     if (inputs.options.front() == 0)
         return over_shifts(
-            inputs, [&](const Summits<double>& of) { return SummitContact<double>(of, inputs.effective_modulus); });
-    return over_shifts(inputs, [&](const Summits<double>& of) {
+            inputs, [&](const Summits<double>& of, std::size_t) { return SummitContact<double>(of, inputs.effective_modulus); });
+    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
         return MutualSummits<double>(of, inputs.effective_modulus, inputs.elements.edges);
     });
 }
 
 std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
     if (inputs.map && inputs.spectrum_of_map)
-        return over_shifts(inputs, [&](const Summits<double>& of) {
-            return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs));
+        return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
+            return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs, shift));
         });
     return held(HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),
-                              crowded(inputs)));
+                              of_spectrum(inputs)));
 }
 
 std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
