@@ -15,4 +15,11 @@ BearingContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, d
     return made_.emplace(key, BearingContact<double>(gaussian, std::move(order.curve), order.rms_height)).first->second;
 }
 
+MapCut<double> BearingsOfMaps::cut(std::size_t index, Edges edges, double modulus) const {
+    const std::lock_guard lock(guard_);
+    const auto key = std::tuple(index, edges, modulus);
+    if (const auto found = cuts_.find(key); found != cuts_.end()) return found->second;
+    return cuts_.emplace(key, MapCut<double>(*maps_[index], modulus, edges)).first->second;
+}
+
 }  // namespace fstiff::scene

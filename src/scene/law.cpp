@@ -10,12 +10,14 @@
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
+#include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -248,7 +250,8 @@ BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
     const MapOfSurface& map = *inputs.map;
     return map.bearings
         ->contact(map.first_bearing + shift, inputs.elements.edges, inputs.effective_modulus, inputs.gamma)
-        .scaled(map.taller);
+        .scaled(map.taller)
+        .over_rms_height(map.spectrum(inputs.elements.edges).rms_height);
 }
 
 std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
@@ -260,16 +263,40 @@ std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
     });
 }
 
-std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
-    if (inputs.map && inputs.spectrum_of_map)
-        return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
-            return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs, shift));
-        });
-    return held(HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),
-                              of_spectrum(inputs)));
+/// The hybrid law of one shift of a map, and of numbers.
+auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::size_t shift) {
+    return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs, shift));
+}
+auto hybrid_of_numbers(const ContactInputs& inputs) {
+    return HybridContact(RoughContact(inputs.surface, *inputs.peaks, HertzLaw<double>{}, inputs.effective_modulus),
+                         of_spectrum(inputs));
 }
 
+std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
+    if (!inputs.map || !inputs.spectrum_of_map) return held(hybrid_of_numbers(inputs));
+    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
+        return hybrid_of_map(inputs, of, shift);
+    });
+}
+
+/// Peaks that have flowed: the cut of the map itself, of numbers that of a Gaussian surface.
 std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
+    const double hardness = inputs.material.hardness_or_default(), E = inputs.effective_modulus;
+    if (!inputs.map || !inputs.spectrum_of_map) {
+        const double g = std::sqrt(2 * inputs.moments.m2);
+        return held(PlasticContact(hybrid_of_numbers(inputs), GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E),
+                                   hardness, E, g));
+    }
+    const double g = inputs.map->spectrum(inputs.elements.edges).rms_gradient();
+    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
+        return PlasticContact(hybrid_of_map(inputs, of, shift),
+                              inputs.map->bearings->cut(inputs.map->first_bearing + shift, inputs.elements.edges, E)
+                                  .scaled(inputs.map->taller),
+                              hardness, E, g);
+    });
+}
+
+std::unique_ptr<AnyContact> plastic_peaks(const ContactInputs& inputs) {
     const double hardness = inputs.material.hardness_or_default();
     PlasticMaterial<double> material = inputs.material;  // omega_c of Kogut and Etsion, which follows from H alone
     material.effective_modulus = inputs.effective_modulus;
@@ -356,7 +383,7 @@ std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
 constexpr Quantity without_contacts =
     Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
 
-const std::array<Law, 11> table{{
+const std::array<Law, 12> table{{
     {.name = "fractal",
      .nature = "the print of the paper: K is not the slope of the load (docs/errata.md)",
      .needs_dimension = true,
@@ -419,11 +446,22 @@ const std::array<Law, 11> table{{
      .ends = true,
      .quick_options = quick_summits},
     {.name = "plastic",
-     .nature = "fully plastic: K is that of unloading, which a wave sees",
+     .nature = "peaks that have flowed: K is that of unloading, which a wave sees",
+     .load = "hardness and hybrid",
+     .stiffness = "(cut at p/H^1.9 + hybrid^1.9)^(1/1.9)",
+     .peaks = "(4.4); of a map its summits",
+     .contact = plastic,
+     .quantities = without_contacts,
+     .needs_spectrum = true,
+     .needs_hardness = true,
+     .summits_of_map = true,
+     .holds_when_crowded = true},
+    {.name = "plastic_peaks",
+     .nature = "fully plastic peaks, each by itself: K is that of unloading, which a wave sees",
      .load = "hardness times area, 2 pi R omega",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
-     .contact = plastic,
+     .contact = plastic_peaks,
      .needs_hardness = true,
      .range = {.least_interference = 110, .most_radius_ratio = 0.4}},
     {.name = "jackson_green",

@@ -108,6 +108,15 @@ public:
         return taller;
     }
 
+    /// The same contact with eta over \p rms_height [m]: of several maps of one surface, over that of all.
+    /// \throws domain_error unless it is finite and positive.
+    [[nodiscard]] BearingContact over_rms_height(T rms_height) const {
+        require_positive("rms_height", rms_height);
+        BearingContact other = *this;
+        other.rms_height_ = rms_height;
+        return other;
+    }
+
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as PerssonContact at p/rho.
     [[nodiscard]] T stiffness(T pressure) const { return gaussian_.stiffness(pressure / local_scale(pressure)); }
 
@@ -202,7 +211,7 @@ private:
     static constexpr T scale_tolerance = (std::max)(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
     static constexpr T error_of_separation = T(1e-5);
 
-    [[nodiscard]] bool is_plain() const { return !bearing_ && factor_ == T(1); }
+    [[nodiscard]] bool is_plain() const { return !bearing_ && factor_ == T(1) && rms_height_ == gaussian_.rms_height(); }
 
     struct Bearing {
         BearingSlope<T> curve;
