@@ -33,6 +33,7 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/bearing_family.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/surface/cut_offs.hpp>
@@ -88,6 +89,7 @@
 #include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
@@ -123,8 +125,10 @@
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/persson_sensitivity.hpp>
+#include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/scaled_contact.hpp>
 #include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
