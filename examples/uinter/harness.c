@@ -80,7 +80,7 @@ static point at_overclosure(const double* props, double overclosure) {
 
 /* The law of the same properties by the C interface, lengths times `length`, pressures times `pressure`. */
 static fstiff_law* law_in(const double* props, double length, double pressure) {
-    static const char* const names[] = {"hertz", "fractal_consistent", "hybrid", "plastic"};
+    static const char* const names[] = {"hertz", "fractal_consistent", "hybrid", "plastic_peaks"};
     fstiff_roughness surface = {.size = sizeof surface,
                                 .rms_height = props[1] * length,
                                 .peak_radius = props[2] * length,

@@ -121,7 +121,7 @@ contains
         type(c_ptr) :: law, contact
         type(fstiff_roughness) :: surface
         type(fstiff_body) :: body
-        character(18), parameter :: names(4) = [character(18) :: "hertz", "fractal_consistent", "hybrid", "plastic"]
+        character(18), parameter :: names(4) = [character(18) :: "hertz", "fractal_consistent", "hybrid", "plastic_peaks"]
         integer :: number
 
         law = c_null_ptr

@@ -25,6 +25,7 @@
 #include <fstiff/math/gaussian_smoother.hpp>
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/math/least_squares.hpp>
+#include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/math/piecewise.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/math/root.hpp>
@@ -32,6 +33,8 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/surface/cut_offs.hpp>
 #include <fstiff/surface/fractal.hpp>
@@ -72,6 +75,7 @@
 #include <fstiff/topography/coarsen.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/island_forest.hpp>
 #include <fstiff/topography/island_levels.hpp>
@@ -85,6 +89,7 @@
 #include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/halfspace/truth.hpp>
@@ -98,6 +103,7 @@
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
+#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
@@ -122,8 +128,10 @@
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/persson_sensitivity.hpp>
+#include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/scaled_contact.hpp>
 #include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>

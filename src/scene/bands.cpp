@@ -44,9 +44,13 @@ Scene with_surface(Scene scene, const std::array<double, surface_parameter_count
     }
     if (scene.map) {
         const auto& of_shifts = scene.map->summits;
-        const Summits<double>& one =
-            of_shifts.size() == 1 ? of_shifts.front() : of_shifts[splitmix64(random.tiles) % of_shifts.size()];
-        MapOfSurface map{{}, {resampled(one, 4, random.tiles)}, scene.map->spectra};
+        const std::size_t shift = of_shifts.size() == 1 ? 0 : splitmix64(random.tiles) % of_shifts.size();
+        MapOfSurface map{{},
+                         {resampled(of_shifts[shift], 4, random.tiles)},
+                         scene.map->spectra,
+                         scene.map->bearings,
+                         scene.map->first_bearing + shift,
+                         scene.map->taller * taller};
         for (SpectrumShells<double>& spectrum : map.spectra) spectrum = scaled(std::move(spectrum), taller);
         scene.map = std::make_shared<const MapOfSurface>(std::move(map));
     }

@@ -140,6 +140,7 @@ std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<c
             SpectrumShells<double>& sum = of.spectra[static_cast<std::size_t>(edges)];
             sum = sum_of_spectra(sum, scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
         }
+    of.bearings = std::make_shared<const BearingsOfMaps>(of.maps);
     return std::make_shared<const MapOfSurface>(std::move(of));
 }
 
@@ -224,6 +225,7 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
     if (!upper.map->spectrum().shells.empty() && !lower.map->spectrum().shells.empty())
         for (std::size_t i = 0; i < of.spectra.size(); ++i)
             of.spectra[i] = sum_of_spectra(upper.map->spectra[i], lower.map->spectra[i]);
+    of.bearings = std::make_shared<const BearingsOfMaps>(of.maps);
     face.map = std::make_shared<const MapOfSurface>(std::move(of));
     return face;
 }

@@ -10,12 +10,14 @@
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
+#include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -239,7 +241,8 @@ std::unique_ptr<AnyContact> greenwood_williamson(const ContactInputs& inputs) {
         GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, Heights::gaussian, options_of(inputs)));
 }
 
-PerssonContact<double> crowded(const ContactInputs& inputs) {
+/// Persson's contact of the spectrum.
+PerssonContact<double> of_spectrum(const ContactInputs& inputs) {
     return inputs.map && inputs.spectrum_of_map
                ? PerssonContact<double>(inputs.map->spectrum(inputs.elements.edges), inputs.effective_modulus,
                                         inputs.gamma)
@@ -247,38 +250,72 @@ PerssonContact<double> crowded(const ContactInputs& inputs) {
                                         inputs.gamma);
 }
 
-std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(crowded(inputs)); }
+std::unique_ptr<AnyContact> persson(const ContactInputs& inputs) { return held(of_spectrum(inputs)); }
 
 /// Whether summits push each other down; 0 for a sum of summits that do not, as which a band varies.
 constexpr std::array<double, 1> quick_summits{0};
 constexpr std::array<LawOption, 1> summit_options{{{.key = "mutual", .is_flag = true, .otherwise = 1}}};
 
-/// The mean of what \p make makes of the summits of every shift.
+/// The mean of what \p make makes of the summits of every shift and its number.
 template <class Make>
 std::unique_ptr<AnyContact> over_shifts(const ContactInputs& inputs, const Make& make) {
     std::vector<std::unique_ptr<AnyContact>> contacts;
-    for (const Summits<double>& one : inputs.map->summits) contacts.push_back(held(make(one)));
+    for (std::size_t shift = 0; shift < inputs.map->summits.size(); ++shift)
+        contacts.push_back(held(make(inputs.map->summits[shift], shift)));
     return mean_over(std::move(contacts));
+}
+
+/// The crowded contact of one shift by its bearing curve.
+BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
+    const MapOfSurface& map = *inputs.map;
+    return map.bearings
+        ->contact(map.first_bearing + shift, inputs.elements.edges, inputs.effective_modulus, inputs.gamma)
+        .scaled(map.taller)
+        .over_rms_height(map.spectrum(inputs.elements.edges).rms_height);
 }
 
 std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
     if (inputs.options.front() == 0)
         return over_shifts(
-            inputs, [&](const Summits<double>& of) { return SummitContact<double>(of, inputs.effective_modulus); });
-    return over_shifts(inputs, [&](const Summits<double>& of) {
+            inputs, [&](const Summits<double>& of, std::size_t) { return SummitContact<double>(of, inputs.effective_modulus); });
+    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
         return MutualSummits<double>(of, inputs.effective_modulus, inputs.elements.edges);
     });
 }
 
-std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
-    if (inputs.map && inputs.spectrum_of_map)
-        return over_shifts(inputs, [&](const Summits<double>& of) {
-            return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs));
-        });
-    return held(hybrid_of_band(band_of_moments(inputs.moments, inputs.hurst), inputs.effective_modulus, inputs.gamma));
+/// The hybrid law of one shift of a map, and of numbers.
+auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::size_t shift) {
+    return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs, shift));
+}
+auto hybrid_of_numbers(const ContactInputs& inputs) {
+    return hybrid_of_band(band_of_moments(inputs.moments, inputs.hurst), inputs.effective_modulus, inputs.gamma);
 }
 
+std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
+    if (!inputs.map || !inputs.spectrum_of_map) return held(hybrid_of_numbers(inputs));
+    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
+        return hybrid_of_map(inputs, of, shift);
+    });
+}
+
+/// Peaks that have flowed: the cut of the map itself, of numbers that of a Gaussian surface.
 std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
+    const double hardness = inputs.material.hardness_or_default(), E = inputs.effective_modulus;
+    if (!inputs.map || !inputs.spectrum_of_map) {
+        const double g = std::sqrt(2 * inputs.moments.m2);
+        return held(PlasticContact(hybrid_of_numbers(inputs), GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E),
+                                   hardness, E, g));
+    }
+    const double g = inputs.map->spectrum(inputs.elements.edges).rms_gradient();
+    return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
+        return PlasticContact(hybrid_of_map(inputs, of, shift),
+                              inputs.map->bearings->cut(inputs.map->first_bearing + shift, inputs.elements.edges, E)
+                                  .scaled(inputs.map->taller),
+                              hardness, E, g);
+    });
+}
+
+std::unique_ptr<AnyContact> plastic_peaks(const ContactInputs& inputs) {
     const double hardness = inputs.material.hardness_or_default();
     PlasticMaterial<double> material = inputs.material;  // omega_c of Kogut and Etsion, which follows from H alone
     material.effective_modulus = inputs.effective_modulus;
@@ -365,7 +402,7 @@ std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) {
 constexpr Quantity without_contacts =
     Quantity::pressure | Quantity::separation | Quantity::stiffness | Quantity::real_area | Quantity::loading_stiffness;
 
-const std::array<Law, 11> table{{
+const std::array<Law, 12> table{{
     {.name = "fractal",
      .nature = "the print of the paper: K is not the slope of the load (docs/errata.md)",
      .needs_dimension = true,
@@ -428,11 +465,22 @@ const std::array<Law, 11> table{{
      .ends = true,
      .quick_options = quick_summits},
     {.name = "plastic",
-     .nature = "fully plastic: K is that of unloading, which a wave sees",
+     .nature = "peaks that have flowed: K is that of unloading, which a wave sees",
+     .load = "hardness and hybrid",
+     .stiffness = "(cut at p/H^1.9 + hybrid^1.9)^(1/1.9)",
+     .peaks = "(4.4); of a map its summits",
+     .contact = plastic,
+     .quantities = without_contacts,
+     .needs_spectrum = true,
+     .needs_hardness = true,
+     .summits_of_map = true,
+     .holds_when_crowded = true},
+    {.name = "plastic_peaks",
+     .nature = "fully plastic peaks, each by itself: K is that of unloading, which a wave sees",
      .load = "hardness times area, 2 pi R omega",
      .stiffness = "unloading, 2 E a",
      .peaks = "(4.4)",
-     .contact = plastic,
+     .contact = plastic_peaks,
      .needs_hardness = true,
      .range = {.least_interference = 110, .most_radius_ratio = 0.4}},
     {.name = "jackson_green",

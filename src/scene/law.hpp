@@ -2,6 +2,8 @@
 #pragma once
 // A law by its name at run time: one table, in law.cpp. To add a law is one line there and the include of its header.
 
+#include "scene/bearings.hpp"
+
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/interaction.hpp>
@@ -74,6 +76,9 @@ struct MapOfSurface {
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  ///< without form; of two faces one sum for each shift
     std::vector<Summits<double>> summits;                        ///< one for each map
     std::array<SpectrumShells<double>, 2> spectra;  ///< of mirrored and periodic edges; no shells where points are missing
+    std::shared_ptr<const BearingsOfMaps> bearings;  ///< of the maps
+    std::size_t first_bearing = 0;                   ///< of the first of `summits`
+    double taller = 1;                               ///< heights over those of the maps, where a surface was drawn
 
     [[nodiscard]] const SpectrumShells<double>& spectrum(Edges edges = Edges::mirrored) const {
         return spectra[static_cast<std::size_t>(edges)];

@@ -164,8 +164,7 @@ std::string about_flow(const Scene& scene, const Results& results) {
     if (!peaks_flow(results) || plastic.empty()) return "";
     return "the peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
            "): what a wave sees is the unloading stiffness of " + plastic +
-           " or jackson_green, several times K of an elastic law; plastic is good to a fifth up to p = 0.03 H where "
-           "H/(E g) is 0.05 or less";
+           " or jackson_green, several times K of an elastic law; plastic is good to a fifth from p = 0.003 H to 0.1 H";
 }
 
 }  // namespace

@@ -4,10 +4,8 @@
 //
 //     x = philox4x32_10(counter = {scene, input}, key = seed),  u = (52 bits of x + 1/2)/2^52
 //
-// Reference   Salmon, Moraes, Dror, Shaw, SC11 (2011), Philox-4x32-10; Wichura, Appl. Stat. 37 (1988) 477, AS 241 (the
-//             inverse of the normal distribution, PPND16)
-// Accuracy    the generator is exact (known answers of Random123), the inverse within 1e-15 relative of the quantile
-//             (tests/sweep/draws_test.cpp)
+// Reference   Salmon, Moraes, Dror, Shaw, SC11 (2011), Philox-4x32-10
+// Accuracy    the generator is exact: known answers of Random123 (tests/sweep/draws_test.cpp)
 
 #include <array>
 #include <cstdint>
@@ -20,9 +18,6 @@ namespace fstiff::sweep {
 
 /// A number of (0, 1), never 0 or 1, for the input \p input of the scene \p index.
 [[nodiscard]] double uniform_draw(std::uint64_t seed, std::uint64_t index, std::uint32_t input);
-
-/// z with P(Z <= z) = \p probability of a standard normal Z, for 0 < probability < 1.
-[[nodiscard]] double normal_quantile(double probability);
 
 /// How an input is distributed.
 struct Distribution {

@@ -63,14 +63,14 @@ TEST_CASE("The picture of a sweep has K of the lines against the longer axis, a 
 
 TEST_CASE("Of many lines of a sweep the largest value is drawn, and the legend is unbroken") {
     const Folder folder;
-    const std::string laws = R"("fractal", "hertz", "greenwood_williamson", "plastic", "jackson_green")";
+    const std::string laws = R"("fractal", "hertz", "greenwood_williamson", "plastic_peaks", "jackson_green")";
     const Csv rows =
         drawn(folder, grid("{ from = \"0.5 um\", to = \"2 um\", count = 20 }", "[\"20 um\", \"30 um\", \"40 um\"]",
                            "pressures = [ { from = \"1 MPa\", to = \"100 MPa\", count = 12 } ]", "", laws));
     std::map<std::string, int> labels;
     for (std::size_t i = 0; i < rows.size(); ++i) ++labels[std::string(rows.text(i, "label"))];
     CHECK(labels.size() == 8);
-    for (const char* law : {"fractal", "hertz", "greenwood_williamson", "plastic"})
+    for (const char* law : {"fractal", "hertz", "greenwood_williamson", "plastic_peaks"})
         for (const char* value : {"p = 1 MPa", "p = 100 MPa"}) {
             INFO(law << " " << value);
             CHECK(std::any_of(labels.begin(), labels.end(), [&](const auto& one) {

@@ -57,7 +57,7 @@ poisson_ratio = 0.3
 yield_strength = "400 MPa"
 [contact]
 pressures = ["1 MPa", "10 MPa", "60 MPa"]
-laws = ["hertz", "persson", "plastic", "greenwood_williamson"]
+laws = ["hertz", "persson", "plastic_peaks", "greenwood_williamson"]
 [persson]
 gamma = 0.5
 [uncertainty]

@@ -3,9 +3,13 @@
 /// \file
 /// The law for all loads: peaks where few of them carry, Persson's theory where they are crowded.
 ///
-///     K = (K_peaks^5 + K_persson^5)^(1/5)         at equal pressure
+///     K = (K_peaks^5 + K_crowded^5)^(1/5)         at equal pressure
 ///     d = int_p^(2 E g) dp'/K(p')                 separation of the mean planes; at 2 E g all is in contact
+///
 ///     real area and number of contacts            of the peaks, at the same pressure
+///
+/// K_crowded is Persson's; of a surface with a bearing curve it is that at the local scale of the curve, by which 2 E g is
+/// multiplied too (contact/bearing_contact.hpp).
 ///
 /// Each of the two is below the truth where it fails, so that the larger one counts; the exponent is fitted to boundary
 /// elements, 4 to 8 do nearly as well. Both must be of the same surface. Interaction between the peaks is what Persson's
@@ -22,8 +26,8 @@
 ///             elements of Gaussian isotropic surfaces, p/(E g) >= 0.003: within 10 % at 86 of 100 points, 15 % at 98
 ///             (docs/validation.md)
 
+#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact_concept.hpp>
-#include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 
 #include <algorithm>
@@ -42,10 +46,13 @@ template <Real T, Contact<T> Peaks>
 class HybridContact : public SlopeContact<HybridContact<T, Peaks>, T> {
 public:
     /// \throws domain_error when \p peaks has an interaction, or does not reach 2 E g.
-    HybridContact(Peaks peaks, PerssonContact<T> crowded) : peaks_(std::move(peaks)), crowded_(std::move(crowded)) {
+    HybridContact(Peaks peaks, BearingContact<T> crowded) : peaks_(std::move(peaks)), crowded_(std::move(crowded)) {
         if (peaks_.interaction().reading != InteractionReading::none)
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
     }
+    /// Of a surface without a bearing curve: a Gaussian one.
+    HybridContact(Peaks peaks, PerssonContact<T> crowded)
+        : HybridContact(std::move(peaks), BearingContact<T>(std::move(crowded))) {}
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as stiffness() of either law.
     [[nodiscard]] T stiffness(T pressure) const {
@@ -89,7 +96,7 @@ public:
         T d = at[(std::min)(whole, at.size() - 1)];
         for (std::size_t i = at.size() - 1; i < whole; ++i) d += panel(log_end() - T(i + 1), log_end() - T(i));
         d += panel(std::log(pressure), log_end() - T(whole));
-        return {d, (T(1e-11) + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
+        return {d, (error_share() + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
     }
 
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
@@ -104,12 +111,15 @@ public:
 
     [[nodiscard]] T rms_height() const { return crowded_.rms_height(); }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
-    [[nodiscard]] const PerssonContact<T>& crowded() const { return crowded_; }
+    [[nodiscard]] const BearingContact<T>& crowded() const { return crowded_; }
 
 private:
     static constexpr int panels = 24;  ///< e-folds of pressure below 2 E g: 4e-11 of it
 
-    [[nodiscard]] T log_end() const { return std::log(2 * crowded_.effective_modulus() * crowded_.rms_gradient()); }
+    [[nodiscard]] T log_end() const { return std::log(crowded_.full_pressure()); }
+
+    /// Of the separation; K by a bearing curve is not smooth.
+    [[nodiscard]] T error_share() const { return crowded_.has_bearing_curve() ? T(1e-5) : T(1e-11); }
 
     /// (a^5 + b^5)^(1/5), without overflow.
     static T joined(T a, T b) {
@@ -129,7 +139,7 @@ private:
     }
 
     Peaks peaks_;
-    PerssonContact<T> crowded_;
+    BearingContact<T> crowded_;
     /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of them
     /// publishes its own: std::call_once would need the threads library, which the target does not link.
     struct Knots {

@@ -25,6 +25,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/progress.hpp>
+#include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/topography/height_map.hpp>
 
@@ -262,30 +263,8 @@ void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
 template <Real T>
 typename BoundaryElements<T>::Found BoundaryElements<T>::held() const {
     const Field on = (p_ > T(0)).template cast<T>();
-    const T count = on.sum();
-    // p over its mean has the mean 1; corrections of mean 0 take u to one value on the contact
-    Field t = p_ / p_.mean(), u = t, direction = Field::Zero(t.rows(), t.cols()), response;
-    compliance_.deflect(u);
-    T last_norm = 0, level = 0, share = 1;
-    int iteration = 0;
-    for (; iteration < options_.max_iterations; ++iteration) {
-        level = (u * on).sum() / count;
-        const Field residual = (u - level) * on;
-        share = std::sqrt(residual.square().sum() / count) / level;
-        if (share <= held_tolerance) break;
-        const Field pull = preconditioned(residual, on, count);
-        const T norm = (residual * pull).sum();
-        direction = pull + (iteration > 0 ? norm / last_norm : T(0)) * direction;
-        last_norm = norm;
-        response = direction;
-        compliance_.deflect(response);
-        const T curvature = (response * direction).sum();
-        if (!(curvature > 0)) break;
-        const T step = norm / curvature;
-        t -= step * direction;
-        u -= step * response;
-    }
-    return {level, share, iteration};
+    const HeldContact<T> found = held_together(compliance_, on, p_, held_tolerance, options_.max_iterations);
+    return {found.compliance, found.residual, found.iterations};
 }
 
 template <Real T>

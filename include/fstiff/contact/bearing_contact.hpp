@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Crowded contacts of a surface with any bearing curve: Persson's theory of the Gaussian surface of the same order of heights,
+/// at the scale that the bearing curve has where the faces touch.
+///
+///     K(p) = K_g(p/rho)      A/A0 = A_g(p/rho)      d = int_p dp'/K
+///     rho = s(c, w)/sigma    c = d_g(p/rho)/sigma + 0.2 - 0.3 P    w = sqrt(1/4 + P^2)    P = erf(sqrt(2) p/(rho E g))
+///
+/// g marks the Gaussian surface, whose rms height is sigma, and s is the slope of the bearing curve about the level c
+/// (surface/bearing_slope.hpp). A map f(zeta) is about the level of contact a Gaussian map with all heights multiplied by f'.
+/// Under a Gaussian rho is 1, and without a bearing curve the contact is PerssonContact itself, to the last bit.
+///
+/// rho is the fixed point of rho <- sqrt(rho rho_new) that is reached from 1, found anew at each pressure: some eight slopes
+/// of the curve, 10 us. d_g is tabulated once.
+///
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; the scale by the bearing curve, with the numbers 0.2, 0.3, 1/4 and 1:
+///             this project, docs/validation.md
+/// Units       SI: m, Pa, Pa/m
+/// Valid       pressures as PerssonContact at p/rho. K rises with p where rho rises more slowly than p: on every surface that
+///             was tried, but for a step of the heights by several sigma
+/// Accuracy    rho 1e-7, separation 1e-5 of the rms height as the integral of 1/K (tests/contact/bearing_contact_test.cpp).
+///             Against boundary elements: docs/validation.md
+
+#include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/persson_contact.hpp>
+#include <fstiff/contact/quantity.hpp>
+#include <fstiff/contact/slope_contact.hpp>
+#include <fstiff/math/gauss_legendre.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace fstiff {
+
+namespace detail {
+
+/// d_g/sigma of Persson's contact over ln p, by cubics between knots, up to 2 E g and down to where it is \p furthest.
+template <Real T>
+class PerssonSeparation {
+public:
+    PerssonSeparation(const PerssonContact<T>& of, T rms_height, T furthest)
+        : last_(std::log(2 * of.effective_modulus() * of.rms_gradient())) {
+        const auto& rule = GaussLegendre<T, 4>::get();
+        const auto change = [&](T log_p) {
+            const T p = std::exp(log_p);
+            return p / of.stiffness(p) / rms_height;
+        };
+        T d = of.separation(std::exp(last_)).value / rms_height;
+        for (T log_p = last_;; log_p -= width) {
+            knots_.push_back({d, width * change(log_p)});
+            if (d > furthest) return;
+            for (std::size_t i = 0; i < 4; ++i)
+                d += width / 2 * rule.weight[i] * change(log_p - width * (1 + rule.node[i]) / 2);
+        }
+    }
+    /// Constant beyond both ends.
+    [[nodiscard]] T operator()(T pressure) const {
+        const T place = std::clamp((last_ - std::log(pressure)) / width, T(0), T(knots_.size() - 1));
+        const std::size_t i = (std::min)(static_cast<std::size_t>(place), knots_.size() - 2);
+        const T t = place - T(i), rise = knots_[i + 1].d - knots_[i].d, left = knots_[i].rise, right = knots_[i + 1].rise;
+        return knots_[i].d + t * (left + t * (3 * rise - 2 * left - right + t * (left + right - 2 * rise)));
+    }
+
+private:
+    static constexpr T width = T(1) / 8;  ///< of ln p
+    struct Knot {
+        T d, rise;  ///< rise: slope times width, towards lower pressures
+    };
+    T last_;
+    std::vector<Knot> knots_;
+};
+
+}  // namespace detail
+
+/// The crowded contact of a surface with a bearing curve, or without one.
+template <Real T = double>
+class BearingContact : public SlopeContact<BearingContact<T>, T> {
+public:
+    /// Of a Gaussian surface: Persson's contact as it is.
+    BearingContact(PerssonContact<T> gaussian)  // NOLINT(google-explicit-constructor): one is the other
+        : gaussian_(std::move(gaussian)), rms_height_(gaussian_.rms_height()) {}
+
+    /// Of the surface f(zeta) = \p curve with the rms height \p rms_height [m]: \p gaussian is that of rms_height zeta.
+    /// \throws domain_error unless \p rms_height is finite and positive.
+    BearingContact(PerssonContact<T> gaussian, BearingSlope<T> curve, std::type_identity_t<T> rms_height)
+        : gaussian_(std::move(gaussian)), rms_height_(rms_height) {
+        require_positive("rms_height", rms_height);
+        const T furthest = curve.highest() + 1;
+        // all in contact: P = 1, d = 0
+        last_scale_ = curve.slope(T(-0.1), std::sqrt(T(1.25))) / rms_height;
+        bearing_ = std::make_shared<const Bearing>(
+            Bearing{std::move(curve), detail::PerssonSeparation<T>(gaussian_, rms_height, furthest), rms_height});
+    }
+
+    /// The contact of a surface \p factor times as high: K under p is that of this one under p/factor.
+    /// \throws domain_error unless it is finite and positive.
+    [[nodiscard]] BearingContact scaled(T factor) const {
+        require_positive("factor of the heights", factor);
+        BearingContact taller = *this;
+        taller.factor_ *= factor, taller.rms_height_ *= factor, taller.last_scale_ *= factor;
+        return taller;
+    }
+
+    /// The same contact with eta over \p rms_height [m]: of several maps of one surface, over that of all.
+    /// \throws domain_error unless it is finite and positive.
+    [[nodiscard]] BearingContact over_rms_height(T rms_height) const {
+        require_positive("rms_height", rms_height);
+        BearingContact other = *this;
+        other.rms_height_ = rms_height;
+        return other;
+    }
+
+    /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as PerssonContact at p/rho.
+    [[nodiscard]] T stiffness(T pressure) const { return gaussian_.stiffness(pressure / local_scale(pressure)); }
+
+    /// K [Pa/m] and dK/dp [1/m]: by the chain rule, with d rho/dp as the difference between pressures 1.5 % below and above.
+    /// \throws domain_error as stiffness.
+    [[nodiscard]] PerssonStiffness<T> stiffness_and_slope(T pressure) const {
+        if (is_plain()) return gaussian_.stiffness_and_slope(pressure);
+        const T rho = local_scale(pressure), apart = T(1) / 64;
+        const T change = std::log(local_scale(pressure * (1 + apart)) / local_scale(pressure * (1 - apart))) / (2 * apart);
+        const PerssonStiffness<T> at = gaussian_.stiffness_and_slope(pressure / rho);
+        return {at.stiffness, at.slope * (1 - change) / rho};
+    }
+
+    /// rho under \p pressure [Pa]: at p/rho the Gaussian surface is in the same state.
+    /// \throws domain_error unless it is positive.
+    [[nodiscard]] T local_scale(T pressure) const {
+        require_positive("pressure", pressure);
+        if (!bearing_) return factor_;
+        T log_rho = 0;
+        const auto change = [&] {
+            const T p = pressure / factor_ * std::exp(-log_rho), P = gaussian_.real_area_fraction(p);
+            const T center = bearing_->separation(p) + T(0.2) - T(0.3) * P, width = std::sqrt(T(0.25) + P * P);
+            return (std::log(bearing_->curve.slope(center, width) / bearing_->rms_height) - log_rho) / 2;
+        };
+        for (int round = 0; round < 50; ++round) {  // every other one to where a geometric series would end (Aitken)
+            const T first = change();
+            log_rho += first;
+            if (std::abs(first) < scale_tolerance) break;
+            const T second = change(), ratio = second / first;
+            log_rho += std::abs(ratio) < T(0.9) ? second / (1 - ratio) : second;
+        }
+        return factor_ * std::exp(log_rho);
+    }
+
+    /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as stiffness.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        if (is_plain()) return gaussian_.at_pressure(pressure, wanted);
+        const auto without_separation =
+            static_cast<Quantity>(static_cast<unsigned>(wanted) & ~static_cast<unsigned>(Quantity::separation));
+        ContactState<T> state = gaussian_.at_pressure(pressure / local_scale(pressure), without_separation);
+        for (Estimate<T>* e : {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction})
+            e->error += 3 * scale_tolerance * e->value;
+        state.pressure = {pressure, 0, 0};
+        state.separation = has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        state.eta = state.separation.value / rms_height_;
+        return state;
+    }
+
+    /// The contact at the separation \p separation [m] of the mean planes.
+    /// \throws domain_error unless it is positive and its pressure within reach.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+        return is_plain() ? gaussian_.at_separation(separation, wanted) : this->state_at_separation(separation, wanted);
+    }
+
+    /// The separation of the mean planes under \p pressure [Pa]: the integral of 1/K up to full_pressure(), and that of the
+    /// Gaussian surface beyond. \throws domain_error as stiffness.
+    [[nodiscard]] Estimate<T> separation(T pressure) const {
+        if (is_plain()) return gaussian_.separation(pressure);
+        const T full = full_pressure(), rho = last_scale_;
+        if (pressure >= full) return {rho * gaussian_.separation(pressure / rho).value, error_of_separation * rms_height_, 0};
+        T d = rho * gaussian_.separation(full / rho).value;
+        const T from = std::log(pressure), to = std::log(full);
+        const auto whole = static_cast<int>((to - from) * 4);  // panels at the same places for every pressure
+        for (int i = 1; i <= whole; ++i) d += panel(to - T(i) / 4, T(1) / 4);
+        d += panel(from, to - T(whole) / 4 - from);
+        return {d, error_of_separation * (d + rms_height_), 4 * (whole + 1)};
+    }
+
+    /// log(p/Pa) and its slope against eta, the separation over the rms height.
+    /// \throws domain_error unless the pressure of \p eta is within reach.
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        if (is_plain()) return gaussian_.log_pressure(eta);
+        require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
+        const T most = std::log(largest_pressure());
+        return this->searched_log_pressure(eta, most + std::log(std::numeric_limits<T>::epsilon()) - 60, most,
+                                           std::log(full_pressure()) - T(1.5) - 2 * eta,
+                                           "within the reach of the model: pressures up to 18 E g");
+    }
+
+    [[nodiscard]] T rms_height() const { return rms_height_; }
+    /// g of the Gaussian surface.
+    [[nodiscard]] T rms_gradient() const { return gaussian_.rms_gradient() * factor_; }
+    [[nodiscard]] T effective_modulus() const { return gaussian_.effective_modulus(); }
+    [[nodiscard]] bool has_bearing_curve() const { return bearing_ != nullptr; }
+    [[nodiscard]] const PerssonContact<T>& gaussian() const { return gaussian_; }
+    /// 2 rho E g [Pa], where all is in contact.
+    [[nodiscard]] T full_pressure() const { return 2 * effective_modulus() * gaussian_.rms_gradient() * last_scale_; }
+    /// Beyond it there is no state [Pa].
+    [[nodiscard]] T largest_pressure() const { return gaussian_.largest_pressure() * last_scale_; }
+
+private:
+    static constexpr T scale_tolerance = (std::max)(T(1e-9), 16 * std::numeric_limits<T>::epsilon());
+    static constexpr T error_of_separation = T(1e-5);
+
+    [[nodiscard]] bool is_plain() const { return !bearing_ && factor_ == T(1) && rms_height_ == gaussian_.rms_height(); }
+
+    struct Bearing {
+        BearingSlope<T> curve;
+        detail::PerssonSeparation<T> separation;
+        T rms_height;  ///< of the curve [m]
+    };
+
+    /// int p/K d ln p
+    [[nodiscard]] T panel(T from, T length) const {
+        const auto& rule = GaussLegendre<T, 4>::get();
+        T sum = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const T p = std::exp(from + length * (1 + rule.node[i]) / 2);
+            sum += rule.weight[i] * p / stiffness(p);
+        }
+        return length / 2 * sum;
+    }
+
+    PerssonContact<T> gaussian_;
+    T rms_height_, factor_ = 1;               ///< [m]; heights over those of the curve
+    T last_scale_ = 1;                        ///< rho where all is in contact
+    std::shared_ptr<const Bearing> bearing_;  ///< none of a Gaussian surface; copies share it
+};
+
+}  // namespace fstiff

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, which a wave sees.
+///
+///     K    = (K_cut^1.9 + K_elastic^1.9)^(1/1.9)            at equal pressure, K_cut at the share p/H
+///     A/A0 = p sqrt(1/H^2 + 4/(E g)^2)
+///     p(d) = (p_cut^-1.3 + p_elastic^-1.3)^(-1/1.3)         p_cut = H times the share of the surface above d
+///
+/// K_cut is that of the highest points of area p/H held together: for a map one linear problem (MapCut), for a Gaussian surface
+/// 0.68 E g p/(sigma H) (GaussianCut). Spots of that area that do not feel each other would have 0.79 to 0.94 in place of 0.68.
+/// The number of contacts is not known: it is 0 in every state.
+///
+/// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159 (the area p/H); Cooper,
+///             Mikic, Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279 (the form of K_cut)
+/// Units       SI
+/// Valid       0 < p < H. Tried: p/H from 0.003 to 0.1, H/(E g) from 0.02 to 0.5
+/// Accuracy    against boundary elements with pressures cut at H: docs/validation.md. Separation as the root of p(d), 1e-10 of the
+///             rms height (tests/contact/plastic_contact_map_test.cpp)
+
+#include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/contact/slope_contact.hpp>
+#include <fstiff/halfspace/held_contact.hpp>
+#include <fstiff/math/normal_distribution.hpp>
+#include <fstiff/math/root.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/topography/height_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace fstiff {
+
+/// The highest parts of a surface as a flat cuts them: K of a share of the area [Pa/m], and the share above a level [m] over the
+/// mean plane with its change [1/m].
+template <class C, class T>
+concept CutSurface = requires(const C& cut, T x) {
+    { cut.stiffness(x) } -> std::convertible_to<T>;
+    { cut.share_above(x) } -> std::convertible_to<std::pair<T, T>>;
+};
+
+/// Of a Gaussian surface.
+template <Real T = double>
+class GaussianCut {
+public:
+    /// \throws domain_error unless all are finite and positive.
+    GaussianCut(T rms_height, T rms_gradient, T effective_modulus)
+        : rms_height_(rms_height), stiffness_(T(0.68) * effective_modulus * rms_gradient / rms_height) {
+        require_positive("rms_height", rms_height);
+        require_positive("rms_gradient", rms_gradient);
+        require_positive("effective_modulus", effective_modulus);
+    }
+    [[nodiscard]] T stiffness(T share) const { return stiffness_ * share; }
+    [[nodiscard]] std::pair<T, T> share_above(T level) const {
+        const T z = level / rms_height_;
+        return {normal_share(-z), -normal_density(z) / rms_height_};
+    }
+
+private:
+    T rms_height_, stiffness_;
+};
+
+/// Of a map. Copies share what was made of it.
+template <Real T = double>
+class MapCut {
+public:
+    /// \throws domain_error as HighestPoints.
+    MapCut(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus, Edges edges)
+        : points_(std::make_shared<const HighestPoints<T>>(map, effective_modulus, edges)),
+          curve_(std::make_shared<const BearingSlope<T>>(BearingSlope<T>::of_heights(
+              std::span<const T>(map.heights.data(), static_cast<std::size_t>(map.heights.size()))))),
+          mean_(mean_height(map)) {}
+
+    /// Of a map \p factor times as high: the same points.
+    [[nodiscard]] MapCut scaled(T factor) const {
+        MapCut taller = *this;
+        taller.factor_ *= factor;
+        return taller;
+    }
+    [[nodiscard]] T stiffness(T share) const { return points_->stiffness(share); }
+    /// By straight lines of the bearing curve; of the highest knot beyond it.
+    [[nodiscard]] std::pair<T, T> share_above(T level) const {
+        const auto knots = curve_->knots();
+        const T height = level / factor_ + mean_;
+        const auto above = std::partition_point(knots.begin() + 1, knots.end() - 1,
+                                                [&](const auto& knot) { return knot.height < height; });
+        const auto &a = *(above - 1), &b = *above;
+        const T per_height = (b.score - a.score) / (b.height - a.height);
+        const T score = a.score + (height - a.height) * per_height;
+        return {normal_share(-score), -normal_density(score) * per_height / factor_};
+    }
+
+private:
+    std::shared_ptr<const HighestPoints<T>> points_;
+    std::shared_ptr<const BearingSlope<T>> curve_;
+    T mean_, factor_ = 1;  ///< mean height [m]; heights over those of the map
+};
+
+/// \p Elastic is the contact of the same surface without flow, at light and heavy loads: HybridContact.
+template <Real T, Contact<T> Elastic, CutSurface<T> Cut>
+class PlasticContact : private SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
+    using Base = SlopeContact<PlasticContact<T, Elastic, Cut>, T>;
+    friend Base;
+
+public:
+    /// \throws domain_error unless hardness [Pa], modulus [Pa] and gradient are finite and positive.
+    PlasticContact(Elastic elastic, Cut cut, std::type_identity_t<T> hardness, std::type_identity_t<T> effective_modulus,
+                   std::type_identity_t<T> rms_gradient)
+        : elastic_(std::move(elastic)), cut_(std::move(cut)), hardness_(hardness) {
+        require_positive("hardness", hardness);
+        require_positive("effective_modulus", effective_modulus);
+        require_positive("rms_gradient", rms_gradient);
+        area_per_pressure_ = std::hypot(1 / hardness, 2 / (effective_modulus * rms_gradient));
+    }
+
+    using Base::bulk_compliance;
+    using Base::interaction;
+    using Base::point_at_pressure;
+    using Base::point_at_separation;
+
+    /// The contact under the nominal pressure \p pressure [Pa].
+    /// \throws domain_error unless it is positive, less than H, and within the reach of the elastic contact.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        require_positive("pressure", pressure);
+        require(pressure < hardness_, "pressure", pressure, "less than the hardness (Pa): all has flowed there");
+        ContactState<T> state;
+        state.pressure = {pressure, 0, 0};
+        if (has(wanted, Quantity::stiffness)) {
+            const Estimate<T> elastic = elastic_.at_pressure(pressure, Quantity::stiffness).stiffness;
+            const T K = joined(cut_.stiffness(pressure / hardness_), elastic.value, exponent);
+            state.stiffness = {K, (elastic.error / elastic.value + error_of_cut) * K, elastic.evaluations};
+        }
+        if (has(wanted, Quantity::real_area)) {
+            const T share = (std::min)(area_per_pressure_ * pressure, T(1));
+            state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
+        }
+        if (has(wanted, Quantity::separation | Quantity::loading_stiffness)) {
+            const T d = separation(pressure);
+            state.separation = {d, T(1e-9) * rms_height(), 0};
+            if (has(wanted, Quantity::loading_stiffness) && d > 0) {
+                const T K = -pressure * log_pressure(d / rms_height()).slope / rms_height();
+                state.loading_stiffness = {K, T(1e-6) * K, 0};
+            }
+        }
+        state.eta = state.separation.value / rms_height();
+        return state;
+    }
+
+    /// The contact at the separation \p separation [m] of the mean planes, of loading.
+    /// \throws domain_error unless it is positive and its pressure within reach.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+        return this->state_at_separation(separation, wanted);
+    }
+
+    /// log(p/Pa) and its slope against eta, the separation over the rms height.
+    /// \throws domain_error unless 0 < eta, where a part of the surface stands above it, and its pressure is within reach.
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        const T to_elastic = rms_height() / elastic_.rms_height();
+        const LogSlope<T> elastic = elastic_.log_pressure(eta * to_elastic);
+        const auto [share, change] = cut_.share_above(eta * rms_height());
+        require(share > 0, "eta", eta, "where a part of the surface stands above the separation");
+        const T cut = std::log(share * hardness_), apart = loading_exponent * (elastic.log - cut);
+        const T of_elastic = 1 / (1 + std::exp(apart));  // its part in the sum of the inverse powers
+        const T slope = of_elastic * elastic.slope * to_elastic + (1 - of_elastic) * change / share * rms_height();
+        // log(e^(-n a) + e^(-n b)) from the greater of the two
+        const T sum = std::log1p(std::exp(-std::abs(apart))) / loading_exponent;
+        return {(std::min)(elastic.log, cut) - sum, slope, elastic.error};
+    }
+
+    /// log(K/(Pa/m)) at eta. \throws domain_error as log_pressure.
+    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+        const LogSlope<T> p = log_pressure(eta);
+        const Estimate<T> K = at_pressure(std::exp(p.log), Quantity::stiffness).stiffness;
+        return {std::log(K.value), p.error + K.error / K.value};
+    }
+
+    [[nodiscard]] T rms_height() const { return elastic_.rms_height(); }
+    [[nodiscard]] T hardness() const { return hardness_; }
+    [[nodiscard]] const Elastic& elastic() const { return elastic_; }
+    [[nodiscard]] const Cut& cut() const { return cut_; }
+
+private:
+    static constexpr T exponent = T(1.9), loading_exponent = T(1.3), error_of_cut = T(1e-9);
+
+    /// (a^n + b^n)^(1/n), without overflow.
+    static T joined(T a, T b, T n) {
+        const T most = (std::max)(a, b);
+        return most * std::exp(std::log1p(std::pow((std::min)(a, b) / most, n)) / n);
+    }
+
+    /// The root of p(d) = p; 0 where the pressure at 0 is less.
+    [[nodiscard]] T separation(T pressure) const {
+        const T high = elastic_.at_pressure(pressure, Quantity::separation).separation.value / rms_height();
+        const T low = T(1e-6), target = std::log(pressure);  // flow brings the planes together
+        if (!(high > low) || log_pressure(low).log < target) return 0;
+        const auto residual = [&](T eta) {
+            const LogSlope<T> p = log_pressure(eta);
+            return std::pair(p.log - target, p.slope);
+        };
+        return newton_bracketed(residual, low, high, high, T(1e-10)).root * rms_height();
+    }
+
+    Elastic elastic_;
+    Cut cut_;
+    T hardness_, area_per_pressure_{};
+};
+
+template <class Elastic, class Cut, class... Numbers>
+PlasticContact(Elastic, Cut, Numbers...)
+    -> PlasticContact<std::remove_cvref_t<decltype(std::declval<Elastic>().rms_height())>, Elastic, Cut>;
+
+}  // namespace fstiff

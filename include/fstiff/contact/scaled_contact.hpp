@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The contact of a surface f(zeta) of which only the bearing curve f and the moments of zeta are known: that of the Gaussian
+/// surface with these moments, at the local scale rho of the bearing curve.
+///
+///     K(p) = K_g(p/rho)     A/A0 = A_g(p/rho)     n = n_g(p/rho)     d = int_p dp'/K
+///
+/// rho is that of a BearingContact with the same bearing curve, up to whose full_pressure() d is integrated.
+///
+/// Reference   contact/bearing_contact.hpp
+/// Units       SI
+/// Valid       pressures as \p Of at p/rho; separations above 0
+/// Accuracy    K that of its parts, separation 1e-4 of the rms height as the integral of 1/K
+///             (tests/contact/scaled_contact_test.cpp). Against boundary elements: docs/validation.md
+
+#include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/contact/slope_contact.hpp>
+#include <fstiff/math/gauss_legendre.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace fstiff {
+
+/// \p Of is the contact of the Gaussian surface: HybridContact of its peaks and its spectrum.
+template <Real T, Contact<T> Of>
+class ScaledContact : public SlopeContact<ScaledContact<T, Of>, T> {
+public:
+    ScaledContact(Of of, BearingContact<T> bearing) : of_(std::move(of)), bearing_(std::move(bearing)) {}
+
+    /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as \p Of at p/rho.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        const auto without_separation =
+            static_cast<Quantity>(static_cast<unsigned>(wanted) & ~static_cast<unsigned>(Quantity::separation));
+        ContactState<T> state = of_.at_pressure(pressure / bearing_.local_scale(pressure), without_separation);
+        state.pressure = {pressure, 0, 0};
+        state.separation = has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        state.eta = state.separation.value / rms_height();
+        return state;
+    }
+    /// The contact at the separation \p separation [m] of the mean planes.
+    /// \throws domain_error unless it is positive and its pressure within reach.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+        return this->state_at_separation(separation, wanted);
+    }
+    /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
+    [[nodiscard]] T stiffness(T pressure) const {
+        return of_.at_pressure(pressure / bearing_.local_scale(pressure), Quantity::stiffness).stiffness.value;
+    }
+    /// Separation [m] of the mean planes; 0 from the full pressure on. \throws domain_error as at_pressure.
+    [[nodiscard]] Estimate<T> separation(T pressure) const {
+        require_positive("pressure", pressure);
+        const T to = std::log(bearing_.full_pressure()), from = std::log(pressure);
+        const T error = T(1e-4) * rms_height();
+        if (from >= to) return {T(0), error, 0};
+        const auto whole = static_cast<int>((to - from) * 2);  // panels at the same places for every pressure
+        T d = panel(from, to - T(whole) / 2 - from);
+        for (int i = 1; i <= whole; ++i) d += panel(to - T(i) / 2, T(1) / 2);
+        return {d, error, 8 * (whole + 1)};
+    }
+    /// log(p/Pa) and its slope against eta, the separation over the rms height.
+    /// \throws domain_error unless 0 < eta and its pressure is within reach.
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
+        const T high = std::log(bearing_.full_pressure());
+        return this->searched_log_pressure(eta, high - 60, high, high - T(1.5) - 2 * eta, "within the reach of the laws");
+    }
+
+    [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }
+    [[nodiscard]] const Of& gaussian() const { return of_; }
+    [[nodiscard]] const BearingContact<T>& bearing() const { return bearing_; }
+
+private:
+    /// int p/K d ln p
+    [[nodiscard]] T panel(T from, T length) const {
+        const auto& rule = GaussLegendre<T, 8>::get();
+        T sum = 0;
+        for (std::size_t i = 0; i < 8; ++i) {
+            const T p = std::exp(from + length * (1 + rule.node[i]) / 2);
+            sum += rule.weight[i] * p / stiffness(p);
+        }
+        return length / 2 * sum;
+    }
+
+    Of of_;
+    BearingContact<T> bearing_;
+};
+
+template <class Of, class Bearing>
+ScaledContact(Of, Bearing) -> ScaledContact<std::remove_cvref_t<decltype(std::declval<Of>().rms_height())>, Of>;
+
+}  // namespace fstiff

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The bearing curve on probability paper, where a Gaussian surface is a straight line, and its slope about a level.
+///
+///     h = f(zeta),  zeta = Phi^-1((rank + 1/2)/N)       heights in rising order; equal heights have their mean rank
+///     s(c, w) = slope of the straight line through f that fits best with the weights exp(-(zeta - c)^2/(2 w^2))
+///
+/// A surface f(zeta) is, about the level c, a Gaussian surface whose rms height is s: sigma everywhere under a Gaussian, less
+/// on a worn plateau, more where peaks are sharp. The line is fitted at 61 values of zeta that are evenly spaced in
+/// [c - 3 w, c + 3 w], as far as there are points; f is straight between points. A level beyond the points is moved to the
+/// last of them.
+///
+/// Knots closer than 1/512 in zeta are left out, so that a million heights become some 4000 knots, and all points of the
+/// tails stay.
+///
+/// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; probability paper as in ISO 13565-3; the slope: this project,
+///             docs/validation.md
+/// Units       heights in any unit; zeta dimensionless
+/// Valid       two different heights at least; missing ones (NaN) are left out; w > 0
+/// Accuracy    the slope within 2e-4 of that of all heights (tests/surface/bearing_slope_test.cpp)
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/math/accumulate.hpp>
+#include <fstiff/math/normal_distribution.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace fstiff {
+
+/// f as straight lines between knots.
+template <Real T = double>
+class BearingSlope {
+public:
+    /// One point of the curve.
+    struct Knot {
+        T score;   ///< zeta
+        T height;  ///< f(zeta)
+    };
+
+    /// Of heights in any order; knots closer than \p spacing are left out.
+    /// \throws domain_error unless two of them differ, and all that exist are finite.
+    [[nodiscard]] static BearingSlope of_heights(std::span<const T> heights, T spacing = T(1) / 512) {
+        std::vector<T> sorted;
+        for (const T z : heights)
+            if (!std::isnan(z)) sorted.push_back(z);
+        std::sort(sorted.begin(), sorted.end());
+        return of_sorted(sorted, [](std::size_t, std::size_t, T) {}, spacing);
+    }
+
+    /// Of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of equal ones.
+    template <class Use>
+    [[nodiscard]] static BearingSlope of_sorted(std::span<const T> sorted, const Use& use, T spacing = T(1) / 512) {
+        std::vector<Knot> knots;
+        const auto count = static_cast<T>(sorted.size());
+        for (std::size_t from = 0, to = 0; from < sorted.size(); from = to) {
+            to = from + 1;
+            while (to < sorted.size() && sorted[to] == sorted[from]) ++to;
+            const T score = normal_quantile((static_cast<T>(from) + static_cast<T>(to)) / (2 * count));
+            use(from, to, score);
+            if (to == sorted.size() || knots.empty() || score - knots.back().score >= spacing)
+                knots.push_back({score, sorted[from]});
+        }
+        return BearingSlope(std::move(knots));
+    }
+
+    /// Of knots with rising scores and heights. \throws domain_error unless there are two, and both rise.
+    explicit BearingSlope(std::vector<Knot> knots) : knots_(std::move(knots)) {
+        require(knots_.size() >= 2, "different heights of a bearing curve", knots_.size(), "at least 2");
+        for (std::size_t i = 0; i < knots_.size(); ++i) {
+            require(std::isfinite(knots_[i].height), "height of a bearing curve", knots_[i].height, "finite");
+            if (i > 0)
+                require(knots_[i].score > knots_[i - 1].score && knots_[i].height > knots_[i - 1].height,
+                        "height of a bearing curve", knots_[i].height, "more than that of the score below");
+        }
+    }
+
+    /// f(zeta); straight on beyond the ends.
+    [[nodiscard]] T height(T score) const { return on_line(above(score), score); }
+
+    /// s: the slope of the curve about \p center, over a width of \p width.
+    [[nodiscard]] T slope(T center, T width) const {
+        const T c = std::clamp(center, lowest(), highest());
+        const T from = (std::max)(c - 3 * width, lowest()), to = (std::min)(c + 3 * width, highest());
+        T mass = 0, score = 0, rise = 0, square = 0, product = 0;
+        std::size_t i = above(from);
+        const T base = on_line(i, from);
+        for (int k = 0; k < nodes; ++k) {
+            const T x = (to - from) * T(k) / (nodes - 1), zeta = from + x, off = (zeta - c) / width;
+            while (i + 1 < knots_.size() && knots_[i].score < zeta) ++i;
+            const T weight = std::exp(-off * off / 2), y = on_line(i, zeta) - base;
+            mass += weight, score += weight * x, rise += weight * y;
+            square += weight * x * x, product += weight * x * y;
+        }
+        return (product - score * rise / mass) / (square - score * score / mass);
+    }
+
+    [[nodiscard]] T lowest() const { return knots_.front().score; }
+    [[nodiscard]] T highest() const { return knots_.back().score; }
+    [[nodiscard]] std::span<const Knot> knots() const { return knots_; }
+
+private:
+    static constexpr int nodes = 61;
+
+    /// The knot that ends the line on which \p score lies.
+    [[nodiscard]] std::size_t above(T score) const {
+        const auto found = std::partition_point(knots_.begin() + 1, knots_.end() - 1,
+                                                [score](const Knot& knot) { return knot.score < score; });
+        return static_cast<std::size_t>(found - knots_.begin());
+    }
+    [[nodiscard]] T on_line(std::size_t end, T score) const {
+        const Knot &a = knots_[end - 1], &b = knots_[end];
+        return a.height + (b.height - a.height) * ((score - a.score) / (b.score - a.score));
+    }
+
+    std::vector<Knot> knots_;
+};
+
+}  // namespace fstiff

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth: Persson's contact under a Gaussian; the fixed point by plain iteration with a separation summed here; boundary elements
+// and K of another program on tests/data/bearing_map_honed.f32.
+#include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/summits.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/half_space_maps.hpp"
+#include "support/table.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <vector>
+
+namespace bearing_contact_test {
+
+using namespace fstiff;
+
+static_assert(ProportionalContact<BearingContact<double>, double>);
+static_assert(ProportionalContact<BearingContact<float>, float>);
+
+HeightMap<double> honed() {
+    HeightMap<float> map;
+    map.dx = map.dy = 1.0F / 256;
+    map.heights.resize(256, 256);
+    std::ifstream file(FSTIFF_TEST_DATA "/bearing_map_honed.f32", std::ios::binary);
+    REQUIRE(file.read(reinterpret_cast<char*>(map.heights.data()), 4 * 65536));
+    return {map.heights.cast<double>(), 1.0 / 256, 1.0 / 256};
+}
+
+BearingContact<double> contact_of(const HeightMap<double>& map, double modulus = 1, Edges edges = Edges::periodic) {
+    const auto order = gaussian_order(map);
+    return {PerssonContact<double>(map_spectrum(order.map, edges), modulus), order.curve, order.rms_height};
+}
+
+/// rho by plain iteration from 1; d_g by Simpson's rule in ln p.
+double slow_scale(const PerssonContact<double>& gaussian, const BearingSlope<double>& curve, double sigma, double p) {
+    const double end = std::log(4 * gaussian.effective_modulus() * gaussian.rms_gradient());
+    double rho = 1;
+    for (int round = 0; round < 60; ++round) {
+        const double from = std::log(p / rho), step = (end - from) / 400;
+        double d = 0;
+        for (int i = 0; i <= 400; ++i) {
+            const double x = std::exp(from + step * i);
+            d += (i == 0 || i == 400 ? 1 : i % 2 == 1 ? 4 : 2) * x / gaussian.stiffness(x) * step / 3;
+        }
+        const double P = gaussian.real_area_fraction(p / rho);
+        rho = std::sqrt(rho * curve.slope(d / sigma + 0.2 - 0.3 * P, std::sqrt(0.25 + P * P)) / sigma);
+    }
+    return rho;
+}
+
+TEST_CASE("Without a bearing curve, and under a straight one, the crowded contact is Persson's") {
+    const PerssonContact<double> persson(BandSpectrum<double>{1e-3, 0.8, 10, 10, 200}, 3.0);
+    const BearingContact<double> plain(persson);
+    const double sigma = persson.rms_height();
+    const BearingContact<double> straight(persson, BearingSlope<double>({{-5, -5 * sigma}, {5, 5 * sigma}}), sigma);
+    for (const double p_star : {1e-6, 1e-3, 0.03, 0.4, 1.5, 5.0}) {
+        const double p = p_star * 3 * persson.rms_gradient();
+        const auto truth = persson.at_pressure(p), same = plain.at_pressure(p), found = straight.at_pressure(p);
+        CAPTURE(p_star);
+        CHECK(same.stiffness.value == truth.stiffness.value);
+        CHECK(same.separation.value == truth.separation.value);
+        CHECK(plain.stiffness(p) == truth.stiffness.value);
+        CHECK(test::relative_error(found.stiffness.value, truth.stiffness.value) < 1e-11);
+        CHECK(test::relative_error(found.real_area_fraction.value, truth.real_area_fraction.value) < 1e-11);
+        CHECK(std::abs(found.separation.value - truth.separation.value) < 1e-8 * sigma);
+        CHECK(std::abs(straight.local_scale(p) - 1) < 1e-12);
+    }
+    CHECK(plain.full_pressure() == 2 * 3 * persson.rms_gradient());
+    CHECK(plain.at_separation(sigma).pressure.value == persson.at_separation(sigma).pressure.value);
+    CHECK(plain.log_pressure(1.0).log == persson.log_pressure(1.0).log);
+}
+
+TEST_CASE("The crowded contact of a honed map is that of another program, and near boundary elements") {
+    const HeightMap<double> map = honed();
+    const BearingContact<double> contact = contact_of(map);
+    const auto order = gaussian_order(map);
+    const BearingContact<double> persson_alone(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
+    const test::Table table("bearing_map_honed.csv");
+    REQUIRE(table.size() == 7);
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const double p = table.input(row, "pressure"), K = contact.stiffness(p);
+        CAPTURE(p);
+        // 1e-4 where many points touch; of the highest points the other program has 3e-3 less at 3e-5
+        CHECK(test::relative_error(K, table.input(row, "stiffness_crowded")) < (p > 5e-4 ? 1e-4 : p > 5e-5 ? 1e-3 : 4e-3));
+        CHECK(test::relative_error(contact.local_scale(p),
+                                   slow_scale(contact.gaussian(), order.curve, order.rms_height, p)) < 1e-6);
+        const double truth = table.input(row, "stiffness_boundary_elements");
+        const HybridContact hybrid(SummitContact<double>(summits_of(map), 1.0), contact);
+        if (p > 5e-5) CHECK(test::relative_error(hybrid.stiffness(p), truth) < 0.15);
+        const HybridContact before(SummitContact<double>(summits_of(map), 1.0), persson_alone);
+        if (p > 2e-3 && p < 2e-2) CHECK(before.stiffness(p) < 0.7 * truth);
+    }
+}
+
+TEST_CASE("K of a bearing contact is the slope of its load, dK/dp its own, and a separation is undone") {
+    const BearingContact<double> contact = contact_of(honed());
+    for (const double p : {1e-5, 3e-4, 2e-3, 2e-2, 0.06}) {
+        const double step = 0.02 * p;
+        const auto at = contact.stiffness_and_slope(p);
+        CAPTURE(p);
+        CHECK(at.stiffness == contact.stiffness(p));
+        // the bearing curve is straight between points: differences over other steps are of other lines
+        CHECK(test::relative_error(at.slope, (contact.stiffness(p + step) - contact.stiffness(p - step)) / (2 * step)) <
+              0.02);
+        const double slope = (contact.separation(p - step).value - contact.separation(p + step).value) / (2 * step);
+        CHECK(std::abs(slope * at.stiffness - 1) < 2e-3);
+        const auto state = contact.at_pressure(p);
+        if (state.separation.value > 0.01 * contact.rms_height()) {
+            const auto back = contact.at_separation(state.separation.value);
+            CHECK(test::relative_error(back.pressure.value, p) < 1e-9);
+            CHECK(test::relative_error(back.stiffness.value, state.stiffness.value) < 1e-9);
+        }
+        CHECK(state.eta == state.separation.value / contact.rms_height());
+    }
+    double last = 0;
+    for (double p = 1e-9; p < 1; p *= 1.1) {
+        CHECK(contact.stiffness(p) > last);
+        last = contact.stiffness(p);
+    }
+    CHECK_THROWS_AS(contact.stiffness(2 * contact.largest_pressure()), domain_error);
+    CHECK_THROWS_AS(contact.stiffness(0), domain_error);
+}
+
+TEST_CASE("A bearing contact scales with lengths, moduli and heights") {
+    const HeightMap<double> map = honed();
+    HeightMap<double> other{map.heights * 1e-6, map.dx * 1e-6, map.dy * 1e-6};
+    const BearingContact<double> one = contact_of(map), tiny = contact_of(other, 2e11), higher = one.scaled(3);
+    other = {map.heights * 3, map.dx, map.dy};
+    const BearingContact<double> made_higher = contact_of(other);
+    for (const double p : {1e-4, 3e-3, 3e-2}) {
+        CHECK(test::relative_error(tiny.stiffness(p * 2e11), one.stiffness(p) * 2e11 / 1e-6) < 1e-8);
+        CHECK(test::relative_error(higher.stiffness(p), made_higher.stiffness(p)) < 1e-8);
+        CHECK(test::relative_error(higher.separation(p).value, made_higher.separation(p).value) < 1e-8);
+        CHECK(test::relative_error(higher.stiffness(3 * p), one.stiffness(p)) < 1e-9);
+    }
+    CHECK(test::relative_error(higher.rms_gradient(), made_higher.rms_gradient()) < 1e-12);
+    CHECK(test::relative_error(higher.full_pressure(), made_higher.full_pressure()) < 1e-12);
+}
+
+TEST_CASE("Small maps, plateaus of equal heights and light loads have a finite K") {
+    const HeightMap<double> whole = test::half_space_map("skewed");
+    HeightMap<double> part{whole.heights.block(0, 0, 32, 32), whole.dx, whole.dy};
+    HeightMap<double> plateau = part, coarse = part;
+    const double top = mean_height(part);
+    plateau.heights = part.heights.min(top);
+    coarse.heights = (part.heights * (4 / rms_height(part))).round();
+    for (const HeightMap<double>& map : {part, plateau, coarse}) {
+        const BearingContact<double> contact = contact_of(map, 1, Edges::mirrored);
+        double last = 0;
+        for (double p = contact.full_pressure() * 1e-9; p < contact.full_pressure(); p *= 2) {
+            const auto state = contact.at_pressure(p);
+            CAPTURE(p);
+            CHECK(std::isfinite(state.stiffness.value));
+            CHECK(state.stiffness.value > last);
+            CHECK(std::isfinite(state.separation.value));
+            last = state.stiffness.value;
+        }
+    }
+}
+
+}  // namespace bearing_contact_test

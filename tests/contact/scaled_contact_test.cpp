@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth: the Gaussian contact under a straight bearing curve; boundary elements of the skewed map of tests/data/bem_maps.csv.
+#include <fstiff/asperity/laws.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/scaled_contact.hpp>
+#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+#include "support/half_space_maps.hpp"
+#include "support/table.hpp"
+
+#include <cmath>
+
+namespace scaled_contact_test {
+
+using namespace fstiff;
+
+/// hybrid of the moments \p m under the bearing curve \p curve of the rms \p unit.
+auto law_of(const SpectralMoments<double>& m, const BearingSlope<double>& curve, double unit) {
+    const PerssonContact<double> persson(band_of_moments(m, 0.8), 1.0);
+    const double sigma = std::sqrt(m.m0), alpha = m.bandwidth();
+    const Roughness<double> surface{sigma, peak_radius_of(m), peak_density_of(m)};
+    HybridContact of(RoughContact(surface, PeakDistribution<double>(1 / std::sqrt(alpha), 1e-3), HertzLaw<double>{}, 1.0),
+                     persson);
+    std::vector<BearingSlope<double>::Knot> knots;
+    for (const auto& knot : curve.knots()) knots.push_back({knot.score, knot.height * sigma / unit});
+    return ScaledContact(of, BearingContact<double>(persson, BearingSlope<double>(std::move(knots)), sigma));
+}
+
+TEST_CASE("A contact at the scale of a straight bearing curve is the Gaussian one") {
+    const auto contact = law_of(moments_of_gradient(1e-3, 0.1, 8.0), bearing_of_moments(0.0, 3.0), 1);
+    static_assert(ProportionalContact<decltype(contact), double>);
+    for (const double p : {1e-5, 1e-3, 1e-2}) {
+        const auto state = contact.at_pressure(p), truth = contact.gaussian().at_pressure(p);
+        CHECK(test::relative_error(state.stiffness.value, truth.stiffness.value) < 1e-9);
+        CHECK(test::relative_error(state.real_area_fraction.value, truth.real_area_fraction.value) < 1e-9);
+        CHECK(std::abs(state.separation.value - truth.separation.value) < 1e-4 * contact.rms_height());
+        CHECK(test::relative_error(contact.at_separation(state.separation.value).pressure.value, p) < 1e-8);
+    }
+}
+
+TEST_CASE("Statistics of a skewed map are nearer to its boundary elements with its bearing curve") {
+    const test::Table bem("bem_maps.csv");
+    const HeightMap<double> map = test::half_space_map("skewed");
+    const auto order = gaussian_order(map);
+    // moments of the Gaussian map of the same order
+    SpectralMoments<double> m{};
+    const detail::ShellGrid<double> grid(map, Edges::periodic);
+    detail::visit_waves<double>(order.map.heights - order.map.heights.mean(), Edges::periodic,
+                                [&](double k, double l, double power) {
+                                    const double q = grid.wave_number(k, l);
+                                    m.m0 += power, m.m2 += q * q * power / 2, m.m4 += 0.375 * q * q * q * q * power;
+                                });
+    const auto contact = law_of(m, order.curve, order.rms_height);
+    double with = 0, without = 0;
+    int points = 0;
+    for (std::size_t row = 0; row < bem.size(); ++row) {
+        if (bem.text(row, "map") != "skewed" || bem.input(row, "p_star") < 9e-4) continue;
+        const double p = bem.input(row, "p_over_E"), truth = bem.input(row, "stiffness_times_L_over_E");
+        with = std::max(with, std::abs(std::log(contact.stiffness(p) / truth)));
+        without = std::max(without, std::abs(std::log(contact.gaussian().stiffness(p) / truth)));
+        ++points;
+    }
+    CAPTURE(with, without);
+    CHECK(points >= 5);
+    CHECK(with < 0.25);
+    CHECK(without > 1.5 * with);
+}
+
+}  // namespace scaled_contact_test
