@@ -4,7 +4,7 @@
 /// The contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, which a wave sees.
 ///
 ///     K    = (K_cut^1.9 + K_elastic^1.9)^(1/1.9)            at equal pressure, K_cut at the share p/H
-///     A/A0 = p sqrt(1/H^2 + 4/(E g)^2)
+///     A/A0 = p sqrt(1/H^2 + 4/(E g)^2)                      g at the local scale of a bearing curve
 ///     p(d) = (p_cut^-1.3 + p_elastic^-1.3)^(-1/1.3)         p_cut = H times the share of the surface above d
 ///
 /// K_cut is that of the highest points of area p/H held together: for a map one linear problem (MapCut), for a Gaussian surface
@@ -15,7 +15,8 @@
 ///             Mikic, Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279 (the form of K_cut)
 /// Units       SI
 /// Valid       0 < p < H. Tried: p/H from 0.003 to 0.1, H/(E g) from 0.02 to 0.5
-/// Accuracy    against boundary elements with pressures cut at H: docs/validation.md. Separation as the root of p(d), 1e-10 of the
+/// Accuracy    against boundary elements with pressures cut at H, seven maps of seven kinds, p/H 0.003 to 0.1: K of a map within
+///             15 % at 138 of 140 points, of numbers at 115 (at 40 of 40 on Gaussian maps). Separation as the root of p(d), 1e-10 of the
 ///             rms height (tests/contact/plastic_contact_map_test.cpp)
 
 #include <fstiff/contact/contact_concept.hpp>
@@ -116,7 +117,7 @@ public:
         require_positive("hardness", hardness);
         require_positive("effective_modulus", effective_modulus);
         require_positive("rms_gradient", rms_gradient);
-        area_per_pressure_ = std::hypot(1 / hardness, 2 / (effective_modulus * rms_gradient));
+        modulus_times_gradient_ = effective_modulus * rms_gradient;
     }
 
     using Base::bulk_compliance;
@@ -137,7 +138,7 @@ public:
             state.stiffness = {K, (elastic.error / elastic.value + error_of_cut) * K, elastic.evaluations};
         }
         if (has(wanted, Quantity::real_area)) {
-            const T share = (std::min)(area_per_pressure_ * pressure, T(1));
+            const T share = (std::min)(std::hypot(1 / hardness_, 2 / elastic_scale(pressure)) * pressure, T(1));
             state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
         }
         if (has(wanted, Quantity::separation | Quantity::loading_stiffness)) {
@@ -188,6 +189,16 @@ public:
 private:
     static constexpr T exponent = T(1.9), loading_exponent = T(1.3), error_of_cut = T(1e-9);
 
+    /// E g [Pa]; where the elastic contact has a bearing curve, of the surface at its local scale.
+    [[nodiscard]] T elastic_scale(T pressure) const {
+        if constexpr (requires { elastic_.crowded().gaussian(); }) {
+            const auto& crowded = elastic_.crowded();
+            if (crowded.has_bearing_curve())
+                return crowded.effective_modulus() * crowded.gaussian().rms_gradient() * crowded.local_scale(pressure);
+        }
+        return modulus_times_gradient_;
+    }
+
     /// (a^n + b^n)^(1/n), without overflow.
     static T joined(T a, T b, T n) {
         const T most = (std::max)(a, b);
@@ -208,7 +219,7 @@ private:
 
     Elastic elastic_;
     Cut cut_;
-    T hardness_, area_per_pressure_{};
+    T hardness_, modulus_times_gradient_{};  ///< [Pa]
 };
 
 template <class Elastic, class Cut, class... Numbers>
