@@ -204,6 +204,8 @@ public:
     [[nodiscard]] const PerssonContact<T>& gaussian() const { return gaussian_; }
     /// 2 rho E g [Pa], where all is in contact.
     [[nodiscard]] T full_pressure() const { return 2 * effective_modulus() * gaussian_.rms_gradient() * last_scale_; }
+    /// \throws domain_error unless \p pressure [Pa] is positive and the Gaussian surface was compared at p/rho.
+    void require_compared(T pressure) const { gaussian_.require_compared(pressure / local_scale(pressure)); }
     /// Beyond it there is no state [Pa].
     [[nodiscard]] T largest_pressure() const { return gaussian_.largest_pressure() * last_scale_; }
 
