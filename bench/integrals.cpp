@@ -7,7 +7,7 @@ namespace {
 
 using namespace bench;
 
-const Rows rows([] {
+const Rows rows_of_integrals([] {
     for (const char* grid : {plain, hard})
         for (const double tolerance : tolerances) {
             const auto add = [&](const char* what, const Which& which, auto method) {

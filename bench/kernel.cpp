@@ -16,7 +16,7 @@ void law_rows(const std::string& name, std::initializer_list<double> wanted, dou
                [=](const Problem& p) { return kernel<axis, Law>(p, tolerance); });
 }
 
-const Rows rows([] {
+const Rows rows_of_kernel([] {
     law_rows<Axis::even, HertzByUser>("hertz", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
     law_rows<Axis::even, GradualYield>("gradual_yield", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
     law_rows<Axis::graded, ElasticPlastic>("elastic_plastic", {1e-3, 1e-6, 1e-9, 1e-10, 1e-12}, 1);

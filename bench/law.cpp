@@ -35,7 +35,7 @@ struct Gaps {
     }
 };
 
-const Rows rows([] {
+const Rows rows_of_law([] {
     constexpr double law_bound = 1e-10;
     const auto law = []() -> const fstiff::ContactLaw<double>& {
         static const auto compiled = tabulated_law();

@@ -114,7 +114,7 @@ const fstiff::HeightMap<double>& map() {
     return made;
 }
 
-const Rows rows([] {
+const Rows rows_of_profile([] {
     constexpr std::size_t points = 65536;
     constexpr double spacing = shortest / 2;
     verified_row(

@@ -15,7 +15,7 @@
 
 namespace bench {
 
-/// `static const Rows rows([] { row(...); });`
+/// `const Rows rows_of_kernel([] { row(...); });`, named after its file: files are compiled together
 struct Rows {
     template <class Add>
     explicit Rows(const Add& add) {

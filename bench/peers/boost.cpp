@@ -40,7 +40,7 @@ Values nested(const Problem& p, const Which& which, const Setting& with) {
     return out;
 }
 
-const Rows rows([] {
+const Rows rows_of_boost([] {
     for (const Setting& with :
          {Setting{1e-3, 0, 1e-3, 1e-4}, {1e-6, 0, 1e-4, 1e-5}, {1e-9, 0, 1e-7, 1e-8}, {1e-12, 0, 1e-9, 1e-10}})
         row("boost-exp_sinh", "four", plain, text_of(with.tolerance), four, with.tolerance,

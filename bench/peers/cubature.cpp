@@ -47,7 +47,7 @@ Values adaptive(const Problem& p, const Setting& with) {
     return out;
 }
 
-const Rows rows([] {
+const Rows rows_of_cubature([] {
     for (const Setting& with :
          {Setting{1e-3, 10, 1e-2, 0}, {1e-6, 32, 1e-3, 0}, {1e-9, 26, 1e-5, 0}, {1e-12, 32, 1e-7, 0}})
         row("cubature", "four", plain, text_of(with.tolerance), four, with.tolerance,

@@ -195,7 +195,7 @@ Values tuned_to_problem(const Problem& p) {
     return far ? tuned<40, 0>(p, depth, column_depth) : tuned<32, 0>(p, depth, column_depth);
 }
 
-const Rows rows([] {
+const Rows rows_of_gauss_legendre([] {
     const std::string points = "50x50";
     row("gauss_legendre-scalar", "stiffness", plain, points, one, 1e-4,
         [](const Problem& p) { return box_scalar(p, one); });

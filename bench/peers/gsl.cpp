@@ -135,7 +135,7 @@ Values nested(const Problem& p, const Which& which, const Setting& with) {
     return integrate<Rule>(p, which, with, row_of<Rule>, 1);
 }
 
-const Rows rows([] {
+const Rows rows_of_gsl([] {
     for (const Setting& with :
          {Setting{1e-3, 10, 1e-1, 0}, {1e-6, 18, 1e-1, 0}, {1e-9, 30, 1e-4, 0}, {1e-12, 32, 1e-5, 0}}) {
         const auto add = [&](const char* what, const Which& which) {

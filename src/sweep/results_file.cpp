@@ -2,6 +2,7 @@
 #include "sweep/results_file.hpp"
 
 #include "scene/file.hpp"
+#include "scene/json.hpp"
 #include "sweep/rows.hpp"
 
 #include <fstiff/core/error.hpp>
@@ -126,19 +127,19 @@ Description read_description(const std::string& results) {
 
 void write_description(const std::string& results, const Description& description) {
     const std::string file = description_file(results), partial = file + ".partial";
-    nlohmann::ordered_json json{{"schema_version", 1},
-                                {"command", "sweep"},
-                                {"grid", description.grid},
-                                {"hash", description.hash},
-                                {"scenes", description.scenes},
-                                {"shard", description.shard.number},
-                                {"shards", description.shard.of},
-                                {"finished", description.finished},
-                                {"failed", description.failed},
-                                {"bytes", description.bytes}};
+    const scene::Json json{{"schema_version", 1},
+                           {"command", "sweep"},
+                           {"grid", description.grid},
+                           {"hash", description.hash},
+                           {"scenes", description.scenes},
+                           {"shard", description.shard.number},
+                           {"shards", description.shard.of},
+                           {"finished", description.finished},
+                           {"failed", description.failed},
+                           {"bytes", description.bytes}};
     const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) fail(partial, "cannot be written");
-    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    const std::string text = json.str();
     try {
         write_all(descriptor, text, partial);
         if (fsync(descriptor) != 0) fail(partial, "cannot be written");
