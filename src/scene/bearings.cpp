@@ -15,6 +15,14 @@ BearingContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, d
     return made_.emplace(key, BearingContact<double>(gaussian, std::move(order.curve), order.rms_height)).first->second;
 }
 
+HandOver<double> BearingsOfMaps::hand_over(std::size_t index, Edges edges, double modulus, double gamma) const {
+    const BearingContact<double> crowded = contact(index, edges, modulus, gamma);
+    const std::lock_guard lock(guard_);
+    const auto key = std::tuple(index, edges, modulus, gamma);
+    if (const auto found = hand_overs_.find(key); found != hand_overs_.end()) return found->second;
+    return hand_overs_.emplace(key, hand_over_of(summits_of(*maps_[index]), crowded, edges)).first->second;
+}
+
 MapCut<double> BearingsOfMaps::cut(std::size_t index, Edges edges, double modulus) const {
     const std::lock_guard lock(guard_);
     const auto key = std::tuple(index, edges, modulus);

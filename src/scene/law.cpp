@@ -285,7 +285,13 @@ std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
 
 /// The hybrid law of one shift of a map, and of numbers.
 auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::size_t shift) {
-    return HybridContact(SummitContact<double>(of, inputs.effective_modulus), crowded(inputs, shift));
+    const MapOfSurface& map = *inputs.map;
+    SummitContact<double> peaks(of, inputs.effective_modulus);
+    BearingContact<double> crowded_contact = crowded(inputs, shift);
+    HandOver<double> hand_over =
+        map.bearings->hand_over(map.first_bearing + shift, inputs.elements.edges, inputs.effective_modulus, inputs.gamma)
+            .of(peaks, crowded_contact, map.taller);
+    return HybridContact(std::move(peaks), std::move(crowded_contact), std::move(hand_over));
 }
 auto hybrid_of_numbers(const ContactInputs& inputs) {
     return hybrid_of_band(band_of_moments(inputs.moments, inputs.hurst), inputs.effective_modulus, inputs.gamma);
@@ -473,7 +479,6 @@ const std::array<Law, 12> table{{
      .quantities = without_contacts,
      .needs_spectrum = true,
      .needs_hardness = true,
-     .summits_of_map = true,
      .holds_when_crowded = true},
     {.name = "plastic_peaks",
      .nature = "fully plastic peaks, each by itself: K is that of unloading, which a wave sees",

@@ -11,7 +11,7 @@
 /// K_crowded is Persson's; of a surface with a bearing curve it is that at the local scale of the curve, by which 2 E g is
 /// multiplied too (contact/bearing_contact.hpp).
 ///
-/// Each of the two is below the truth where it fails, so that the larger one counts; the exponent is fitted to boundary
+/// Of a map K is joined by HandOver (contact/hand_over.hpp). Each of the two is below the truth where it fails, so that the larger one counts; the exponent is fitted to boundary
 /// elements, 4 to 8 do nearly as well. Both must be of the same surface. Interaction between the peaks is what Persson's
 /// theory adds: the contact of the peaks is taken without it.
 ///
@@ -41,12 +41,23 @@
 
 namespace fstiff {
 
-/// \p Peaks is a contact of independent peaks: RoughContact with any law, or SummitContact.
-template <Real T, Contact<T> Peaks>
-class HybridContact : public SlopeContact<HybridContact<T, Peaks>, T> {
+/// (a^5 + b^5)^(1/5), without overflow: of laws that are each below the truth where they fail.
+template <Real T = double>
+struct FifthPowers {
+    [[nodiscard]] T operator()(T /*pressure*/, T peaks, T crowded) const {
+        const T most = (std::max)(peaks, crowded), ratio = (std::min)(peaks, crowded) / most, square = ratio * ratio;
+        return most * std::exp(std::log1p(square * square * ratio) / 5);
+    }
+};
+
+/// \p Peaks is a contact of independent peaks: RoughContact with any law, BandHills or SummitContact; \p Join makes one K
+/// of the two under a pressure.
+template <Real T, Contact<T> Peaks, class Join = FifthPowers<T>>
+class HybridContact : public SlopeContact<HybridContact<T, Peaks, Join>, T> {
 public:
     /// \throws domain_error when \p peaks has an interaction, or does not reach 2 E g.
-    HybridContact(Peaks peaks, BearingContact<T> crowded) : peaks_(std::move(peaks)), crowded_(std::move(crowded)) {
+    HybridContact(Peaks peaks, BearingContact<T> crowded, Join join = {})
+        : peaks_(std::move(peaks)), crowded_(std::move(crowded)), join_(std::move(join)) {
         if (peaks_.interaction().reading != InteractionReading::none)
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
     }
@@ -56,7 +67,8 @@ public:
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as stiffness() of either law.
     [[nodiscard]] T stiffness(T pressure) const {
-        return joined(peaks_.at_pressure(pressure, Quantity::stiffness).stiffness.value, crowded_.stiffness(pressure));
+        return join_(pressure, peaks_.at_pressure(pressure, Quantity::stiffness).stiffness.value,
+                     crowded_.stiffness(pressure));
     }
 
     /// The contact under the nominal pressure \p pressure [Pa].
@@ -69,7 +81,7 @@ public:
         if (stiff) {
             const T share = state.stiffness.error / state.stiffness.value;
             const int evaluations = state.stiffness.evaluations;
-            const T K = joined(state.stiffness.value, crowded_.stiffness(pressure));
+            const T K = join_(pressure, state.stiffness.value, crowded_.stiffness(pressure));
             state.stiffness =
                 state.loading_stiffness = {K, (share + 80 * std::numeric_limits<T>::epsilon()) * K, evaluations};
         }
@@ -121,12 +133,6 @@ private:
     /// Of the separation; K by a bearing curve is not smooth.
     [[nodiscard]] T error_share() const { return crowded_.has_bearing_curve() ? T(1e-5) : T(1e-11); }
 
-    /// (a^5 + b^5)^(1/5), without overflow.
-    static T joined(T a, T b) {
-        const T most = (std::max)(a, b), ratio = (std::min)(a, b) / most, square = ratio * ratio;
-        return most * std::exp(std::log1p(square * square * ratio) / 5);
-    }
-
     /// int p/K d ln p
     [[nodiscard]] T panel(T from, T to) const {
         const auto& rule = GaussLegendre<T, 16>::get();
@@ -140,6 +146,7 @@ private:
 
     Peaks peaks_;
     BearingContact<T> crowded_;
+    Join join_;
     /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of them
     /// publishes its own: std::call_once would need the threads library, which the target does not link.
     struct Knots {

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// How the hybrid contact of a map goes from its summits to its crowded contact.
+///
+///     K = ratio(p) K_peaks                                                            p <= p_h
+///     K = K_crowded (ratio K_peaks/K_crowded at p_h)^(1 - ln(p/p_h)/ln 8)             p_h < p < 8 p_h
+///     K = K_crowded                                                                   p >= 8 p_h
+///
+/// The fifth powers of contact/hybrid_contact.hpp are for two laws that are each too small where they fail. The summits of a
+/// map are not: where they share hills, each by itself they are up to twice too stiff. So ratio(p) = K of summits that push each other down over K
+/// of summits each by themselves, tabulated once at p_h, p_h/2, p_h/4, ... and linear in ln p between; surfaces drawn about
+/// the map for a band share it. p_h is where 6 % of the area is in contact by the crowded law, or fewer where more
+/// than 1,200 summits carry or the summits cannot be told apart; there both laws are known, and what they differ by fades out.
+/// Adding two laws that are each right by powers makes 9 to 15 % too much where they meet; a mean of the two over 3 to
+/// 8 % of the area is as good but where the summits are refused early, on worn surfaces.
+///
+/// Reference   this project: 6 %, 8 and 1,200 by boundary elements of 25 kinds of maps (docs/validation.md)
+/// Units       SI
+/// Valid       pressures within the reach of the laws
+/// Accuracy    docs/validation.md
+
+#include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/mutual_summits.hpp>
+#include <fstiff/contact/summit_contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace fstiff {
+
+/// From the summits of a map to its crowded contact.
+template <Real T = double>
+class HandOver {
+public:
+    /// \p log_ratio: ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_jump: ln of ratio K_peaks/K_crowded at p_h.
+    HandOver(T log_pressure, std::vector<T> log_ratio, T log_jump)
+        : log_pressure_(log_pressure), log_jump_(log_jump), log_ratio_(std::move(log_ratio)) {
+        require(!log_ratio_.empty(), "ratios of a hand-over", log_ratio_.size(), "at least 1");
+    }
+
+    /// K [Pa/m] of both under \p pressure [Pa].
+    [[nodiscard]] T operator()(T pressure, T peaks, T crowded) const {
+        const T beyond = std::log(pressure) - log_pressure_;
+        if (beyond > 0) return crowded * std::exp(log_jump_ * (std::max)(T(0), 1 - beyond / std::log(T(8))));
+        return peaks * std::exp(log_ratio(-beyond / numbers::ln2_v<T>));
+    }
+
+    /// That of a surface \p factor times as high whose laws are \p peaks and \p crowded, with the same ratios.
+    template <class Peaks>
+    [[nodiscard]] HandOver of(const Peaks& peaks, const BearingContact<T>& crowded, T factor) const {
+        HandOver other = *this;
+        other.log_pressure_ += std::log(factor);
+        const T p = std::exp(other.log_pressure_);
+        other.log_jump_ = log_ratio_.front() +
+                          std::log(peaks.at_pressure(p, Quantity::stiffness).stiffness.value / crowded.stiffness(p));
+        return other;
+    }
+
+    /// p_h [Pa].
+    [[nodiscard]] T pressure() const { return std::exp(log_pressure_); }
+
+private:
+    /// At p_h 2^-\p steps; constant below the last pressure.
+    [[nodiscard]] T log_ratio(T steps) const {
+        const T last = static_cast<T>(log_ratio_.size() - 1), place = (std::min)(steps, last);
+        const auto i = static_cast<std::size_t>(place);
+        if (i + 1 >= log_ratio_.size()) return log_ratio_.back();
+        return log_ratio_[i] + (place - static_cast<T>(i)) * (log_ratio_[i + 1] - log_ratio_[i]);
+    }
+
+    T log_pressure_, log_jump_;
+    std::vector<T> log_ratio_;
+};
+
+/// That of a map with the summits \p of and the crowded contact \p crowded. \throws domain_error as SummitContact.
+template <Real T>
+[[nodiscard]] HandOver<T> hand_over_of(const Summits<T>& of, const BearingContact<T>& crowded,
+                                       Edges edges = Edges::mirrored) {
+    constexpr T most_area = T(0.06), most_contacts = T(1200);
+    const T modulus = crowded.effective_modulus();
+    const SummitContact<T> alone(of, modulus);
+    const MutualSummits<T> mutual(of, modulus, edges);
+    const auto is_beyond = [&](T log_pressure) {
+        const T p = std::exp(log_pressure);
+        return crowded.at_pressure(p, Quantity::real_area).real_area_fraction.value > most_area ||
+               alone.at_pressure(p, Quantity::contacts).contact_density.value * alone.area() > most_contacts;
+    };
+    T high = std::log(crowded.full_pressure()) - 2, low = high - 30;
+    while (high - low > T(0.01)) (is_beyond((low + high) / 2) ? high : low) = (low + high) / 2;
+
+    const auto ratio_at = [&](T log_pressure) {
+        const T p = std::exp(log_pressure);
+        return std::log(mutual.at_pressure(p, Quantity::stiffness).stiffness.value /
+                        alone.at_pressure(p, Quantity::stiffness).stiffness.value);
+    };
+    std::vector<T> ratios;
+    for (int tries = 0; ratios.empty(); ++tries) {  // down to where the summits can be told apart
+        try {
+            ratios.push_back(tries < 20 ? ratio_at(low) : T(0));
+        } catch (const domain_error&) {
+            low -= T(0.3);
+        }
+    }
+    for (int k = 1; k <= 12; ++k) {
+        const T log_pressure = low - T(k) * numbers::ln2_v<T>;
+        if (alone.at_pressure(std::exp(log_pressure), Quantity::contacts).contact_density.value * alone.area() < 2) break;
+        try {
+            ratios.push_back(ratio_at(log_pressure));
+        } catch (const domain_error&) {
+            ratios.push_back(ratios.back());
+        }
+    }
+    return HandOver<T>(low, std::move(ratios), T(0)).of(alone, crowded, T(1));
+}
+
+}  // namespace fstiff
