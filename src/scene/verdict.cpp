@@ -41,10 +41,11 @@ bool departs(const Measurement<double>& one, double gaussian, double limit) {
 /// What can be computed in place of laws over a distribution of peaks.
 std::string without_distribution(const Scene& scene) {
     if (!scene.map) return "believe boundary_elements of a map of this surface (fstiff truth)";
-    const std::string elements = advised(scene, "boundary_elements"), summits = advised(scene, "summits");
+    const std::string elements = advised(scene, "boundary_elements"), hybrid = advised(scene, "hybrid");
     const std::string refused = "boundary_elements " + refusal_of(*find_law("boundary_elements"), scene);
-    if (elements.empty()) return summits.empty() ? refused : "at light loads believe " + summits + "; " + refused;
-    return "believe " + elements + (summits.empty() ? "" : ", then " + summits + " at light loads");
+    const std::string own = hybrid.empty() ? "" : hybrid + ", which takes the map's own summits and bearing curve";
+    if (elements.empty()) return own.empty() ? refused : "believe " + own + "; " + refused;
+    return "believe " + elements + (own.empty() ? "" : ", then " + own);
 }
 
 /// To which side laws over Gaussian peaks are off.
@@ -160,11 +161,14 @@ std::string about_contacts(const Scene& scene, const Results& results) {
 bool peaks_flow(const Results& results) { return results.plasticity_index && *results.plasticity_index > 1; }
 
 std::string about_flow(const Scene& scene, const Results& results) {
-    const std::string plastic = advised(scene, "plastic");
+    std::string plastic = advised(scene, "plastic");
+    const bool of_spectrum = !plastic.empty();
+    if (!of_spectrum) plastic = advised(scene, "plastic_peaks");
     if (!peaks_flow(results) || plastic.empty()) return "";
     return "the peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
            "): what a wave sees is the unloading stiffness of " + plastic +
-           " or jackson_green, several times K of an elastic law; plastic is good to a fifth from p = 0.003 H to 0.1 H";
+           " or jackson_green, several times K of an elastic law" +
+           (of_spectrum ? "; plastic is good to a fifth from p = 0.003 H to 0.1 H" : "");
 }
 
 }  // namespace

@@ -20,8 +20,6 @@
 
 namespace mutual_summits_test {
 
-namespace mutual_summits_test {
-
 using namespace fstiff;
 
 static_assert(ProportionalContact<MutualSummits<double>, double>);

@@ -16,8 +16,6 @@
 
 namespace summit_contact_test {
 
-namespace summit_contact_test {
-
 using namespace fstiff;
 
 static_assert(ProportionalContact<SummitContact<double>, double>);

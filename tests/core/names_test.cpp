@@ -22,8 +22,6 @@ template <>
 inline constexpr auto fstiff::names<names_test::Fruit> =
     fstiff::name_list<names_test::Fruit>({{names_test::Fruit::apple, "apple"}, {names_test::Fruit::pear, "pear"}});
 
-namespace names_test {
-
 using namespace fstiff;
 
 TEST_CASE("Words of an enum follow from one list", "[names]") {

@@ -294,7 +294,7 @@ private:
     }
 
     [[nodiscard]] ContactState<T> state_of(const Solution& s, Quantity wanted) const {
-        const T relative = T(1e-6) + s.error * s.stiffness / s.pressure;
+        const T relative = (std::max)(T(1e-6), s.error * s.stiffness / s.pressure);
         const auto given = [&](Quantity quantity, T value) {
             return has(wanted, quantity) ? Estimate<T>{value, relative * value, static_cast<int>(s.crowding.contacts)}
                                          : Estimate<T>{};
