@@ -22,6 +22,8 @@ template <>
 inline constexpr auto fstiff::names<names_test::Fruit> =
     fstiff::name_list<names_test::Fruit>({{names_test::Fruit::apple, "apple"}, {names_test::Fruit::pear, "pear"}});
 
+namespace names_test {
+
 using namespace fstiff;
 
 TEST_CASE("Words of an enum follow from one list", "[names]") {
