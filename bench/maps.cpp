@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps of many kinds, for the second table of docs/validation.md, as CSV.
+//
+//     fstiff_maps truth FIRST LAST                    K by boundary elements for seeds FIRST to LAST of every kind
+//     fstiff_maps laws bench/map_truth.csv [EVERY]    K of laws over it; EVERY: of each so many maps one, to check a file
+#include "support/map_kinds.hpp"
+
+#include <fstiff/contact/hand_over.hpp>
+#include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace {
+
+struct Laws {
+    explicit Laws(const fstiff::HeightMap<double>& map)
+        : summits(fstiff::summits_of(map)),
+          persson(fstiff::map_spectrum(map, edges), 1.0),
+          mutual(summits, 1.0, edges),
+          hybrid(of_map(map, summits)),
+          numbers(fstiff::hybrid_of_band(fstiff::band_of_moments(moments(map), 0.8), 1.0)),
+          rms_height(fstiff::rms_height(map)) {}
+
+    static constexpr fstiff::Edges edges = fstiff::Edges::periodic;
+    using Hybrid = fstiff::HybridContact<double, fstiff::SummitContact<double>, fstiff::HandOver<double>>;
+
+    static Hybrid of_map(const fstiff::HeightMap<double>& map, const fstiff::Summits<double>& summits) {
+        const auto order = fstiff::gaussian_order(map);
+        const fstiff::BearingContact<double> crowded(
+            fstiff::PerssonContact<double>(fstiff::map_spectrum(order.map, edges), 1.0), order.curve, order.rms_height);
+        return {fstiff::SummitContact<double>(summits, 1.0), crowded, fstiff::hand_over_of(summits, crowded, edges)};
+    }
+    /// m0, m2, m4 of all waves of the map.
+    static fstiff::SpectralMoments<double> moments(const fstiff::HeightMap<double>& map) {
+        fstiff::SpectralMoments<double> m;
+        for (const auto& shell : fstiff::map_spectrum(map, edges).shells) {
+            const double q = shell.q2_h2 / shell.q_h2;
+            m.m0 += shell.q2_h2 / (q * q);
+            m.m2 += shell.q2_h2 / 2;
+            m.m4 += 3 * q * q * shell.q2_h2 / 8;
+        }
+        return m;
+    }
+
+    fstiff::Summits<double> summits;
+    fstiff::PerssonContact<double> persson;
+    fstiff::MutualSummits<double> mutual;
+    Hybrid hybrid;
+    fstiff::HybridContact<double, fstiff::BandHills<double>> numbers;
+    double rms_height;
+};
+
+/// K over \p truth, or none of a law that refuses the pressure.
+template <class Law>
+void print(const char* law, const std::string& where, double pressure, double truth, const Law& stiffness) {
+    try {
+        std::printf("%s,%s,%.4f\n", law, where.c_str(), stiffness(pressure) / truth);
+    } catch (const fstiff::domain_error&) {  // too crowded for it
+    }
+}
+
+void solve(std::uint64_t first, std::uint64_t last) {
+    std::printf("kind,seed,p_star,K,area\n");
+    for (const test::MapKind& kind : test::map_kinds())
+        for (std::uint64_t seed = first; seed <= last; ++seed) {
+            const fstiff::HeightMap<double> map = kind.map(seed);
+            fstiff::BoundaryElementOptions<double> options;
+            options.edges = fstiff::Edges::periodic;
+            fstiff::BoundaryElements<double> solver(map, 1.0, options);
+            for (const double p_star : {0.001, 0.003, 0.01, 0.03, 0.1, 0.25}) {
+                const auto found = solver.at_pressure(0.1 * p_star);
+                std::printf("\"%s\",%d,%g,%.5g,%.4g\n", kind.name.c_str(), static_cast<int>(seed), p_star, found.stiffness,
+                            found.contact_fraction);
+                std::fflush(stdout);
+            }
+        }
+}
+
+/// \returns the exit code.
+int compare_laws(const char* truths, long every) {
+    std::ifstream file(truths);
+    std::string line;
+    if (!std::getline(file, line)) return 1;
+    const std::vector<test::MapKind> kinds = test::map_kinds();
+    std::string last;
+    std::unique_ptr<Laws> laws;
+    std::printf("law,kind,group,seed,p_star,ratio\n");
+    for (long map = -1; std::getline(file, line);) {
+        const auto end = line.find('"', 1);
+        const std::string name = line.substr(1, end - 1);
+        std::istringstream rest(line.substr(end + 2));
+        double seed, p_star, truth;
+        char comma;
+        rest >> seed >> comma >> p_star >> comma >> truth;
+        const std::string key = line.substr(0, end + 2) + std::to_string(static_cast<int>(seed));
+        const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.name == name; });
+        if (kind == kinds.end()) return 1;
+        if (key != last) {
+            last = key;
+            ++map;
+            if (map % every == 0) laws = std::make_unique<Laws>(kind->map(static_cast<std::uint64_t>(seed)));
+        }
+        if (map % every != 0) continue;
+        std::ostringstream where;
+        where << '"' << name << "\",\"" << kind->group << "\"," << seed << ',' << p_star;
+        const double p = 0.1 * p_star;
+        print("hybrid", where.str(), p, truth, [&](double x) { return laws->hybrid.stiffness(x); });
+        print("summits", where.str(), p, truth, [&](double x) {
+            return laws->mutual.at_pressure(x, fstiff::Quantity::stiffness).stiffness.value;
+        });
+        print("persson", where.str(), p, truth, [&](double x) { return laws->persson.stiffness(x); });
+        print("hybrid of numbers", where.str(), p, truth, [&](double x) { return laws->numbers.stiffness(x); });
+        print("p/(0.48 rms height)", where.str(), p, truth, [&](double x) { return x / (0.48 * laws->rms_height); });
+        std::fflush(stdout);
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int arguments, char** argument) {
+    const std::string mode = arguments > 2 ? argument[1] : "";
+    if (mode == "laws") return compare_laws(argument[2], arguments > 3 ? std::atol(argument[3]) : 1);
+    if (mode != "truth" || arguments != 4) return 2;
+    solve(static_cast<std::uint64_t>(std::atol(argument[2])), static_cast<std::uint64_t>(std::atol(argument[3])));
+}
