@@ -111,6 +111,7 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/gradient_spectrum.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/interaction.hpp>

@@ -247,7 +247,7 @@ TEST_CASE("Of many laws the same distributions of peaks are drawn, one stroke fo
     std::string text = read(FSTIFF_SCENES "/sand_blasted_fine.toml");
     const std::string laws = "laws         = [\"fractal\", \"hertz\", \"greenwood_williamson\"]";
     text = replaced(text, laws,
-                    "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\", \"plastic\", \"jackson_green\", "
+                    "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\", \"plastic_peaks\", \"jackson_green\", "
                     "\"kogut_etsion\"]");
     const std::string picture = drawn(folder, text);
     CHECK(contains(picture, "6 of 11 curves are drawn"));

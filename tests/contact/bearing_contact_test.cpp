@@ -2,6 +2,7 @@
 // Truth: Persson's contact under a Gaussian; the fixed point by plain iteration with a separation summed here; boundary elements
 // and K of another program on tests/data/bearing_map_honed.f32.
 #include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -34,9 +35,10 @@ HeightMap<double> honed() {
     return {map.heights.cast<double>(), 1.0 / 256, 1.0 / 256};
 }
 
-BearingContact<double> contact_of(const HeightMap<double>& map, double modulus = 1, Edges edges = Edges::periodic) {
+BearingContact<double> contact_of(const HeightMap<double>& map, double modulus = 1, Edges edges = Edges::periodic,
+                                  double closing = 0.25) {
     const auto order = gaussian_order(map);
-    return {PerssonContact<double>(map_spectrum(order.map, edges), modulus), order.curve, order.rms_height};
+    return {PerssonContact<double>(map_spectrum(order.map, edges), modulus, 0.45, closing), order.curve, order.rms_height};
 }
 
 /// rho by plain iteration from 1; d_g by Simpson's rule in ln p.
@@ -61,7 +63,7 @@ TEST_CASE("Without a bearing curve, and under a straight one, the crowded contac
     const BearingContact<double> plain(persson);
     const double sigma = persson.rms_height();
     const BearingContact<double> straight(persson, BearingSlope<double>({{-5, -5 * sigma}, {5, 5 * sigma}}), sigma);
-    for (const double p_star : {1e-6, 1e-3, 0.03, 0.4, 1.5, 5.0}) {
+    for (const double p_star : {1e-6, 1e-3, 0.03, 0.4, 0.74}) {
         const double p = p_star * 3 * persson.rms_gradient();
         const auto truth = persson.at_pressure(p), same = plain.at_pressure(p), found = straight.at_pressure(p);
         CAPTURE(p_star);
@@ -80,7 +82,10 @@ TEST_CASE("Without a bearing curve, and under a straight one, the crowded contac
 
 TEST_CASE("The crowded contact of a honed map is that of another program, and near boundary elements") {
     const HeightMap<double> map = honed();
-    const BearingContact<double> contact = contact_of(map);
+    // the other program has no share of P^16
+    const BearingContact<double> contact = contact_of(map, 1, Edges::periodic, 0), law = contact_of(map);
+    const Summits<double> summits = summits_of(map);
+    const HybridContact hybrid(SummitContact<double>(summits, 1.0), law, hand_over_of(summits, law, Edges::periodic));
     const auto order = gaussian_order(map);
     const BearingContact<double> persson_alone(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
     const test::Table table("bearing_map_honed.csv");
@@ -93,9 +98,8 @@ TEST_CASE("The crowded contact of a honed map is that of another program, and ne
         CHECK(test::relative_error(contact.local_scale(p),
                                    slow_scale(contact.gaussian(), order.curve, order.rms_height, p)) < 1e-6);
         const double truth = table.input(row, "stiffness_boundary_elements");
-        const HybridContact hybrid(SummitContact<double>(summits_of(map), 1.0), contact);
-        if (p > 5e-5) CHECK(test::relative_error(hybrid.stiffness(p), truth) < 0.15);
-        const HybridContact before(SummitContact<double>(summits_of(map), 1.0), persson_alone);
+        if (p > 5e-5) CHECK(test::relative_error(hybrid.stiffness(p), truth) < (p < 2e-2 ? 0.08 : 0.25));
+        const HybridContact before(SummitContact<double>(summits, 1.0), persson_alone);
         if (p > 2e-3 && p < 2e-2) CHECK(before.stiffness(p) < 0.7 * truth);
     }
 }
@@ -156,6 +160,10 @@ TEST_CASE("Small maps, plateaus of equal heights and light loads have a finite K
         const BearingContact<double> contact = contact_of(map, 1, Edges::mirrored);
         double last = 0;
         for (double p = contact.full_pressure() * 1e-9; p < contact.full_pressure(); p *= 2) {
+            if (p > contact.local_scale(p) * contact.gaussian().largest_compared_pressure()) {
+                CHECK(test::refusal([&] { (void)contact.at_pressure(p); }).find("the bulk carries") != std::string::npos);
+                break;
+            }
             const auto state = contact.at_pressure(p);
             CAPTURE(p);
             CHECK(std::isfinite(state.stiffness.value));

@@ -124,8 +124,8 @@ private:
                 if (shut[static_cast<std::size_t>(i)] != 0) values[i] = 0;
             return values;
         }
-        [[nodiscard]] Values loads() const { return carried(load_factor * omega.max(T(0)) * omega.max(T(0)).sqrt()); }
-        [[nodiscard]] Values slopes() const { return T(1.5) * load_factor * omega.max(T(0)).sqrt(); }
+        [[nodiscard]] Values loads() const { return carried(load_factor * (omega.max)(T(0)) * (omega.max)(T(0)).sqrt()); }
+        [[nodiscard]] Values slopes() const { return T(1.5) * load_factor * (omega.max)(T(0)).sqrt(); }
     };
 
     [[nodiscard]] Newton start(Eigen::Index count, T delta) const {
@@ -188,7 +188,7 @@ private:
             const Values r = at.carried(at.slopes()).sqrt();
             const Values rest = at.z - at.delta - at.omega - at.forces.deflections(at.loads());
             const T missing = load == held_separation ? T(0) : load - at.loads().sum();
-            const T scale = (std::max)(at.omega.maxCoeff(), std::numeric_limits<T>::min());
+            const T scale = (std::max)(at.omega.maxCoeff(), (std::numeric_limits<T>::min)());
             change = at.carried(rest).abs().maxCoeff() / scale;
             if (change < enough && std::abs(missing) <= enough * load) break;
             Values y = Values::Zero(r.size());
@@ -222,7 +222,7 @@ private:
         s.stiffness = unit * modulus_ / of_.area;
         s.error = change * at.omega.maxCoeff();
         s.crowding.softening = r.square().sum() * modulus_ / of_.area / s.stiffness;
-        s.crowding.real_area_fraction = at.carried(at.area_factor * at.omega.max(T(0))).sum() / of_.area;
+        s.crowding.real_area_fraction = at.carried(at.area_factor * (at.omega.max)(T(0))).sum() / of_.area;
         s.crowding.contacts = (loads > T(0)).count();
         s.crowding.displaced = (at.omega > T(0)).count() - s.crowding.contacts;
         if (!at.definite || !(change < T(1e-9))) s.stiffness = std::numeric_limits<T>::quiet_NaN();

@@ -50,7 +50,11 @@ public:
     }
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
     [[nodiscard]] T stiffness(T pressure) const {
-        return of_.at_pressure(pressure / bearing_.local_scale(pressure), Quantity::stiffness).stiffness.value;
+        const T scaled = pressure / bearing_.local_scale(pressure);
+        if constexpr (requires { of_.stiffness(scaled); })  // beyond what was compared too
+            return of_.stiffness(scaled);
+        else
+            return of_.at_pressure(scaled, Quantity::stiffness).stiffness.value;
     }
     /// Separation [m] of the mean planes; 0 from the full pressure on. \throws domain_error as at_pressure.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
