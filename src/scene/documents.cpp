@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/documents.hpp"
 
+#include <cmath>
+
 namespace fstiff::scene {
 namespace {
 
@@ -84,6 +86,7 @@ Json measured_document(const MeasuredSurface& surface) {
     }
     if (surface.parameters.known[index_of(Parameter::fractal_dimension)])
         document["fractal_dimension_window_error"] = surface.dimension_window_error;
+    if (std::isfinite(surface.widest_band)) document["widest_band"] = surface.widest_band;
     if (surface.heights)
         document["moments"] = {{"m0_m2", surface.heights->moments.m0},
                                {"m2", surface.heights->moments.m2},
@@ -94,6 +97,7 @@ Json measured_document(const MeasuredSurface& surface) {
         document["neighbours"].push_back({{"lambda_s_m", of["lambda_s_m"]},
                                           {"lambda_c_m", of["lambda_c_m"]},
                                           {"surface", of["surface"]},
+                                          {"widest_band", of["widest_band"]},
                                           {"moments", of["moments"]}});
     }
     if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;

@@ -39,24 +39,6 @@ bool is_as_measured(const Face& face) {
            face.surface.peak_density == measured(Parameter::peak_density);
 }
 
-/// Greatest wave number over the least that \p measured can hold: from its length, or lambda_c, to two steps, or lambda_s.
-double widest_band(const MeasuredSurface& measured) {
-    double length = 0, step = 0;
-    if (measured.profile) {
-        step = measured.profile->profile.spacing;
-        length = static_cast<double>(measured.profile->profile.heights.size()) * step;
-    } else if (measured.map) {
-        const HeightMap<double>& map = measured.map->map;
-        step = std::max(map.dx, map.dy);
-        length = std::max(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
-    }
-    double widest = length > 0 ? std::min(length, measured.cut_offs.lambda_c.value_or(length)) /
-                                     std::max(2 * step, measured.cut_offs.lambda_s.value_or(0))
-                               : 0;
-    for (const MeasuredSurface& part : measured.parts) widest = std::max(widest, widest_band(part));
-    return widest > 1 ? widest : std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
 
 std::string gradient_warning(const Face& face, double r) {
@@ -154,7 +136,7 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
 
 Face face_of(const MeasuredSurface& measured) {
     Face face;
-    face.widest_band = widest_band(measured);
+    face.widest_band = measured.widest_band;
     face.measured = measured;
     const auto& p = measured.parameters;
     const auto value = [&](Parameter which) { return p.value[index_of(which)]; };

@@ -66,6 +66,8 @@ MeasuredSurface values_of(const Parsed& document, const std::string& name) {
     surface.fractal_roughness = read("fractal_roughness");
     if (const auto window = document.find("fractal_dimension_window_error"); window != document.end())
         surface.dimension_window_error = number_of(document, "fractal_dimension_window_error", name);
+    if (const auto widest = document.find("widest_band"); widest != document.end() && !widest->is_null())
+        surface.widest_band = number_of(document, "widest_band", name);
     if (const auto moments = document.find("moments"); moments != document.end() && moments->is_object()) {
         const auto moment = [&](const char* key) { return number_of(*moments, key, name + ": moments"); };
         surface.heights = HeightStatistics<double>{.skewness = read("skewness").value_or(Measurement<double>{}),

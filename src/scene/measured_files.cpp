@@ -204,6 +204,8 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
     else
         whole.fractal_refusal = first.fractal_refusal;
     if (!mean.face.r) whole.peaks_refusal = first.peaks_refusal;
+    whole.widest_band = 0;
+    for (const MeasuredSurface& part : whole.parts) whole.widest_band = std::max(whole.widest_band, part.widest_band);
     if (heights.size() == sizes.size()) whole.heights = fstiff::pooled(heights, sizes);
     for (std::size_t k = 0; k < first.neighbours.size(); ++k) {
         std::vector<MeasuredSurface> neighbours;

@@ -198,6 +198,21 @@ MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInpu
     return surface;
 }
 
+double length_of(const Profile<double>& profile) { return static_cast<double>(profile.size()) * profile.spacing; }
+double length_of(const HeightMap<double>& map) {
+    return std::max(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
+}
+double step_of(const Profile<double>& profile) { return profile.spacing; }
+double step_of(const HeightMap<double>& map) { return std::max(map.dx, map.dy); }
+
+/// MeasuredSurface::widest_band of \p heights.
+template <class Heights>
+double widest_band(const Heights& heights, const CutOffs& cut_offs) {
+    const double length = length_of(heights), step = step_of(heights);
+    const double widest = std::min(length, cut_offs.lambda_c.value_or(length)) / std::max(2 * step, cut_offs.lambda_s.value_or(0));
+    return widest > 1 ? widest : std::numeric_limits<double>::infinity();
+}
+
 /// Into \p surface what was \p found of \p levelled, whose heights are those of \p heights.
 template <class Levelled, class Heights>
 void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Levelled& levelled, const Heights& heights,
@@ -223,6 +238,7 @@ void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Leve
     if (found.islands) surface.islands = std::move(found.islands->curve);
     surface.max_peak_height = found.max_peak_height;
     surface.dimension_window_error = found.dimension_window_error;
+    surface.widest_band = widest_band(heights, surface.cut_offs);
     if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
     surface.fractal_refusal = found.why_no_dimension;
     surface.peaks_refusal = found.why_no_peaks;

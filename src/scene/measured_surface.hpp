@@ -13,6 +13,7 @@
 #include <fstiff/topography/islands.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,8 @@ struct MeasuredSurface {
     Measurement<double> max_peak_height;  ///< [m]; 0: not known
     std::optional<Measurement<double>> fractal_roughness;
     double dimension_window_error = 0;                ///< share of the window of lags in the error of D
+    /// Greatest wave number over the least that it can hold: from its length, or lambda_c, to two steps, or lambda_s.
+    double widest_band = std::numeric_limits<double>::infinity();
     std::optional<HeightStatistics<double>> heights;  ///< none: the JSON is of an older fstiff
     std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
