@@ -16,18 +16,20 @@ namespace fstiff {
 
 namespace detail {
 
-/// The share of each of \p from cells of a line in each of \p to longer ones; rows sum to 1.
+/// Each row of \p fine on \p to longer cells, turned: cell j of row i stands in row j, column i.
 template <Real T>
-Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> cell_shares(Eigen::Index from, Eigen::Index to) {
-    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> share =
-        Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>::Zero(to, from);
+typename HeightMap<T>::Array coarsened_rows(const typename HeightMap<T>::Array& fine, Eigen::Index to) {
+    const Eigen::Index from = fine.cols();
     const T length = T(from) / T(to);
+    typename HeightMap<T>::Array coarse = HeightMap<T>::Array::Zero(to, fine.rows());
     for (Eigen::Index j = 0; j < to; ++j) {
         const T begin = T(j) * length, end = T(j + 1) * length;
-        for (auto i = static_cast<Eigen::Index>(begin); i < from && T(i) < end; ++i)
-            share(j, i) = (std::max)(T(0), (std::min)(end, T(i + 1)) - (std::max)(begin, T(i))) / length;
+        for (auto i = static_cast<Eigen::Index>(begin); i < from && T(i) < end; ++i) {
+            const T share = (std::max)(T(0), (std::min)(end, T(i + 1)) - (std::max)(begin, T(i))) / length;
+            for (Eigen::Index row = 0; row < fine.rows(); ++row) coarse(j, row) += share * fine(row, i);
+        }
     }
-    return share;
+    return coarse;
 }
 
 }  // namespace detail
@@ -42,9 +44,7 @@ template <Real T>
     HeightMap<T> coarse;
     coarse.dx = map.dx * T(map.columns()) / T(columns);
     coarse.dy = map.dy * T(map.rows()) / T(rows);
-    coarse.heights = (detail::cell_shares<T>(map.rows(), rows) * map.heights.matrix() *
-                      detail::cell_shares<T>(map.columns(), columns).transpose())
-                         .array();
+    coarse.heights = detail::coarsened_rows<T>(detail::coarsened_rows<T>(map.heights, columns), rows);
     return coarse;
 }
 
