@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
 namespace fstiff::scene {
@@ -104,15 +103,6 @@ std::optional<ValidatedRatio> validated_ratio(std::string_view law, double dimen
         both = both ? ValidatedRatio{std::min(both->low, one.low), std::max(both->high, one.high)} : one;
     }
     return both;
-}
-
-double largest_departure(std::string_view law) {
-    const Validated* row = find(law);
-    if (!row) throw std::logic_error("no ratios of law " + std::string(law));
-    double most = 0;
-    for (const ValidatedRatio& one : row->ratios)
-        most = std::max({most, std::abs(one.low - 1), std::abs(one.high - 1)});
-    return most;
 }
 
 }  // namespace fstiff::scene

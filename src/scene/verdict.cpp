@@ -104,7 +104,7 @@ std::optional<std::pair<double, double>> relative_pressures(const Results& resul
 /// How far hybrid may be believed down to \p least p*, as docs/validation.md found, with \p below for light loads.
 std::string accuracy_of_hybrid(double least, const char* below) {
     if (least >= min_validated_pressure)
-        return ", to about " + std::to_string(std::lround(100 * largest_departure("hybrid"))) + " %";
+        return ", to about " + std::to_string(hybrid_accuracy_percent) + " %";
     return std::string(", to about ") + (least >= 0.001 ? "a quarter" : below);
 }
 
