@@ -444,7 +444,7 @@ const std::array<Law, 12> table{{
      .has_peaks = false,
      .load = "at equal K",
      .stiffness = "(hertz^5 + persson^5)^(1/5)",
-     .peaks = "of the spectrum cut where alpha is 6; of a map its summits",
+     .peaks = "of the spectrum cut where alpha is 6; of a map its summits, then its bearing curve",
      .contact = hybrid,
      .needs_spectrum = true,
      .holds_when_crowded = true},
