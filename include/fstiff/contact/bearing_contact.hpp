@@ -19,8 +19,8 @@
 /// Units       SI: m, Pa, Pa/m
 /// Valid       pressures as PerssonContact at p/rho. K rises with p where rho rises more slowly than p: on every surface that
 ///             was tried, but for a step of the heights by several sigma
-/// Accuracy    rho 1e-6 (as K, within 1e-4 of another program at heavy loads, 4e-3 on the highest points), separation 1e-5 of the rms height as the integral of 1/K (tests/contact/bearing_contact_test.cpp).
-///             Against boundary elements: docs/validation.md
+/// Accuracy    rho 1e-6 (as K, within 1e-4 of another program at heavy loads, 4e-3 on the highest points), separation 1e-5 of the rms
+///             height as the integral of 1/K (tests/contact/bearing_contact_test.cpp). Against boundary elements: docs/validation.md
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/persson_contact.hpp>
@@ -154,9 +154,8 @@ public:
     /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as stiffness.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         if (is_plain()) return gaussian_.at_pressure(pressure, wanted);
-        const auto without_separation =
-            static_cast<Quantity>(static_cast<unsigned>(wanted) & ~static_cast<unsigned>(Quantity::separation));
-        ContactState<T> state = gaussian_.at_pressure(pressure / local_scale(pressure), without_separation);
+        ContactState<T> state =
+            gaussian_.at_pressure(pressure / local_scale(pressure), without(wanted, Quantity::separation));
         for (Estimate<T>* e : {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction})
             e->error += 3 * scale_tolerance * e->value;
         state.pressure = {pressure, 0, 0};
@@ -180,8 +179,8 @@ public:
         T d = rho * gaussian_.separation(full / rho).value;
         const T from = std::log(pressure), to = std::log(full);
         const auto whole = static_cast<int>((to - from) * 4);  // panels at the same places for every pressure
-        for (int i = 1; i <= whole; ++i) d += panel(to - T(i) / 4, T(1) / 4);
-        d += panel(from, to - T(whole) / 4 - from);
+        for (int i = 1; i <= whole; ++i) d += this->template fall_of_separation<4>(to - T(i) / 4, T(1) / 4);
+        d += this->template fall_of_separation<4>(from, to - T(whole) / 4 - from);
         return {d, error_of_separation * (d + rms_height_), 4 * (whole + 1)};
     }
 
@@ -220,17 +219,6 @@ private:
         detail::PerssonSeparation<T> separation;
         T rms_height;  ///< of the curve [m]
     };
-
-    /// int p/K d ln p
-    [[nodiscard]] T panel(T from, T length) const {
-        const auto& rule = GaussLegendre<T, 4>::get();
-        T sum = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const T p = std::exp(from + length * (1 + rule.node[i]) / 2);
-            sum += rule.weight[i] * p / stiffness(p);
-        }
-        return length / 2 * sum;
-    }
 
     PerssonContact<T> gaussian_;
     T rms_height_, factor_ = 1;               ///< [m]; heights over those of the curve

@@ -42,11 +42,12 @@ public:
         require(!log_ratio_.empty(), "ratios of a hand-over", log_ratio_.size(), "at least 1");
     }
 
-    /// K [Pa/m] of both under \p pressure [Pa].
-    [[nodiscard]] T operator()(T pressure, T peaks, T crowded) const {
+    /// K [Pa/m] under \p pressure [Pa], of the one of the two functions that counts there.
+    template <class Peaks, class Crowded>
+    [[nodiscard]] T operator()(T pressure, const Peaks& peaks, const Crowded& crowded) const {
         const T beyond = std::log(pressure) - log_pressure_;
-        if (beyond > 0) return crowded * std::exp(log_jump_ * (std::max)(T(0), 1 - beyond / std::log(T(8))));
-        return peaks * std::exp(log_ratio(-beyond / numbers::ln2_v<T>));
+        if (beyond > 0) return crowded() * std::exp(log_jump_ * (std::max)(T(0), 1 - beyond / std::log(T(8))));
+        return peaks() * std::exp(log_ratio(-beyond / numbers::ln2_v<T>));
     }
 
     /// That of a surface \p factor times as high whose laws are \p peaks and \p crowded, with the same ratios.

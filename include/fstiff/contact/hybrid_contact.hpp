@@ -5,14 +5,13 @@
 ///
 ///     K = (K_peaks^5 + K_crowded^5)^(1/5)         at equal pressure
 ///     d = int_p^(2 E g) dp'/K(p')                 separation of the mean planes; at 2 E g all is in contact
-///
 ///     real area and number of contacts            of the peaks, at the same pressure
 ///
 /// K_crowded is Persson's; of a surface with a bearing curve it is that at the local scale of the curve, by which 2 E g is
 /// multiplied too (contact/bearing_contact.hpp).
 ///
-/// Of a map K is joined by HandOver (contact/hand_over.hpp). Each of the two is below the truth where it fails, so that the larger one counts; the exponent is fitted to boundary
-/// elements, 4 to 8 do nearly as well. Both must be of the same surface. Interaction between the peaks is what Persson's
+/// Of a map K is joined by HandOver (contact/hand_over.hpp). Each of the two is below the truth where it fails, so that the
+/// larger one counts; the exponent is fitted to boundary elements, 4 to 8 do nearly as well. Both must be of the same surface. Interaction between the peaks is what Persson's
 /// theory adds: the contact of the peaks is taken without it.
 ///
 /// d is integrated in ln p over panels one e-fold wide by 16 Gauss-Legendre points, from 2 E g down, once when the first
@@ -44,14 +43,16 @@ namespace fstiff {
 /// (a^5 + b^5)^(1/5), without overflow: of laws that are each below the truth where they fail.
 template <Real T = double>
 struct FifthPowers {
-    [[nodiscard]] T operator()(T /*pressure*/, T peaks, T crowded) const {
-        const T most = (std::max)(peaks, crowded), ratio = (std::min)(peaks, crowded) / most, square = ratio * ratio;
+    template <class Peaks, class Crowded>
+    [[nodiscard]] T operator()(T /*pressure*/, const Peaks& peaks, const Crowded& crowded) const {
+        const T a = peaks(), b = crowded();
+        const T most = (std::max)(a, b), ratio = (std::min)(a, b) / most, square = ratio * ratio;
         return most * std::exp(std::log1p(square * square * ratio) / 5);
     }
 };
 
 /// \p Peaks is a contact of independent peaks: RoughContact with any law, BandHills or SummitContact; \p Join makes one K
-/// of the two under a pressure.
+/// under a pressure of two functions, and calls those that it needs.
 template <Real T, Contact<T> Peaks, class Join = FifthPowers<T>>
 class HybridContact : public SlopeContact<HybridContact<T, Peaks, Join>, T> {
 public:
@@ -67,8 +68,9 @@ public:
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as stiffness() of either law.
     [[nodiscard]] T stiffness(T pressure) const {
-        return join_(pressure, peaks_.at_pressure(pressure, Quantity::stiffness).stiffness.value,
-                     crowded_.stiffness(pressure));
+        return join_(
+            pressure, [&] { return peaks_.at_pressure(pressure, Quantity::stiffness).stiffness.value; },
+            [&] { return crowded_.stiffness(pressure); });
     }
 
     /// The contact under the nominal pressure \p pressure [Pa].
@@ -81,7 +83,8 @@ public:
         if (stiff) {
             const T share = state.stiffness.error / state.stiffness.value;
             const int evaluations = state.stiffness.evaluations;
-            const T K = join_(pressure, state.stiffness.value, crowded_.stiffness(pressure));
+            const T K = join_(
+                pressure, [&] { return state.stiffness.value; }, [&] { return crowded_.stiffness(pressure); });
             state.stiffness =
                 state.loading_stiffness = {K, (share + 80 * std::numeric_limits<T>::epsilon()) * K, evaluations};
         }

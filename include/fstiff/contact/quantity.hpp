@@ -24,6 +24,11 @@ enum class Quantity : unsigned {
     return static_cast<Quantity>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
 
+/// \p set less \p some.
+[[nodiscard]] constexpr Quantity without(Quantity set, Quantity some) {
+    return static_cast<Quantity>(static_cast<unsigned>(set) & ~static_cast<unsigned>(some));
+}
+
 /// Whether \p set contains any quantity of \p some.
 [[nodiscard]] constexpr bool has(Quantity set, Quantity some) {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(some)) != 0;

@@ -17,10 +17,8 @@
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/slope_contact.hpp>
-#include <fstiff/math/gauss_legendre.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -35,9 +33,8 @@ public:
 
     /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as \p Of at p/rho.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
-        const auto without_separation =
-            static_cast<Quantity>(static_cast<unsigned>(wanted) & ~static_cast<unsigned>(Quantity::separation));
-        ContactState<T> state = of_.at_pressure(pressure / bearing_.local_scale(pressure), without_separation);
+        ContactState<T> state =
+            of_.at_pressure(pressure / bearing_.local_scale(pressure), without(wanted, Quantity::separation));
         state.pressure = {pressure, 0, 0};
         state.separation = has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height();
@@ -63,8 +60,8 @@ public:
         const T error = T(1e-4) * rms_height();
         if (from >= to) return {T(0), error, 0};
         const auto whole = static_cast<int>((to - from) * 2);  // panels at the same places for every pressure
-        T d = panel(from, to - T(whole) / 2 - from);
-        for (int i = 1; i <= whole; ++i) d += panel(to - T(i) / 2, T(1) / 2);
+        T d = this->template fall_of_separation<8>(from, to - T(whole) / 2 - from);
+        for (int i = 1; i <= whole; ++i) d += this->template fall_of_separation<8>(to - T(i) / 2, T(1) / 2);
         return {d, error, 8 * (whole + 1)};
     }
     /// log(p/Pa) and its slope against eta, the separation over the rms height.
@@ -80,17 +77,6 @@ public:
     [[nodiscard]] const BearingContact<T>& bearing() const { return bearing_; }
 
 private:
-    /// int p/K d ln p
-    [[nodiscard]] T panel(T from, T length) const {
-        const auto& rule = GaussLegendre<T, 8>::get();
-        T sum = 0;
-        for (std::size_t i = 0; i < 8; ++i) {
-            const T p = std::exp(from + length * (1 + rule.node[i]) / 2);
-            sum += rule.weight[i] * p / stiffness(p);
-        }
-        return length / 2 * sum;
-    }
-
     Of of_;
     BearingContact<T> bearing_;
 };

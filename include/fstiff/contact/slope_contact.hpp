@@ -8,9 +8,11 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/error.hpp>
+#include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/root.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -42,6 +44,18 @@ public:
 
 protected:
     // For a contact that knows K(p) and, as an integral of it, the separation d(p): stiffness(p) and separation(p).
+
+    /// int p/K d ln p = int dp/K over \p length of ln p from \p from on, by a Gauss-Legendre rule of so many points.
+    template <std::size_t points>
+    [[nodiscard]] T fall_of_separation(T from, T length) const {
+        const auto& rule = GaussLegendre<T, points>::get();
+        T sum = 0;
+        for (std::size_t i = 0; i < points; ++i) {
+            const T p = std::exp(from + length * (1 + rule.node[i]) / 2);
+            sum += rule.weight[i] * p / self().stiffness(p);
+        }
+        return length / 2 * sum;
+    }
 
     /// log p where d(p) = eta rms_height, between \p low and \p high. \throws domain_error naming eta, and \p reach.
     [[nodiscard]] LogSlope<T> searched_log_pressure(T eta, T low, T high, T guess, const char* reach) const {
