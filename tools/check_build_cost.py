@@ -35,7 +35,7 @@ def tests_before():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("log", type=pathlib.Path)
-    parser.add_argument("--command", type=float, default=220, help="greatest multiple of the command")
+    parser.add_argument("--command", type=float, default=190, help="greatest multiple of the command")
     parser.add_argument("--all", type=float, default=1900, help="greatest multiple of everything, tests run")
     options = parser.parse_args()
     last = {}  # of each object the last compilation
