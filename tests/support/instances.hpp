@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What many tests use in double precision, compiled once in support/instances.cpp with the flags of the tests. It is part of
-// the precompiled header, so that every test has it.
+// What many tests use in double precision, compiled once: of the command in scene/instances.cpp, the rest in
+// support/instances.cpp with the flags of the tests. It is part of the precompiled header, so that every test has it.
 
 #include "scene/contact_instances.hpp"
 #include "scene/surface_instances.hpp"
