@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Writes the manual pages (INTO/man/man1) and the completion of bash, zsh and fish (INTO/completion/...) that COMMAND prints.
+# Writes the manual pages (INTO/man/man1) and the completion of bash (INTO/completion/...) that COMMAND prints.
 cmake_minimum_required(VERSION 3.25)
 
 function(keep file)
@@ -7,13 +7,11 @@ function(keep file)
 endfunction()
 
 file(REMOVE_RECURSE ${INTO})
-foreach(folder man/man1 completion/bash-completion/completions completion/zsh/site-functions completion/fish/vendor_completions.d)
+foreach(folder man/man1 completion/bash-completion/completions)
     file(MAKE_DIRECTORY ${INTO}/${folder})
 endforeach()
 keep(man/man1/fstiff.1 --man)
 keep(completion/bash-completion/completions/fstiff --completion bash)
-keep(completion/zsh/site-functions/_fstiff --completion zsh)
-keep(completion/fish/vendor_completions.d/fstiff.fish --completion fish)
 
 # The commands are those that fstiff(1) lists at its end.
 file(STRINGS ${INTO}/man/man1/fstiff.1 pages REGEX "^.fBfstiff.-[a-z]+")

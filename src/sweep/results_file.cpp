@@ -96,6 +96,12 @@ void write_all(int descriptor, std::string_view bytes, const std::string& file) 
     }
 }
 
+void require_lines(const std::string& results) {
+    for (const char* other : {".parquet", ".h5", ".hdf5", ".csv", ".tsv", ".txt", ".nc", ".npy", ".xlsx"})
+        if (results.ends_with(other))
+            throw scene::option_error(results + ": results are lines of JSON, file.jsonl; pandas and pyarrow read them");
+}
+
 std::string description_file(const std::string& results) { return results + ".sweep"; }
 
 Description read_description(const std::string& results) {

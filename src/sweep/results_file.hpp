@@ -27,6 +27,9 @@ struct Description {
     std::uint64_t failed = 0, bytes = 0;  ///< where it is finished: scenes without result, size of the results
 };
 
+/// \throws option_error for the ending of a table or of another binary form: results are lines of JSON.
+void require_lines(const std::string& results);
+
 /// The name of the file beside \p results.
 [[nodiscard]] std::string description_file(const std::string& results);
 /// \throws file_error where it is missing or is none, in a sentence that tells what to do.

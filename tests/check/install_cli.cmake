@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs component cli of BUILD under PREFIX and checks that every command has its manual page, as the installed command
-# prints it, and that the shells find their completion.
+# prints it, and that bash finds its completion.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${PREFIX})
@@ -33,5 +33,3 @@ if(NOT found EQUAL wanted)
     message(FATAL_ERROR "${found} manual pages, not ${wanted}")
 endif()
 same(bash-completion/completions/fstiff --completion bash)
-same(zsh/site-functions/_fstiff --completion zsh)
-same(fish/vendor_completions.d/fstiff.fish --completion fish)

@@ -164,47 +164,4 @@ TEST_CASE("bash completes every command, option and word") {
     }
 }
 
-TEST_CASE("fish and zsh complete commands, options and words") {
-    const test::Folder folder;
-    if (installed("fish")) {
-        const std::string script = folder.write("fstiff.fish", test::run_fstiff("help --completion fish").out);
-        const auto first = [&](const std::string& typed) {
-            const auto answer =
-                test::shell("fish --no-config -c \"source '" + script + "'; complete -C '" + typed + "'\"");
-            CHECK(answer.err.empty());
-            return matches(answer.out, "^([^\t\n]+)");
-        };
-        CHECK(first("fstiff mea") == std::vector<std::string>{"measure"});
-        CHECK(first("fstiff run --fo") == std::vector<std::string>{"--format"});
-        CHECK(first("fstiff run --format ") == std::vector<std::string>{"csv", "json", "table"});
-        CHECK(first("fstiff generate ") == std::vector<std::string>{"map", "profile", "wm"});
-        CHECK(first("fstiff help tr") == std::vector<std::string>{"truth"});
-    } else {
-        test::leave_out("fish is not installed");
-    }
-    if (installed("zsh")) {
-        folder.write("_fstiff", test::run_fstiff("help --completion zsh").out);
-        // a zsh at a terminal of its own: what is typed, the tabulator, then "print -r GOT" before the line, and enter
-        const std::string script = folder.write("zsh", R"(zmodload zsh/zpty
-zpty z zsh -f -i
-zpty -w z "fpath=(${0:h} \$fpath); autoload -Uz compinit; compinit -u -D; print ready"
-zpty -r z line '*ready*ready*'
-for typed in "$@"; do
-    zpty -w z "$typed"$'\t\x01print -r GOT \x05; print end'
-    zpty -r z line $'*\nGOT *\n*end'
-    print -r -- ${${line##*$'\n'GOT }%%$'\r'*}
-done
-zpty -d z
-)");
-        const auto answer = test::shell("TERM=dumb zsh -f '" + script +
-                                        "' 'fstiff mea' 'fstiff run --fo' 'fstiff run --format c' 'fstiff generate w' "
-                                        "'fstiff help tr'");
-        INFO(answer.out << answer.err);
-        CHECK(answer.out ==
-              "fstiff measure\nfstiff run --format\nfstiff run --format csv\nfstiff generate wm\nfstiff help truth\n");
-    } else {
-        test::leave_out("zsh is not installed");
-    }
-}
-
 }  // namespace shell_pages_test

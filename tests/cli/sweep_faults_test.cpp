@@ -153,4 +153,15 @@ TEST_CASE("Two sweeps cannot write one file at the same time") {
     CHECK(contains(other.err, "holds the results of shard 1/2, not 2/2"));
 }
 
+TEST_CASE("A table or a binary form is refused as the form of a sweep's results") {
+    const test::Folder folder;
+    for (const char* ending : {"parquet", "h5", "csv"})
+        for (const std::string command : {"sweep none.toml", "merge none.jsonl"}) {
+            const auto outcome = test::run_fstiff(command + " -o '" + folder / "out." + ending + "'");
+            INFO(command << " " << ending);
+            CHECK(outcome.status == 2);
+            CHECK(test::contains(outcome.err, "results are lines of JSON, file.jsonl"));
+        }
+}
+
 }  // namespace sweep_faults_test

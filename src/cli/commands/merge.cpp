@@ -4,7 +4,7 @@
 #include "commands/commands.hpp"
 #include "commands/failed_scenes.hpp"
 #include "document/output.hpp"
-#include "sweep/hdf5.hpp"
+#include "sweep/results_file.hpp"
 
 #include <memory>
 
@@ -20,12 +20,10 @@ struct Options {
 
 Report execute(const Options& options) {
     refuse_standard_output(options.merged, "a file, beside which its description stands");
-    const std::string lines = sweep::lines_file(options.merged);
-    sweep::require_form(options.merged);
+    sweep::require_lines(options.merged);
     require_writable(options.merged);
-    const sweep::Merged merged = sweep::merge(options.files, lines);
+    const sweep::Merged merged = sweep::merge(options.files, options.merged);
     if (!merged.problems.empty()) return {"", merged.problems, doubtful_result};
-    if (lines != options.merged) sweep::write_hdf5(lines, options.merged);
     Report report;
     report.document = "fstiff merge: " + counted(merged.scenes, "scene") + " of " + counted(merged.shards, "shard") +
                       " in " + printable(options.merged) + "\n";
@@ -42,7 +40,7 @@ Command add_merge(CLI::App& app) {
     Arguments command(app, "merge", "The shards of a sweep as one file");
     command.option("files", options->files, "files of results of fstiff sweep; names in .sweep are left out")
         .required();
-    command.option("-o,--output", options->merged, "file of all results, lines of JSON or .h5")
+    command.option("-o,--output", options->merged, "file of all results, lines of JSON")
         .type_name("FILE")
         .required();
     command.footer(

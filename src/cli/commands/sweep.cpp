@@ -8,7 +8,6 @@
 #include "picture/panels.hpp"
 #include "picture/sweep_figure.hpp"
 #include "sweep/engine.hpp"
-#include "sweep/hdf5.hpp"
 #include "sweep/results_file.hpp"
 #include "sweep/sensitivity.hpp"
 
@@ -18,7 +17,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <thread>
 
 namespace fstiff::cli {
@@ -162,12 +160,10 @@ Report execute(const Options& options) {
     refuse_standard_output(options.results, "a file, so that a run that was interrupted goes on");
     const sweep::Shard shard = sweep::parse_shard(options.shard);
     require_views(options, shard);
-    const std::string output = results_file(options, shard), file = sweep::lines_file(output);
-    sweep::require_form(output);
-    for (const std::string& one : std::set{output, file}) {
-        require_writable(one);
-        keep_for_output(one);
-    }
+    const std::string file = results_file(options, shard);
+    sweep::require_lines(file);
+    require_writable(file);
+    keep_for_output(file);
     const sweep::Grid grid = sweep::read_grid(read_all(options.grid), display_name(options.grid));
     if (options.sensitivity) require_draws(grid);
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
@@ -194,13 +190,12 @@ Report execute(const Options& options) {
             report.diagnostics.push_back(std::to_string(started) + " of " + counted(wanted, "thread") +
                                          " computed; the system has no room for more");
     }
-    if (output != file && (first != end || !std::filesystem::exists(output))) sweep::write_hdf5(file, output);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     report.diagnostics.push_back(first == end
                                      ? "nothing is left to compute"
                                      : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
                                            rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
-    report.document = summary(grid, results.description(), output);
+    report.document = summary(grid, results.description(), file);
     add_views(report, options, grid, file);
     warn_of_failed_scenes(report, results.description().failed);
     return report;
@@ -216,7 +211,7 @@ Command add_sweep(CLI::App& app) {
     command.option("grid", options->grid, "scene file (TOML) with swept quantities; - is standard input");
     command
         .option("-o,--output", options->results,
-                "file of results, one JSON object a line, or .h5; {shard} in its name is the number of the shard. A "
+                "file of results, one JSON object a line; {shard} in its name is the number of the shard. A "
                 "run that was "
                 "interrupted goes on with the same arguments")
         .type_name("FILE");

@@ -273,8 +273,8 @@ void Program::add_help() {
         help.app->add_flag("--man", help.man, "print the manual page, for man -l -, instead of the options");
     help.app
         ->add_option("--completion", help.shell,
-                     "print the script by which a shell completes fstiff; bash reads it by source")
-        ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+                     "print the script by which bash completes fstiff; it is read by source")
+        ->check(CLI::IsMember({"bash"}))
         ->type_name("SHELL")
         ->excludes(man);
     help.app->footer("Example:\n  fstiff help run");
@@ -289,7 +289,7 @@ void Program::print_help() const {
     if (!help_->command.empty()) require_command(help_->command);
     const DescribedProgram program = describe_program(*app_, version_);
     if (!help_->shell.empty()) {
-        std::cout << completion_script(program, help_->shell);
+        std::cout << completion_script(program);
         return;
     }
     const auto chosen = std::find_if(program.commands.begin(), program.commands.end(),

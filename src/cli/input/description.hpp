@@ -31,7 +31,7 @@ struct DescribedProgram {
 /// Page of section 1 of the manual, in roff: that of the program where \p command is null.
 [[nodiscard]] std::string manual_page(const DescribedProgram& program, const DescribedCommand* command);
 
-/// Script that makes \p shell, which is bash, zsh or fish, complete the program's commands, options and words.
-[[nodiscard]] std::string completion_script(const DescribedProgram& program, const std::string& shell);
+/// Script that makes bash complete the program's commands, options and words; zsh takes it after `bashcompinit`.
+[[nodiscard]] std::string completion_script(const DescribedProgram& program);
 
 }  // namespace fstiff::cli
