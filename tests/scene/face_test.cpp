@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the contact sees of one face, of several maps of one face and of two faces. Truth: the definitions, written out; sums
-// over the maps themselves.
+// What the contact sees of one face, of several maps of one face and of two faces. Truth: the definitions, written out;
+// sums over the maps themselves.
 #include "scene/face.hpp"
 
 #include <fstiff/topography/map_spectrum.hpp>
@@ -110,7 +110,8 @@ TEST_CASE("Several maps of one face share its spectrum by their areas") {
         const auto& spectrum = face.map->spectrum(edges);
         const double wanted = (wide.area() * mean_square(wide) + tall.area() * mean_square(tall)) / area;
         CHECK(test::relative_error(spectrum.rms_height * spectrum.rms_height, wanted) < 1e-12);
-        const double of_wide = map_spectrum(wide, edges).rms_gradient(), of_tall = map_spectrum(tall, edges).rms_gradient();
+        const double of_wide = map_spectrum(wide, edges).rms_gradient();
+        const double of_tall = map_spectrum(tall, edges).rms_gradient();
         CHECK(test::relative_error(std::pow(spectrum.rms_gradient(), 2),
                                    (wide.area() * of_wide * of_wide + tall.area() * of_tall * of_tall) / area) < 1e-12);
         for (std::size_t i = 1; i < spectrum.shells.size(); ++i) {
@@ -120,7 +121,7 @@ TEST_CASE("Several maps of one face share its spectrum by their areas") {
     }
 }
 
-TEST_CASE("The spectrum of two faces is the sum of theirs, and their heights are added at as many shifts as were asked for") {
+TEST_CASE("The spectrum of two faces is the sum of theirs, and their heights are added at every shift") {
     const Face upper = of_maps({noise(16, 16, 1e-8, 3)}), lower = of_maps({noise(16, 16, 2e-8, 4)});
     const Face sum = sum_of_faces(upper, lower, 3, 7);
     REQUIRE(sum.map);
@@ -153,7 +154,8 @@ TEST_CASE("H of two faces is the mean over their slopes") {
 TEST_CASE("K over the shifts of two maps is their mean, with the scatter of one shift as its error") {
     const Face sum = sum_of_faces(of_maps({noise(24, 24, 1e-8, 5)}), of_maps({noise(24, 24, 1e-8, 6)}), 4, 11);
     const scene::Law& law = *scene::find_law("summits");
-    scene::ContactInputs inputs{.surface = sum.surface, .effective_modulus = 1e11, .options = {0}, .map = sum.map.get()};
+    scene::ContactInputs inputs{.surface = sum.surface, .effective_modulus = 1e11, .options = {0}};
+    inputs.map = sum.map.get();
     const std::vector<double> pressures{2e6, 2e7};
     const auto all = law.contact(inputs)->at_pressures(pressures, Quantity::stiffness | Quantity::separation);
     std::vector<std::vector<ContactPoint<double>>> single;
