@@ -79,6 +79,13 @@ public:
         }
     }
 
+    /// The curve of heights \p factor times as high. \throws domain_error unless they rise after rounding, too.
+    [[nodiscard]] BearingSlope scaled(T factor) const {
+        std::vector<Knot> knots = knots_;
+        for (Knot& knot : knots) knot.height *= factor;
+        return BearingSlope(std::move(knots));
+    }
+
     /// f(zeta); straight on beyond the ends.
     [[nodiscard]] T height(T score) const { return on_line(above(score), score); }
 
