@@ -94,7 +94,8 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
     CHECK(found[0] / gaussian[0] > found[2] / gaussian[2]);
     CHECK(stiffnesses(numbers + "skewness = 1\nkurtosis = 4.5\n")[0] < 0.7 * gaussian[0]);
     const auto listed = stiffnesses(numbers + list([&](double z) { return curve.height(z); }));
-    CHECK(largest_change(listed, found) < 0.03);
+    CHECK(largest_change({listed[1], listed[2]}, {found[1], found[2]}) < 0.01);
+    CHECK(largest_change(listed, found) < 0.05);  // 1 of 1001 heights ends at 3.3 sigma
     // as many numbers as a program has: without alpha
     scene::ContactNumbers plain{.surface = {1e-6, 20e-6, 2e9}, .rms_gradient = 0.1, .effective_modulus = modulus};
     const std::vector<double> pressure{1e8};
@@ -175,7 +176,7 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     const auto gaussian = stiffnesses(text + "skewness = 0\nkurtosis = 3\n");
     CHECK(found[0] < 0.8 * gaussian[0]);
     // of the JSON of fstiff measure the same as of the file
-    std::ofstream(folder / "measured.json") << scene::measure_json(*skewed.measured->how, *skewed.measured).dump();
+    std::ofstream(folder / "measured.json") << scene::measure_json(*skewed.measured->how, *skewed.measured).str();
     const std::string json = "[surface]\nfrom = \"" + std::string(folder / "measured.json") + "\"\n";
     CHECK(largest_change(stiffnesses(json), found) < 1e-12);
     // two such faces: the sum is nearer to a Gaussian one

@@ -125,6 +125,10 @@ template <Real T>
     return {BandHills<T>(band, effective_modulus), PerssonContact<T>(band, effective_modulus, gamma)};
 }
 
+/// Score of a height beyond which no bearing curve was compared: it is taken for this one.
+template <Real T>
+inline constexpr T highest_score = T(4);
+
 /// The same of a surface whose heights, over their rms, have the bearing curve \p curve. The moments of the band are those of
 /// the surface. \throws domain_error as above.
 template <Real T>
@@ -134,7 +138,7 @@ template <Real T>
                                                                               std::type_identity_t<T> gamma = T(0.45)) {
     HybridContact<T, BandHills<T>> gaussian = hybrid_of_band(band, effective_modulus, gamma);
     const T sigma = band.rms_height();
-    BearingContact<T> crowded(gaussian.crowded().gaussian(), curve.scaled(sigma), sigma);
+    BearingContact<T> crowded(gaussian.crowded().gaussian(), curve.between(-highest_score<T>, highest_score<T>).scaled(sigma), sigma);
     return {std::move(gaussian), std::move(crowded)};
 }
 
