@@ -74,8 +74,8 @@ public:
         const double unit = 1 / std::sqrt(m.m0);
         const std::span<const double> heights(map.heights.data(), static_cast<std::size_t>(map.size()));
         const auto of = fstiff::height_statistics(map);
-        add("numbers, skewness and kurtosis", m,
-            fstiff::bearing_of_moments(of.skewness.value, of.kurtosis.value));
+        const auto shape = fstiff::counted_shape(of.skewness.value, of.kurtosis.value, 1.0);
+        add("numbers, skewness and kurtosis", m, fstiff::bearing_of_moments(shape.skewness, shape.kurtosis));
         add("numbers, Sk to Smr2", m, fstiff::bearing_of_core(fstiff::material_ratio(heights)).scaled(unit));
         add("numbers, bearing curve", m, fstiff::BearingSlope<double>::of_heights(heights).scaled(unit));
         for (const Eigen::Index rows : {1, 4, 16}) of_rows(map, across, rows);
@@ -110,7 +110,7 @@ private:
         const auto of = fstiff::pooled(all, std::vector<double>(all.size(), 1.0));
         const std::string name = std::to_string(count) + (count == 1 ? " row" : " rows");
         gaussian_.emplace(name, fstiff::hybrid_of_band(band(of.moments), 1.0));
-        const auto counted = fstiff::counted_shape(of.skewness.value, of.kurtosis.value, shape.share());
+        const auto counted = fstiff::counted_shape(of, shape.share());
         if (!counted.is_gaussian())
             add(name + ", shape", of.moments, fstiff::bearing_of_moments(counted.skewness, counted.kurtosis));
         else

@@ -146,7 +146,10 @@ int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* r
               from.theta.value,
               from.fractal_dimension.value,
               from.rms_gradient.value};
-        const auto shape = fstiff::counted_shape(from.skewness.value, from.kurtosis.value, from.shape_share);
+        fstiff::HeightStatistics<double> heights;
+        heights.skewness = {from.skewness.value, from.skewness.error};
+        heights.kurtosis = {from.kurtosis.value, from.kurtosis.error};
+        const auto shape = fstiff::counted_shape(heights, from.shape_share);
         to.skewness = shape.skewness;
         to.kurtosis = from.kurtosis.known ? shape.kurtosis : 0;
         return FSTIFF_OK;

@@ -156,7 +156,7 @@ Face face_of(const MeasuredSurface& measured) {
     if (measured.heights) {
         face.rms_gradient = measured.heights->rms_gradient.value;
         face.alpha = measured.heights->moments.bandwidth();
-        face.set_shape(counted_shape(measured.heights->skewness.value, measured.heights->kurtosis.value, measured.shape_share));
+        face.set_shape(counted_shape(*measured.heights, measured.shape_share));
     }
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
     if (measured.map) maps.emplace_back(measured.map, &measured.map->map);

@@ -123,6 +123,13 @@ TEST_CASE("What counts of a shape lies between a Gaussian one and the whole") {
     CHECK(half.skewness == 0.5);
     CHECK(half.kurtosis == 4);
     CHECK(counted_shape(1.0, 5.0, 0.0).is_gaussian());
+    HeightStatistics<double> measured;
+    measured.skewness = {1, 0.6}, measured.kurtosis = {5, 1.1};
+    CHECK(counted_shape(measured, 0.5).is_gaussian());
+    measured.kurtosis.error = 0.9;
+    CHECK(counted_shape(measured, 0.5).skewness == 0.5);
+    measured.kurtosis.error = 1.1, measured.skewness.error = 0.4;
+    CHECK(counted_shape(measured, 0.5).kurtosis == 4);
     CHECK(counted_shape(9.0, 90.0, 1.0).skewness == 2);
     CHECK(counted_shape(9.0, 90.0, 1.0).kurtosis == 10);
     CHECK(counted_shape(0.0, 1.01, 1.0).kurtosis == 1.25);

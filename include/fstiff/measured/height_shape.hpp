@@ -7,14 +7,15 @@
 ///     n     = N/(1 + 2 sum_k A(k)^2)         heights that know nothing of one another, A the autocorrelation (pairs/N at lags up to
 ///                                            N/2, whose chance adds 0.6 of the sum); of a map the product of those along x
 ///                                            and along y, each the mean over 16 lines at most
-///     share = max(0, 1 - 0.8/(n D^2))        how much of skewness and of kurtosis - 3 counts
+///     share = max(0, 1 - 0.8/(n D^2))        how much of skewness and of kurtosis - 3 counts, where one of them is farther from
+///                                            a Gaussian's than two of its standard errors
 ///
 /// Heights that are Gaussian have some D by chance, which falls as 1/n: on the Gaussian maps of tests/support/map_kinds.hpp n D^2
 /// of traces is 0.1 to 2.6, on others 0.15 to 6 of one row with 8 to 16 waves, 0.7 to 19 of four, 2 to 83 of sixteen.
 ///
 ///     ShapeOfHeights<double> shape;
 ///     shape.add(profile);
-///     HeightShape<double> counted = counted_shape(skewness, kurtosis, shape.share());
+///     HeightShape<double> counted = counted_shape(height_statistics(profile), shape.share());
 ///     BearingSlope<double> curve = bearing_of_moments(counted.skewness, counted.kurtosis);
 ///
 /// Reference   Bartlett, J. R. Stat. Soc. Suppl. 8 (1946) 27 (n); the share: this project, chosen on seeds 1 and 2 of these maps
@@ -25,6 +26,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/math/normal_distribution.hpp>
+#include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/surface/bearing_family.hpp>
@@ -52,6 +54,16 @@ template <Real T>
 [[nodiscard]] HeightShape<T> counted_shape(T skewness, T kurtosis, T share) {
     const T s = std::clamp(share * skewness, T(-2), T(2));
     return {s, std::clamp(3 + share * (kurtosis - 3), least_kurtosis(s), T(10))};
+}
+
+/// The same of \p measured heights: Gaussian ones unless their skewness or their kurtosis departs by two standard errors.
+template <Real T>
+[[nodiscard]] HeightShape<T> counted_shape(const HeightStatistics<T>& measured, T share) {
+    const auto departs = [](const Measurement<T>& one, T gaussian) {
+        return std::abs(one.value - gaussian) > 2 * one.error;
+    };
+    if (!departs(measured.skewness, T(0)) && !departs(measured.kurtosis, T(3))) return {};
+    return counted_shape(measured.skewness.value, measured.kurtosis.value, share);
 }
 
 /// That of the sum of two faces with the mean square heights \p m0_a and \p m0_b, whose heights are independent: cumulants add.
