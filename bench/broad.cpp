@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Boundary elements of one Gaussian self-affine map with a known spectrum, as CSV, for tools/make_broad.py.
-//     fstiff_broad hurst roll_off plateau|none cut_off points seed
+//     fstiff_broad hurst roll_off plateau|none cut_off points seed [p/(E g) ...]
 // Wave numbers count waves a side; the map repeats itself. Lengths in sides, pressures in effective moduli, rms gradient 0.1.
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/surface/moments.hpp>
@@ -44,8 +44,13 @@ HeightMap<double> map_of(char** argument) {
     return map;
 }
 
-/// p/(E g), fewer where a solution is dear.
-std::vector<double> pressures_of(Eigen::Index points) {
+/// p/(E g): as given, else fewer where a solution is dear.
+std::vector<double> pressures_of(Eigen::Index points, int count, char** argument) {
+    if (count > 7) {
+        std::vector<double> given;
+        for (int i = 7; i < count; ++i) given.push_back(std::strtod(argument[i], nullptr));
+        return given;
+    }
     if (points >= 2048) return {0.25, 0.06, 0.01, 0.003, 0.001, 3e-4};
     if (points >= 1024) return {0.6, 0.25, 0.1, 0.03, 0.01, 0.003, 0.001, 3e-4};
     return {0.75, 0.6, 0.47, 0.35, 0.25, 0.17, 0.1, 0.06, 0.03, 0.01, 0.003, 0.001, 3e-4};
@@ -54,15 +59,15 @@ std::vector<double> pressures_of(Eigen::Index points) {
 }  // namespace
 
 int main(int count, char** argument) {
-    if (count != 7) {
-        std::fputs("fstiff_broad hurst roll_off plateau|none cut_off points seed\n", stderr);
+    if (count < 7) {
+        std::fputs("fstiff_broad hurst roll_off plateau|none cut_off points seed [p/(E g) ...]\n", stderr);
         return 2;
     }
     const HeightMap<double> map = map_of(argument);
     const SpectralMoments<double> moments = moments_of_waves(map);
     // K of a map of 256 points changes by 1e-4 or less from 1e-7 to this tolerance
     BoundaryElements<double> solver(map, 1.0, {.edges = Edges::periodic, .tolerance = 1e-5});
-    for (const double share : pressures_of(map.columns())) {
+    for (const double share : pressures_of(map.columns(), count, argument)) {
         const auto found = solver.at_pressure(share * 0.1);
         if (!found.converged) std::fprintf(stderr, "p* = %g: residual %g\n", share, found.residual);
         std::printf("%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.6g,%g,%.5g,%.5g,%.5g,%lld\n", argument[1], argument[2], argument[3],

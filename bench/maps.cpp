@@ -9,13 +9,19 @@
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/measured/height_shape.hpp>
+#include <fstiff/measured/pooled_surface.hpp>
+#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -60,11 +66,66 @@ struct Laws {
     double rms_height;
 };
 
+/// What hybrid makes of statistics alone.
+class Statistics {
+public:
+    Statistics(const fstiff::HeightMap<double>& map, bool across) {
+        const fstiff::SpectralMoments<double> m = Laws::moments(map);
+        const double unit = 1 / std::sqrt(m.m0);
+        const std::span<const double> heights(map.heights.data(), static_cast<std::size_t>(map.size()));
+        const auto of = fstiff::height_statistics(map);
+        const auto shape = fstiff::counted_shape(of.skewness.value, of.kurtosis.value, 1.0);
+        add("numbers, skewness and kurtosis", m, fstiff::bearing_of_moments(shape.skewness, shape.kurtosis));
+        add("numbers, Sk to Smr2", m, fstiff::bearing_of_core(fstiff::material_ratio(heights)).scaled(unit));
+        add("numbers, bearing curve", m, fstiff::BearingSlope<double>::of_heights(heights).scaled(unit));
+        for (const Eigen::Index rows : {1, 4, 16}) of_rows(map, across, rows);
+    }
+    template <class Use>
+    void each(const Use& use) const {
+        for (const auto& [name, law] : gaussian_) use(name, [&law = law](double p) { return law.stiffness(p); });
+        for (const auto& [name, law] : laws_) use(name, [&law = law](double p) { return law.stiffness(p); });
+    }
+
+private:
+    using Gaussian = fstiff::HybridContact<double, fstiff::BandHills<double>>;
+
+    static fstiff::BandSpectrum<double> band(fstiff::SpectralMoments<double> m) {
+        m.m4 = std::max(m.m4, 1.51 * m.m2 * m.m2 / m.m0);
+        return fstiff::band_of_moments(m, 0.8);
+    }
+    void add(const std::string& name, const fstiff::SpectralMoments<double>& m, const fstiff::BearingSlope<double>& curve) {
+        laws_.emplace(name, fstiff::hybrid_of_band(band(m), curve, 1.0));
+    }
+    /// \p count rows of \p map, or columns across a lay, as traces of one surface: by their moments, and by their shape too.
+    void of_rows(const fstiff::HeightMap<double>& map, bool across, Eigen::Index count) {
+        std::vector<fstiff::HeightStatistics<double>> all;
+        fstiff::ShapeOfHeights<double> shape;
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const Eigen::Index at = k * map.rows() / count;
+            const Eigen::ArrayXd z = across ? Eigen::ArrayXd(map.heights.col(at)) : Eigen::ArrayXd(map.heights.row(at));
+            const fstiff::Profile<double> row{std::vector<double>(z.begin(), z.end()), map.dx};
+            all.push_back(fstiff::height_statistics(row));
+            shape.add(row);
+        }
+        const auto of = fstiff::pooled(all, std::vector<double>(all.size(), 1.0));
+        const std::string name = std::to_string(count) + (count == 1 ? " row" : " rows");
+        gaussian_.emplace(name, fstiff::hybrid_of_band(band(of.moments), 1.0));
+        const auto counted = fstiff::counted_shape(of, shape.share());
+        if (!counted.is_gaussian())
+            add(name + ", shape", of.moments, fstiff::bearing_of_moments(counted.skewness, counted.kurtosis));
+        else
+            gaussian_.emplace(name + ", shape", gaussian_.at(name));
+    }
+
+    std::map<std::string, Gaussian> gaussian_;
+    std::map<std::string, fstiff::ScaledContact<double, Gaussian>> laws_;
+};
+
 /// K over \p truth, or none of a law that refuses the pressure.
 template <class Law>
-void print(const char* law, const std::string& where, double pressure, double truth, const Law& stiffness) {
+void print(const std::string& law, const std::string& where, double pressure, double truth, const Law& stiffness) {
     try {
-        std::printf("%s,%s,%.4f\n", law, where.c_str(), stiffness(pressure) / truth);
+        std::printf("%s,%s,%.4f\n", law.c_str(), where.c_str(), stiffness(pressure) / truth);
     } catch (const fstiff::domain_error&) {  // too crowded for it
     }
 }
@@ -94,6 +155,7 @@ int compare_laws(const char* truths, long every) {
     const std::vector<test::MapKind> kinds = test::map_kinds();
     std::string last;
     std::unique_ptr<Laws> laws;
+    std::unique_ptr<Statistics> statistics;
     std::printf("law,kind,group,seed,p_star,ratio\n");
     for (long map = -1; std::getline(file, line);) {
         const auto end = line.find('"', 1);
@@ -108,7 +170,11 @@ int compare_laws(const char* truths, long every) {
         if (key != last) {
             last = key;
             ++map;
-            if (map % every == 0) laws = std::make_unique<Laws>(kind->map(static_cast<std::uint64_t>(seed)));
+            if (map % every == 0) {
+                const auto heights = kind->map(static_cast<std::uint64_t>(seed));
+                laws = std::make_unique<Laws>(heights);
+                statistics = std::make_unique<Statistics>(heights, kind->group == "machined");
+            }
         }
         if (map % every != 0) continue;
         std::ostringstream where;
@@ -121,6 +187,9 @@ int compare_laws(const char* truths, long every) {
         print("persson", where.str(), p, truth, [&](double x) { return laws->persson.stiffness(x); });
         print("hybrid of numbers", where.str(), p, truth, [&](double x) { return laws->numbers.stiffness(x); });
         print("p/(0.48 rms height)", where.str(), p, truth, [&](double x) { return x / (0.48 * laws->rms_height); });
+        statistics->each([&](const std::string& law, const auto& stiffness) {
+            print("\"" + law + "\"", where.str(), p, truth, stiffness);
+        });
         std::fflush(stdout);
     }
     return 0;

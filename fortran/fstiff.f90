@@ -40,9 +40,9 @@ module fstiff
     ! The sizes are those of the C structs on every platform where a double, a pointer and a size_t have 8 bytes; the test of
     ! this module compares them with c_sizeof.
     type, bind(c) :: fstiff_roughness
-        integer(c_size_t) :: size = 72
+        integer(c_size_t) :: size = 88
         real(c_double) :: rms_height = 0, peak_radius = 0, peak_density = 0, max_peak_height = 0, r = 0, theta = 0, &
-            fractal_dimension = 0, rms_gradient = 0
+            fractal_dimension = 0, rms_gradient = 0, skewness = 0, kurtosis = 0
     end type
     type, bind(c) :: fstiff_body
         integer(c_size_t) :: size = 56
@@ -71,8 +71,8 @@ module fstiff
         integer(c_int) :: known = 0
     end type
     type, bind(c) :: fstiff_surface
-        integer(c_size_t) :: size = 296, peaks = 0
-        real(c_double) :: lambda_s = 0, lambda_c = 0
+        integer(c_size_t) :: size = 304, peaks = 0
+        real(c_double) :: lambda_s = 0, lambda_c = 0, shape_share = 0
         type(fstiff_measured) :: rms_height, peak_radius, peak_density, max_peak_height, fractal_dimension, &
             fractal_roughness, r, theta, rms_gradient, skewness, kurtosis
     end type

@@ -75,6 +75,8 @@ typedef struct fstiff_roughness {
     double theta;             /**< sampling angle [rad], 0 < theta < pi/2; 0: not known, for laws without joint peaks */
     double fractal_dimension; /**< D, 1 < D < 2; 0: not known, for laws that do not take it */
     double rms_gradient;      /**< > 0; 0: not known. Persson's theory and the hybrid law take it */
+    double skewness;          /**< of the heights, -3 to 3; needs the kurtosis. The hybrid law takes both */
+    double kurtosis;          /**< of the heights, 3 of Gaussian ones; 0: not known, taken for Gaussian */
 } fstiff_roughness;
 
 /** How peaks feel one another: equation (4.11) of the paper, read in two ways. */
@@ -205,6 +207,7 @@ typedef struct fstiff_surface {
     size_t size;                       /**< sizeof(fstiff_surface) */
     size_t peaks;                      /**< counted, behind R and D_p */
     double lambda_s, lambda_c;         /**< the cut-offs that were applied [m]; 0: none */
+    double shape_share;                /**< 0 to 1: how much of skewness and kurtosis - 3 the hybrid law counts */
     fstiff_measured rms_height;        /**< sigma [m] */
     fstiff_measured peak_radius;       /**< R [m] */
     fstiff_measured peak_density;      /**< D_p [1/m^2] */

@@ -143,6 +143,7 @@
 #include <fstiff/ultrasound/resolvable_stiffness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 #include <fstiff/measured/from_profile.hpp>
+#include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
 #include <fstiff/measured/lay.hpp>

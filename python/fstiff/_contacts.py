@@ -106,6 +106,7 @@ class Contact:
                         takes it, and r = 0 says that heights and curvatures are independent
     fractal_dimension   D of a profile, 1 to 2, for the fractal laws
     rms_gradient, max_peak_height   of the surface [1, m]; None where not known
+    skewness, kurtosis  of the heights, which the hybrid law takes; both or none, kurtosis 3 of Gaussian heights
     poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws, which say what they need
     interaction         "none", "effective_separation" or "as_printed", over interaction_length [m]
 
@@ -129,6 +130,8 @@ class Contact:
         fractal_dimension: float | None = None,
         rms_gradient: float | None = None,
         max_peak_height: Length | None = None,
+        skewness: float | None = None,
+        kurtosis: float | None = None,
         poisson_ratio: float | None = None,
         yield_strength: float | None = None,
         hardness: float | None = None,
@@ -144,6 +147,8 @@ class Contact:
             "fractal_dimension": fractal_dimension,
             "rms_gradient": rms_gradient,
             "max_peak_height": max_peak_height,
+            "skewness": skewness,
+            "kurtosis": kurtosis,
         }
         of_bodies = {
             "effective_modulus": effective_modulus,

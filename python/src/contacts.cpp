@@ -140,6 +140,8 @@ OneContact of_numbers(const std::string& law, const std::map<std::string, double
          .theta = optional("theta"),
          .fractal_dimension = number("fractal_dimension"),
          .rms_gradient = number("rms_gradient"),
+         .skewness = number("skewness"),
+         .kurtosis = number("kurtosis"),
          .effective_modulus = number("effective_modulus"),
          .poisson_ratio = optional("poisson_ratio"),
          .yield_strength = number("yield_strength"),

@@ -22,6 +22,8 @@ scene::ContactNumbers numbers_of(const fstiff_roughness& surface, const fstiff_b
             .theta = surface.theta,
             .fractal_dimension = surface.fractal_dimension,
             .rms_gradient = surface.rms_gradient,
+            .skewness = surface.skewness,
+            .kurtosis = surface.kurtosis,
             .effective_modulus = body.effective_modulus,
             .poisson_ratio = body.poisson_ratio,
             .yield_strength = body.yield_strength,

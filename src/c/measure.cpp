@@ -85,6 +85,7 @@ int write(const MeasuredSurface& from, fstiff_surface& to) {
         put(to.rms_gradient, from.heights->rms_gradient);
         put(to.skewness, from.heights->skewness);
         put(to.kurtosis, from.heights->kurtosis);
+        to.shape_share = from.shape_share;
     }
     std::string warnings;
     for (const std::string& one : from.warnings) warnings += (warnings.empty() ? "" : "\n") + one;
@@ -145,6 +146,12 @@ int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* r
               from.theta.value,
               from.fractal_dimension.value,
               from.rms_gradient.value};
+        fstiff::HeightStatistics<double> heights;
+        heights.skewness = {from.skewness.value, from.skewness.error};
+        heights.kurtosis = {from.kurtosis.value, from.kurtosis.error};
+        const auto shape = fstiff::counted_shape(heights, from.shape_share);
+        to.skewness = shape.skewness;
+        to.kurtosis = from.kurtosis.known ? shape.kurtosis : 0;
         return FSTIFF_OK;
     });
 }

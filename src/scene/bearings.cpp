@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/bearings.hpp"
 
+#include <fstiff/surface/bearing_family.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 namespace fstiff::scene {
+
+std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape) {
+    if (shape.is_gaussian()) return nullptr;
+    return std::make_shared<const BearingSlope<double>>(bearing_of_moments(shape.skewness, shape.kurtosis));
+}
 
 BearingContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, double modulus, double gamma) const {
     const std::lock_guard lock(guard_);

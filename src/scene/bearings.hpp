@@ -6,6 +6,7 @@
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
+#include <fstiff/measured/height_shape.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/line_transform.hpp>
 
@@ -17,6 +18,9 @@
 #include <vector>
 
 namespace fstiff::scene {
+
+/// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
+[[nodiscard]] std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
 
 class BearingsOfMaps {
 public:

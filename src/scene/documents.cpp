@@ -92,13 +92,15 @@ Json measured_document(const MeasuredSurface& surface) {
                                {"m2", surface.heights->moments.m2},
                                {"m4_per_m2", surface.heights->moments.m4},
                                {"alpha", surface.heights->moments.bandwidth()}};
+    if (surface.heights) document["shape_share"] = surface.shape_share;
     for (const MeasuredSurface& neighbour : surface.neighbours) {
         Json of = measured_document(neighbour);
         document["neighbours"].push_back({{"lambda_s_m", of["lambda_s_m"]},
                                           {"lambda_c_m", of["lambda_c_m"]},
                                           {"surface", of["surface"]},
                                           {"widest_band", of["widest_band"]},
-                                          {"moments", of["moments"]}});
+                                          {"moments", of["moments"]},
+                                          {"shape_share", neighbour.shape_share}});
     }
     if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;
     if (!surface.peaks_refusal.empty()) document["no_r_and_theta"] = surface.peaks_refusal;

@@ -41,6 +41,11 @@ bool is_as_measured(const Face& face) {
 
 }  // namespace
 
+void Face::set_shape(const HeightShape<double>& of) {
+    shape = of;
+    bearing = bearing_of_shape(of);
+}
+
 std::string gradient_warning(const Face& face, double r) {
     std::vector<double> gradients;
     std::vector<std::string_view> origins;
@@ -151,6 +156,7 @@ Face face_of(const MeasuredSurface& measured) {
     if (measured.heights) {
         face.rms_gradient = measured.heights->rms_gradient.value;
         face.alpha = measured.heights->moments.bandwidth();
+        face.set_shape(counted_shape(*measured.heights, measured.shape_share));
     }
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
     if (measured.map) maps.emplace_back(measured.map, &measured.map->map);
@@ -188,6 +194,8 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
         face.dimension_window_error =
             std::hypot(share * upper.dimension_window_error, (1 - share) * lower.dimension_window_error);
     }
+    const HeightShape<double> shape = sum_of_shapes(upper.shape, a.moments.m0, lower.shape, b.moments.m0);
+    face.set_shape(counted_shape(shape.skewness, shape.kurtosis, 1.0));
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
     for (std::size_t k = 0; k < std::max(upper.neighbours.size(), lower.neighbours.size()); ++k) {

@@ -5,6 +5,7 @@
 #include "scene/law.hpp"
 #include "scene/measured_surface.hpp"
 
+#include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/surface/moments.hpp>
@@ -39,10 +40,14 @@ struct Face {
     UncertainSurface<double> uncertain;                ///< the same with errors
     double dimension_window_error = 0;                 ///< share of the window of lags in the error of D
     std::optional<HeightStatistics<double>> heights;   ///< where the surface was measured
+    HeightShape<double> shape;                         ///< of the heights that hybrid takes: given, or measured as far as it counts
+    std::shared_ptr<const BearingSlope<double>> bearing;  ///< of heights over the rms height; none of Gaussian heights
     std::optional<MeasuredSurface> measured;           ///< where surface.from says, or --surface; none of a sum
 
     std::vector<Face> neighbours;  ///< behind a smaller and a greater lambda_s, where they were measured
 
+    /// Takes \p of, which bearing_of_moments() takes, with its bearing curve.
+    void set_shape(const HeightShape<double>& of);
     /// Whether a band can be given: some parameter that enters has an error.
     [[nodiscard]] bool has_errors() const {
         return gradient_error > 0 ||

@@ -293,12 +293,17 @@ auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::
             .of(peaks, crowded_contact, map.taller);
     return HybridContact(std::move(peaks), std::move(crowded_contact), std::move(hand_over));
 }
-auto hybrid_of_numbers(const ContactInputs& inputs) {
-    return hybrid_of_band(band_of_moments(inputs.moments, inputs.hurst), inputs.effective_modulus, inputs.gamma);
+/// What \p make makes of hybrid of numbers, of Gaussian heights or of a bearing curve.
+template <class Make>
+std::unique_ptr<AnyContact> of_hybrid_of_numbers(const ContactInputs& inputs, const Make& make) {
+    const BandSpectrum<double> band = band_of_moments(inputs.moments, inputs.hurst);
+    if (!inputs.bearing) return held(make(hybrid_of_band(band, inputs.effective_modulus, inputs.gamma)));
+    return held(make(hybrid_of_band(band, *inputs.bearing, inputs.effective_modulus, inputs.gamma)));
 }
 
 std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
-    if (!inputs.map || !inputs.spectrum_of_map) return held(hybrid_of_numbers(inputs));
+    if (!inputs.map || !inputs.spectrum_of_map)
+        return of_hybrid_of_numbers(inputs, [](auto&& contact) { return std::move(contact); });
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
         return hybrid_of_map(inputs, of, shift);
     });
@@ -309,8 +314,10 @@ std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
     const double hardness = inputs.material.hardness_or_default(), E = inputs.effective_modulus;
     if (!inputs.map || !inputs.spectrum_of_map) {
         const double g = std::sqrt(2 * inputs.moments.m2);
-        return held(PlasticContact(hybrid_of_numbers(inputs), GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E),
-                                   hardness, E, g));
+        return of_hybrid_of_numbers(inputs, [&](auto&& contact) {
+            return PlasticContact(std::move(contact), GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E), hardness, E,
+                                  g);
+        });
     }
     const double g = inputs.map->spectrum(inputs.elements.edges).rms_gradient();
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {

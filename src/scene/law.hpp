@@ -104,6 +104,7 @@ struct ContactInputs {
     double hurst = 0.8, gamma = 0.45;
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
+    const BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
     PlasticMaterial<double> material{};  ///< of the softer body
     ElementInputs elements{};
     ProgressHook progress{};

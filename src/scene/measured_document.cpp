@@ -68,6 +68,11 @@ MeasuredSurface values_of(const Parsed& document, const std::string& name) {
         surface.dimension_window_error = number_of(document, "fractal_dimension_window_error", name);
     if (const auto widest = document.find("widest_band"); widest != document.end() && !widest->is_null())
         surface.widest_band = number_of(document, "widest_band", name);
+    if (const auto share = document.find("shape_share"); share != document.end()) {
+        surface.shape_share = number_of(document, "shape_share", name);
+        if (!(surface.shape_share >= 0 && surface.shape_share <= 1))
+            throw domain_error(name + ": shape_share: must be from 0 to 1");
+    }
     if (const auto moments = document.find("moments"); moments != document.end() && moments->is_object()) {
         const auto moment = [&](const char* key) { return number_of(*moments, key, name + ": moments"); };
         surface.heights = HeightStatistics<double>{.skewness = read("skewness").value_or(Measurement<double>{}),

@@ -231,6 +231,9 @@ void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Leve
             ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
     try {
         surface.heights = height_statistics(heights);
+        ShapeOfHeights<double> shape;
+        shape.add(heights);
+        surface.shape_share = shape.share();
     } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
     }
     surface.profile_fit = std::move(found.profile_fit);

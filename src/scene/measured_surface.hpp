@@ -44,6 +44,7 @@ struct MeasuredSurface {
     double dimension_window_error = 0;                ///< share of the window of lags in the error of D
     /// Greatest wave number over the least that it can hold: from its length, or lambda_c, to two steps, or lambda_s.
     double widest_band = std::numeric_limits<double>::infinity();
+    double shape_share = 0;  ///< how much of skewness and of kurtosis - 3 counts in hybrid (measured/height_shape.hpp)
     std::optional<HeightStatistics<double>> heights;  ///< none: the JSON is of an older fstiff
     std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.

@@ -60,6 +60,8 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
         of.surface.validate();
         of.fractal_dimension = optional("fractal_dimension", numbers.fractal_dimension);
         of.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
+        if (numbers.kurtosis == 0 && numbers.skewness != 0) throw domain_error("skewness: needs kurtosis");
+        if (numbers.kurtosis != 0) of.set_shape({numbers.skewness, numbers.kurtosis});
     }
     of.yield_strength = optional("yield_strength", numbers.yield_strength);
     of.hardness = optional("hardness", numbers.hardness);

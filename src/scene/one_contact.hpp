@@ -17,6 +17,7 @@ struct ContactNumbers {
     Roughness<double> surface{};
     std::optional<double> r{}, theta{};  ///< [1, rad]
     double fractal_dimension = 0, rms_gradient = 0;
+    double skewness = 0, kurtosis = 0;        ///< of the heights; a kurtosis of 0: Gaussian ones
     double effective_modulus = 0;             ///< [Pa]
     std::optional<double> poisson_ratio{};    ///< of the softer body
     double yield_strength = 0, hardness = 0;  ///< of it [Pa]

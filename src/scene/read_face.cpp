@@ -226,6 +226,7 @@ void keep_written(const Section& surface, const Face& face, Face& neighbour) {
     if (surface.find("theta") || !neighbour.theta) neighbour.theta = face.theta;
     if (surface.find("rms_gradient")) neighbour.rms_gradient = face.rms_gradient;
     if (surface.find("alpha")) neighbour.alpha = face.alpha;
+    if (has_bearing(surface)) neighbour.shape = face.shape, neighbour.bearing = face.bearing;
     neighbour.hurst = face.hurst;
     neighbour.spectrum_of_map = face.spectrum_of_map;
 }
@@ -248,6 +249,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
                                                                "hurst",
                                                                "errors"};
     std::vector<std::string_view> valid(written_keys);
+    for (const std::string_view key : bearing_keys()) valid.push_back(key);
     if (table.contains("from"))
         for (const ReadingKey& key : reading_keys) valid.push_back(key.name);
     const Section surface(source, table, path, valid);
@@ -258,6 +260,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     read_spectrum(source, surface, face);
     for (const std::string_view key : {"rms_height", "peak_radius", "peak_density", "rms_gradient", "alpha", "hurst"})
         if (face.map && surface.find(key)) face.spectrum_of_map = false;  // numbers written by hand replace the map's
+    if (face.map && has_bearing(surface)) face.spectrum_of_map = false;
     UncertainSurface<double>& uncertain = face.uncertain;
     for (const ParameterRow& row : all) {
         const std::size_t i = index_of(row.parameter);
@@ -310,6 +313,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     if (face.r.has_value() != face.theta.has_value())
         throw domain_error(source.at(table) + ": " + surface.key(face.r ? "theta" : "r") + ": is missing; " +
                            surface.key("r") + " and " + surface.key("theta") + " stand side by side");
+    read_bearing(source, surface, face);
     if (surface.find("fractal_dimension")) face.dimension_window_error = 0;
     for (Face& neighbour : face.neighbours) keep_written(surface, face, neighbour);
     return face;

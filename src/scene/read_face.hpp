@@ -8,6 +8,8 @@
 #include <fstiff/core/progress.hpp>
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace fstiff::scene {
 
@@ -17,6 +19,10 @@ namespace fstiff::scene {
 [[nodiscard]] Face face_in_place(Source& source, const MeasuredSurface& measured);
 /// Reads [surface] into \p scene, or its two faces.
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress);
+/// The keys of a bearing curve, and what they make of \p face, whose rms height is known; nothing where none is there.
+[[nodiscard]] std::vector<std::string_view> bearing_keys();
+[[nodiscard]] bool has_bearing(const Section& surface);
+void read_bearing(Source& source, const Section& surface, Face& face);
 /// An angle with its unit, or a number of radians.
 [[nodiscard]] double read_angle(Source& source, const toml::node& node, const std::string& key);
 

@@ -4,6 +4,7 @@
 // are quick to compile, and need no optimisation of their own.
 
 #include <fstiff/halfspace/truth.hpp>
+#include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
@@ -73,6 +74,7 @@ FSTIFF_SCENE_INSTANCE SpectrumShells<double> map_spectrum(const HeightMap<double
 FSTIFF_SCENE_INSTANCE Summits<double> summits_of(const HeightMap<double>&);
 FSTIFF_SCENE_INSTANCE HeightStatistics<double> height_statistics(const Profile<double>&);
 FSTIFF_SCENE_INSTANCE HeightStatistics<double> height_statistics(const HeightMap<double>&);
+FSTIFF_SCENE_INSTANCE class ShapeOfHeights<double>;
 FSTIFF_SCENE_INSTANCE class BoundaryElements<double>;
 FSTIFF_SCENE_INSTANCE std::vector<TruthPoint<double>> truth(const HeightMap<double>&, double,
                                                             const std::vector<double>&, const TruthOptions<double>&);

@@ -40,7 +40,9 @@ bool departs(const Measurement<double>& one, double gaussian, double limit) {
 
 /// What can be computed in place of laws over a distribution of peaks.
 std::string without_distribution(const Scene& scene) {
-    if (!scene.map) return "believe boundary_elements of a map of this surface (fstiff truth)";
+    if (!scene.map)
+        return std::string("believe boundary_elements of a map of this surface (fstiff truth)") +
+               (scene.bearing ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known" : "");
     const std::string elements = advised(scene, "boundary_elements"), hybrid = advised(scene, "hybrid");
     const std::string refused = "boundary_elements " + refusal_of(*find_law("boundary_elements"), scene);
     const std::string own = hybrid.empty() ? "" : hybrid + ", which takes the map's own summits and bearing curve";
@@ -82,7 +84,8 @@ AboutHeights about_heights(const Scene& scene) {
                     "; other laws may be wrong by 5 times.",
                 true};
     if (departs(skewness, 0, 0.3) || departs(kurtosis, 3, 1))
-        return {"the heights are not Gaussian (" + numbers + "): " + side_of_error(skewness),
+        return {"the heights are not Gaussian (" + numbers + "): " + side_of_error(skewness) +
+                    (scene.bearing && !scene.map ? "; hybrid takes both as far as they are known" : ""),
                 "Heights not Gaussian: K of laws over peaks may be wrong by 2 to 3 times."};
     return {};
 }
@@ -102,7 +105,9 @@ std::optional<std::pair<double, double>> relative_pressures(const Results& resul
 }
 
 /// How far hybrid may be believed down to \p least p*, as docs/validation.md found, with \p below for light loads.
-std::string accuracy_of_hybrid(double least, const char* below) {
+std::string accuracy_of_hybrid(const Scene& scene, double least, const char* below) {
+    if (scene.bearing && !(scene.map && scene.spectrum_of_map))
+        return scene.measured ? ", to a factor of 1.5" : ", to about a quarter";
     if (least >= min_validated_pressure)
         return ", to about " + std::to_string(hybrid_accuracy_percent) + " %";
     return std::string(", to about ") + (least >= 0.001 ? "a quarter" : below);
@@ -122,7 +127,7 @@ std::string about_pressures(const Scene& scene, const Results& results) {
     text += hybrid.empty() ? "hybrid " + refusal_of(*find_law("hybrid"), scene) +
                                  "; hertz is good to a fifth at p* of 0.002 to 0.008"
                            : "of elastic contacts believe " + hybrid +
-                                 accuracy_of_hybrid(low, "a quarter above p* = 0.001 and a factor of two below");
+                                 accuracy_of_hybrid(scene, low, "a quarter above p* = 0.001 and a factor of two below");
     if (high > 0.01) text += "; hertz and the other sums over peaks give too little K above p* = 0.01, half at 0.1";
     return high > max_validated_pressure ? text + "; " + beyond : text;
 }
@@ -136,7 +141,7 @@ std::string shortly_about_pressures(const Scene& scene, const Results& results) 
     if (advised(scene, "hybrid").empty())
         return "No elastic law is recommended: hybrid cannot be computed for this surface.";
     return std::string("Recommended elastic law: hybrid") + (has_law(scene, "hybrid") ? "" : " (not in contact.laws)") +
-           accuracy_of_hybrid(low, "a factor of two") +
+           accuracy_of_hybrid(scene, low, "a factor of two") +
            (high > max_validated_pressure ? "; the only one compared above p* = " + limit + "." : ".");
 }
 

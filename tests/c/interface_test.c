@@ -359,6 +359,22 @@ static void test_refusals(void) {
     CHECK(fstiff_contact_at_pressures(persson, some, 1, &points) == FSTIFF_OK && found.of[2][0] > 0);
     fstiff_contact_free(persson);
 
+    fstiff_contact* hybrid;
+    double stiffness[2];
+    for (int skewed = 0; skewed < 2; ++skewed) {
+        fine.skewness = skewed ? -1 : 0, fine.kurtosis = skewed ? 4.5 : 3;
+        CHECK(fstiff_contact_make("hybrid", &fine, &body, &hybrid) == FSTIFF_OK);
+        CHECK(fstiff_contact_at_pressures(hybrid, some, 1, &points) == FSTIFF_OK);
+        stiffness[skewed] = found.of[2][0];
+        fstiff_contact_free(hybrid);
+    }
+    CHECK(stiffness[1] > 1.5 * stiffness[0]);
+    fine.kurtosis = 0;
+    REFUSES(FSTIFF_REFUSED, "skewness: needs kurtosis", fstiff_contact_make("hybrid", &fine, &body, &hybrid));
+    fine.kurtosis = 1.5;
+    REFUSES(FSTIFF_REFUSED, "kurtosis = 1.5", fstiff_contact_make("hybrid", &fine, &body, &hybrid));
+    fine.skewness = fine.kurtosis = 0;
+
     fstiff_law *law = NULL, *no_law;
     REFUSES(FSTIFF_REFUSED, "max_pressure", fstiff_law_make(hertz, 1e6, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
     REFUSES(FSTIFF_REFUSED, "min_pressure", fstiff_law_make(hertz, -1, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));

@@ -142,6 +142,17 @@ TEST_CASE("the hybrid contact of broad bands: the mean over maps within 15 %, wh
     CHECK(before.share() < 0.6);
 }
 
+TEST_CASE("the hybrid contact of numbers at alpha of 700 and 1000: single maps with two waves a side") {
+    const std::vector<Map> all = maps();
+    const auto broadest = [](const Map& map, const Map::Point&) { return map.alpha() > 500; };
+    const Score found = score(all, cut, broadest), before = score(all, uncut, broadest);
+    CAPTURE(found.points, found.least, found.most, found.mean(), before.mean());
+    CHECK(found.points >= 5);
+    CHECK(found.least > 0.84);
+    CHECK(found.most < 1.1);
+    CHECK(before.mean() > 1.05 * found.mean());
+}
+
 TEST_CASE("K of the hybrid contact of numbers against published molecular dynamics: H = 0.8, two decades, alpha = 140") {
     // Zhou et al., Int. J. Solids Struct. (2024) 112684: the mean gap over the rms height; K sigma/p of its chords
     const auto band = band_of_moments(moments_of_gradient(1.0, 1.0, 140.0), 0.8);

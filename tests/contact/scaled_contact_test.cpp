@@ -26,9 +26,7 @@ auto law_of(const SpectralMoments<double>& m, const BearingSlope<double>& curve,
     const Roughness<double> surface{sigma, peak_radius_of(m), peak_density_of(m)};
     HybridContact of(RoughContact(surface, PeakDistribution<double>(1 / std::sqrt(alpha), 1e-3), HertzLaw<double>{}, 1.0),
                      persson);
-    std::vector<BearingSlope<double>::Knot> knots;
-    for (const auto& knot : curve.knots()) knots.push_back({knot.score, knot.height * sigma / unit});
-    return ScaledContact(of, BearingContact<double>(persson, BearingSlope<double>(std::move(knots)), sigma));
+    return ScaledContact(of, BearingContact<double>(persson, curve.scaled(sigma / unit), sigma));
 }
 
 TEST_CASE("A contact at the scale of a straight bearing curve is the Gaussian one") {

@@ -236,6 +236,21 @@ def test_effective_modulus_and_laws():
     assert {"hertz", "hybrid", "boundary_elements"} <= set(fstiff.law_names())
 
 
+def test_hybrid_takes_skewness_and_kurtosis():
+    def stiffness(**shape):
+        contact = fstiff.Contact("hybrid", rms_gradient=0.05, **FINE, **shape)
+        return contact.at_pressures([1e6, 1e8], ["stiffness"])["stiffness_Pa_per_m"]
+
+    gaussian = stiffness()
+    assert (stiffness(skewness=0, kurtosis=3) == gaussian).all()
+    assert (stiffness(skewness=-1, kurtosis=4.5) > 1.5 * gaussian).all()
+    assert (stiffness(skewness=1, kurtosis=4.5) < 0.9 * gaussian).all()
+    with pytest.raises(ValueError, match="skewness: needs kurtosis"):
+        stiffness(skewness=1)
+    with pytest.raises(ValueError, match="kurtosis = 1.5"):
+        stiffness(skewness=1, kurtosis=1.5)
+
+
 def test_a_plot_and_a_data_frame():
     pytest.importorskip("matplotlib")
     pandas = pytest.importorskip("pandas")

@@ -56,7 +56,8 @@ TEST_CASE("A bearing curve has the core that it was made of") {
 
 TEST_CASE("A bearing curve of skewness and kurtosis has them, and no impossible ones are taken") {
     for (const auto& [skewness, kurtosis] : std::vector<std::pair<double, double>>{
-             {0, 3}, {0, 1.8}, {0, 5}, {0.5, 3.4}, {1, 4.8}, {-0.5, 3.1}, {-1, 4.5}, {-1.7, 7}, {1, 3}, {2, 8}, {-0.8, 2.4}}) {
+             {0, 3}, {0, 1.8}, {0, 5}, {0.5, 3.4}, {1, 4.8}, {-0.5, 3.1}, {-1, 4.5}, {-1.7, 7}, {1, 3}, {2, 8}, {-0.8, 2.4},
+             {0.001, 3.02222290919315}, {-0.01, 3}, {0.1, 3.0178}, {0.05, 3.003}, {1e-4, 2.99}, {2.9, 20}}) {
         CAPTURE(skewness, kurtosis);
         const auto curve = bearing_of_moments(skewness, kurtosis);
         const auto m = moments_of(curve);
@@ -70,6 +71,13 @@ TEST_CASE("A bearing curve of skewness and kurtosis has them, and no impossible 
     const auto curve = bearing_of_moments(skewness, q * q * q * q + 2 * q * q * q + 3 * q * q - 3 + 1e-6);
     for (const double z : {-2.0, 0.0, 2.0})
         CHECK(std::abs(curve.height(z) - (std::exp(s * z) / std::sqrt(q) - 1) / std::sqrt(q - 1)) < 1e-3);
+    // next to a Gaussian and to the lognormal of the same skewness there is a curve everywhere
+    for (const double s : {0.0, 1e-6, 1e-3, 0.02, 0.1, 0.4, 1.6, 2.5})
+        for (const double excess : {-0.1, -0.01, -1e-3, -1e-5, 0.0, 1e-5, 1e-3, 0.01, 0.1}) {
+            CAPTURE(s, excess);
+            CHECK_NOTHROW(bearing_of_moments(s, std::max(3 + excess, least_kurtosis(s))));
+            CHECK_NOTHROW(bearing_of_moments(-s, 3 + excess + 16 * s * s / 9));
+        }
     CHECK_THROWS_AS(bearing_of_moments(1.0, 1.9), domain_error);
     CHECK_THROWS_AS(bearing_of_moments(6.0, 60.0), domain_error);
     CHECK_THROWS_AS(bearing_of_moments(0.0, 200.0), domain_error);

@@ -92,7 +92,7 @@ public:
     BearingContact(PerssonContact<T> gaussian, BearingSlope<T> curve, std::type_identity_t<T> rms_height)
         : gaussian_(std::move(gaussian)), rms_height_(rms_height) {
         require_positive("rms_height", rms_height);
-        const T furthest = curve.highest() + 1;
+        const T furthest = (std::min)(curve.highest(), T(6)) + 1;  // at 7 sigma p is 1e-12 E g
         // all in contact: P = 1, d = 0
         last_scale_ = curve.slope(T(-0.1), std::sqrt(T(1.25))) / rms_height;
         bearing_ = std::make_shared<const Bearing>(

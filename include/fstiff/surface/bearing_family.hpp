@@ -17,8 +17,8 @@
 ///
 /// Reference   ISO 25178-2:2021 (Sk ...); Johnson, Biometrika 36 (1949) 149 (S_U, S_B)
 /// Units       heights in any unit; skewness and kurtosis dimensionless, the latter 3 of a Gaussian
-/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; kurtosis from skewness^2 + 1.25 up to 100, |skewness| <= 5.
-///             No surface has a kurtosis below skewness^2 + 1
+/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, kurtosis from least_kurtosis(skewness), which is
+///             skewness^2 + 1.25 up to a skewness of 1.5, to 100. No surface has a kurtosis below skewness^2 + 1
 /// Accuracy    areas and moments 1e-8 over knots 1/128 apart in zeta, from -8 to 8 (tests/surface/bearing_family_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -77,59 +78,107 @@ template <Real T, class F>
     return {m + middle, v, third / (v * std::sqrt(v)), fourth / (v * v)};
 }
 
-/// Johnson's curve at zeta, with the shift c and ln w.
+/// Johnson's curve at zeta with f(0) = 0 and f'(0) = 1: steepness is 1/w, bend f''(0)/(f'(0) steepness), which is 0 of a
+/// symmetrical curve and 1 of a lognormal one.
 template <Real T>
-[[nodiscard]] T johnson(bool bounded, T c, T log_width, T zeta) {
-    const T x = (zeta + c) * std::exp(-log_width);
-    return bounded ? 1 / (1 + std::exp(-x)) : std::sinh(x);
+[[nodiscard]] T johnson(bool bounded, T steepness, T bend, T zeta) {
+    const T x = steepness * zeta;
+    if (!bounded) {
+        const T half = std::sinh(x / 2);
+        return (std::sinh(x) + 2 * bend * half * half) / steepness;
+    }
+    const T level = (1 - bend) / 2;  // of f between its ends
+    return x < 0 ? std::expm1(x) / ((1 - level) + level * std::exp(x)) / steepness
+                 : -std::expm1(-x) / ((1 - level) * std::exp(-x) + level) / steepness;
 }
 
-/// c and ln w of given skewness >= 0 and kurtosis, by Newton's method on differences with halved steps.
+/// One of Johnson's curves, and by how much it misses the skewness and the kurtosis.
 template <Real T>
-[[nodiscard]] std::array<T, 3> fitted_johnson(bool bounded, T skewness, T kurtosis) {
-    const auto off = [&](T c, T log_width) {
-        const auto m = normal_moments<T>([&](T z) { return johnson(bounded, c, log_width, z); });
+struct FittedJohnson {
+    T log_steepness, bend, off;
+};
+
+/// That of given skewness >= 0 and kurtosis, by Newton's method on differences with halved steps from \p steepness and \p t on.
+template <Real T>
+[[nodiscard]] FittedJohnson<T> fitted_johnson(bool bounded, T skewness, T kurtosis, T steepness, T t) {
+    const auto off = [&](T log_steepness, T bend) {
+        const T steepness = std::exp(log_steepness);
+        const auto m = normal_moments<T>([&](T z) { return johnson(bounded, steepness, bend, z); });
         return std::array<T, 2>{m[2] - skewness, m[3] - kurtosis};
     };
     const auto size = [](const std::array<T, 2>& r) { return r[0] * r[0] + r[1] * r[1]; };
-    T c = bounded ? -skewness : skewness, w = bounded ? T(0) : T(0.7);
-    auto r = off(c, w);
+    const T h = T(1e-5);
+    T s = std::log(steepness);
+    auto r = off(s, t);
     for (int round = 0; round < 100 && size(r) > T(1e-22); ++round) {
-        const T h = T(1e-5);
-        const auto by_c = off(c + h, w), by_w = off(c, w + h);
-        const T a = (by_c[0] - r[0]) / h, b = (by_w[0] - r[0]) / h, d = (by_c[1] - r[1]) / h, e = (by_w[1] - r[1]) / h;
+        const T side = t > T(0.5) ? -h : h;
+        const auto by_s = off(s + h, t), by_t = off(s, t + side);
+        const T a = (by_s[0] - r[0]) / h, b = (by_t[0] - r[0]) / side, d = (by_s[1] - r[1]) / h,
+                e = (by_t[1] - r[1]) / side;
         const T det = a * e - b * d;
-        T dc = -(r[0] * e - r[1] * b) / det, dw = -(a * r[1] - d * r[0]) / det;
-        const T longest = (std::max)(std::abs(dc), std::abs(dw));
+        T ds = -(r[0] * e - r[1] * b) / det, dt = -(a * r[1] - d * r[0]) / det;
+        const T longest = (std::max)(std::abs(ds), std::abs(dt));
         if (!(std::isfinite(longest) && longest > 0)) break;
-        if (longest > T(0.5)) dc /= 2 * longest, dw /= 2 * longest;
-        for (int half = 0; half < 30; ++half, dc /= 2, dw /= 2) {
-            const auto next = off(c + dc, w + dw);
-            if (!(size(next) < size(r))) continue;
-            c += dc, w += dw, r = next;
-            break;
+        if (longest > T(0.5)) ds /= 2 * longest, dt /= 2 * longest;
+        const T before = size(r);
+        for (int half = 0; half < 30 && size(r) == before; ++half, ds /= 2, dt /= 2) {
+            const T there = std::clamp(t + dt, T(0), T(1));
+            const auto next = off(s + ds, there);
+            if (size(next) < before) s += ds, t = there, r = next;
         }
+        if (size(r) == before) break;
     }
-    return {c, w, std::sqrt(size(r))};
+    return {s, t, std::sqrt(size(r))};
+}
+
+/// The same from the leading order of small steepnesses on, and where that does not lead there, from greater ones.
+template <Real T>
+[[nodiscard]] FittedJohnson<T> fitted_johnson(bool bounded, T skewness, T kurtosis) {
+    const T excess = kurtosis - 3, square = skewness * skewness, least = T(1e-7);
+    const T small = std::sqrt((std::max)(bounded ? square - excess / 2 : excess / 4 - square / 3, least * least));
+    FittedJohnson<T> best{0, 0, (std::numeric_limits<T>::max)()};
+    for (const T steepness : {(std::min)(small, T(1.4)), bounded ? T(1) : T(0.5), bounded ? T(4) : T(0.25)}) {
+        const T bend = steepness == small ? skewness / (3 * steepness) : std::tanh(skewness / (bounded ? 2 : 1) * steepness);
+        const auto found = fitted_johnson(bounded, skewness, kurtosis, steepness, std::clamp(bend, T(0), T(0.999)));
+        if (found.off < best.off) best = found;
+        if (best.off < T(1e-9)) break;
+    }
+    return best;
 }
 
 }  // namespace detail
 
-/// The curve of mean 0 and rms 1 with \p skewness and \p kurtosis.
+/// Mean, mean square about it, skewness and kurtosis of the heights of \p curve.
+template <Real T>
+[[nodiscard]] std::array<T, 4> normal_moments(const BearingSlope<T>& curve) {
+    return detail::normal_moments<T>([&](T zeta) { return curve.height(zeta); });
+}
+
+/// Between which skewness and kurtosis bearing_of_moments takes.
+template <Real T>
+inline constexpr T most_skewness = T(3);
+template <Real T>
+inline constexpr T most_kurtosis = T(100);
+template <Real T>
+[[nodiscard]] T least_kurtosis(T skewness) {
+    return skewness * skewness + (std::max)(T(1.25), std::abs(skewness) / 2 + T(0.5));
+}
+
+/// The curve of mean 0 and rms 1 with \p skewness and \p kurtosis; a straight line of 0 and 3.
 /// \throws domain_error where no surface has both, or beyond what is valid above.
 template <Real T>
 [[nodiscard]] BearingSlope<T> bearing_of_moments(T skewness, std::type_identity_t<T> kurtosis) {
-    require(std::abs(skewness) <= 5, "skewness", skewness, "between -5 and 5");
-    require(kurtosis >= skewness * skewness + T(1.25) && kurtosis <= 100, "kurtosis", kurtosis,
-            "from skewness^2 + 1.25 to 100: no surface has less than skewness^2 + 1");
+    require(std::abs(skewness) <= most_skewness<T>, "skewness", skewness, "between -3 and 3");
+    require(kurtosis >= least_kurtosis(skewness) && kurtosis <= most_kurtosis<T>, "kurtosis", kurtosis,
+            "from skewness^2 + 1.25, and more beyond a skewness of 1.5, to 100; no surface has less than skewness^2 + 1");
     const T end = 8;
+    const T sign = skewness < 0 ? T(-1) : T(1);
     const auto knots_of = [&](const auto& f) {
         const auto m = detail::normal_moments<T>(f);
-        const T sign = skewness < 0 ? T(-1) : T(1);
         std::vector<typename BearingSlope<T>::Knot> knots;
         for (int i = -1024; i <= 1024; ++i) {
             const T zeta = end * T(i) / 1024, height = sign * (f(sign * zeta) - m[0]) / std::sqrt(m[1]);
-            if (knots.empty() || height > knots.back().height) knots.push_back({zeta, height});
+            if (knots.empty() || height > knots.back().height + T(1e-12)) knots.push_back({zeta, height});
         }
         return BearingSlope<T>(std::move(knots));
     };
@@ -138,9 +187,10 @@ template <Real T>
     T q = 1;
     for (int i = 0; i < 200; ++i) q = 1 + skewness * skewness / ((q + 2) * (q + 2));
     const bool bounded = kurtosis < ((q + 2) * q + 3) * q * q - 3;
-    const auto [c, w, left] = detail::fitted_johnson<T>(bounded, std::abs(skewness), kurtosis);
-    require(left < T(1e-7), "kurtosis", kurtosis, "one that a curve of Johnson's has within zeta of -8 to 8");
-    return knots_of([&, shift = c, width = w](T z) { return detail::johnson(bounded, shift, width, z); });
+    const auto found = detail::fitted_johnson<T>(bounded, std::abs(skewness), kurtosis);
+    require(found.off < T(1e-7), "kurtosis", kurtosis, "one that a curve of Johnson's has within zeta of -8 to 8");
+    const T steepness = std::exp(found.log_steepness);
+    return knots_of([&](T z) { return detail::johnson(bounded, steepness, found.bend, z); });
 }
 
 }  // namespace fstiff

@@ -79,6 +79,25 @@ public:
         }
     }
 
+    /// The curve of heights \p factor times as high. \throws domain_error unless they rise after rounding, too.
+    [[nodiscard]] BearingSlope scaled(T factor) const {
+        std::vector<Knot> knots = knots_;
+        for (Knot& knot : knots) knot.height *= factor;
+        return BearingSlope(std::move(knots));
+    }
+
+    /// The curve between two scores: levels beyond them are taken for the nearer one.
+    /// \throws domain_error unless low < high, and the curve has a part between them.
+    [[nodiscard]] BearingSlope between(T low, T high) const {
+        const T from = (std::max)(low, lowest()), to = (std::min)(high, highest());
+        require(from < to, "scores of a bearing curve, the higher of two", high, "greater than the lower, within the curve");
+        std::vector<Knot> knots{{from, height(from)}};
+        for (const Knot& knot : knots_)
+            if (knot.score > from && knot.score < to) knots.push_back(knot);
+        knots.push_back({to, height(to)});
+        return BearingSlope(std::move(knots));
+    }
+
     /// f(zeta); straight on beyond the ends.
     [[nodiscard]] T height(T score) const { return on_line(above(score), score); }
 

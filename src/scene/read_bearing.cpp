@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The bearing curve of [surface], as it is written: skewness and kurtosis, the parameters of the core, or a list of heights.
+#include "scene/file.hpp"
+#include "scene/read_face.hpp"
+
+#include <fstiff/surface/bearing_family.hpp>
+#include <fstiff/surface/material_ratio.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace fstiff::scene {
+namespace {
+
+/// The parameters of the core of a map and of a profile, in the order of CoreKeys.
+enum CoreKey { core_height, peak_height, valley_depth, first_share, second_share };
+using CoreKeys = std::array<std::string_view, 5>;
+constexpr std::array<CoreKeys, 2> core_keys{
+    {{"Sk", "Spk", "Svk", "Smr1", "Smr2"}, {"Rk", "Rpk", "Rvk", "Rmr1", "Rmr2"}}};
+
+HeightShape<double> read_shape(Source& source, const Section& surface) {
+    const auto number = [&](const char* name, const char* other) {
+        const toml::node& node = surface.at(name, "is missing; surface.skewness and surface.kurtosis stand side by side, and " +
+                                                      surface.key(other) + " is there");
+        return source.number(node, surface.key(name));
+    };
+    const double skewness = number("skewness", "kurtosis"), kurtosis = number("kurtosis", "skewness");
+    if (!(std::abs(skewness) <= most_skewness<double>))
+        source.refuse(*surface.find("skewness"), surface.key("skewness"), "must be from -3 to 3");
+    const double least = least_kurtosis(skewness);
+    if (!(kurtosis >= least && kurtosis <= most_kurtosis<double>))
+        source.refuse(*surface.find("kurtosis"), surface.key("kurtosis"),
+                      "must be from " + rounded(least, 3) + " to 100 at this skewness; 3 is that of Gaussian heights");
+    return {skewness, kurtosis};
+}
+
+MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
+    const std::string why = "is missing; " + std::string(keys[0]) + ", " + std::string(keys[1]) + ", " +
+                            std::string(keys[2]) + ", " + std::string(keys[3]) + " and " + std::string(keys[4]) +
+                            " stand side by side";
+    const auto height = [&](CoreKey which) {
+        const toml::node& node = surface.at(keys[which], why);
+        const double value = source.quantity(node, surface.key(keys[which]), Dimension::length);
+        if (!(value >= 0 && std::isfinite(value)) || (which == core_height && value == 0))
+            source.refuse(node, surface.key(keys[which]),
+                          which == core_height ? "must be finite and greater than 0" : "must be finite and not negative");
+        return value;
+    };
+    const auto share = [&](CoreKey which) {
+        const toml::node& node = surface.at(keys[which], why);
+        const double value = source.number(node, surface.key(keys[which]));
+        if (!(value >= 0 && value <= 1))
+            source.refuse(node, surface.key(keys[which]), "must be a share from 0 to 1; 10 % is 0.1");
+        return value;
+    };
+    const MaterialRatio<double> core{height(core_height), height(peak_height), height(valley_depth), share(first_share),
+                                     share(second_share)};
+    if (!(core.peak_share < core.core_and_peak_share))
+        source.refuse(*surface.find(keys[second_share]), surface.key(keys[second_share]),
+                      "must be greater than " + surface.key(keys[first_share]));
+    return core;
+}
+
+BearingSlope<double> read_heights(Source& source, const toml::node& node, const std::string& key) {
+    constexpr std::size_t least = 10;
+    const auto* list = node.as_array();
+    if (!list || list->size() < least)
+        source.refuse(node, key, "must be a list of at least " + std::to_string(least) + " lengths, heights at equal "
+                                 "steps of the material ratio in any order");
+    std::vector<double> heights;
+    for (std::size_t i = 0; i < list->size(); ++i)
+        heights.push_back(source.quantity((*list)[i], key + "[" + std::to_string(i) + "]", Dimension::length));
+    return source.located(node, [&] { return BearingSlope<double>::of_heights(heights); });
+}
+
+/// Refuses a curve that is not that of the rms height, likely for a unit. Of a curve in the unit of the rms height.
+void require_rms(Source& source, const toml::node& node, const std::string& key, double rms, double rms_height) {
+    if (!(rms > rms_height / 2 && rms < rms_height * 2))
+        source.refuse(node, key,
+                      "belongs to an rms height of " + rounded(rms, 3) + " m, and rms_height is " +
+                          rounded(rms_height, 3) + " m; both must agree within a factor of 2");
+}
+
+}  // namespace
+
+std::vector<std::string_view> bearing_keys() {
+    std::vector<std::string_view> all{"skewness", "kurtosis", "bearing_curve"};
+    for (const CoreKeys& keys : core_keys) all.insert(all.end(), keys.begin(), keys.end());
+    return all;
+}
+
+bool has_bearing(const Section& surface) {
+    const auto keys = bearing_keys();
+    return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key) != nullptr; });
+}
+
+void read_bearing(Source& source, const Section& surface, Face& face) {
+    const auto first_of = [&](std::span<const std::string_view> keys) {
+        const auto found = std::find_if(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key); });
+        return found == keys.end() ? nullptr : &*found;
+    };
+    constexpr std::array<std::string_view, 2> moments{"skewness", "kurtosis"};
+    constexpr std::array<std::string_view, 1> list{"bearing_curve"};
+    const std::array<std::span<const std::string_view>, 4> ways{moments, list, core_keys[0], core_keys[1]};
+    std::size_t chosen = ways.size();
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const std::string_view* key = first_of(ways[i]);
+        if (!key) continue;
+        if (chosen < ways.size())
+            throw domain_error(source.at(*surface.find(*key)) + ": " + surface.key(*key) + ": must not stand beside " +
+                               surface.key(*first_of(ways[chosen])) + "; give one bearing curve");
+        chosen = i;
+    }
+    if (chosen == ways.size()) return;
+    if (chosen == 0) return face.set_shape(read_shape(source, surface));
+    const double rms_height = face.surface.rms_height;
+    const std::string_view key = *first_of(ways[chosen]);
+    const toml::node& node = *surface.find(key);
+    const BearingSlope<double> curve =
+        chosen == 1 ? read_heights(source, node, surface.key(key))
+                    : source.located(node, [&] {
+                          return bearing_of_core(read_core(source, surface, core_keys[chosen - 2]));
+                      });
+    const auto [mean, variance, skewness, kurtosis] = normal_moments(curve);
+    require_rms(source, node, surface.key(key), std::sqrt(variance), rms_height);
+    face.shape = counted_shape(skewness, kurtosis, 1.0);
+    face.bearing = std::make_shared<const BearingSlope<double>>(curve.scaled(1 / rms_height));
+}
+
+}  // namespace fstiff::scene
