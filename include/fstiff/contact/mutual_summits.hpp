@@ -38,6 +38,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -110,13 +111,16 @@ private:
 
     /// The highest summits, their push and where Newton's method is. Forces are over E.
     struct Newton {
-        Values z, load_factor, area_factor;
+        Values x, y, z, load_factor, area_factor;
         PointForces<T> forces;
         Values omega;             ///< approach; of an open one less than 0
         T delta;                  ///< separation
         std::vector<char> shut;   ///< too close to a higher one
         Values unit;              ///< (I + r g r) unit = r, r = sqrt(k): warm start
         bool definite = true;
+        std::vector<Eigen::Index> in_quick{};  ///< those that carry, and some that nearly do
+        std::vector<char> is_in_quick{};
+        std::optional<PointForces<T, QuickSplit>> quick{};  ///< of in_quick, for the steps
 
         [[nodiscard]] Values carried(const Values& of) const {
             Values values = of;
@@ -141,13 +145,38 @@ private:
             load[i] = hertz_[k].load_factor;
             area[i] = hertz_[k].area_factor;
         }
-        return {z, load, area, PointForces<T>(x, y, of_.width, of_.height, edges_), z - delta, delta,
-                std::vector<char>(static_cast<std::size_t>(count), 0), Values::Zero(count)};
+        const auto size = static_cast<std::size_t>(count);
+        return {x, y, z, load, area, PointForces<T>(x, y, of_.width, of_.height, edges_), z - delta, delta,
+                std::vector<char>(size, 0), Values::Zero(count)};
+    }
+
+    /// Makes at.quick hold all with a stiffness \p r^2.
+    void make_quick(Newton& at, const Values& r) const {
+        bool whole = at.quick.has_value();
+        for (Eigen::Index i = 0; whole && i < r.size(); ++i)
+            whole = !(r[i] > 0) || at.is_in_quick[static_cast<std::size_t>(i)] != 0;
+        if (whole) return;
+        const T nearly = -T(0.1) * at.omega.maxCoeff();
+        at.in_quick.clear();
+        at.is_in_quick.assign(static_cast<std::size_t>(r.size()), 0);
+        for (Eigen::Index i = 0; i < r.size(); ++i)
+            if (at.omega[i] > nearly) {
+                at.in_quick.push_back(i);
+                at.is_in_quick[static_cast<std::size_t>(i)] = 1;
+            }
+        at.quick.emplace(at.x(at.in_quick), at.y(at.in_quick), of_.width, of_.height, edges_);
+    }
+
+    /// deflections() of forces on those that carry, roughly.
+    static Values quick_deflections(Newton& at, const Values& force) {
+        Values u = Values::Zero(force.size());
+        u(at.in_quick) = at.quick->deflections(force(at.in_quick));
+        return u;
     }
 
     /// (I + r g r) y = right by conjugate gradients from \p y, to \p tolerance of the right side.
     static void solve(Newton& at, const Values& r, const Values& right, Values& y, T tolerance) {
-        const auto image = [&](const Values& v) -> Values { return v + r * at.forces.deflections(r * v); };
+        const auto image = [&](const Values& v) -> Values { return v + r * quick_deflections(at, r * v); };
         Values rest = right - image(y), direction = rest;
         T norm = rest.square().sum();
         const T end = tolerance * tolerance * right.square().sum();
@@ -191,6 +220,7 @@ private:
             const T scale = (std::max)(at.omega.maxCoeff(), (std::numeric_limits<T>::min)());
             change = at.carried(rest).abs().maxCoeff() / scale;
             if (change < enough && std::abs(missing) <= enough * load) break;
+            make_quick(at, r);
             Values y = Values::Zero(r.size());
             const T inner = change < T(0.02) ? T(1e-3) : T(0.03);
             solve(at, r, r * rest, y, inner);
@@ -200,7 +230,7 @@ private:
                 lower = ((r * y).sum() - missing) / (r * at.unit).sum();
                 y -= lower * at.unit;
             }
-            const Values step = rest - lower - at.forces.deflections(r * y);
+            const Values step = rest - lower - quick_deflections(at, r * y);
             const T longest = at.carried(step).abs().maxCoeff(), part = (std::min)(T(1), scale / (2 * longest));
             at.omega += part * step;
             at.delta += part * lower;
@@ -212,7 +242,12 @@ private:
         const Values r = at.carried(at.slopes()).sqrt(), loads = at.loads();
         T unit = 0;  // 1^T (1/k + g)^(-1) 1 as the extreme of 2 r y - y (I + r g r) y: its error is the square of that of y
         if (aim == Aim::exact) {
+            make_quick(at, r);
             solve(at, r, r, at.unit, T(1e-4));
+            const auto image = [&](const Values& v) -> Values { return v + r * at.forces.deflections(r * v); };
+            Values better = Values::Zero(r.size());
+            solve(at, r, r - image(at.unit), better, T(1e-4));
+            at.unit += better;
             unit = 2 * (r * at.unit).sum() - at.unit.square().sum() -
                    (r * at.unit * at.forces.deflections(r * at.unit)).sum();
         }

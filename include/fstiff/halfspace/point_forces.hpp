@@ -35,8 +35,20 @@
 
 namespace fstiff {
 
+/// How the push is split, by what it is wanted for.
+struct FineSplit {  ///< 2e-7 of the largest deflection
+    static constexpr int window = 8;         ///< points of the grid along one side
+    static constexpr double reach = 4;       ///< a r_c
+    static constexpr double waves = 7;       ///< greatest wave number of the grid over a
+};
+struct QuickSplit {
+    static constexpr int window = 5;
+    static constexpr double reach = 2.7;
+    static constexpr double waves = 5;
+};
+
 /// The points of one cell and what forces on them do to each other.
-template <Real T = double>
+template <Real T = double, class Split = FineSplit>
 class PointForces {
     using Values = Eigen::Array<T, Eigen::Dynamic, 1>;
 
@@ -72,7 +84,7 @@ public:
     [[nodiscard]] std::size_t close_pairs() const { return near_point_.size(); }
 
 private:
-    static constexpr int window = 8;          ///< points of the grid along one side
+    static constexpr int window = Split::window;
     static constexpr int neighbours = 60;     ///< within r_c, of points that are spread evenly
     static constexpr Eigen::Index margin = window / 2;
     static constexpr T shape = T(2.3) * window;
@@ -95,14 +107,14 @@ private:
         : range_(range_of(x, y, cell)),
           compliance_(cells(cell.height), cells(cell.width), cell.width / T(cells(cell.width)),
                       cell.height / T(cells(cell.height)), cell.edges,
-                      [a = 4 / range_](T q) { return std::erfc(q / (2 * a)); },
+                      [a = T(Split::reach) / range_](T q) { return std::erfc(q / (2 * a)); },
                       [](T phase) {
                           const T one = transform_of_window(T(0)) / transform_of_window(phase);
                           return one * one;
                       }) {
         grid_.resize(cells(cell.height), cells(cell.width));
         margined_.resize(grid_.rows(), grid_.cols() + 2 * margin);
-        const T a = 4 / range_, pi = numbers::pi_v<T>;
+        const T a = T(Split::reach) / range_, pi = numbers::pi_v<T>;
         self_ = -2 * a / (pi * std::sqrt(pi));
         mean_ = 2 / (a * std::sqrt(pi) * cell.width * cell.height);
         per_cell_ = T(grid_.size()) / (cell.width * cell.height);  // a force becomes a pressure
@@ -122,7 +134,7 @@ private:
 
     /// Cells of the grid along \p side: where erfc(q/(2a)) is 1e-6 the window is still resolved twice.
     [[nodiscard]] Eigen::Index cells(T side) const {
-        const T step = numbers::pi_v<T> * range_ / (4 * 2 * 7);
+        const T step = numbers::pi_v<T> * range_ / T(2 * Split::reach * Split::waves);
         return static_cast<Eigen::Index>(fast_fft_size((std::max)(std::size_t{2 * window},
                                                                   static_cast<std::size_t>(std::ceil(side / step)))));
     }
@@ -211,7 +223,7 @@ private:
                         images.push_back({u, v, i});
         const auto left = [](const Image& one, const Image& other) { return one.x < other.x; };
         std::sort(images.begin(), images.end(), left);
-        const T a = 4 / range_;
+        const T a = T(Split::reach) / range_;
         start_.push_back(0);
         for (Eigen::Index i = 0; i < x.size(); ++i) {
             auto image = std::lower_bound(images.begin(), images.end(), Image{x[i] - range_, 0, 0}, left);
