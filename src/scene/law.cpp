@@ -271,7 +271,7 @@ BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
     return map.bearings
         ->contact(map.first_bearing + shift, inputs.elements.edges, inputs.effective_modulus, inputs.gamma)
         .scaled(map.taller)
-        .over_rms_height(map.spectrum(inputs.elements.edges).rms_height);
+        .over_rms_height(map.rms_height());
 }
 
 std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
