@@ -290,7 +290,7 @@ auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::
     BearingContact<double> crowded_contact = crowded(inputs, shift);
     HandOver<double> hand_over =
         map.bearings->hand_over(map.first_bearing + shift, inputs.elements.edges, inputs.effective_modulus, inputs.gamma)
-            .of(peaks, crowded_contact, map.taller);
+            .of(peaks, map.taller);
     return HybridContact(std::move(peaks), std::move(crowded_contact), std::move(hand_over));
 }
 auto hybrid_of_numbers(const ContactInputs& inputs) {

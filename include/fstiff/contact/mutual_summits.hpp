@@ -239,15 +239,15 @@ private:
         return result(at, change, aim);
     }
 
-    /// 1^T (1/k + g)^(-1) 1 as the extreme of 2 r y - y (I + r g r) y, whose error is the square of that of y.
+    /// 1^T (1/k + g)^(-1) 1 = r u + u m + m (I + r g r)^(-1) m, m = r - (I + r g r) u of any u: a m that is small once needs the
+    /// rougher g in the last term.
     [[nodiscard]] T held_stiffness(Newton& at, const Values& r) const {
-        const auto image = [&](const Values& v) -> Values { return v + r * at.forces.deflections(r * v); };
         widen_quick(at, r);
         solve(at, r, r, at.unit, T(1e-4));
-        Values missing = Values::Zero(r.size());
-        solve(at, r, r - image(at.unit), missing, T(1e-4));
-        at.unit += missing;
-        return (at.unit * (2 * r - image(at.unit))).sum();
+        const Values missing = r - at.unit - r * at.forces.deflections(r * at.unit);
+        Values rest = Values::Zero(r.size());
+        solve(at, r, missing, rest, T(0.03));
+        return ((r + missing) * at.unit + missing * rest).sum();
     }
 
     [[nodiscard]] Solution result(Newton& at, T change, Aim aim) const {
