@@ -49,9 +49,9 @@ Scene with_surface(Scene scene, const std::array<double, surface_parameter_count
                          {resampled(of_shifts[shift], 4, random.tiles)},
                          scene.map->spectra,
                          scene.map->bearings,
+                         scene.map->mean_square_height,
                          scene.map->first_bearing + shift,
                          scene.map->taller * taller};
-        for (SpectrumShells<double>& spectrum : map.spectra) spectrum = scaled(std::move(spectrum), taller);
         scene.map = std::make_shared<const MapOfSurface>(std::move(map));
     }
     for (Peaks& peaks : scene.peaks)

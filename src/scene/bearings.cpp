@@ -26,7 +26,7 @@ HandOver<double> BearingsOfMaps::hand_over(std::size_t index, Edges edges, doubl
     const std::lock_guard lock(guard_);
     const auto key = std::tuple(index, edges, modulus, gamma);
     if (const auto found = hand_overs_.find(key); found != hand_overs_.end()) return found->second;
-    return hand_overs_.emplace(key, hand_over_of(summits_of(*maps_[index]), crowded, edges)).first->second;
+    return hand_overs_.emplace(key, hand_over_of(summits_[index], crowded, edges)).first->second;
 }
 
 MapCut<double> BearingsOfMaps::cut(std::size_t index, Edges edges, double modulus) const {

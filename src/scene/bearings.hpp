@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The crowded contacts of maps by their bearing curves, and their highest points. They cost a sort and a transform of each map,
-// so that they are made when a law first asks for them; all copies of a surface share them.
+// The spectra of maps, their crowded contacts by their bearing curves, and their highest points. They cost a sort and a transform
+// of each map, so that they are made when a law first asks for them; all copies of a surface share them.
 
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/measured/height_shape.hpp>
+#include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/line_transform.hpp>
+#include <fstiff/topography/summits.hpp>
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace fstiff::scene {
@@ -22,9 +28,29 @@ namespace fstiff::scene {
 /// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
 [[nodiscard]] std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
 
+/// The spectra that a function makes, of each way to go on beyond the edges.
+class SpectraOfMaps {
+public:
+    using Make = std::function<SpectrumShells<double>(Edges)>;
+    explicit SpectraOfMaps(Make make) : make_(std::move(make)) {}
+
+    [[nodiscard]] const SpectrumShells<double>& of(Edges edges) const {
+        const std::lock_guard lock(guard_);
+        auto& made = made_[static_cast<std::size_t>(edges)];
+        if (!made) made = make_(edges);
+        return *made;
+    }
+
+private:
+    Make make_;
+    mutable std::mutex guard_;
+    mutable std::array<std::optional<SpectrumShells<double>>, 2> made_;
+};
+
 class BearingsOfMaps {
 public:
-    explicit BearingsOfMaps(std::vector<std::shared_ptr<const HeightMap<double>>> maps) : maps_(std::move(maps)) {}
+    BearingsOfMaps(std::vector<std::shared_ptr<const HeightMap<double>>> maps, std::vector<Summits<double>> summits)
+        : maps_(std::move(maps)), summits_(std::move(summits)) {}
 
     /// Of the map number \p index. \throws domain_error for missing points, and as PerssonContact.
     [[nodiscard]] BearingContact<double> contact(std::size_t index, Edges edges, double modulus, double gamma) const;
@@ -35,6 +61,7 @@ public:
 
 private:
     std::vector<std::shared_ptr<const HeightMap<double>>> maps_;
+    std::vector<Summits<double>> summits_;  ///< of each map
     mutable std::mutex guard_;
     mutable std::map<std::tuple<std::size_t, Edges, double, double>, BearingContact<double>> made_;
     mutable std::map<std::tuple<std::size_t, Edges, double, double>, HandOver<double>> hand_overs_;

@@ -87,7 +87,7 @@ bool has_isotropic_peaks(const Face& face) {
 std::string no_spectrum(const Face& face) {
     if (face.map && face.spectrum_of_map) {
         if (const std::string missing = missing_points(*face.map); !missing.empty()) return missing;
-        return face.map->spectrum().shells.empty()           ? "the map has fewer than 4 points a side"
+        return !face.map->spectra                            ? "the map has fewer than 4 points a side"
                : face.map->summits.front().summits.empty() ? "no point of the map stands above its eight neighbours"
                                                            : "";
     }
@@ -118,16 +118,20 @@ std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<c
     bool whole = true;
     for (const auto& map : of.maps) {
         of.summits.push_back(summits_of(*map));
+        const double rms = of.summits.back().rms_height;
+        of.mean_square_height += map->area() * rms * rms;
         area += map->area();
         whole = whole && map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
     }
-    for (const Edges edges : {Edges::mirrored, Edges::periodic})
-        for (const auto& map : of.maps) {
-            if (!whole) continue;
-            SpectrumShells<double>& sum = of.spectra[static_cast<std::size_t>(edges)];
-            sum = sum_of_spectra(sum, scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
-        }
-    of.bearings = std::make_shared<const BearingsOfMaps>(of.maps);
+    of.mean_square_height /= area;
+    if (whole)
+        of.spectra = std::make_shared<const SpectraOfMaps>([maps = of.maps, area](Edges edges) {
+            SpectrumShells<double> sum;
+            for (const auto& map : maps)
+                sum = sum_of_spectra(sum, scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
+            return sum;
+        });
+    of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
     return std::make_shared<const MapOfSurface>(std::move(of));
 }
 
@@ -212,10 +216,12 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
         of.summits.push_back(summits_of(map));
         of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }
-    if (!upper.map->spectrum().shells.empty() && !lower.map->spectrum().shells.empty())
-        for (std::size_t i = 0; i < of.spectra.size(); ++i)
-            of.spectra[i] = sum_of_spectra(upper.map->spectra[i], lower.map->spectra[i]);
-    of.bearings = std::make_shared<const BearingsOfMaps>(of.maps);
+    if (upper.map->spectra && lower.map->spectra)
+        of.spectra = std::make_shared<const SpectraOfMaps>([a = upper.map->spectra, b = lower.map->spectra](Edges edges) {
+            return sum_of_spectra(a->of(edges), b->of(edges));
+        });
+    of.mean_square_height = upper.map->mean_square_height + lower.map->mean_square_height;
+    of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
     face.map = std::make_shared<const MapOfSurface>(std::move(of));
     return face;
 }

@@ -271,7 +271,7 @@ BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
     return map.bearings
         ->contact(map.first_bearing + shift, inputs.elements.edges, inputs.effective_modulus, inputs.gamma)
         .scaled(map.taller)
-        .over_rms_height(map.spectrum(inputs.elements.edges).rms_height);
+        .over_rms_height(map.rms_height());
 }
 
 std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
@@ -290,7 +290,7 @@ auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::
     BearingContact<double> crowded_contact = crowded(inputs, shift);
     HandOver<double> hand_over =
         map.bearings->hand_over(map.first_bearing + shift, inputs.elements.edges, inputs.effective_modulus, inputs.gamma)
-            .of(peaks, crowded_contact, map.taller);
+            .of(peaks, map.taller);
     return HybridContact(std::move(peaks), std::move(crowded_contact), std::move(hand_over));
 }
 /// What \p make makes of hybrid of numbers, of Gaussian heights or of a bearing curve.

@@ -20,6 +20,7 @@
 #include <fstiff/topography/summits.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -75,13 +76,16 @@ struct LawOption {
 struct MapOfSurface {
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  ///< without form; of two faces one sum for each shift
     std::vector<Summits<double>> summits;                        ///< one for each map
-    std::array<SpectrumShells<double>, 2> spectra;  ///< of mirrored and periodic edges; no shells where points are missing
+    std::shared_ptr<const SpectraOfMaps> spectra;    ///< none where points are missing, or fewer than 4 a side
     std::shared_ptr<const BearingsOfMaps> bearings;  ///< of the maps
+    double mean_square_height = 0;                   ///< of the maps, that of two faces the sum of both [m^2]
     std::size_t first_bearing = 0;                   ///< of the first of `summits`
     double taller = 1;                               ///< heights over those of the maps, where a surface was drawn
 
-    [[nodiscard]] const SpectrumShells<double>& spectrum(Edges edges = Edges::mirrored) const {
-        return spectra[static_cast<std::size_t>(edges)];
+    [[nodiscard]] double rms_height() const { return taller * std::sqrt(mean_square_height); }
+    /// Where there are spectra.
+    [[nodiscard]] SpectrumShells<double> spectrum(Edges edges = Edges::mirrored) const {
+        return scaled(spectra->of(edges), taller);
     }
 };
 

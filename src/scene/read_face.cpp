@@ -134,6 +134,7 @@ constexpr std::array<ReadingKey, 26> reading_keys{{
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
     MeasureOptions options;
+    options.neighbours = source.has_band;
     const std::vector<std::string> files = files_of(source, from, surface.key("from"));
     bool defaults = true;
     for (const ReadingKey& key : reading_keys)
@@ -338,6 +339,7 @@ Face face_of_file(Source& source, const std::string& file, const ProgressHook& p
     MeasureOptions options;
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
+    options.neighbours = source.has_band;
     Face face;
     try {
         face = face_of(measured_from(options, {file}, true, {.key = "--surface"}, progress));

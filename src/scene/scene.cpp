@@ -539,7 +539,7 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
 
 Scene read_table(const toml::table& root, const SceneSource& from, bool builtin) {
     const std::string &file = from.name, &surface = from.surface;
-    Source source{file, {}, builtin};
+    Source source{file, {}, builtin, from.has_band && root["uncertainty"]["samples"].value<std::int64_t>() != 0};
     Scene scene;
     scene.file = file;
 

@@ -148,6 +148,7 @@ struct SceneSource {
         surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
     ProgressHook progress{};                    ///< called while a surface is measured
     const MeasuredSurface* measured = nullptr;  ///< in place of a file of the surface, where it was measured already
+    bool has_band = true;                       ///< else what only a band takes of the surface is not measured
     const Scene* surface_of =
         nullptr;  ///< not null: a scene with the very [surface] of this one, which is not read again
 };

@@ -50,6 +50,7 @@ struct Source {
     std::string file;
     std::vector<Input> inputs;
     bool builtin = false;  ///< the scene is the built-in one, whose laws nobody chose
+    bool has_band = true;  ///< asked for: a measured surface needs its neighbours
 
     std::string at(const toml::node& node) const {
         const auto line = node.source().begin.line;

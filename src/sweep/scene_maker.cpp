@@ -162,7 +162,7 @@ RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>
 
 std::shared_ptr<const Scene> SceneMaker::read_with(const std::vector<Value>& values, const Scene* surface) const {
     auto made = std::make_shared<Scene>(
-        scene::read_table(table_of(grid_, values), {.name = grid_.file, .surface_of = surface}));
+        scene::read_table(table_of(grid_, values), {.name = grid_.file, .has_band = false, .surface_of = surface}));
     made->inputs.clear();
     made->warnings.clear();
     return made;

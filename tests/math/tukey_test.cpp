@@ -29,6 +29,16 @@ TEST_CASE("The median of few numbers") {
     CHECK_THROWS_AS(median(none), domain_error);
 }
 
+TEST_CASE("The network of eight has the median of every order of zeros and ones, and so of all numbers") {
+    for (unsigned bits = 0; bits < 256; ++bits) {
+        std::array<double, 8> values{};
+        for (std::size_t i = 0; i < 8; ++i) values[i] = (bits >> i) & 1U;
+        std::vector<double> copy(values.begin(), values.end());
+        CHECK(median_of_eight(values) == median(copy));
+    }
+    CHECK(median_of_eight(std::array<double, 8>{8, -1, 5, 2, 7, 3, 100, 4}) == 4.5);
+}
+
 TEST_CASE("Spikes are far from the median by its robust deviation, and nothing is where most are equal") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     // median 3.5, deviations 2.5 1.5 0.5 0.5 1.5 96.5: their median is 1.5, a standard deviation 1.4826 times that

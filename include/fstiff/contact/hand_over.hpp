@@ -36,10 +36,13 @@ namespace fstiff {
 template <Real T = double>
 class HandOver {
 public:
-    /// \p log_ratio: ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_jump: ln of ratio K_peaks/K_crowded at p_h.
-    HandOver(T log_pressure, std::vector<T> log_ratio, T log_jump)
-        : log_pressure_(log_pressure), log_jump_(log_jump), log_ratio_(std::move(log_ratio)) {
+    /// Of a surface of \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded ln K_crowded
+    /// at p_h.
+    template <class Peaks>
+    HandOver(T log_pressure, std::vector<T> log_ratio, T log_crowded, const Peaks& peaks)
+        : log_pressure_(log_pressure), log_crowded_(log_crowded), log_ratio_(std::move(log_ratio)) {
         require(!log_ratio_.empty(), "ratios of a hand-over", log_ratio_.size(), "at least 1");
+        find_jump(peaks);
     }
 
     /// K [Pa/m] under \p pressure [Pa], of the one of the two functions that counts there.
@@ -50,14 +53,13 @@ public:
         return peaks() * std::exp(log_ratio(-beyond / numbers::ln2_v<T>));
     }
 
-    /// That of a surface \p factor times as high whose laws are \p peaks and \p crowded, with the same ratios.
+    /// That of a surface \p factor times as high, of \p peaks, with the same ratios; its crowded contact has the same K under
+    /// \p factor times the pressure.
     template <class Peaks>
-    [[nodiscard]] HandOver of(const Peaks& peaks, const BearingContact<T>& crowded, T factor) const {
+    [[nodiscard]] HandOver of(const Peaks& peaks, T factor) const {
         HandOver other = *this;
         other.log_pressure_ += std::log(factor);
-        const T p = std::exp(other.log_pressure_);
-        other.log_jump_ = log_ratio_.front() +
-                          std::log(peaks.at_pressure(p, Quantity::stiffness).stiffness.value / crowded.stiffness(p));
+        other.find_jump(peaks);
         return other;
     }
 
@@ -65,6 +67,12 @@ public:
     [[nodiscard]] T pressure() const { return std::exp(log_pressure_); }
 
 private:
+    template <class Peaks>
+    void find_jump(const Peaks& peaks) {
+        const T K = peaks.at_pressure(pressure(), Quantity::stiffness).stiffness.value;
+        log_jump_ = log_ratio_.front() + std::log(K) - log_crowded_;
+    }
+
     /// At p_h 2^-\p steps; constant below the last pressure.
     [[nodiscard]] T log_ratio(T steps) const {
         const T last = static_cast<T>(log_ratio_.size() - 1), place = (std::min)(steps, last);
@@ -73,7 +81,8 @@ private:
         return log_ratio_[i] + (place - static_cast<T>(i)) * (log_ratio_[i + 1] - log_ratio_[i]);
     }
 
-    T log_pressure_, log_jump_;
+    T log_pressure_, log_crowded_;
+    T log_jump_{};  ///< ln of ratio K_peaks/K_crowded at p_h
     std::vector<T> log_ratio_;
 };
 
@@ -115,7 +124,7 @@ template <Real T>
             ratios.push_back(ratios.back());
         }
     }
-    return HandOver<T>(low, std::move(ratios), T(0)).of(alone, crowded, T(1));
+    return HandOver<T>(low, std::move(ratios), std::log(crowded.stiffness(std::exp(low))), alone);
 }
 
 }  // namespace fstiff

@@ -15,6 +15,7 @@
 #include <fstiff/core/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -41,6 +42,20 @@ template <Real T>
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() % 2 == 1) return *middle;
     return (*std::max_element(values.begin(), middle) + *middle) / 2;
+}
+
+/// The same of eight numbers, none of them NaN, by Batcher's sorting network.
+template <Real T>
+[[nodiscard]] T median_of_eight(std::array<T, 8> values) {
+    constexpr std::array<std::array<std::size_t, 2>, 19> pairs{{{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6},
+                                                               {5, 7}, {1, 2}, {5, 6}, {0, 4}, {1, 5}, {2, 6}, {3, 7},
+                                                               {2, 4}, {3, 5}, {1, 2}, {3, 4}, {5, 6}}};
+    for (const auto& [low, high] : pairs) {
+        const T a = values[low], b = values[high];
+        values[low] = (std::min)(a, b);
+        values[high] = (std::max)(a, b);
+    }
+    return (values[3] + values[4]) / 2;
 }
 
 namespace detail {

@@ -44,6 +44,14 @@ MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool rem
     for (Eigen::Index j = 0; j < rows; ++j)
         for (Eigen::Index i = 0; i < columns; ++i) {
             if (std::isnan(map.heights(j, i))) continue;
+            if (j > 0 && i > 0 && j + 1 < rows && i + 1 < columns) {
+                const auto z = [&](Eigen::Index down, Eigen::Index right) { return map.heights(j + down, i + right); };
+                const std::array<T, 8> all{z(-1, -1), z(-1, 0), z(-1, 1), z(0, -1), z(0, 1), z(1, -1), z(1, 0), z(1, 1)};
+                if (std::none_of(all.begin(), all.end(), [](T height) { return std::isnan(height); })) {
+                    differences[static_cast<std::size_t>(j * columns + i)] = z(0, 0) - median_of_eight(all);
+                    continue;
+                }
+            }
             neighbours.clear();
             for (Eigen::Index l = std::max<Eigen::Index>(0, j - 1); l < (std::min)(rows, j + 2); ++l)
                 for (Eigen::Index k = std::max<Eigen::Index>(0, i - 1); k < (std::min)(columns, i + 2); ++k)
