@@ -104,7 +104,7 @@ public:
     /// for a negative or infinite pressure under extrapolate, for NaN, and of an empty law.
     [[nodiscard]] T stiffness(T pressure) const {
         if (!tables_.stiffness.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, false).stiffness;
+            return besides_pieces(pressure, false).stiffness;
         return tables_.stiffness.value(pressure);
     }
 
@@ -112,7 +112,7 @@ public:
     /// \throws as stiffness.
     [[nodiscard]] T separation(T pressure) const {
         if (!tables_.separation.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, false).separation;
+            return besides_pieces(pressure, false).separation;
         return tables_.separation_at(pressure);
     }
 
@@ -120,14 +120,14 @@ public:
     /// OutsideRange::exact by a difference of the model. \throws as stiffness.
     [[nodiscard]] T stiffness_slope(T pressure) const {
         if (!tables_.stiffness.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, true).stiffness_slope;
+            return besides_pieces(pressure, true).stiffness_slope;
         return tables_.stiffness.derivative(pressure);
     }
 
     /// separation(), stiffness() and stiffness_slope() at once. \throws as stiffness.
     [[nodiscard]] AtPressure at_pressure(T pressure) const {
         if (!tables_.stiffness.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, true);
+            return besides_pieces(pressure, true);
         return of_tables(tables_.at_pressure(pressure));
     }
 
@@ -191,7 +191,7 @@ public:
     /// The range [Pa] and [m]; of an empty law 0 and NaN.
     [[nodiscard]] std::array<T, 2> pressures() const { return {tables_.min_pressure, tables_.max_pressure}; }
     [[nodiscard]] std::array<T, 2> separations() const {
-        return {tables_.by_separation.begin, tables_.by_separation.end};
+        return {tables_.closest(), tables_.furthest()};
     }
     [[nodiscard]] OutsideRange outside() const { return tables_.outside; }
     [[nodiscard]] bool empty() const { return tables_.empty(); }
@@ -219,11 +219,17 @@ private:
 
     Whole whole_at(T separation) const {
         if (!tables_.by_separation.contains(separation)) [[unlikely]]
-            return outside_separation(separation);
+            return tables_.kinked.contains_separation(separation) ? tables_.kinked_at_separation(separation)
+                                                                  : outside_separation(separation);
         return tables_.at_separation(separation);
     }
     static AtPressure of_tables(const typename detail::LawTables<T>::AtPressure& at) {
         return {at.separation, at.stiffness, at.stiffness_slope};
+    }
+    /// By the parabolas of a law with kinks, or outside the range.
+    AtPressure besides_pieces(T pressure, bool with_slope) const {
+        return tables_.kinked.contains_pressure(pressure) ? of_tables(tables_.kinked_at_pressure(pressure))
+                                                          : outside_pressure(pressure, with_slope);
     }
     AtPressure outside_pressure(T pressure, bool with_slope) const;
     Whole outside_separation(T separation) const;
@@ -255,7 +261,11 @@ private:
     void batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
                const FourAt& four, const OneAt& one) const {
         require_filled();
-        detail::law_batch(pieces, x, out, four, one);
+        if (tables_.kinked.empty()) return detail::law_batch(pieces, x, out, four, one);
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+            const std::array<T, N> found = one(x[i]);
+            for (std::size_t n = 0; n < N; ++n) out[n][i] = found[n];
+        }
     }
     detail::LawTables<T> tables_;
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
@@ -267,8 +277,7 @@ auto ContactLaw<T>::outside_pressure(T pressure, bool with_slope) const -> AtPre
     if (!detail::is_nan(pressure)) {
         if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
         if (tables_.outside == OutsideRange::clamp) {
-            const AtPressure end =
-                at_pressure(detail::LawTables<T>::within(pressure, tables_.min_pressure, tables_.max_pressure));
+            const auto end = tables_.at_end(pressure < tables_.min_pressure ? tables_.min_pressure : tables_.max_pressure);
             return {end.separation, end.stiffness, T(0)};
         }
     }
@@ -287,13 +296,12 @@ auto ContactLaw<T>::outside_separation(T separation) const -> Whole {
     if (!detail::is_nan(separation)) {
         if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
         if (tables_.outside == OutsideRange::clamp) {
-            const Whole end = tables_.at_separation(
-                detail::LawTables<T>::within(separation, tables_.by_separation.begin, tables_.by_separation.end));
+            const Whole end = separation < tables_.closest() ? tables_.at_closest() : tables_.at_furthest();
             return {end.pressure, end.stiffness, T(0)};
         }
     }
     if (tables_.outside != OutsideRange::exact)
-        refuse("separation", separation, tables_.by_separation.begin, tables_.by_separation.end, " m");
+        refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
     const Exact at = exact_(separation, false);
     return {at.pressure, at.stiffness, at.slope};
 }
@@ -318,7 +326,7 @@ ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& r
     require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
             "none or effective_separation for a tabulated law (as_printed is no function of one separation)");
     ContactLaw law;
-    law.tables_ = detail::LawTabulator<T, Model>(contact, range.min_pressure, range.max_pressure).tabulate();
+    law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
     law.tables_.outside = range.outside;
     if (range.outside == OutsideRange::exact)
         law.exact_ = [contact](T x, bool is_pressure) {
