@@ -53,9 +53,8 @@ public:
     /// The state at a pressure; the separation is left out where the second argument is false.
     using Law = std::function<LawPoint<T>(T pressure, bool with_separation)>;
 
-    /// \p ratio: K over -dp/dd; 0 where that is no constant. At most \p most_evaluations or so refine the table.
-    KinkedTabulator(Law law, T ratio, T rms_height, int most_evaluations)
-        : law_(std::move(law)), ratio_(ratio), rms_(rms_height), most_evaluations_(most_evaluations) {}
+    /// \p ratio: K over -dp/dd; 0 where that is no constant.
+    KinkedTabulator(Law law, T ratio, T rms_height) : law_(std::move(law)), ratio_(ratio), rms_(rms_height) {}
 
     /// \throws domain_error as the law, for K that is not greater than 0, and for separations that do not fall.
     [[nodiscard]] LawTables<T> tabulate(T min_pressure, T max_pressure) {
@@ -67,7 +66,7 @@ public:
             tables.kinked = KinkedTables<T>(has_own_stiffness() ? through_nodes() : integrated());
             std::vector<Node> missed;
             tables.relative_error = T(2.5) * measure(tables.kinked, round, missed) + 64 * epsilon;
-            if (missed.empty() || evaluations_ > most_evaluations_) break;
+            if (missed.empty() || evaluations_ > most_evaluations) break;
             add(missed);
         }
         tables.evaluations = evaluations_;
@@ -77,6 +76,7 @@ public:
 private:
     static constexpr T epsilon = std::numeric_limits<T>::epsilon();
     static constexpr T tolerance = T(1.5e-4), tolerance_of_own = T(5e-4), missed_by = T(2.5e-4);
+    static constexpr int most_evaluations = 30000;  ///< or so: a law with steps would be refined for ever
     static constexpr T widest = T(0.25), narrowest = T(1e-6), width_of_piece = T(0.025);  ///< of ln p
 
     struct Node {
@@ -121,7 +121,7 @@ private:
         return (std::max)(of_k, std::abs((a.separation - at.separation) / fall - v) * (b.log_p - a.log_p));
     }
     void refine(const Node a, const Node b) {
-        if (evaluations_ > most_evaluations_ || b.log_p - a.log_p < (std::max)(narrowest, 100 * epsilon)) return;
+        if (evaluations_ > most_evaluations || b.log_p - a.log_p < (std::max)(narrowest, 100 * epsilon)) return;
         const Node low = node(std::exp(a.log_p + T(0.31) * (b.log_p - a.log_p)), false);
         const Node high = node(std::exp(a.log_p + T(0.72) * (b.log_p - a.log_p)), false);
         nodes_.push_back(low);
@@ -210,22 +210,23 @@ private:
             const Node truth = node(p, with_separation);
             const auto at_p = table.at_pressure(p);
             const T of_k = std::abs(at_p.stiffness / truth.stiffness - 1);
-            T of_p = 0;
-            worst = (std::max)(worst, of_k);
+            T of_p = 0, of_k_at_d = 0;
             if (with_separation) {
                 const auto at_d = table.at_separation(std::clamp(truth.separation, table.closest(), table.furthest()));
                 of_p = std::abs(at_d.pressure / p - 1);
-                worst = (std::max)({worst, of_p, std::abs(at_d.stiffness / truth.stiffness - 1),
-                                    std::abs(at_p.separation - truth.separation) / rms_});
+                of_k_at_d = std::abs(at_d.stiffness / truth.stiffness - 1);
+                worst = (std::max)(worst, std::abs(at_p.separation - truth.separation) / rms_);
             }
-            if (of_k > missed_by || (has_own_stiffness() && of_p > missed_by)) missed.push_back(truth);
+            worst = (std::max)({worst, of_k, of_p, of_k_at_d});
+            if (of_k > missed_by || of_k_at_d > T(1.5) * missed_by || (has_own_stiffness() && of_p > missed_by))
+                missed.push_back(truth);
         }
         return worst;
     }
 
     Law law_;
     T ratio_, rms_;
-    int most_evaluations_, evaluations_ = 0;
+    int evaluations_ = 0;
     std::vector<Node> nodes_;  ///< by pressure
 };
 

@@ -4,7 +4,8 @@
 /// Makes the tables of a tabulated law: a few dozen exact integrals, a Chebyshev interpolation of log p by sections,
 /// its inverse, polynomials cut from both, and the error of them measured against the model. It is steered by what the
 /// contact gives: its log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and
-/// stiffness_over_slope(); without the last one, log K is interpolated as log p is, from log_stiffness(eta).
+/// stiffness_over_slope(); without the last one, log K is interpolated as log p is, from log_stiffness(eta). Where K has kinks,
+/// contact/kinked_tabulator makes the table in its place.
 ///
 /// Units       SI; eta is the separation over the rms height
 /// Valid       as contact/contact_law
@@ -303,7 +304,7 @@ template <ReadableReal T, class Contact>
             contact.at_pressure(pressure, with_separation ? Quantity::stiffness | Quantity::separation : Quantity::stiffness);
         return LawPoint<T>{state.separation.value, state.stiffness.value};
     };
-    return KinkedTabulator<T>(at, ratio, contact.rms_height(), 30000).tabulate(min_pressure, max_pressure);
+    return KinkedTabulator<T>(at, ratio, contact.rms_height()).tabulate(min_pressure, max_pressure);
 }
 
 }  // namespace fstiff::detail
