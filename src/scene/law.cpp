@@ -57,6 +57,7 @@ public:
     explicit ModelContact(const Contact& contact)
         : model_(std::make_shared<ModelOf<Contact>>(contact)),
           rms_height_(contact.rms_height()),
+          has_kinks_(detail::has_kinks(contact)),
           bulk_compliance_(contact.bulk_compliance()),
           interaction_(contact.interaction()) {}
     ContactState<double> at_pressure(double pressure, Quantity wanted) const {
@@ -74,12 +75,15 @@ public:
     LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
     LogValue<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
     double rms_height() const { return rms_height_; }
+    bool has_kinks() const { return has_kinks_; }
     double bulk_compliance() const { return bulk_compliance_; }
     Interaction<double> interaction() const { return interaction_; }
 
 private:
     std::shared_ptr<const Model> model_;
-    double rms_height_, bulk_compliance_;
+    double rms_height_;
+    bool has_kinks_;
+    double bulk_compliance_;
     Interaction<double> interaction_;
 };
 /// One whose K is a constant times -dp/dd.
@@ -105,6 +109,7 @@ public:
                                                      Quantity wanted) const override {
         return curve_at_separations(contact_, separations, wanted);
     }
+    bool has_table() const override { return fstiff::Contact<Contact, double>; }
     ContactLaw<double> tabulate(const LawRange<double>& range) const override {
         if constexpr (ProportionalContact<Contact, double>)
             return ContactLaw<double>::tabulate(ProportionalModelContact(contact_), range);
@@ -149,6 +154,23 @@ public:
     std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
                                                      Quantity wanted) const override {
         return mean([&](const AnyContact& one) { return one.at_separations(separations, wanted); });
+    }
+    bool has_table() const override { return contacts_.front()->has_table(); }
+    /// Of the mean K and the mean separation under a pressure: the former is not the slope of the latter.
+    ContactLaw<double> tabulate(const LawRange<double>& range) const override {
+        if (!has_table()) return AnyContact::tabulate(range);
+        const auto state_at = [this](double p) {
+            const auto point = at_pressures(std::span(&p, 1), Quantity::separation | Quantity::stiffness).front();
+            if (!point.ok()) throw domain_error(point.reason);
+            return point.state;
+        };
+        const auto first = state_at(range.min_pressure);
+        return ContactLaw<double>::tabulate_points(
+            [&](double p) {
+                const auto state = state_at(p);
+                return LawPoint<double>{state.separation.value, state.stiffness.value};
+            },
+            first.separation.value / first.eta, range);
     }
 
 private:
@@ -527,7 +549,7 @@ const std::array<Law, 12> table{{
 }  // namespace
 
 ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
-    throw domain_error("this law cannot be tabulated; must be one of joint or single peaks, such as hertz");
+    throw domain_error("this law cannot be tabulated: each of its points is a solution by boundary elements; must be another");
 }
 
 std::span<const Law> laws() { return table; }

@@ -52,7 +52,8 @@ public:
                                                                            Quantity wanted) const = 0;
     /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range hangs on it.
     [[nodiscard]] virtual std::vector<LoadMeans<double>> means_at(std::span<const double> /*etas*/) const { return {}; }
-    /// The contact tabulated. \throws domain_error for a law that has no log p against the separation, and as
+    [[nodiscard]] virtual bool has_table() const { return false; }
+    /// The contact tabulated. \throws domain_error unless has_table(), and as
     /// ContactLaw::tabulate.
     [[nodiscard]] virtual ContactLaw<double> tabulate(const LawRange<double>& range) const;
 };

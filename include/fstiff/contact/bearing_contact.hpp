@@ -200,6 +200,8 @@ public:
     [[nodiscard]] T rms_gradient() const { return gaussian_.rms_gradient() * factor_; }
     [[nodiscard]] T effective_modulus() const { return gaussian_.effective_modulus(); }
     [[nodiscard]] bool has_bearing_curve() const { return bearing_ != nullptr; }
+    /// The bearing curve is one of straight lines.
+    [[nodiscard]] bool has_kinks() const { return has_bearing_curve(); }
     [[nodiscard]] const PerssonContact<T>& gaussian() const { return gaussian_; }
     /// 2 rho E g [Pa], where all is in contact.
     [[nodiscard]] T full_pressure() const { return 2 * effective_modulus() * gaussian_.rms_gradient() * last_scale_; }

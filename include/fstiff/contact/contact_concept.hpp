@@ -34,4 +34,16 @@ concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
     { contact.stiffness_over_slope() } -> std::convertible_to<T>;
 };
 
+namespace detail {
+
+/// Whether K(p) of \p contact has kinks, as that of a map where another summit touches: such a law is tabulated by short pieces.
+template <class C>
+[[nodiscard]] bool has_kinks(const C& contact) {
+    if constexpr (requires { contact.has_kinks(); })
+        return contact.has_kinks();
+    else
+        return false;
+}
+
+}  // namespace detail
 }  // namespace fstiff

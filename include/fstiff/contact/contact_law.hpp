@@ -8,7 +8,10 @@
 /// log p is interpolated once as a function of the separation, by Chebyshev series through a few dozen exact integrals,
 /// in more sections where they need it; from it tables of short polynomials are cut, one uniform in the separation and
 /// two in the binary exponent of p (math/piecewise), so that an evaluation needs neither a logarithm nor an exponential
-/// nor a search, and an array of them is evaluated four at a time where the processor can. The slope -dp/dd is the
+/// nor a search, and an array of them is evaluated four at a time where the processor can. K of a map has kinks, one
+/// where each of its summits touches: such a law is a table of parabolas (contact/kinked_tables), as many as its kinks need,
+/// right to 1e-3 or better and found in some ten nanoseconds, one element of an array after the other; so is any law of which
+/// polynomials would not be monotone or be off by more than 1e-3. The slope -dp/dd is the
 /// derivative of the very polynomial that returns p(separation), for every law: it is the tangent that Newton's method
 /// in an implicit solver needs. K is that slope with HertzLaw, FractalConsistentLaw and GreenwoodWilliamson; with
 /// FractalLaw it is the slope times (2/3)(3-D)/(2-D), and stiffness_is_slope() says no. Where K is no constant times the
@@ -41,7 +44,7 @@
 /// Valid       float and double; 0 < min_pressure < max_pressure within the reach of the model; no interaction or
 ///             effective_separation. A default-constructed law is empty and refuses every evaluation
 /// Accuracy    measured when it is tabulated, at the ends of every piece and between the nodes, and carried:
-///             relative_error(). It covers -dp/dd too where K has a table of its own, and cannot be less than the
+///             relative_error(). Of polynomials it covers -dp/dd too where K has a table of its own; it cannot be less than the
 ///             errors of the integrals: of a law without powers 1e-9 or so. Of 400 laws of random surfaces none is
 ///             further from the model than it says. One in two says less than 4e-12 and is right to 1e-12, nine in ten
 ///             say less than 3e-10 and are right to 5e-11, all say less than 1e-7 and are right to 1e-8: interaction,
@@ -70,6 +73,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace fstiff {
 
@@ -99,12 +103,16 @@ public:
     /// for a K that is not greater than 0 or does not rise with p.
     template <Contact<T> Model>
     [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range);
+    /// Tabulates states that \p law gives at pressures [Pa], whose K need not be -dp/dd, such as means over several contacts;
+    /// the error of the separation is relative to \p rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
+    [[nodiscard]] static ContactLaw tabulate_points(const std::function<LawPoint<T>(T pressure)>& law,
+                                                    std::type_identity_t<T> rms_height, const LawRange<T>& range);
 
     /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse,
     /// for a negative or infinite pressure under extrapolate, for NaN, and of an empty law.
     [[nodiscard]] T stiffness(T pressure) const {
         if (!tables_.stiffness.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, false).stiffness;
+            return besides_pieces(pressure, false).stiffness;
         return tables_.stiffness.value(pressure);
     }
 
@@ -112,7 +120,7 @@ public:
     /// \throws as stiffness.
     [[nodiscard]] T separation(T pressure) const {
         if (!tables_.separation.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, false).separation;
+            return besides_pieces(pressure, false).separation;
         return tables_.separation_at(pressure);
     }
 
@@ -120,14 +128,14 @@ public:
     /// OutsideRange::exact by a difference of the model. \throws as stiffness.
     [[nodiscard]] T stiffness_slope(T pressure) const {
         if (!tables_.stiffness.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, true).stiffness_slope;
+            return besides_pieces(pressure, true).stiffness_slope;
         return tables_.stiffness.derivative(pressure);
     }
 
     /// separation(), stiffness() and stiffness_slope() at once. \throws as stiffness.
     [[nodiscard]] AtPressure at_pressure(T pressure) const {
         if (!tables_.stiffness.contains(pressure)) [[unlikely]]
-            return outside_pressure(pressure, true);
+            return besides_pieces(pressure, true);
         return of_tables(tables_.at_pressure(pressure));
     }
 
@@ -191,7 +199,7 @@ public:
     /// The range [Pa] and [m]; of an empty law 0 and NaN.
     [[nodiscard]] std::array<T, 2> pressures() const { return {tables_.min_pressure, tables_.max_pressure}; }
     [[nodiscard]] std::array<T, 2> separations() const {
-        return {tables_.by_separation.begin, tables_.by_separation.end};
+        return {tables_.closest(), tables_.furthest()};
     }
     [[nodiscard]] OutsideRange outside() const { return tables_.outside; }
     [[nodiscard]] bool empty() const { return tables_.empty(); }
@@ -219,11 +227,17 @@ private:
 
     Whole whole_at(T separation) const {
         if (!tables_.by_separation.contains(separation)) [[unlikely]]
-            return outside_separation(separation);
+            return tables_.kinked.contains_separation(separation) ? tables_.kinked_at_separation(separation)
+                                                                  : outside_separation(separation);
         return tables_.at_separation(separation);
     }
     static AtPressure of_tables(const typename detail::LawTables<T>::AtPressure& at) {
         return {at.separation, at.stiffness, at.stiffness_slope};
+    }
+    /// By the parabolas of a law with kinks, or outside the range.
+    AtPressure besides_pieces(T pressure, bool with_slope) const {
+        return tables_.kinked.contains_pressure(pressure) ? of_tables(tables_.kinked_at_pressure(pressure))
+                                                          : outside_pressure(pressure, with_slope);
     }
     AtPressure outside_pressure(T pressure, bool with_slope) const;
     Whole outside_separation(T separation) const;
@@ -255,7 +269,11 @@ private:
     void batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
                const FourAt& four, const OneAt& one) const {
         require_filled();
-        detail::law_batch(pieces, x, out, four, one);
+        if (tables_.kinked.empty()) return detail::law_batch(pieces, x, out, four, one);
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+            const std::array<T, N> found = one(x[i]);
+            for (std::size_t n = 0; n < N; ++n) out[n][i] = found[n];
+        }
     }
     detail::LawTables<T> tables_;
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
@@ -267,8 +285,7 @@ auto ContactLaw<T>::outside_pressure(T pressure, bool with_slope) const -> AtPre
     if (!detail::is_nan(pressure)) {
         if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
         if (tables_.outside == OutsideRange::clamp) {
-            const AtPressure end =
-                at_pressure(detail::LawTables<T>::within(pressure, tables_.min_pressure, tables_.max_pressure));
+            const auto end = tables_.at_end(pressure < tables_.min_pressure ? tables_.min_pressure : tables_.max_pressure);
             return {end.separation, end.stiffness, T(0)};
         }
     }
@@ -287,13 +304,12 @@ auto ContactLaw<T>::outside_separation(T separation) const -> Whole {
     if (!detail::is_nan(separation)) {
         if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
         if (tables_.outside == OutsideRange::clamp) {
-            const Whole end = tables_.at_separation(
-                detail::LawTables<T>::within(separation, tables_.by_separation.begin, tables_.by_separation.end));
+            const Whole end = separation < tables_.closest() ? tables_.at_closest() : tables_.at_furthest();
             return {end.pressure, end.stiffness, T(0)};
         }
     }
     if (tables_.outside != OutsideRange::exact)
-        refuse("separation", separation, tables_.by_separation.begin, tables_.by_separation.end, " m");
+        refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
     const Exact at = exact_(separation, false);
     return {at.pressure, at.stiffness, at.slope};
 }
@@ -308,17 +324,40 @@ ContactLaw<T> ContactLaw<T>::with(OutsideRange outside) const {
     return other;
 }
 
+namespace detail {
+
 template <ReadableReal T>
-template <Contact<T> Model>
-ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
+void require_range(const LawRange<T>& range) {
     require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,
             "finite and greater than 0, and no denormal number");
     require(range.max_pressure > range.min_pressure && std::isfinite(range.max_pressure), "max_pressure",
             range.max_pressure, "finite and greater than min_pressure");
+}
+
+}  // namespace detail
+
+template <ReadableReal T>
+auto ContactLaw<T>::tabulate_points(const std::function<LawPoint<T>(T pressure)>& law, std::type_identity_t<T> rms_height,
+                                    const LawRange<T>& range) -> ContactLaw {
+    detail::require_range(range);
+    require_positive("rms_height", rms_height);
+    if (range.outside == OutsideRange::exact)
+        detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
+    ContactLaw made;
+    made.tables_ = detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, T(0), rms_height)
+                       .tabulate(range.min_pressure, range.max_pressure);
+    made.tables_.outside = range.outside;
+    return made;
+}
+
+template <ReadableReal T>
+template <Contact<T> Model>
+ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
+    detail::require_range(range);
     require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
             "none or effective_separation for a tabulated law (as_printed is no function of one separation)");
     ContactLaw law;
-    law.tables_ = detail::LawTabulator<T, Model>(contact, range.min_pressure, range.max_pressure).tabulate();
+    law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
     law.tables_.outside = range.outside;
     if (range.outside == OutsideRange::exact)
         law.exact_ = [contact](T x, bool is_pressure) {

@@ -14,14 +14,14 @@
 /// larger one counts; the exponent is fitted to boundary elements, 4 to 8 do nearly as well. Both must be of the same surface. Interaction between the peaks is what Persson's
 /// theory adds: the contact of the peaks is taken without it.
 ///
-/// d is integrated in ln p over panels one e-fold wide by 16 Gauss-Legendre points, from 2 E g down, once when the first
-/// separation is asked for; a pressure then costs the rest of one panel.
+/// d is integrated in ln p from 2 E g down, once when the first separation is asked for: over panels one e-fold wide by 16
+/// Gauss-Legendre points, or where K has kinks over panels of 1/32 e-fold by 4; a pressure then costs the rest of one panel.
 ///
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (4.9);
 ///             the exponent: docs/validation.md.
 /// Units       SI
 /// Valid       pressures within the reach of both; separations above 0
-/// Accuracy    K that of its parts, separation 1e-11 of the rms height (tests/contact/hybrid_contact_test.cpp). Against boundary
+/// Accuracy    K that of its parts, separation 1e-11 of the rms height, 1e-5 where K has kinks (tests/contact/hybrid_contact_test.cpp). Against boundary
 ///             elements of Gaussian isotropic surfaces, p/(E g) >= 0.003: within 10 % at 86 of 100 points, 15 % at 98
 ///             (docs/validation.md)
 
@@ -106,11 +106,12 @@ public:
         require_positive("pressure", pressure);
         const T above = log_end() - std::log(pressure);
         if (above <= 0) return {T(0), rms_height() * std::numeric_limits<T>::epsilon(), 0};
-        const auto whole = static_cast<std::size_t>(above);
+        const T width = width_of_panel();
+        const auto whole = static_cast<std::size_t>(above / width);
         const std::vector<T>& at = knots();
         T d = at[(std::min)(whole, at.size() - 1)];
-        for (std::size_t i = at.size() - 1; i < whole; ++i) d += panel(log_end() - T(i + 1), log_end() - T(i));
-        d += panel(std::log(pressure), log_end() - T(whole));
+        for (std::size_t i = at.size() - 1; i < whole; ++i) d += panel(log_end() - T(i + 1) * width, width);
+        d += panel(std::log(pressure), log_end() - T(whole) * width - std::log(pressure));
         return {d, (error_share() + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
     }
 
@@ -120,31 +121,31 @@ public:
         require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
         const std::vector<T>& at = knots();
         const auto beyond = std::upper_bound(at.begin(), at.end(), eta * rms_height()) - at.begin();
-        const T high = log_end() - T(beyond - 1), low = high - (beyond < std::ssize(at) ? T(1) : T(500));
-        return this->searched_log_pressure(eta, low, high, high - T(0.5), "within the reach of the laws");
+        const T width = width_of_panel();
+        const T high = log_end() - T(beyond - 1) * width, low = high - (beyond < std::ssize(at) ? width : T(500));
+        return this->searched_log_pressure(eta, low, high, high - width / 2, "within the reach of the laws");
     }
 
     [[nodiscard]] T rms_height() const { return crowded_.rms_height(); }
+    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(peaks_) || crowded_.has_kinks(); }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
     [[nodiscard]] const BearingContact<T>& crowded() const { return crowded_; }
 
 private:
-    static constexpr int panels = 24;  ///< e-folds of pressure below 2 E g: 4e-11 of it
+    static constexpr int e_folds = 24;  ///< of pressure below 2 E g: 4e-11 of it
+
+    /// Of ln p: where K has kinks short panels by few points take them in better than a long one by many.
+    [[nodiscard]] T width_of_panel() const { return has_kinks() ? T(1) / 32 : T(1); }
 
     [[nodiscard]] T log_end() const { return std::log(crowded_.full_pressure()); }
 
-    /// Of the separation; K by a bearing curve is not smooth.
-    [[nodiscard]] T error_share() const { return crowded_.has_bearing_curve() ? T(1e-5) : T(1e-11); }
+    /// Of the separation.
+    [[nodiscard]] T error_share() const { return has_kinks() ? T(1e-5) : T(1e-11); }
 
     /// int p/K d ln p
-    [[nodiscard]] T panel(T from, T to) const {
-        const auto& rule = GaussLegendre<T, 16>::get();
-        T sum = 0;
-        for (std::size_t i = 0; i < 16; ++i) {
-            const T p = std::exp((from + to) / 2 + (to - from) / 2 * rule.node[i]);
-            sum += rule.weight[i] * p / stiffness(p);
-        }
-        return (to - from) / 2 * sum;
+    [[nodiscard]] T panel(T from, T length) const {
+        return has_kinks() ? this->template fall_of_separation<4>(from, length)
+                           : this->template fall_of_separation<16>(from, length);
     }
 
     Peaks peaks_;
@@ -167,10 +168,11 @@ private:
             published = made.release();
         return *published;
     }
-    /// Separations at 2 E g, and one e-fold of pressure below each other.
+    /// Separations at 2 E g, and below it at the ends of the panels.
     [[nodiscard]] std::vector<T> separations_of_knots() const {
+        const T width = width_of_panel();
         std::vector<T> at{T(0)};
-        for (int i = 0; i < panels; ++i) at.push_back(at.back() + panel(log_end() - T(i + 1), log_end() - T(i)));
+        for (int i = 0; T(i) * width < e_folds; ++i) at.push_back(at.back() + panel(log_end() - T(i + 1) * width, width));
         return at;
     }
     std::shared_ptr<Knots> knots_ = std::make_shared<Knots>();  ///< copies share it

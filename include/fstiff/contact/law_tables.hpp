@@ -7,12 +7,14 @@
 ///     K(d)                 else a table of its own, of the same pieces
 ///     d(p), K(p), dK/dp    two, in the binary exponent of p
 ///
+/// or, where K has kinks, one of parabolas for all of them (contact/kinked_tables.hpp), while those above are empty,
 /// and how they go on beyond the range, as contact/contact_law says of OutsideRange::extrapolate.
 ///
 /// Units       SI: Pa, m, Pa/m
 /// Valid       float and double; arguments within the tables, but for the functions of the continuation
 /// Accuracy    relative_error, as contact/law_tabulator measures it
 
+#include <fstiff/contact/kinked_tables.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
@@ -58,10 +60,15 @@ struct LawTables {
     UniformPieces<T> by_separation;  ///< p
     UniformPieces<T> own_stiffness;  ///< K by separation, of the same pieces; empty where it is a constant times -dp/dd
     BinaryPieces<T> stiffness, separation;  ///< by pressure
+    KinkedTables<T> kinked;                 ///< in place of all these
 
-    [[nodiscard]] bool empty() const { return by_separation.rows.empty(); }
+    [[nodiscard]] bool empty() const { return by_separation.rows.empty() && kinked.empty(); }
+    /// The least and the greatest separation [m]; NaN of an empty law.
+    [[nodiscard]] T closest() const { return kinked.empty() ? by_separation.begin : kinked.closest(); }
+    [[nodiscard]] T furthest() const { return kinked.empty() ? by_separation.end : kinked.furthest(); }
     [[nodiscard]] bool has_own_stiffness() const noexcept { return stiffness_over_slope == T(0); }
 
+    /// Of polynomials.
     [[nodiscard]] Whole at_separation(T g) const {
         const auto [pressure, derivative] = by_separation(g);
         T k = derivative * stiffness_scale;
@@ -77,12 +84,33 @@ struct LawTables {
     [[nodiscard]] AtPressure at_pressure(T pressure) const {
         return {separation_at(pressure), stiffness.value(pressure), stiffness.derivative(pressure)};
     }
+    /// Of parabolas.
+    [[nodiscard]] Whole kinked_at_separation(T g) const {
+        const auto at = kinked.at_separation(g);
+        return {at.pressure, at.stiffness, at.slope};
+    }
+    [[nodiscard]] AtPressure kinked_at_pressure(T pressure) const {
+        const auto at = kinked.at_pressure(pressure);
+        return {within(at.separation, closest(), furthest()), at.stiffness, at.stiffness_slope};
+    }
+    /// The state at an end of the range.
+    [[nodiscard]] Whole at_closest() const {
+        return kinked.empty() ? at_separation(by_separation.begin) : kinked_at_separation(closest());
+    }
+    [[nodiscard]] Whole at_furthest() const {
+        return kinked.empty() ? at_separation(by_separation.end) : kinked_at_separation(furthest());
+    }
+    [[nodiscard]] AtPressure at_end(T pressure) const {
+        return kinked.empty() ? at_pressure(pressure) : kinked_at_pressure(pressure);
+    }
 
-    /// K over -dp/dd where the separation is the end \p end_separation of the range: what the continuation keeps.
-    [[nodiscard]] T ratio_at(T end_separation) const {
-        if (!has_own_stiffness()) return stiffness_over_slope;
-        const Whole end = at_separation(end_separation);
-        return end.stiffness / end.slope;
+    /// K over -dp/dd at \p end, an end of the range: what the continuation keeps.
+    [[nodiscard]] T ratio_at(const Whole& end) const {
+        return has_own_stiffness() ? end.stiffness / end.slope : stiffness_over_slope;
+    }
+    /// dK/dp above the range.
+    [[nodiscard]] T growth_at_end() const {
+        return kinked.empty() ? stiffness.derivative(max_pressure) : kinked.growth_at_end();
     }
 
     /// The law beyond the range: K/p is constant below it, K dK/dp above it. Each continues its own table, from the
@@ -103,11 +131,12 @@ struct LawTables {
     [[nodiscard]] bool operator==(const LawTables& other) const {
         if (empty() || other.empty()) return empty() && other.empty();
         return min_pressure == other.min_pressure && max_pressure == other.max_pressure &&
-               by_separation.begin == other.by_separation.begin && by_separation.end == other.by_separation.end &&
+               closest() == other.closest() && furthest() == other.furthest() &&
                stiffness_over_slope == other.stiffness_over_slope && relative_error == other.relative_error &&
                outside == other.outside && evaluations == other.evaluations &&
                by_separation.rows == other.by_separation.rows && stiffness.rows == other.stiffness.rows &&
-               separation.rows == other.separation.rows && own_stiffness.rows == other.own_stiffness.rows;
+               separation.rows == other.separation.rows && own_stiffness.rows == other.own_stiffness.rows &&
+               kinked == other.kinked;
     }
 };
 
@@ -116,31 +145,30 @@ auto LawTables<T>::continued_pressure(T pressure) const -> AtPressure {
     require(pressure >= 0 && pressure <= (std::numeric_limits<T>::max)(), "pressure", pressure,
             "finite and at least 0 Pa: the contact does not pull");
     if (pressure < min_pressure) {
-        const AtPressure end = at_pressure(min_pressure);
+        const AtPressure end = at_end(min_pressure);
         const T rate = end.stiffness / min_pressure;
-        return {end.separation + std::log(min_pressure / pressure) / (rate / ratio_at(by_separation.end)),
-                rate * pressure, rate};
+        return {end.separation + std::log(min_pressure / pressure) / (rate / ratio_at(at_furthest())), rate * pressure,
+                rate};
     }
-    const AtPressure end = at_pressure(max_pressure);
-    const T more = pressure - max_pressure;
-    const T growth = std::sqrt(1 + 2 * (end.stiffness_slope / end.stiffness) * more);
+    const AtPressure end = at_end(max_pressure);
+    const T more = pressure - max_pressure, slope = growth_at_end();
+    const T growth = std::sqrt(1 + 2 * (slope / end.stiffness) * more);
     const T k = end.stiffness * growth;
-    return {end.separation - 2 * more / ((end.stiffness + k) / ratio_at(by_separation.begin)), k,
-            end.stiffness_slope / growth};
+    return {end.separation - 2 * more / ((end.stiffness + k) / ratio_at(at_closest())), k, slope / growth};
 }
 
 template <ReadableReal T>
 auto LawTables<T>::continued_separation(T at) const -> Whole {
-    if (at > by_separation.end) {
-        const Whole end = at_separation(by_separation.end);
-        const T share = std::exp(-(at - by_separation.end) * (end.slope / end.pressure));
+    if (at > furthest()) {
+        const Whole end = at_furthest();
+        const T share = std::exp(-(at - furthest()) * (end.slope / end.pressure));
         return {end.pressure * share, end.stiffness * share, end.slope * share};
     }
     require(at >= std::numeric_limits<T>::lowest(), "separation", at, "greater than -infinity (m)");
-    const Whole end = at_separation(by_separation.begin);
-    const T less = by_separation.begin - at;
-    const T bend = stiffness.derivative(max_pressure) * end.slope;  // dK/d less
-    const T more_slope = bend * less / ratio_at(by_separation.begin);
+    const Whole end = at_closest();
+    const T less = closest() - at;
+    const T bend = growth_at_end() * end.slope;  // dK/d less
+    const T more_slope = bend * less / ratio_at(end);
     return {end.pressure + less * (end.slope + more_slope / 2), end.stiffness + bend * less, end.slope + more_slope};
 }
 

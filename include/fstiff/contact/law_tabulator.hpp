@@ -4,7 +4,8 @@
 /// Makes the tables of a tabulated law: a few dozen exact integrals, a Chebyshev interpolation of log p by sections,
 /// its inverse, polynomials cut from both, and the error of them measured against the model. It is steered by what the
 /// contact gives: its log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and
-/// stiffness_over_slope(); without the last one, log K is interpolated as log p is, from log_stiffness(eta).
+/// stiffness_over_slope(); without the last one, log K is interpolated as log p is, from log_stiffness(eta). Where K has kinks,
+/// contact/kinked_tabulator makes the table in its place.
 ///
 /// Units       SI; eta is the separation over the rms height
 /// Valid       as contact/contact_law
@@ -12,6 +13,7 @@
 
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_state.hpp>
+#include <fstiff/contact/kinked_tabulator.hpp>
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/error.hpp>
@@ -45,15 +47,19 @@ public:
         middle_ = std::sqrt(min_pressure) * std::sqrt(max_pressure);
     }
 
-    [[nodiscard]] LawTables<T> tabulate() {
+    struct Made {
+        LawTables<T> tables;
+        bool is_monotone;
+    };
+    [[nodiscard]] Made tabulate() {
         interpolate_pressure();
         if constexpr (!proportional) interpolate_stiffness();
         cut_by_separation();
         interpolate_eta();
         cut_by_pressure();
         measure_error();
-        require_monotone();
-        return std::move(law_);
+        const bool monotone = is_monotone();
+        return {std::move(law_), monotone};
     }
 
 private:
@@ -253,18 +259,15 @@ private:
     }
 
     /// p and K move one way from node to node; closer than that the polynomials are smooth.
-    void require_monotone() const {
+    [[nodiscard]] bool is_monotone() const {
         const auto moves = [](const auto& pieces, T half, T way) {
             for (Eigen::Index i = 0; i < std::ssize(pieces.rows); ++i)
                 for (int k = -8; k <= 8; ++k)
                     if (!(way * Row::derivative(row(pieces, i), half * T(k) / 8) > 0)) return false;
             return true;
         };
-        if (!(moves(law_.stiffness, BinaryPieces<T>::half, T(1)) && moves(law_.by_separation, T(1), T(-1)) &&
-              moves(law_.own_stiffness, T(1), T(-1))))
-            throw domain_error(
-                Refusal{.parameter = "pressure range",
-                        .reason = "the tabulated law would not be monotone; must be one in which K rises with p"});
+        return moves(law_.stiffness, BinaryPieces<T>::half, T(1)) && moves(law_.by_separation, T(1), T(-1)) &&
+               moves(law_.own_stiffness, T(1), T(-1));
     }
 
     const Contact& contact_;
@@ -285,5 +288,23 @@ private:
     T at_ends_{};                        ///< of the slope, at the ends of the pieces by separation
     T shortest_change_{};                ///< of log p over a piece by separation
 };
+
+/// The tables of \p contact: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not monotone or
+/// off by more than 1e-3.
+template <ReadableReal T, class Contact>
+[[nodiscard]] LawTables<T> tables_of(const Contact& contact, T min_pressure, T max_pressure) {
+    if (!has_kinks(contact)) {
+        auto made = LawTabulator<T, Contact>(contact, min_pressure, max_pressure).tabulate();
+        if (made.is_monotone && made.tables.relative_error <= T(1e-3)) return std::move(made.tables);
+    }
+    T ratio = 0;
+    if constexpr (ProportionalContact<Contact, T>) ratio = contact.stiffness_over_slope();
+    const auto at = [&contact](T pressure, bool with_separation) {
+        const ContactState<T> state =
+            contact.at_pressure(pressure, with_separation ? Quantity::stiffness | Quantity::separation : Quantity::stiffness);
+        return LawPoint<T>{state.separation.value, state.stiffness.value};
+    };
+    return KinkedTabulator<T>(at, ratio, contact.rms_height()).tabulate(min_pressure, max_pressure);
+}
 
 }  // namespace fstiff::detail

@@ -3,12 +3,13 @@
 /// \file
 /// A tabulated law as text, every number in hexadecimal, so that it comes back bit for bit.
 ///
-///     fstiff contact law 3 8                            version of the form (3 or 4), bytes of a number
+///     fstiff contact law 3 8                            version of the form (3, 4 or 5), bytes of a number
 ///     pieces  policy  evaluations                       of the table by separation; OutsideRange
 ///     p_min p_max separation_min separation_max K/slope error         then eight coefficients a line: p(separation), K(p), separation(p)
 ///
 /// A law whose K has a table of its own is of version 4: its K/slope is 0, and K(separation) comes last. Every other
-/// law is written and read as version 3.
+/// polynomial law is written and read as version 3. Version 5 is a law of parabolas, six numbers a line: d, p, -dp/dd and its change
+/// by -d, K and its change by -d at the beginning of each piece, and at the end of the table.
 ///
 /// Units       SI
 /// Valid       a law that is not empty, with a policy other than exact; lines may end in LF or CRLF
@@ -16,6 +17,7 @@
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/core/error.hpp>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -25,6 +27,8 @@
 #include <string_view>
 #include <system_error>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace fstiff::detail {
 
@@ -34,16 +38,39 @@ template <ReadableReal T>
 }
 
 template <ReadableReal T>
+[[nodiscard]] std::array<T, 6> numbers_of(const Parabola<T>& at) {
+    return {at.separation, at.pressure, at.slope, at.bend, at.stiffness, at.stiffness_per_fall};
+}
+/// Whether \p pieces are a table from \p law.min_pressure to max_pressure, with p and -d rising all the way.
+template <ReadableReal T>
+[[nodiscard]] bool is_table(const std::vector<Parabola<T>>& pieces, const LawTables<T>& law, T closest, T furthest) {
+    if (pieces.front().pressure != law.min_pressure || pieces.back().pressure != law.max_pressure ||
+        pieces.front().separation != furthest || pieces.back().separation != closest)
+        return false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (!(pieces[i].slope > 0 && pieces[i].stiffness > 0)) return false;
+        if (i > 0 && !(pieces[i].pressure > pieces[i - 1].pressure && pieces[i].separation < pieces[i - 1].separation))
+            return false;
+    }
+    return true;
+}
+
+template <ReadableReal T>
 [[nodiscard]] std::string law_text(const LawTables<T>& law) {
-    std::string text = law_text_head<T>(law.has_own_stiffness() ? 4 : 3) + '\n';
-    text += std::to_string(law.by_separation.rows.size()) + ' ' + std::to_string(static_cast<int>(law.outside)) + ' ' +
+    const bool kinked = !law.kinked.empty();
+    std::string text = law_text_head<T>(kinked ? 5 : law.has_own_stiffness() ? 4 : 3) + '\n';
+    text += std::to_string(kinked ? law.kinked.pieces().size() : law.by_separation.rows.size()) + ' ' + std::to_string(static_cast<int>(law.outside)) + ' ' +
             std::to_string(law.evaluations) + '\n';
     const auto add = [&text](const T* numbers, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) text += hexadecimal_text(numbers[i]) + (i + 1 < count ? ' ' : '\n');
     };
-    const T head[] = {law.min_pressure,      law.max_pressure,         law.by_separation.begin,
-                      law.by_separation.end, law.stiffness_over_slope, law.relative_error};
+    const T head[] = {law.min_pressure, law.max_pressure,         law.closest(),
+                      law.furthest(),   law.stiffness_over_slope, law.relative_error};
     add(head, std::size(head));
+    for (const Parabola<T>& at : law.kinked.pieces()) {
+        const auto numbers = numbers_of(at);
+        add(numbers.data(), numbers.size());
+    }
     for (const auto* rows :
          {&law.by_separation.rows, &law.stiffness.rows, &law.separation.rows, &law.own_stiffness.rows})
         for (const Coefficients<T>& row : *rows) add(row.c, Row::terms);
@@ -59,8 +86,8 @@ template <ReadableReal T>
     };
     std::string_view line = text.substr(0, text.find('\n'));
     if (line.ends_with('\r')) line.remove_suffix(1);
-    const bool own_stiffness = line == law_text_head<T>(4);
-    if (!own_stiffness && line != law_text_head<T>(3))
+    const bool own_stiffness = line == law_text_head<T>(4), kinked = line == law_text_head<T>(5);
+    if (!own_stiffness && !kinked && line != law_text_head<T>(3))
         throw wrong(line.starts_with("fstiff contact law ") ? "is of another version or another scalar type"
                                                             : "begins with something else");
     const char* at = text.data() + line.size();
@@ -95,13 +122,30 @@ template <ReadableReal T>
         *x = number(T{});
     if (!(law.min_pressure >= (std::numeric_limits<T>::min)() && law.max_pressure > law.min_pressure &&
           separation_max > separation_min &&
-          (own_stiffness ? law.stiffness_over_slope == 0 : law.stiffness_over_slope > 0)))
+          (kinked          ? law.stiffness_over_slope >= 0
+           : own_stiffness ? law.stiffness_over_slope == 0
+                           : law.stiffness_over_slope > 0)))
         throw wrong("contradicts itself");
     // each number takes two characters or more: a size that the text cannot hold is refused before it is allocated
     const auto size = static_cast<Eigen::Index>(text.size());
     const Eigen::Index pressure_pieces = BinaryPieces<T>::pieces(law.min_pressure, law.max_pressure);
-    if (separation_pieces < 1 || separation_pieces > size || pressure_pieces > size)
+    if (separation_pieces < (kinked ? 2 : 1) || separation_pieces > size || (!kinked && pressure_pieces > size))
         throw wrong("holds impossible sizes");
+    const auto at_end = [&] {
+        skip();
+        return at == end;
+    };
+    if (kinked) {
+        std::vector<Parabola<T>> pieces(static_cast<std::size_t>(separation_pieces));
+        for (Parabola<T>& piece : pieces)
+            for (T* x : {&piece.separation, &piece.pressure, &piece.slope, &piece.bend, &piece.stiffness,
+                         &piece.stiffness_per_fall})
+                *x = number(T{});
+        if (!at_end()) throw wrong("goes on after its end");
+        if (!is_table(pieces, law, separation_min, separation_max)) throw wrong("contradicts itself");
+        law.kinked = KinkedTables<T>(std::move(pieces));
+        return law;
+    }
     law.by_separation = UniformPieces<T>(separation_min, separation_max, separation_pieces);
     if (!(law.by_separation.pieces_per_length > 0 && std::isfinite(law.by_separation.pieces_per_length)))
         throw wrong("contradicts itself");
@@ -110,8 +154,7 @@ template <ReadableReal T>
     for (auto* rows : {&law.by_separation.rows, &law.stiffness.rows, &law.separation.rows, &law.own_stiffness.rows})
         for (Coefficients<T>& row : *rows)
             for (T& coefficient : row.c) coefficient = number(T{});
-    skip();
-    if (at != end) throw wrong("goes on after its end");
+    if (!at_end()) throw wrong("goes on after its end");
     law.set_scales();
     return law;
 }

@@ -96,6 +96,8 @@ public:
     [[nodiscard]] T rms_height() const { return of_.rms_height; }
     /// Area that the summits stand on [m^2].
     [[nodiscard]] T area() const { return of_.area; }
+    /// K has a kink wherever another summit touches.
+    [[nodiscard]] static constexpr bool has_kinks() { return true; }
 
 private:
     static constexpr Eigen::Index max_summits = 5000;

@@ -28,13 +28,16 @@
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace fstiff {
 
@@ -67,13 +70,56 @@ private:
     T rms_height_, stiffness_;
 };
 
-/// Of a map. Copies share what was made of it.
+namespace detail {
+
+/// K of the highest points of a map at numbers of points that are 5 % apart, each computed when it is first asked for. Threads that
+/// ask at once compute the same number.
+template <Real T>
+class CutKnots {
+public:
+    explicit CutKnots(HighestPoints<T> points) : points_(std::move(points)) {
+        const std::size_t all = points_.count();
+        for (std::size_t n = 1; n < all; n = (std::max)(n + 1, static_cast<std::size_t>(T(1.05) * static_cast<T>(n))))
+            counts_.push_back(n);
+        log_stiffness_ = std::vector<std::atomic<T>>(counts_.size());
+        for (auto& at : log_stiffness_) at.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
+    }
+    /// A power of the share between two knots. \throws domain_error as HighestPoints.
+    [[nodiscard]] T stiffness(T share) const {
+        const T points = share * static_cast<T>(points_.count());
+        if (!(points > 1 && share < 1) || counts_.size() < 2) return points_.stiffness(share);
+        const auto above = std::partition_point(counts_.begin() + 1, counts_.end() - 1,
+                                                [points](std::size_t n) { return static_cast<T>(n) < points; });
+        const auto i = static_cast<std::size_t>(above - counts_.begin());
+        const T from = std::log(static_cast<T>(counts_[i - 1])), to = std::log(static_cast<T>(counts_[i]));
+        const T a = log_at(i - 1), b = log_at(i);
+        return std::exp(a + (std::log(points) - from) / (to - from) * (b - a));
+    }
+
+private:
+    [[nodiscard]] T log_at(std::size_t knot) const {
+        T known = log_stiffness_[knot].load(std::memory_order_relaxed);
+        if (std::isnan(known)) {
+            known = std::log(points_.stiffness(static_cast<T>(counts_[knot]) / static_cast<T>(points_.count())));
+            log_stiffness_[knot].store(known, std::memory_order_relaxed);
+        }
+        return known;
+    }
+
+    HighestPoints<T> points_;
+    std::vector<std::size_t> counts_;
+    mutable std::vector<std::atomic<T>> log_stiffness_;  ///< NaN: not yet
+};
+
+}  // namespace detail
+
+/// Of a map, K by knots 5 % of the share apart, so that it is continuous. Copies share what was made of it.
 template <Real T = double>
 class MapCut {
 public:
     /// \throws domain_error as HighestPoints.
     MapCut(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus, Edges edges)
-        : points_(std::make_shared<const HighestPoints<T>>(map, effective_modulus, edges)),
+        : knots_(std::make_shared<const detail::CutKnots<T>>(HighestPoints<T>(map, effective_modulus, edges))),
           curve_(std::make_shared<const BearingSlope<T>>(BearingSlope<T>::of_heights(
               std::span<const T>(map.heights.data(), static_cast<std::size_t>(map.heights.size()))))),
           mean_(mean_height(map)) {}
@@ -84,7 +130,7 @@ public:
         taller.factor_ *= factor;
         return taller;
     }
-    [[nodiscard]] T stiffness(T share) const { return points_->stiffness(share); }
+    [[nodiscard]] T stiffness(T share) const { return knots_->stiffness(share); }
     /// By straight lines of the bearing curve; of the highest knot beyond it.
     [[nodiscard]] std::pair<T, T> share_above(T level) const {
         const auto knots = curve_->knots();
@@ -98,12 +144,13 @@ public:
     }
 
 private:
-    std::shared_ptr<const HighestPoints<T>> points_;
+    std::shared_ptr<const detail::CutKnots<T>> knots_;
     std::shared_ptr<const BearingSlope<T>> curve_;
     T mean_, factor_ = 1;  ///< mean height [m]; heights over those of the map
 };
 
-/// \p Elastic is the contact of the same surface without flow, at light and heavy loads: HybridContact.
+/// \p Elastic is the contact of the same surface without flow, at light and heavy loads, which gives K and the separation under
+/// a pressure beyond what was compared too: HybridContact.
 template <Real T, Contact<T> Elastic, CutSurface<T> Cut>
 class PlasticContact : private SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
     using Base = SlopeContact<PlasticContact<T, Elastic, Cut>, T>;
@@ -142,12 +189,10 @@ public:
             state.real_area_fraction = {share, 4 * std::numeric_limits<T>::epsilon() * share, 0};
         }
         if (has(wanted, Quantity::separation | Quantity::loading_stiffness)) {
-            const T d = separation(pressure);
-            state.separation = {d, T(1e-9) * rms_height(), 0};
-            if (has(wanted, Quantity::loading_stiffness) && d > 0) {
-                const T K = -pressure * log_pressure(d / rms_height()).slope / rms_height();
-                state.loading_stiffness = {K, T(1e-6) * K, 0};
-            }
+            const Loading at = loading(pressure);
+            state.separation = {at.separation, T(1e-9) * rms_height(), 0};
+            if (has(wanted, Quantity::loading_stiffness) && at.separation > 0)
+                state.loading_stiffness = {at.stiffness, T(1e-6) * at.stiffness, 0};
         }
         state.eta = state.separation.value / rms_height();
         return state;
@@ -182,6 +227,7 @@ public:
     }
 
     [[nodiscard]] T rms_height() const { return elastic_.rms_height(); }
+    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(elastic_); }
     [[nodiscard]] T hardness() const { return hardness_; }
     [[nodiscard]] const Elastic& elastic() const { return elastic_; }
     [[nodiscard]] const Cut& cut() const { return cut_; }
@@ -205,16 +251,37 @@ private:
         return most * std::exp(std::log1p(std::pow((std::min)(a, b) / most, n)) / n);
     }
 
-    /// The root of p(d) = p; 0 where the pressure at 0 is less.
-    [[nodiscard]] T separation(T pressure) const {
-        const T high = elastic_.at_pressure(pressure, Quantity::separation).separation.value / rms_height();
-        const T low = T(1e-6), target = std::log(pressure);  // flow brings the planes together
-        if (!(high > low) || log_pressure(low).log < target) return 0;
-        const auto residual = [&](T eta) {
-            const LogSlope<T> p = log_pressure(eta);
-            return std::pair(p.log - target, p.slope);
+    struct Loading {
+        T separation, stiffness;  ///< stiffness: -dp/dd
+    };
+    /// p(d) where the elastic contact has the pressure q: its logarithm, the slope of it against log q, and d.
+    struct AtElastic {
+        T log_p, slope, separation, stiffness;
+    };
+    [[nodiscard]] AtElastic at_elastic(T log_q) const {
+        const T q = std::exp(log_q), d = elastic_.separation(q).value, K = elastic_.stiffness(q);
+        const auto [share, change] = cut_.share_above(d);
+        if (!(share > 0)) return {-std::numeric_limits<T>::max_exponent, T(1), d, T(0)};
+        const T cut = std::log(share * hardness_), apart = loading_exponent * (log_q - cut);
+        const T of_elastic = 1 / (1 + std::exp(apart)), per_height = of_elastic * K / q - (1 - of_elastic) * change / share;
+        const T log_p = (std::min)(log_q, cut) - std::log1p(std::exp(-std::abs(apart))) / loading_exponent;
+        return {log_p, per_height * q / K, d, per_height * std::exp(log_p)};
+    }
+    /// The root of p(d) = p, searched over the pressure that the elastic contact would have there; 0 where that at 0 is less.
+    [[nodiscard]] Loading loading(T pressure) const {
+        const T target = std::log(pressure);  // flow brings the planes together: of the elastic contact it is more
+        T high = target;
+        for (T step = T(0.1);; step *= 2) {
+            const AtElastic at = at_elastic(high += step);
+            if (at.log_p > target) break;
+            if (!(at.separation > T(1e-6) * rms_height())) return {0, 0};
+        }
+        const auto residual = [&](T log_q) {
+            const AtElastic at = at_elastic(log_q);
+            return std::pair(at.log_p - target, at.slope);
         };
-        return newton_bracketed(residual, low, high, high, T(1e-10)).root * rms_height();
+        const AtElastic at = at_elastic(newton_bracketed(residual, target, high, target, T(1e-11)).root);
+        return {at.separation, at.stiffness};
     }
 
     Elastic elastic_;

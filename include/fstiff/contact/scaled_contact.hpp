@@ -73,6 +73,7 @@ public:
     }
 
     [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }
+    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(of_) || bearing_.has_kinks(); }
     [[nodiscard]] const Of& gaussian() const { return of_; }
     [[nodiscard]] const BearingContact<T>& bearing() const { return bearing_; }
 

@@ -95,6 +95,8 @@ public:
     }
 
     [[nodiscard]] T rms_height() const { return rms_height_; }
+    /// K has a kink wherever another summit touches.
+    [[nodiscard]] static constexpr bool has_kinks() { return true; }
     [[nodiscard]] Eigen::Index summits() const { return std::ssize(height_); }
     /// Area that the summits stand on [m^2].
     [[nodiscard]] T area() const { return area_; }

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <numeric>
 #include <type_traits>
@@ -86,6 +87,9 @@ public:
         const T* const z = map.heights.data();
         std::sort(order_.begin(), order_.end(), [z](Eigen::Index a, Eigen::Index b) { return z[a] > z[b]; });
     }
+
+    /// Points of the map.
+    [[nodiscard]] std::size_t count() const { return order_.size(); }
 
     /// K [Pa/m] of the points of \p share of the area; in proportion to it between whole numbers of points.
     /// \throws domain_error unless 0 < share < 1.
