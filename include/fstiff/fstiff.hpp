@@ -19,6 +19,7 @@
 #include <fstiff/math/double_exponential.hpp>
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/fft.hpp>
+#include <fstiff/math/fft_of_lines.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 #include <fstiff/math/gaussian_moment_table.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: tests/data/bem_maps.csv, by another code, on three maps (tests/data/bem_map_*.f32); the wave of Westergaard, closed.
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/topography/coarsen.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace boundary_elements_test {
 
@@ -104,6 +106,69 @@ TEST_CASE("pressures cut at the hardness: area p/H in the limit, and a stiffer c
     CHECK(soft.contact_fraction / 0.03 < 1.03);
     CHECK(soft.stiffness / hard.stiffness > 10);
     CHECK(test::refusal([&] { (void)plastic.at_pressure(H); }).find("less than the hardness") != std::string::npos);
+}
+
+TEST_CASE("what was solved before does not matter, to the last digit") {
+    const HeightMap<double> map = coarsened(test::half_space_map("gaussian"), 64);
+    for (const double hardness : {0.0, 0.003}) {
+        BoundaryElements<double> twice(map, 1.0, {.hardness = hardness}), once(map, 1.0, {.hardness = hardness});
+        (void)twice.at_pressure(2e-3);
+        (void)twice.on_coarser_grid();
+        const auto after = twice.at_pressure(1e-4), alone = once.at_pressure(1e-4);
+        CHECK(after.stiffness == alone.stiffness);
+        CHECK(after.mean_gap == alone.mean_gap);
+        CHECK((twice.pressures() == once.pressures()).all());
+    }
+}
+
+TEST_CASE("the grid half as fine is that map solved by itself") {
+    const HeightMap<double> map = test::half_space_map("skewed");
+    BoundaryElements<double> fine(map, 1.0), half(coarsened(map, 128), 1.0);
+    CHECK(test::refusal([&] { (void)fine.on_coarser_grid(); }).find("pressures solved") != std::string::npos);
+    (void)fine.at_pressure(1e-3);
+    const auto a = fine.on_coarser_grid(), b = half.at_pressure(1e-3);
+    CHECK(a.converged);
+    CHECK(a.contact_fraction == b.contact_fraction);
+    CHECK(test::relative_error(a.stiffness, b.stiffness) < 1e-7);
+    CHECK(test::relative_error(a.mean_gap, b.mean_gap) < 1e-7);
+    HeightMap<double> zigzag;
+    zigzag.dx = zigzag.dy = 1;
+    zigzag.heights.resize(16, 16);
+    for (int j = 0; j < 16; ++j)
+        for (int i = 0; i < 16; ++i) zigzag.heights(j, i) = (i + j) % 2;
+    BoundaryElements<double> cancels(zigzag, 1.0);
+    CHECK(cancels.at_pressure(1e-3).contact_fraction == 0.5);
+    CHECK(test::refusal([&] { (void)cancels.on_coarser_grid(); }).find("coarser grids") != std::string::npos);
+}
+
+TEST_CASE("pressures and gaps of maps of every roughness are those of a contact") {
+    // p >= 0, g >= 0, p g = 0 at every point: one solution has them
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    for (int k = 0; k < 60; ++k) {
+        const int rows = 3 + static_cast<int>(random() % 40), columns = 3 + static_cast<int>(random() % 40);
+        const Edges edges = k % 2 == 0 ? Edges::periodic : Edges::mirrored;
+        HeightMap<double> map;
+        map.dx = map.dy = 1.0 / columns;
+        map.heights = HeightMap<double>::Array::NullaryExpr(rows, columns, [&] {
+            const double z = normal(random);  // white, terraces, single peaks
+            return k % 3 == 0 ? z : k % 3 == 1 ? std::floor(z) : z * z * z * z;
+        });
+        const double p = std::pow(10.0, -4 + k % 6);
+        BoundaryElements<double> solver(map, 1.0, {.edges = edges, .tolerance = 1e-10});
+        const auto state = solver.at_pressure(p);
+        const GridField<double> pressures = solver.pressures();
+        GridField<double> u = pressures;
+        SurfaceCompliance<double>(rows, columns, map.dx, map.dy, edges).deflect(u);
+        const GridField<double> gap = u - (map.heights - map.heights.mean()) + state.mean_gap;
+        const double size = u.abs().maxCoeff() + map.heights.abs().maxCoeff();
+        CAPTURE(k, rows, columns, p, state.iterations);
+        CHECK(state.converged);
+        CHECK(pressures.minCoeff() >= 0);
+        CHECK(test::relative_error(pressures.mean(), p) < 1e-12);
+        CHECK(gap.minCoeff() > -1e-8 * size);
+        CHECK((pressures > 0).select(gap.abs(), 0.0).maxCoeff() < 1e-8 * size);
+    }
 }
 
 TEST_CASE("maps that boundary elements do not take") {

@@ -49,6 +49,12 @@ TEST_CASE("The highest points of a wave are its contact, whose stiffness boundar
         const auto held = held_together<double>(compliance, on, on, 1e-9);
         CHECK(test::relative_error(1 / held.compliance, state.stiffness) < 1e-8);
         CHECK(held.residual < 1e-9);
+        for (const double scatter : {1e-2, 1e-3, 1e-4}) {
+            const auto rough = held_together<double>(compliance, on, on, scatter);
+            CAPTURE(scatter, rough.residual);
+            CHECK(rough.compliance > held.compliance * (1 - 1e-12));  // the least there is
+            CHECK(rough.compliance / held.compliance - 1 < 200 * rough.residual * rough.residual);
+        }
     }
 }
 

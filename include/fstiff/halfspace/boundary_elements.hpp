@@ -6,8 +6,10 @@
 ///     g = u[p] - h + d >= 0,   p >= 0,   p g = 0 at every point,   mean p = the nominal pressure
 ///     u[p] of an elastic half space that repeats the map, or mirrors it at its edges (halfspace/surface_compliance.hpp)
 ///
-/// is a quadratic programme and is solved by conjugate gradients (Polonsky, Keer). The stiffness needs no difference of two
-/// solutions: the points in contact are held together and moved by one unit,
+/// is a quadratic programme. The points in contact on a grid half as fine, and so on down to 8 points, are a first set; on a
+/// set, conjugate gradients level the gap; points whose pressure became less than 0 leave it, points that lie within the other
+/// face join it, until none does (an active set method). The stiffness needs no difference of two solutions: the points in
+/// contact are held together and moved by one unit,
 ///
 ///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1
 ///
@@ -15,8 +17,9 @@
 /// nanometre. With a hardness H the pressure is cut there (p <= H; g < 0 is plastic flow where p = H), and the stiffness is that
 /// of unloading.
 ///
-/// Reference   Polonsky, Keer, Wear 231 (1999) 206; Stanley, Kato, J. Tribol. 119 (1997) 481; the cut at H: Almqvist et al.,
-///             J. Mech. Phys. Solids 55 (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
+/// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; Polonsky, Keer, Wear 231 (1999) 206 (conjugate gradients); sets:
+///             Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist et al., J. Mech. Phys. Solids 55
+///             (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
 /// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
 /// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
 /// Accuracy    of the equations on the grid: tolerance, 1e-8 by default. Of the surface: a contact needs several points, and
@@ -27,6 +30,7 @@
 #include <fstiff/core/progress.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
+#include <fstiff/topography/coarsen.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
@@ -34,6 +38,7 @@
 #include <limits>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace fstiff {
 
@@ -71,9 +76,12 @@ public:
     BoundaryElements(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                      const BoundaryElementOptions<T>& options = {});
 
-    /// The contact under \p pressure [Pa], from the last solution, which is the faster the closer it was.
-    /// \throws domain_error unless 0 < pressure, < H.
+    /// The contact under \p pressure [Pa], whatever was solved before. \throws domain_error unless 0 < pressure, < H.
     [[nodiscard]] BoundaryElementState<T> at_pressure(T pressure);
+
+    /// The last one on the grid half as fine, from which it began. \throws domain_error before at_pressure() and where there is
+    /// no such grid: of less than 16 points along the shorter side, and of heights that all cancel on it.
+    [[nodiscard]] BoundaryElementState<T> on_coarser_grid();
 
     /// Pressures of the last solution [Pa], mirrored rows and columns left out.
     [[nodiscard]] Field pressures() const { return p_ * modulus_; }
@@ -84,22 +92,21 @@ private:
         T residual;
         int iterations;
     };
-    /// Conjugate gradients for p at the mean \p nominal (over E).
-    Found solve(T nominal);
+    /// The contact from that on the coarser grid.
+    Found approach(T nominal, T tolerance);
+    /// The contact from the pressures that there are.
+    Found solve(T nominal, T tolerance);
+    /// Sets and conjugate gradients for p of the mean \p nominal (over E).
+    Found solve_sets(T nominal, T tolerance);
+    /// Points leave and join the set: whether none did.
+    [[nodiscard]] bool is_set_kept(detail::SetGradients<T>& gradients, T nominal);
     /// The same with p <= H, by projected gradients with the step of Barzilai and Borwein: most points in contact are bound then.
-    Found solve_cut(T nominal);
+    Found solve_cut(T nominal, T tolerance);
+    [[nodiscard]] BoundaryElementState<T> state(T pressure, const Found& found) const;
     /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
     static void project(Field& p, T nominal, T hard);
     /// Conjugate gradients for t on the contact: value is 1/K.
     [[nodiscard]] Found held() const;
-    /// The pressures that would close \p gap were all points \p free ones (1, others 0), of mean 0 on these: the operator is
-    /// 1/|q|, so that |q| leaves few different eigenvalues, and iterations fall to a third where much is in contact.
-    [[nodiscard]] Field preconditioned(const Field& gap, const Field& free, T count) const {
-        Field pull = gap * free;
-        compliance_.press(pull);
-        const T mean = (pull * free).sum() / count;
-        return (pull - mean) * free;
-    }
     [[nodiscard]] Eigen::Index count_spots() const;
     void tell(int iteration) const {
         if (options_.progress)
@@ -107,15 +114,18 @@ private:
                               static_cast<std::size_t>(options_.max_iterations));
     }
 
-    /// Scatter of u on the contact over its value. K is stationary: its error is the square of this.
-    static constexpr T held_tolerance = T(1e-6);
+    static constexpr T held_tolerance = T(1e-5);  ///< scatter of u on the contact over its value: K to 1e-9
+    static constexpr T coarse_tolerance = T(1e-4);  ///< of a solution that is a start alone
+    static constexpr T enough = T(0.3);  ///< what is left of the first change of the pressures when a set is tried
+    static constexpr Eigen::Index least_side = 16;  ///< of a grid that has a coarser one
 
     T modulus_;
-    T softest_;  ///< pressure over E and deflection of the longest wave [1/m]: what a released point is given for its gap, since
-                 ///< many are released together
+    T softest_;  ///< pressure over E and deflection of the longest wave [1/m]: the first step of solve_cut
     BoundaryElementOptions<T> options_;
     Field height_, p_, u_;  ///< [m]; pressure over E; deflection [m]
     mutable SurfaceCompliance<T> compliance_;
+    mutable detail::WaveFactors<float> inverse_;
+    std::vector<BoundaryElements> coarser_;  ///< one, or none
 };
 
 template <Real T>
@@ -125,12 +135,19 @@ BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, std::type_identit
       softest_(numbers::pi_v<T> / (std::max)(map.dx * T(map.columns()), map.dy * T(map.rows()))),
       options_(options),
       height_(map.heights),
-      compliance_(map.rows(), map.columns(), map.dx, map.dy, options.edges) {
+      compliance_(map.rows(), map.columns(), map.dx, map.dy, options.edges),
+      inverse_(compliance_.inverse()) {
     map.validate();
     require_positive("effective_modulus", effective_modulus);
     if (options.hardness != T(0)) require_positive("hardness", options.hardness);
     map.require_whole("before boundary elements");
     height_ -= height_.mean();
+    if ((std::min)(map.rows(), map.columns()) < least_side) return;
+    const HeightMap<T> half = coarsened(map, (std::max)(map.rows(), map.columns()) / 2);
+    if (half.heights.maxCoeff() == half.heights.minCoeff()) return;  // heights that cancel, of a zigzag
+    BoundaryElementOptions<T> silent = options;
+    silent.progress = {};
+    coarser_.emplace_back(half, effective_modulus, silent);
 }
 
 template <Real T>
@@ -138,12 +155,44 @@ BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
     require_positive("pressure", pressure);
     if (options_.hardness > 0)
         require(pressure < options_.hardness, "pressure", pressure, "less than the hardness (Pa)");
-    const T nominal = pressure / modulus_;
-    if (p_.size() == 0) p_ = Field::Ones(height_.rows(), height_.cols());
+    return state(pressure, approach(pressure / modulus_, options_.tolerance));
+}
+
+template <Real T>
+BoundaryElementState<T> BoundaryElements<T>::on_coarser_grid() {
+    require(!coarser_.empty(), "coarser grids", 0, "1: of a map of 16 points along the shorter side that is not flat there");
+    require(p_.size() > 0, "pressures solved", 0, "at least 1");
+    const T nominal = p_.mean();
+    BoundaryElements& coarser = coarser_.front();
+    return coarser.state(nominal * modulus_, coarser.solve(nominal, options_.tolerance));
+}
+
+template <Real T>
+typename BoundaryElements<T>::Found BoundaryElements<T>::approach(T nominal, T tolerance) {
+    const Eigen::Index rows = height_.rows(), columns = height_.cols();
+    if (coarser_.empty()) {
+        p_ = Field::Ones(rows, columns);
+    } else {
+        BoundaryElements& coarser = coarser_.front();
+        coarser.approach(nominal, (std::max)(tolerance, coarse_tolerance));
+        const Eigen::Index below = coarser.p_.rows(), beside = coarser.p_.cols();
+        p_ = Field::NullaryExpr(rows, columns, [&](Eigen::Index j, Eigen::Index i) {  // the cell that holds the centre
+            return coarser.p_((2 * j + 1) * below / (2 * rows), (2 * i + 1) * beside / (2 * columns));
+        });
+    }
+    return solve(nominal, tolerance);
+}
+
+template <Real T>
+typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal, T tolerance) {
     p_ *= nominal / p_.mean();
     u_ = p_;
     compliance_.deflect(u_);
-    const Found found = options_.hardness > 0 ? solve_cut(nominal) : solve(nominal);
+    return options_.hardness > 0 ? solve_cut(nominal, tolerance) : solve_sets(nominal, tolerance);
+}
+
+template <Real T>
+BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Found& found) const {
     BoundaryElementState<T> state;
     state.pressure = pressure;
     const auto contact = p_ > T(0);
@@ -167,47 +216,60 @@ BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::solve(T nominal) {
-    Field direction = Field::Zero(p_.rows(), p_.cols()), response, gap;
-    T last_norm = 1, level = 0, change = std::numeric_limits<T>::infinity();
-    bool conjugate = false;
-    int iteration = 0;
-    for (; iteration < options_.max_iterations; ++iteration) {
-        tell(iteration);
-        gap = u_ - height_;
-        const Field on = (p_ > T(0)).template cast<T>();
-        const T count = on.sum();
-        level = (gap * on).sum() / count;
-        if (change <= options_.tolerance) break;
-        gap -= level;
-        const Field pull = preconditioned(gap, on, count);
-        const T norm = (gap * pull).sum();
-        direction = (pull + (conjugate ? norm / last_norm : T(0)) * direction) * on;
-        direction = (direction - direction.sum() / count) * on;  // points that left had a share
-        last_norm = norm;
-        response = direction;
-        compliance_.deflect(response);
-        const T curvature = (response * direction).sum();
-        const T step = curvature > 0 ? (gap * direction).sum() / curvature : T(0);
-        Field next = p_ - step * direction;
-        const auto touching = (p_ <= T(0) && gap < T(0)).eval();  // open points that lie within the other face
-        conjugate = !touching.any();
-        if (!conjugate || (next < T(0)).any()) {
-            next = touching.select(-softest_ * gap, (next.max)(T(0)));
-            next *= nominal / next.mean();
-            u_ = next;
-            compliance_.deflect(u_);
-        } else {
-            u_ -= step * response;
-        }
-        change = (next - p_).abs().mean() / nominal;
-        p_.swap(next);
+typename BoundaryElements<T>::Found BoundaryElements<T>::solve_sets(T nominal, T tolerance) {
+    const T total = nominal * T(p_.size());
+    detail::SetGradients<T> gradients(compliance_, inverse_, height_);
+    gradients.start(detail::points_of(p_), u_);
+    int iteration = 0, quiet = 0;
+    T sum = 0;
+    while (iteration < options_.max_iterations) {
+        T change = 0, first = 0;
+        sum = 0;
+        do {
+            tell(iteration++);
+            change = gradients.step(p_, u_) / total;
+            sum += change;
+            first = (std::max)(first, change);
+        } while (change > tolerance && change > enough * first && iteration < options_.max_iterations);
+        const T level = gradients.level();
+        const bool kept = is_set_kept(gradients, nominal);
+        quiet = sum <= tolerance ? quiet + 1 : 0;  // twice: points at the edge of what rounding tells
+        if ((kept && change <= tolerance) || quiet == 2) return {level, change, iteration};
     }
-    return {level, change, iteration};
+    return {gradients.level(), sum, iteration};
 }
 
 template <Real T>
-typename BoundaryElements<T>::Found BoundaryElements<T>::solve_cut(T nominal) {
+bool BoundaryElements<T>::is_set_kept(detail::SetGradients<T>& gradients, T nominal) {
+    const auto& points = gradients.points();
+    const T level = gradients.level();
+    std::vector<Eigen::Index> next;
+    auto on = points.begin();
+    bool pulled = false, joined = false;
+    for (Eigen::Index k = 0; k < p_.size(); ++k) {
+        if (on != points.end() && *on == k) {
+            ++on;
+            if (p_.data()[k] > 0)
+                next.push_back(k);
+            else
+                pulled = true;
+        } else if (u_.data()[k] - height_.data()[k] < level) {
+            next.push_back(k);
+            joined = true;
+        }
+    }
+    if (pulled) {
+        p_ = (p_.max)(T(0));
+        p_ *= nominal / p_.mean();
+        u_ = p_;
+        compliance_.deflect(u_);
+    }
+    if (pulled || joined) gradients.start(std::move(next), u_);
+    return !pulled && !joined;
+}
+
+template <Real T>
+typename BoundaryElements<T>::Found BoundaryElements<T>::solve_cut(T nominal, T tolerance) {
     const T hard = options_.hardness / modulus_;
     project(p_, nominal, hard);
     u_ = p_;
@@ -215,7 +277,7 @@ typename BoundaryElements<T>::Found BoundaryElements<T>::solve_cut(T nominal) {
     Field gap = u_ - height_, direction, response;
     T step = softest_, change = std::numeric_limits<T>::infinity();
     int iteration = 0;
-    for (; iteration < options_.max_iterations && change > options_.tolerance; ++iteration) {
+    for (; iteration < options_.max_iterations && change > tolerance; ++iteration) {
         tell(iteration);
         gap -= (p_ > T(0)).select(gap, T(0)).sum() / T((p_ > T(0)).count());  // any constant: digits are kept next to 0
         direction = p_ - step * gap;
@@ -263,7 +325,8 @@ void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
 template <Real T>
 typename BoundaryElements<T>::Found BoundaryElements<T>::held() const {
     const Field on = (p_ > T(0)).template cast<T>();
-    const HeldContact<T> found = held_together(compliance_, on, p_, held_tolerance, options_.max_iterations);
+    const HeldContact<T> found =
+        detail::held_together(compliance_, inverse_, on, p_, held_tolerance, options_.max_iterations);
     return {found.compliance, found.residual, found.iterations};
 }
 

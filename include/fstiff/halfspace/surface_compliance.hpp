@@ -19,10 +19,60 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace fstiff {
+
+namespace detail {
+
+/// Multiplies each wave of a field by a number.
+template <Real T>
+class WaveFactors {
+public:
+    /// \p factors: a row for each wave along x, in the order of LineTransform, in it one for each along y.
+    WaveFactors(GridField<T> factors, Edges edges)
+        : factors_(std::move(factors)),
+          turned_(factors_.rows(), factors_.cols()),
+          along_x_(static_cast<std::size_t>(factors_.rows()), edges),
+          along_y_(static_cast<std::size_t>(factors_.cols()), edges) {}
+
+    [[nodiscard]] const GridField<T>& factors() const { return factors_; }
+
+    void apply(GridField<T>& field) {
+        constexpr std::size_t lines = LinesTransform<T>::lines;
+        const auto rows = static_cast<std::size_t>(field.rows()), columns = static_cast<std::size_t>(field.cols());
+        for (std::size_t j = 0; j < rows; j += lines) {
+            const std::size_t count = (std::min)(lines, rows - j);
+            along_x_.load(field.data() + j * columns, 1, columns, count);
+            along_x_.forward();
+            along_x_.store(turned_.data() + j, rows, 1, count);
+        }
+        for (std::size_t i = 0; i < columns; i += lines) {
+            const std::size_t count = (std::min)(lines, columns - i);
+            along_y_.load(turned_.data() + i * rows, 1, rows, count);
+            along_y_.forward();
+            along_y_.multiply(factors_.data() + i * rows, 1, rows, count);
+            along_y_.inverse();
+            along_y_.store(turned_.data() + i * rows, 1, rows, count);
+        }
+        for (std::size_t j = 0; j < rows; j += lines) {
+            const std::size_t count = (std::min)(lines, rows - j);
+            along_x_.load(turned_.data() + j, rows, 1, count);
+            along_x_.inverse();
+            along_x_.store(field.data() + j * columns, 1, columns, count);
+        }
+    }
+
+private:
+    GridField<T> factors_, turned_;  ///< columns by rows of the field
+    LinesTransform<T> along_x_, along_y_;
+};
+
+}  // namespace detail
 
 /// Displacement of the surface of an elastic half space under pressures on a grid.
 template <Real T = double>
@@ -38,47 +88,46 @@ public:
     template <class Radial, class Along>
     SurfaceCompliance(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges, const Radial& radial,
                       const Along& along)
-        : along_x_(static_cast<std::size_t>(columns), edges), along_y_(static_cast<std::size_t>(rows), edges) {
+        : edges_(edges), compliance_(factors(rows, columns, dx, dy, edges, radial, along), edges) {}
+
+    /// \p field becomes the deflection [m] under it, taken as pressure over E. Its mean becomes 0.
+    void deflect(GridField<T>& field) { compliance_.apply(field); }
+
+    /// The inverse of deflect() over the stiffness of the stiffest wave, the mean left out, in single precision: a
+    /// preconditioner.
+    [[nodiscard]] detail::WaveFactors<float> inverse() const {
+        const GridField<T>& of = compliance_.factors();
+        const auto softness = [](T value) { return value > 0 ? value : std::numeric_limits<T>::infinity(); };
+        const T least = of.unaryExpr(softness).minCoeff();
+        return {(least / of.unaryExpr(softness)).template cast<float>(), edges_};
+    }
+
+private:
+    template <class Radial, class Along>
+    static GridField<T> factors(Eigen::Index rows, Eigen::Index columns, T dx, T dy, Edges edges, const Radial& radial,
+                                const Along& along) {
         require_positive("dx", dx);
         require_positive("dy", dy);
         using Line = Eigen::Array<T, Eigen::Dynamic, 1>;
-        const auto waves = [](const detail::LineTransform<T>& line, Eigen::Index points, T step) -> Line {
+        const auto waves = [edges](Eigen::Index points, T step) -> Line {
             return Line::NullaryExpr(points, [&](Eigen::Index k) {
-                return 2 * numbers::pi_v<T> / (step * T(points)) * line.wave_number(static_cast<std::size_t>(k));
+                return 2 * numbers::pi_v<T> / (step * T(points)) * detail::wave_number<T>(static_cast<std::size_t>(k), edges);
             });
         };
-        const Line qx = waves(along_x_, columns, dx), qy = waves(along_y_, rows, dy);
+        const Line qx = waves(columns, dx), qy = waves(rows, dy);
         const Line share_x = (qx * dx).unaryExpr(along), share_y = (qy * dy).unaryExpr(along);
-        compliance_.resize(columns, rows);  // a line along y side by side: NOLINT(readability-suspicious-call-argument)
+        GridField<T> compliance(columns, rows);
         for (Eigen::Index i = 0; i < columns; ++i)
             for (Eigen::Index j = 0; j < rows; ++j) {
                 const T q = std::hypot(qx[i], qy[j]);
-                compliance_(i, j) = 2 / q * radial(q) * share_x[i] * share_y[j];
+                compliance(i, j) = 2 / q * radial(q) * share_x[i] * share_y[j];
             }
-        stiffness_ = 1 / compliance_;
-        compliance_(0, 0) = stiffness_(0, 0) = 0;
+        compliance(0, 0) = 0;
+        return compliance;
     }
 
-    /// \p field becomes the deflection [m] under it, taken as pressure over E. Its mean becomes 0.
-    void deflect(GridField<T>& field) { multiply(field, compliance_); }
-    /// \p field becomes the pressure over E that deflects all points by it [m], its mean left out: the inverse of deflect().
-    void press(GridField<T>& field) { multiply(field, stiffness_); }
-
-private:
-    void multiply(GridField<T>& field, const GridField<T>& factors) {
-        for (Eigen::Index j = 0; j < field.rows(); ++j) along_x_.forward(&field(j, 0));
-        turned_ = field.transpose();
-        for (Eigen::Index i = 0; i < turned_.rows(); ++i) {
-            along_y_.forward(&turned_(i, 0));
-            turned_.row(i) *= factors.row(i);
-            along_y_.inverse(&turned_(i, 0));
-        }
-        field = turned_.transpose();
-        for (Eigen::Index j = 0; j < field.rows(); ++j) along_x_.inverse(&field(j, 0));
-    }
-
-    detail::LineTransform<T> along_x_, along_y_;
-    GridField<T> compliance_, stiffness_, turned_;  ///< columns by rows
+    Edges edges_;
+    detail::WaveFactors<T> compliance_;
 };
 
 }  // namespace fstiff

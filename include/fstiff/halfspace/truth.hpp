@@ -54,14 +54,12 @@ template <Real T, class Pressures>
     const Eigen::Index shorter = (std::min)(fine.rows(), fine.columns());
     require(shorter >= 16, "points along the shorter side", shorter, "at least 16, for boundary elements on two grids");
     BoundaryElements<T> solver(fine, effective_modulus, how);
-    const Eigen::Index half = (std::max)(fine.columns(), fine.rows()) / 2;
-    BoundaryElements<T> coarse(coarsened(fine, half), effective_modulus, how);
     std::vector<TruthPoint<T>> points;
     for (const T pressure : pressures) {
         if (options.progress) options.progress("pressures", points.size(), std::size(pressures));
         TruthPoint<T> point{solver.at_pressure(pressure)};
         if (options.grid_error) {
-            const auto other = coarse.at_pressure(pressure);
+            const auto other = solver.on_coarser_grid();
             if (other.stiffness != point.state.stiffness)  // both are infinite where all points touch
                 point.stiffness_error = std::abs(other.stiffness - point.state.stiffness);
             point.gap_error = std::abs(other.mean_gap - point.state.mean_gap);

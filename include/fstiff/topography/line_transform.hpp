@@ -9,14 +9,17 @@
 /// Mirrored lines are even about both ends, half a step outside of the last points: a line of N points has the period 2N, and
 /// its transform is the cosine transform of type II.
 ///
+/// Several lines are transformed at once (LinesTransform), a line in each lane of the machine's vectors (math/fft_of_lines.hpp).
+///
 /// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform).
 /// Units       those of the data
 /// Valid       2 points at least; lengths that are products of 2, 3 and 5 are fast, others take a transform of 2N or more
-/// Accuracy    that of math/fft (tests/halfspace/surface_compliance_test.cpp, tests/topography/map_spectrum_test.cpp)
+/// Accuracy    that of math/fft (tests/topography/line_transform_test.cpp, tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
+#include <fstiff/math/fft_of_lines.hpp>
 
 #include <Eigen/Core>
 
@@ -24,6 +27,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,6 +47,14 @@ using GridField = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajo
 
 namespace detail {
 
+/// Wave number of coefficient \p k of a line, in units of 2 pi/L.
+template <Real T>
+[[nodiscard]] T wave_number(std::size_t k, Edges edges) {
+    if (edges == Edges::mirrored) return T(k) / 2;
+    const std::size_t wave = (k + 1) / 2;  // a cosine and a sine of each
+    return T(wave);
+}
+
 /// N real numbers into N coefficients c_k of an orthogonal basis and back.
 template <Real T>
 class LineTransform {
@@ -55,11 +67,7 @@ public:
     }
 
     /// Wave number of coefficient \p k, in units of 2 pi/L.
-    [[nodiscard]] T wave_number(std::size_t k) const {
-        if (edges_ == Edges::mirrored) return T(k) / 2;
-        const std::size_t wave = (k + 1) / 2;  // a cosine and a sine of each
-        return T(wave);
-    }
+    [[nodiscard]] T wave_number(std::size_t k) const { return detail::wave_number<T>(k, edges_); }
 
     /// What coefficient \p k adds to the mean square of the line, over (c_k/N)^2: 1 of the mean and of the zigzag, else 2.
     [[nodiscard]] T weight(std::size_t k) const {
@@ -104,6 +112,133 @@ private:
     RealFft<T> fft_;
     std::vector<T> line_;
     std::vector<std::complex<T>> spectrum_, turn_;
+};
+
+/// The same of `lines` lines at once, several times as fast.
+template <Real T>
+class LinesTransform {
+    static constexpr std::size_t width = FftOfLines<T>::width;
+
+public:
+    /// Two to each lane: one is the real part of what is transformed, one the imaginary part.
+    static constexpr std::size_t lines = 2 * width;
+
+    LinesTransform(std::size_t points, Edges edges) : points_(points), edges_(edges), values_(points * lines, T(0)) {
+        if (!is_smooth_size(points)) {
+            one_.emplace(points, edges);
+            line_.resize(points);
+            return;
+        }
+        fft_.emplace(points);
+        re_.resize(points * width);
+        im_.resize(points * width);
+        if (edges == Edges::mirrored)
+            for (std::size_t k = 0; k <= points / 2; ++k)
+                turn_.push_back(std::polar(T(1), -numbers::pi_v<T> * T(k) / (2 * T(points))));
+    }
+
+    /// Takes \p count lines; number i of line l is \p from[i step + l jump].
+    void load(const T* from, std::size_t step, std::size_t jump, std::size_t count) {
+        if (count < lines) std::fill(values_.begin(), values_.end(), T(0));  // lines of one lane round together
+        for (std::size_t i = 0; i < points_; ++i)
+            for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] = from[i * step + l * jump];
+    }
+    /// Each number times that of \p by, in the same order.
+    void multiply(const T* by, std::size_t step, std::size_t jump, std::size_t count) {
+        for (std::size_t i = 0; i < points_; ++i)
+            for (std::size_t l = 0; l < count; ++l) values_[i * lines + l] *= by[i * step + l * jump];
+    }
+    /// Gives them back.
+    void store(T* to, std::size_t step, std::size_t jump, std::size_t count) const {
+        for (std::size_t i = 0; i < points_; ++i)
+            for (std::size_t l = 0; l < count; ++l) to[i * step + l * jump] = values_[i * lines + l];
+    }
+
+    void forward() {
+        if (one_) return one_by_one(&LineTransform<T>::forward);
+        for (std::size_t i = 0; i < points_; ++i) {
+            std::copy_n(&values_[i * lines], width, &re_[place(i)]);
+            std::copy_n(&values_[i * lines + width], width, &im_[place(i)]);
+        }
+        fft_->transform(re_.data(), im_.data());
+        const V half = V::all(T(1) / 2);
+        for (std::size_t k = 0; k <= points_ / 2; ++k) {
+            const std::size_t at = k * width, other = (k == 0 ? 0 : points_ - k) * width;
+            const V p = V::load(&re_[at]), q = V::load(&im_[at]), r = V::load(&re_[other]), s = V::load(&im_[other]);
+            keep({(p + r) * half, (q - s) * half}, k, 0);
+            keep({(q + s) * half, (r - p) * half}, k, width);
+        }
+    }
+
+    void inverse() {
+        if (one_) return one_by_one(&LineTransform<T>::inverse);
+        const V share = V::all(1 / T(points_));
+        for (std::size_t k = 0; k <= points_ / 2; ++k) {
+            const std::size_t at = k * width, other = (k == 0 ? 0 : points_ - k) * width;
+            const Pair a = kept(k, 0), b = kept(k, width);
+            ((a.re + b.im) * share).store(&re_[other]);
+            ((b.re - a.im) * share).store(&im_[other]);
+            ((a.re - b.im) * share).store(&re_[at]);
+            ((b.re + a.im) * share).store(&im_[at]);
+        }
+        fft_->transform(im_.data(), re_.data());
+        for (std::size_t i = 0; i < points_; ++i) {
+            std::copy_n(&re_[place(i)], width, &values_[i * lines]);
+            std::copy_n(&im_[place(i)], width, &values_[i * lines + width]);
+        }
+    }
+
+private:
+    using V = Lanes<T, int(width)>;
+    struct Pair {
+        V re, im;
+    };
+
+    /// Where number \p i of a line stands in what is transformed.
+    [[nodiscard]] std::size_t place(std::size_t i) const {
+        const bool mirrored = edges_ == Edges::mirrored;
+        return width * (!mirrored ? i : i % 2 == 0 ? i / 2 : points_ - 1 - i / 2);
+    }
+
+    /// Wave \p k of the lines from \p l on becomes its coefficients, as LineTransform orders them.
+    EIGEN_ALWAYS_INLINE void keep(const Pair& z, std::size_t k, std::size_t l) {
+        T* const values = values_.data() + l;
+        if (edges_ == Edges::mirrored) {
+            const V c = V::all(turn_[k].real()), s = V::all(turn_[k].imag());
+            if (k > 0) (V::all(0) - z.re * s - z.im * c).store(values + (points_ - k) * lines);
+            (z.re * c - z.im * s).store(values + k * lines);
+            return;
+        }
+        z.re.store(values + (k == 0 ? 0 : 2 * k - 1) * lines);
+        if (k > 0 && 2 * k < points_) z.im.store(values + 2 * k * lines);
+    }
+    /// And back.
+    [[nodiscard]] EIGEN_ALWAYS_INLINE Pair kept(std::size_t k, std::size_t l) const {
+        const T* const values = values_.data() + l;
+        const V none = V::all(0);
+        if (edges_ == Edges::mirrored) {
+            const V c = V::all(turn_[k].real()), s = V::all(turn_[k].imag());
+            const V re = V::load(values + k * lines), im = k > 0 ? V::load(values + (points_ - k) * lines) : none;
+            return {re * c - im * s, none - im * c - re * s};  // conj(turn) (re - i im)
+        }
+        const bool pair = k > 0 && 2 * k < points_;
+        return {V::load(values + (k == 0 ? 0 : 2 * k - 1) * lines), pair ? V::load(values + 2 * k * lines) : none};
+    }
+
+    void one_by_one(void (LineTransform<T>::*transform)(T*)) {
+        for (std::size_t l = 0; l < lines; ++l) {
+            for (std::size_t i = 0; i < points_; ++i) line_[i] = values_[i * lines + l];
+            ((*one_).*transform)(line_.data());
+            for (std::size_t i = 0; i < points_; ++i) values_[i * lines + l] = line_[i];
+        }
+    }
+
+    std::size_t points_;
+    Edges edges_;
+    std::optional<FftOfLines<T>> fft_;
+    std::optional<LineTransform<T>> one_;  ///< of lengths that kissfft does not take at once
+    std::vector<T> values_, re_, im_, line_;
+    std::vector<std::complex<T>> turn_;
 };
 
 }  // namespace detail
