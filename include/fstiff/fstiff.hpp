@@ -142,13 +142,17 @@
 #include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/resolvable_stiffness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/measured/cut_offs.hpp>
 #include <fstiff/measured/from_profile.hpp>
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
 #include <fstiff/measured/lay.hpp>
 #include <fstiff/measured/long_waves.hpp>
+#include <fstiff/measured/measure.hpp>
+#include <fstiff/measured/measure_options.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/pooled_surface.hpp>
+#include <fstiff/measured/prepare.hpp>
 #include <fstiff/measured/sampled_band.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/stiffness_band.hpp>
