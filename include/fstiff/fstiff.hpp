@@ -116,6 +116,8 @@
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/kinked_tables.hpp>
+#include <fstiff/contact/kinked_tabulator.hpp>
 #include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
@@ -143,14 +145,18 @@
 #include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/resolvable_stiffness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/measured/cut_offs.hpp>
 #include <fstiff/measured/from_profile.hpp>
 #include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
 #include <fstiff/measured/lay.hpp>
 #include <fstiff/measured/long_waves.hpp>
+#include <fstiff/measured/measure.hpp>
+#include <fstiff/measured/measure_options.hpp>
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/measured/pooled_surface.hpp>
+#include <fstiff/measured/prepare.hpp>
 #include <fstiff/measured/sampled_band.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/stiffness_band.hpp>

@@ -127,7 +127,7 @@ Found found(Json document, const std::vector<std::string>& warnings, bool doubtf
 
 Found measure(const nb::dict& options, const std::vector<std::string>& files, const Heights& heights) {
     const Given given(options);
-    MeasureOptions how;
+    scene::MeasureOptions how;
     how.input = surface_options(given);
     given.word("peaks", how.peaks);
     given.take("window", how.window);

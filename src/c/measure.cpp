@@ -46,7 +46,7 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
     if (from.filter != FSTIFF_FILTER_GAUSSIAN && from.filter != FSTIFF_FILTER_ROBUST)
         refuse_argument("filter", from.filter, "FSTIFF_FILTER_GAUSSIAN or FSTIFF_FILTER_ROBUST");
     options.input.filter =
-        from.filter == FSTIFF_FILTER_ROBUST ? scene::CutOffFilter::robust : scene::CutOffFilter::gaussian;
+        from.filter == FSTIFF_FILTER_ROBUST ? CutOffFilter::robust : CutOffFilter::gaussian;
     if (from.peaks != FSTIFF_PEAKS_ISLANDS && from.peaks != FSTIFF_PEAKS_SUMMITS)
         refuse_argument("peaks", from.peaks, "FSTIFF_PEAKS_ISLANDS or FSTIFF_PEAKS_SUMMITS");
     options.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? PeakSource::summits : PeakSource::islands;

@@ -3,12 +3,13 @@
 
 #include "scene/shown_unit.hpp"
 #include "scene/surface_file.hpp"
+#include "scene/surface_instances.hpp"
 
 #include <fstiff/core/text.hpp>
-#include <fstiff/profile/repair.hpp>
-#include <fstiff/topography/repair.hpp>
+#include <fstiff/measured/prepare.hpp>
 
-#include <cmath>
+#include <algorithm>
+#include <variant>
 
 namespace fstiff::scene {
 namespace {
@@ -34,23 +35,31 @@ std::vector<double> lengths(const std::string& text, const std::string& name) {
     return values;
 }
 
-struct PointRange {
-    std::size_t from, count;
-};
-
-/// The points of [from, to] among \p points of \p step; a bound that lies a rounding beside a point takes it.
-PointRange range_of(double from, double to, std::size_t points, double step, const std::string& name) {
-    const double last = static_cast<double>(points - 1) * step, slack = 1e-6 * step;
-    if (!(from >= 0 && from < to && to <= last + step))
+/// \throws domain_error with the name of the option unless points from \p from to \p to lie on a line of \p points at
+/// \p step.
+std::size_t points_of(double from, double to, std::size_t points, double step, const std::string& name) {
+    const auto range = points_between(from, to, points, step);
+    if (!range)
         throw domain_error(name + ": from " + shown_length(from) + " to " + shown_length(to) +
-                           " must rise, and lie between 0 and the length of " + shown_length(last));
-    const auto begin = static_cast<std::size_t>(std::ceil((from - slack) / step));
-    const auto end = std::min(points - 1, static_cast<std::size_t>(std::floor((to + slack) / step)));
-    if (begin > end) throw domain_error(name + ": no point lies between its lengths; must hold some");
-    return {begin, end - begin + 1};
+                           " must rise, and lie between 0 and the length of " +
+                           shown_length(static_cast<double>(points - 1) * step));
+    if (range->count == 0) throw domain_error(name + ": no point lies between its lengths; must hold some");
+    return range->count;
 }
 
-void crop(const SurfaceOptions& options, io::Surface& surface) {
+/// Points along x and y; a profile has one row.
+struct Extent {
+    std::size_t columns, rows;
+};
+
+Extent extent_of(const io::Surface& surface) {
+    if (surface.is_profile()) return {surface.profile().size(), 1};
+    const HeightMap<double>& map = surface.map();
+    return {static_cast<std::size_t>(map.columns()), static_cast<std::size_t>(map.rows())};
+}
+
+/// The crop of \p options, and into \p extent what it leaves. \throws option_error, domain_error as above.
+Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, Extent& extent) {
     const std::string name = named(options, "crop");
     const std::vector<double> box = lengths(options.crop, name);
     const std::size_t wanted = surface.is_profile() ? 2 : 4;
@@ -58,26 +67,11 @@ void crop(const SurfaceOptions& options, io::Surface& surface) {
         throw option_error(
             name + " = \"" + options.crop + "\": must be " +
             (wanted == 2 ? "two lengths of a profile, \"x0,x1\"" : "four lengths of a map, \"x0,x1,y0,y1\""));
-    std::string kept;
-    if (surface.is_profile()) {
-        auto& profile = std::get<0>(surface.data);
-        const PointRange x = range_of(box[0], box[1], profile.size(), profile.spacing, name);
-        kept = of(x.count, profile.size());
-        const auto begin = profile.heights.begin() + static_cast<std::ptrdiff_t>(x.from);
-        profile.heights = std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(x.count));
-    } else {
-        auto& map = std::get<1>(surface.data);
-        const auto size = [](Eigen::Index n) { return static_cast<std::size_t>(n); };
-        const auto index = [](std::size_t n) { return static_cast<Eigen::Index>(n); };
-        const PointRange x = range_of(box[0], box[1], size(map.columns()), map.dx, name);
-        const PointRange y = range_of(box[2], box[3], size(map.rows()), map.dy, name);
-        kept = std::to_string(x.count) + " x " + std::to_string(y.count) + " of " + std::to_string(map.columns()) +
-               " x " + std::to_string(map.rows()) + " points";
-        const HeightMap<double>::Array part =
-            map.heights.block(index(y.from), index(x.from), index(y.count), index(x.count));
-        map.heights = part;
-    }
-    surface.record.details.push_back("crop: " + kept + " kept (" + options.crop + ")");
+    const double dx = surface.is_profile() ? surface.profile().spacing : surface.map().dx;
+    extent.columns = points_of(box[0], box[1], extent.columns, dx, name);
+    if (surface.is_profile()) return {box[0], box[1]};
+    extent.rows = points_of(box[2], box[3], extent.rows, surface.map().dy, name);
+    return {box[0], box[1], box[2], box[3]};
 }
 
 /// Zeros and ones of a text, one row a line, or of a .npy.
@@ -113,9 +107,10 @@ HeightMap<double>::Array read_mask(const std::string& file) {
                                                 static_cast<Eigen::Index>(columns));
 }
 
-void mask(const SurfaceOptions& options, io::Surface& surface, Eigen::Index rows, Eigen::Index columns) {
+/// The mask of \p options for a surface of \p extent. \throws domain_error, file_error.
+PointMask mask_of(const SurfaceOptions& options, bool profile, const Extent& extent) {
     const auto marks = read_mask(options.mask);
-    const bool profile = surface.is_profile();
+    const auto columns = static_cast<Eigen::Index>(extent.columns), rows = static_cast<Eigen::Index>(extent.rows);
     const bool fits = profile ? marks.size() == columns && (marks.rows() == 1 || marks.cols() == 1)
                               : marks.rows() == rows && marks.cols() == columns;
     const std::string name = display_name(options.mask);
@@ -124,49 +119,48 @@ void mask(const SurfaceOptions& options, io::Surface& surface, Eigen::Index rows
                            std::to_string(marks.rows()) + " numbers; must have those of the surface, " +
                            std::to_string(columns) + " x " + std::to_string(rows));
     if (!((marks == 0) || (marks == 1)).all()) throw domain_error(name + ": a mask must hold 0 and 1 alone");
-    double* heights = profile ? std::get<0>(surface.data).heights.data() : std::get<1>(surface.data).heights.data();
-    std::size_t taken = 0;
-    for (Eigen::Index k = 0; k < marks.size(); ++k)
-        if (marks.data()[k] == 0) {
-            taken += std::isnan(heights[k]) ? 0 : 1;
-            heights[k] = std::nan("");
-        }
-    surface.record.details.push_back("mask: " + of(taken, static_cast<std::size_t>(marks.size())) +
-                                     " became missing (" + name + ")");
+    return marks != 0;
+}
+
+/// What clean() did, in words.
+void describe(const SurfaceOptions& options, const CleaningReport& report, bool profile,
+              std::vector<std::string>& details) {
+    const std::size_t points = report.columns * report.rows;
+    if (!options.crop.empty())
+        details.push_back("crop: " +
+                          (profile ? of(report.columns, report.columns_read)
+                                   : std::to_string(report.columns) + " x " + std::to_string(report.rows) + " of " +
+                                         std::to_string(report.columns_read) + " x " +
+                                         std::to_string(report.rows_read) + " points") +
+                          " kept (" + options.crop + ")");
+    if (!options.mask.empty())
+        details.push_back("mask: " + of(report.masked, points) + " became missing (" + display_name(options.mask) +
+                          ")");
+    if (options.spikes != 0)
+        details.push_back("spikes: " + of(report.spikes, points) + " became missing, beyond " +
+                          shortest_text(options.spikes) +
+                          " standard deviations from the median of their neighbours");
+    if (options.fill)
+        details.push_back("fill: " + of(report.filled, points) + " filled " +
+                          (profile ? "by straight lines" : "by Laplace's equation") +
+                          (report.filled > 0 ? ", the largest hole " + std::to_string(report.largest_hole) : ""));
 }
 
 }  // namespace
 
 void clean(const SurfaceOptions& options, io::Surface& surface) {
-    const auto size = [&] {
-        return surface.is_profile() ? surface.profile().size() : static_cast<std::size_t>(surface.map().size());
-    };
-    auto& details = surface.record.details;
-    if (!options.crop.empty()) crop(options, surface);
-    if (!options.mask.empty())
-        mask(options, surface, surface.is_profile() ? 1 : surface.map().rows(),
-             surface.is_profile() ? static_cast<Eigen::Index>(size()) : surface.map().columns());
-    if (options.spikes != 0) {
-        require(options.spikes >= 3 && options.spikes <= 1000, named(options, "spikes").c_str(), options.spikes,
-                "between 3 and 1000 standard deviations");
-        const std::size_t taken = surface.is_profile() ? find_spikes(std::get<0>(surface.data), options.spikes).removed
-                                                       : find_spikes(std::get<1>(surface.data), options.spikes).removed;
-        details.push_back("spikes: " + of(taken, size()) + " became missing, beyond " + shortest_text(options.spikes) +
-                          " standard deviations from the median of their neighbours");
-    }
-    if (options.fill) {
-        std::size_t filled = 0, longest = 0;
-        if (surface.is_profile()) {
-            const Repair repair = fill_missing(std::get<0>(surface.data));
-            filled = repair.missing, longest = repair.longest;
-        } else {
-            const MapRepair repair = fill_missing(std::get<1>(surface.data));
-            filled = repair.missing, longest = repair.longest;
-        }
-        details.push_back("fill: " + of(filled, size()) + " filled " +
-                          (surface.is_profile() ? "by straight lines" : "by Laplace's equation") +
-                          (filled > 0 ? ", the largest hole " + std::to_string(longest) : ""));
-    }
+    const bool profile = surface.is_profile();
+    Cleaning<double> how;
+    Extent extent = extent_of(surface);
+    if (!options.crop.empty()) how.crop = crop_of(options, surface, extent);
+    if (!options.mask.empty()) how.mask = mask_of(options, profile, extent);
+    if (options.spikes != 0)
+        require(options.spikes >= min_spike_limit && options.spikes <= max_spike_limit,
+                named(options, "spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
+    how.spikes = options.spikes;
+    how.fill = options.fill;
+    const CleaningReport report = std::visit([&](auto& heights) { return fstiff::clean(heights, how); }, surface.data);
+    describe(options, report, profile, surface.record.details);
 }
 
 std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io::Surface& surface) {

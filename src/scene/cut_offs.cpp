@@ -5,116 +5,135 @@
 #include "scene/surface_file.hpp"
 #include "scene/surface_instances.hpp"
 
-#include <fstiff/profile/roughness_cut_off.hpp>
-
-#include <algorithm>
-#include <limits>
-
 namespace fstiff::scene {
 namespace {
-
-/// How many lambda_s along the shorter side a lambda_s by the table leaves at least.
-constexpr int lambda_s_of_length = 10;
 
 std::string named(const SurfaceOptions& options, const char* before, const char* after) {
     const std::string prefix(options.prefix);
     return prefix + before + (prefix.empty() ? "_" : "-") + after;
 }
 
-/// The cut-off of \p text for a surface of \p step and of \p length, which messages call \p name.
-std::optional<double> cut_off(const std::string& text, const std::string& name, int least, double step, double length) {
-    if (is_automatic(text) || text == "none") return {};
-    constexpr double slack = 4 * std::numeric_limits<double>::epsilon();
-    const double value = parse_length(text, name);
-    if (value < least * step * (1 - slack))
-        throw domain_error(name + " = \"" + text + "\" cannot be held by this file, whose points are " +
-                           shown_length(step) + " apart: must be at least " + std::to_string(least) + " steps, " +
-                           shown_length(least * step));
-    if (value > length * (1 + slack))
-        throw domain_error(name + " = \"" + text + "\": must be at most the length of the surface, " +
-                           shown_length(length));
-    return std::min(value, length);
+CutOff<double> cut_off(const std::string& text, const std::string& name) {
+    if (is_automatic(text)) return {};
+    if (text == "none") return no_cut_off;
+    return parse_length(text, name);
 }
 
-/// lambda_s by the table into \p cut_offs, whose lambda_c is known where it was given.
-void choose_lambda_s(CutOffs& cut_offs, const SurfaceOptions& options, double step, double length) {
-    const auto known = [&](const std::string& text, const std::string& name) {
-        return text.empty() ? 0. : parse_length(text, name);
-    };
-    const double resolution = known(options.resolution, std::string(options.prefix) + "resolution");
-    const double tip = known(options.tip_radius, named(options, "tip", "radius"));
-    const double index = shortest_lambda_s(step, resolution, tip);
-    const std::string why = tip > 0 && index > shortest_lambda_s(step, resolution) ? "of a tip of " + shown_length(tip)
-                            : resolution > 0 && index > shortest_lambda_s(step) * (1 + 1e-12)
-                                ? "of the resolution"
-                                : "of five steps of " + shown_length(step);
-    if (lambda_s_of_length * index > length * (1 + 1e-6))
-        cut_offs.why_s = "as measured; " + std::to_string(lambda_s_of_length) + " of " + shown_length(index) +
-                         ", the index " + why + ", do not fit the length of " + shown_length(length);
-    else if (cut_offs.lambda_c && index >= *cut_offs.lambda_c)
-        cut_offs.why_s = "as measured; " + shown_length(index) + ", the index " + why + ", is not below lambda_c";
-    else {
-        cut_offs.lambda_s = index;
-        cut_offs.why_s = "by the table, the index " + why;
+/// Where the index of lambda_s comes from.
+std::string source_of_index(const CutOffs<double>& cut_offs) {
+    switch (cut_offs.index_source) {
+        case IndexSource::tip:
+            return "of a tip of " + shown_length(cut_offs.tip_radius);
+        case IndexSource::resolution:
+            return "of the resolution";
+        case IndexSource::step:
+            break;
     }
+    return "of five steps of " + shown_length(cut_offs.step);
+}
+
+/// Why lambda_s is so, or why there is none; empty where it was given.
+std::string why_lambda_s(const CutOffs<double>& cut_offs) {
+    const std::string index = shown_length(cut_offs.index), why = source_of_index(cut_offs);
+    switch (cut_offs.why_s) {
+        case LambdaSReason::given:
+            break;
+        case LambdaSReason::by_table:
+            return "by the table, the index " + why;
+        case LambdaSReason::too_short:
+            return "as measured; " + std::to_string(lambda_s_of_length) + " of " + index + ", the index " + why +
+                   ", do not fit the length of " + shown_length(cut_offs.length);
+        case LambdaSReason::not_below_lambda_c:
+            return "as measured; " + index + ", the index " + why + ", is not below lambda_c";
+    }
+    return "";
+}
+
+/// Why lambda_c is so, or why there is none; empty where it was given.
+std::string why_lambda_c(const CutOffs<double>& cut_offs) {
+    const std::string of_ra = "by the table, of Ra " + shown_length(cut_offs.mean_deviation, 3);
+    const std::string length = shown_length(cut_offs.length);
+    switch (cut_offs.why_c) {
+        case CutOffReason::given:
+            break;
+        case CutOffReason::roughness:
+            return of_ra;
+        case CutOffReason::length:
+            return of_ra + ", whose row is longer: the longest of which the length of " + length + " holds five";
+        case CutOffReason::step:
+            return of_ra + ", whose row is shorter: the shortest that the step and lambda_s allow";
+        case CutOffReason::too_short:
+            return "the length of " + length + " does not hold five of " +
+                   shown_length(cut_off_table.front().lambda_c) + ", the shortest of the table";
+        case CutOffReason::too_coarse:
+            return "those of the table that the length of " + length + " holds are too short for the step";
+        case CutOffReason::form_alone:
+            return "an S-F surface of ISO 25178-2: the form alone bounds the long waves";
+    }
+    return "";
+}
+
+/// What the robust filter took for no surface.
+std::string left_out(const std::optional<RobustOutcome>& robust) {
+    if (!robust) return "";
+    return ", " + std::to_string(robust->left_out) + " of " + std::to_string(robust->points) +
+           " points without weight, " + std::to_string(robust->iterations) + " iterations" +
+           (robust->converged ? "" : ", not converged");
 }
 
 }  // namespace
 
 bool is_automatic(const std::string& cut_off) { return cut_off.empty() || cut_off == "auto"; }
 
-CutOffs cut_offs_of(const SurfaceOptions& options, double step, double length) {
-    const std::string short_name = named(options, "lambda", "s"), long_name = named(options, "lambda", "c");
-    return about_file(options.file, [&] {
-        CutOffs found{cut_off(options.lambda_s, short_name, 2, step, length),
-                      cut_off(options.lambda_c, long_name, 5, step, length),
-                      {},
-                      {},
-                      options.filter,
-                      {}};
-        if (options.detrend == gaussian_form)
-            found.lambda_c = parse_length(options.cutoff, std::string(options.prefix) + "cutoff");
-        if (found.lambda_s && found.lambda_c && *found.lambda_s >= *found.lambda_c)
-            throw domain_error(short_name + " = " + shown_length(*found.lambda_s) + ": must be less than " + long_name +
-                               ", " + shown_length(*found.lambda_c));
-        if (is_automatic(options.lambda_s)) choose_lambda_s(found, options, step, length);
-        return found;
-    });
+Instrument instrument_of(const SurfaceOptions& options) {
+    const auto length = [](const std::string& text, const std::string& name) {
+        return text.empty() ? 0. : parse_length(text, name);
+    };
+    return {length(options.tip_radius, named(options, "tip", "radius")),
+            length(options.resolution, std::string(options.prefix) + "resolution")};
 }
 
-void choose_lambda_c(CutOffs& cut_offs, const Profile<double>& profile) {
-    const auto [lambda_c, ra, reason] = roughness_cut_off(profile, cut_offs.lambda_s.value_or(0));
-    cut_offs.lambda_c = lambda_c;
-    const std::string of_ra = lambda_c ? "by the table, of Ra " + shown_length(ra, 3) : std::string();
-    const std::string length = shown_length(profile.length());
-    switch (reason) {
-        case CutOffReason::roughness:
-            cut_offs.why_c = of_ra;
-            break;
-        case CutOffReason::length:
-            cut_offs.why_c =
-                of_ra + ", whose row is longer: the longest of which the length of " + length + " holds five";
-            break;
-        case CutOffReason::step:
-            cut_offs.why_c = of_ra + ", whose row is shorter: the shortest that the step and lambda_s allow";
-            break;
-        case CutOffReason::too_short:
-            cut_offs.why_c = "the length of " + length + " does not hold five of " +
-                             shown_length(cut_off_table.front().lambda_c) + ", the shortest of the table";
-            break;
-        case CutOffReason::too_coarse:
-            cut_offs.why_c = "those of the table that the length of " + length + " holds are too short for the step";
+fstiff::MeasureOptions<double> library_options(const SurfaceOptions& options) {
+    fstiff::MeasureOptions<double> how;
+    how.lambda_s = cut_off(options.lambda_s, named(options, "lambda", "s"));
+    how.lambda_c = cut_off(options.lambda_c, named(options, "lambda", "c"));
+    how.filter = options.filter;
+    const Instrument instrument = instrument_of(options);
+    how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
+    return how;
+}
+
+void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOptions<double>& given, double step,
+                      double length) {
+    const auto refused = refused_cut_off(given, step, length);
+    if (!refused) return;
+    const std::string short_name = named(options, "lambda", "s"), long_name = named(options, "lambda", "c");
+    const std::string& name = refused->long_waves ? long_name : short_name;
+    const std::string quoted = name + " = \"" + (refused->long_waves ? options.lambda_c : options.lambda_s) + "\"";
+    const int steps = refused->long_waves ? min_steps_of_lambda_c : min_steps_of_lambda_s;
+    switch (refused->why) {
+        case CutOffRefusal::below_steps:
+            throw domain_error(quoted + " cannot be held by this file, whose points are " + shown_length(step) +
+                               " apart: must be at least " + std::to_string(steps) + " steps, " +
+                               shown_length(refused->limit));
+        case CutOffRefusal::above_length:
+            throw domain_error(quoted + ": must be at most the length of the surface, " + shown_length(length));
+        case CutOffRefusal::not_below_lambda_c:
+            throw domain_error(name + " = " + shown_length(refused->given) + ": must be less than " + long_name + ", " +
+                               shown_length(refused->limit));
     }
 }
 
-std::string CutOffs::sentence() const {
+std::string sentence_of(const CutOffs<double>& cut_offs) {
+    const std::string why_s = why_lambda_s(cut_offs), why_c = why_lambda_c(cut_offs);
     const std::string s = why_s.empty() ? "" : why_s + "; ", c = why_c.empty() ? "" : why_c + "; ";
+    const auto &lambda_s = cut_offs.lambda_s, &lambda_c = cut_offs.lambda_c;
     return (lambda_s ? "lambda_s " + shown_length(*lambda_s) + " (" + s + "Gaussian, after the form was removed)"
                      : "lambda_s none (" + (why_s.empty() ? "as measured" : why_s) + ")") +
            ", " +
            (lambda_c ? "lambda_c " + shown_length(*lambda_c) + " (" + c +
-                           (filter == CutOffFilter::robust ? "robust Gaussian" : "Gaussian") + ", after " +
-                           (lambda_s ? "lambda_s" : "the form was removed") + left_out + ")"
+                           (cut_offs.filter == CutOffFilter::robust ? "robust Gaussian" : "Gaussian") + ", after " +
+                           (lambda_s ? "lambda_s" : "the form was removed") + left_out(cut_offs.robust) + ")"
                      : "lambda_c none" + (why_c.empty() ? "" : " (" + why_c + ")"));
 }
 

@@ -25,13 +25,13 @@ Json json_of(const RoughnessTable& table) {
 
 }  // namespace
 
-void put_cut_offs(Json& document, const CutOffs& cut_offs) {
+void put_cut_offs(Json& document, const CutOffs<double>& cut_offs) {
     document["lambda_s_m"] = cut_offs.lambda_s ? Json(*cut_offs.lambda_s) : Json();
     document["lambda_c_m"] = cut_offs.lambda_c ? Json(*cut_offs.lambda_c) : Json();
     document["filter"] = cut_offs.lambda_c ? Json(name_of(cut_offs.filter)) : Json();
 }
 
-void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing, const CutOffs& cut_offs) {
+void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing, const CutOffs<double>& cut_offs) {
     document["columns"] = map.columns();
     document["rows"] = map.rows();
     document["dx_m"] = map.dx;

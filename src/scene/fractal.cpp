@@ -123,11 +123,8 @@ FractalFitOptions<double> fit_options(const FractalOptions& options) {
     how.convention = options.convention;
     how.seed = options.seed;
     how.resamples = options.resamples;
-    if (!options.surface.tip_radius.empty())
-        how.tip_radius =
-            parse_length(options.surface.tip_radius, prefix + (prefix.empty() ? "tip_radius" : "tip-radius"));
-    if (!options.surface.resolution.empty())
-        how.resolution = parse_length(options.surface.resolution, prefix + "resolution");
+    const Instrument instrument = instrument_of(options.surface);
+    how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
     return how;
 }
 
@@ -224,7 +221,7 @@ Rows rows_of(const FractalFit<double>& fit, const StructureFunction<double>& s, 
 }
 
 Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const ProfileFractal& result) {
-    Json document = json_start(options, input, result.levelled.form);
+    Json document = json_start(options, input, form_name(result.levelled));
     put_fit(document, result.fit);
     put_cut_offs(document, result.levelled.cut_offs);
     document["rms_height_m"] = result.levelled.rms;
@@ -258,7 +255,7 @@ Json fractal_json(const FractalOptions& options, const SurfaceInput& input, cons
 }
 
 Json fractal_json(const FractalOptions& options, const SurfaceInput& input, const MapFractal& result) {
-    Json document = json_start(options, input, result.levelled.form);
+    Json document = json_start(options, input, form_name(result.levelled));
     put_grid(document, result.levelled.map, input.missing(), result.levelled.cut_offs);
     document["rms_height_m"] = result.levelled.rms;
     document["rms_height_before_detrend_m"] = result.levelled.rms_as_read;

@@ -33,7 +33,7 @@ struct FractalOptions {
 
 /// What one profile gives. Of the parts that need more than the fit does, the reason where there is none.
 struct ProfileFractal {
-    PreparedProfile levelled;
+    PreparedProfile<double> levelled;
     FractalFit<double> fit;
     std::optional<SpectralFit<double>> spectrum;
     std::optional<SpectralMoments<double>> moments;
@@ -46,7 +46,7 @@ struct ProfileFractal {
 };
 
 struct MapFractal {
-    PreparedMap levelled;
+    PreparedMap<double> levelled;
     DirectionalFit<double> fit;
 
     /// As above.

@@ -68,7 +68,7 @@ Json islands_json(const IslandsRequest& options, const SurfaceInput& input, cons
     const RepresentativeIslands<double>& r = result.islands;
     Json document = json_document("islands");
     document["source"] = json_source(options.surface, input);
-    Json inputs = json_inputs(options.surface, result.levelled.form);
+    Json inputs = json_inputs(options.surface, form_name(result.levelled));
     inputs.update({{"neighbours", options.neighbours},
                    {"border", name_of(options.border)},
                    {"least_points", options.min_points},

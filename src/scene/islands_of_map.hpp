@@ -27,7 +27,7 @@ struct IslandsRequest {
 };
 
 struct IslandsOfMap {
-    PreparedMap levelled;
+    PreparedMap<double> levelled;
     RepresentativeIslands<double> islands;
 
     /// A concern on which no result can rest.

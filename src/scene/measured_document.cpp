@@ -46,7 +46,8 @@ MeasuredSurface values_of(const Parsed& document, const std::string& name) {
         if (found == document.end() || found->is_null()) return {};
         return number_of(document, key, name);
     };
-    surface.cut_offs = {cut_off("lambda_s_m"), cut_off("lambda_c_m"), {}, {}, {}, {}};
+    surface.cut_offs.lambda_s = cut_off("lambda_s_m");
+    surface.cut_offs.lambda_c = cut_off("lambda_c_m");
     if (const std::string filter = text_of(document, "filter"); !filter.empty())
         surface.cut_offs.filter = parse<CutOffFilter>(filter, name + ": filter");
     const auto read = [&](const char* key) -> std::optional<Measurement<double>> {

@@ -69,7 +69,7 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, std
 /// Cut-offs that the table chose differently for \p parts become the longest of them in \p options, or none where one part
 /// has none. Returns whether there are such.
 bool share_cut_offs(SurfaceOptions& options, const std::vector<MeasuredSurface>& parts) {
-    const auto share = [&](std::string& option, std::optional<double> CutOffs::*of) {
+    const auto share = [&](std::string& option, std::optional<double> CutOffs<double>::*of) {
         if (!is_automatic(option)) return false;
         const auto shorter = [&](const MeasuredSurface& a, const MeasuredSurface& b) {
             return (a.cut_offs.*of).value_or(0) < (b.cut_offs.*of).value_or(0);
@@ -80,8 +80,8 @@ bool share_cut_offs(SurfaceOptions& options, const std::vector<MeasuredSurface>&
         option = least ? exact(*most) + " m" : "none";
         return true;
     };
-    const bool short_waves = share(options.lambda_s, &CutOffs::lambda_s);
-    const bool long_waves = options.detrend != gaussian_form && share(options.lambda_c, &CutOffs::lambda_c);
+    const bool short_waves = share(options.lambda_s, &CutOffs<double>::lambda_s);
+    const bool long_waves = options.detrend != gaussian_form && share(options.lambda_c, &CutOffs<double>::lambda_c);
     return short_waves || long_waves;
 }
 
@@ -230,7 +230,7 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
     whole.concerns = concerns_of(whole);
     whole.decisions = {std::to_string(whole.parts.size()) + " files pooled, each by its " +
                            (whole.kind == "profile" ? "length" : "area") + ": " + names_of(whole.parts),
-                       whole.cut_offs.sentence(),
+                       sentence_of(whole.cut_offs),
                        "errors: those of the files, or of their scatter by Student's t where it is greater"};
     gather_warnings(whole);
     for (std::string& line : peak_warnings(whole.concerns, whole.peaks, whole.parameters))

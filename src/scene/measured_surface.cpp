@@ -5,24 +5,11 @@
 #include "scene/surface_instances.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
+#include <variant>
 
 namespace fstiff::scene {
 namespace {
-
-FractalFitOptions<double> fit_options(const MeasureOptions& options) {
-    const std::string prefix(options.input.prefix);
-    FractalFitOptions<double> fit;
-    if (!options.input.tip_radius.empty())
-        fit.tip_radius =
-            parse_length(options.input.tip_radius, prefix + (prefix.empty() ? "tip_radius" : "tip-radius"));
-    if (!options.input.resolution.empty())
-        fit.resolution = parse_length(options.input.resolution, prefix + "resolution");
-    if (!options.window.empty()) fit.window = parse_window(options.window, prefix + "window");
-    return fit;
-}
 
 bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
     return std::find(concerns.begin(), concerns.end(), one) != concerns.end();
@@ -32,17 +19,18 @@ Measurement<double> of(const UncertainSurface<double>& surface, Parameter which)
     return {surface.value[index_of(which)], surface.error[index_of(which)]};
 }
 
-double gradient_of(const PreparedProfile& profile) { return profile.rms_gradient; }
-double gradient_of(const PreparedMap& map) { return map.areal.rms_gradient; }
+double gradient_of(const PreparedProfile<double>& profile) { return profile.rms_gradient; }
+double gradient_of(const PreparedMap<double>& map) { return map.areal.rms_gradient; }
 
-/// What was decided beside the reading of the file.
-void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, const std::string& form, double before,
-              double after, const MeasureOptions& options) {
+/// What was decided beside the reading of the file, and what is in doubt about \p found.
+template <class Prepared>
+void describe(MeasuredSurface& surface, const Surface<double>& found, const Prepared& prepared,
+              const MeasureOptions& options) {
     auto& said = surface.decisions;
     const bool profile = surface.kind == "profile";
-    said.push_back("rms height " + shown_length(before) + " as read, " + shown_length(after) + " without its form (" +
-                   form + ")");
-    said.push_back(surface.cut_offs.sentence());
+    said.push_back("rms height " + shown_length(prepared.rms_as_read) + " as read, " + shown_length(prepared.rms) +
+                   " without its form (" + form_name(prepared) + ")");
+    said.push_back(sentence_of(surface.cut_offs));
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
@@ -64,16 +52,13 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
     else if (found.curved)
         warned.push_back("the structure function is no single power law over the window: D is a mean over it");
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
-    surface.peaks = found.peaks_counted;
-    surface.concerns = concerns_of(found);
     const bool lay = has(surface.concerns, MeasuredConcern::lay);
     if (has(surface.concerns, MeasuredConcern::anisotropic) && !lay)
         warned.push_back("the map differs along x and y; the models take it for isotropic");
     if (lay)
         warned.push_back(
-            profile ? "the profile repeats itself every " + shown_length(found.repetition.period) + " (autocorrelation " +
-                          rounded(found.repetition.correlation, 2) +
-                          "): the face has a lay, and a profile cannot show how far its ridges reach; K may be up to " +
+            profile ? "the profile repeats itself every " + shown_length(found.repetition.period) +
+                          " (autocorrelation " + rounded(found.repetition.correlation, 2) + "): the face has a lay, and a profile cannot show how far its ridges reach; K may be up to " +
                           rounded(lay_factor) + " times higher; measure a map"
                     : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
                           "): laws over a distribution of peaks take it for isotropic; hybrid and boundary_elements "
@@ -84,6 +69,13 @@ void describe(MeasuredSurface& surface, const SurfaceParameters<double>& found, 
                          ": sigma is that of this length, and a longer one may have more; K goes about as 1/sigma");
     for (std::string& line : peak_warnings(surface.concerns, found.peaks_counted, surface.parameters))
         warned.push_back(std::move(line));
+    if (has(surface.concerns, MeasuredConcern::implausible_gradient))
+        warned.push_back(gradient_warning(gradient_of(prepared), "measured"));
+    if (is_mostly_waviness(prepared))
+        warned.push_back("lambda_c " + shown_length(*surface.cut_offs.lambda_c) + ", chosen by the table, leaves " +
+                         shown_percent(prepared.rms / prepared.rms_levelled) + " of the rms height of " +
+                         shown_length(prepared.rms_levelled) +
+                         ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
 }
 
 }  // namespace
@@ -145,45 +137,35 @@ bool is_doubtful(const MeasuredSurface& surface) {
 
 namespace {
 
-/// The cut-offs of the neighbours of a surface of \p step behind \p lambda_s.
-std::vector<double> neighbouring_cut_offs(const std::optional<double>& lambda_s, double step) {
-    if (!lambda_s) return {4 * step};
-    const double root = numbers::sqrt2_v<double>;
-    if (*lambda_s / root < 2 * step) return {2 * *lambda_s};
-    return {*lambda_s / root, *lambda_s * root};
-}
-
-/// Finds the neighbours of \p surface, whose cut-offs are known; \p measure_one(options) measures it behind others.
-template <class MeasureOne>
-void add_neighbours(MeasuredSurface& surface, MeasureOptions options, double step, const MeasureOne& measure_one) {
-    options.neighbours = false;
-    options.resamples = 2;                       // their errors are not asked
-    if (options.input.detrend != gaussian_form)  // whatever chose lambda_c, it stays
-        options.input.lambda_c = surface.cut_offs.lambda_c ? exact(*surface.cut_offs.lambda_c) + " m" : "none";
-    for (const double lambda_s : neighbouring_cut_offs(surface.cut_offs.lambda_s, step)) {
-        options.input.lambda_s = exact(lambda_s) + " m";
-        try {
-            surface.neighbours.push_back(measure_one(options));
-            if (!options.keep_maps) surface.neighbours.back().map.reset();
-        } catch (const domain_error&) {  // too long a cut-off for the file, or too few peaks behind it
-        }
-    }
-}
-
-SurfaceParameterOptions<double> parameter_options(const MeasureOptions& options, const ProgressHook& progress) {
-    SurfaceParameterOptions<double> how;
-    how.fit = fit_options(options);
-    how.fit.seed = how.seed = options.seed;
-    how.resamples = static_cast<std::size_t>(options.resamples);
-    how.progress = how.fit.progress = how.islands.progress = progress;
-    how.peaks = options.peaks;
-    return how;
-}
-
-void refuse_options_of_map(const MeasureOptions& options) {
-    if (fit_options(options).tip_radius > 0)
-        throw domain_error(display_name(options.input.file) +
+/// \throws option_error, domain_error for options that do not fit the kind of the surface.
+void refuse_options(const MeasureOptions& options, const Instrument& instrument, bool profile) {
+    const std::string file = display_name(options.input.file);
+    if (profile && options.peaks == PeakSource::summits)
+        throw option_error(std::string(options.input.prefix) + "peaks = \"summits\" is for a map; " + file +
+                           " holds a profile, whose R and D_p come from its curvature and its peaks");
+    if (!profile && instrument.tip_radius > 0)
+        throw domain_error(file +
                            ": is a map, whose lags cannot be freed of the tip; must be told by the resolution instead");
+}
+
+/// The options of the library for \p options and \p input.
+fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, const SurfaceInput& input,
+                                               const ProgressHook& progress) {
+    const bool profile = input.surface.is_profile();
+    const Instrument instrument = instrument_of(options.input);
+    std::optional<LagWindow<double>> window;
+    if (!options.window.empty()) window = parse_window(options.window, std::string(options.input.prefix) + "window");
+    refuse_options(options, instrument, profile);
+    fstiff::MeasureOptions<double> how =
+        profile ? options_for_profile(options.input, input) : options_for_map(options.input, input);
+    how.window = window;
+    how.peaks = options.peaks;
+    how.resamples = static_cast<std::size_t>(options.resamples);
+    how.seed = options.seed;
+    how.neighbours = options.neighbours;
+    how.keep_maps = options.keep_maps;
+    how.progress = progress;
+    return how;
 }
 
 /// What is known of a surface once it is read.
@@ -198,99 +180,33 @@ MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInpu
     return surface;
 }
 
-double length_of(const Profile<double>& profile) { return static_cast<double>(profile.size()) * profile.spacing; }
-double length_of(const HeightMap<double>& map) {
-    return std::max(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
-}
-double step_of(const Profile<double>& profile) { return profile.spacing; }
-double step_of(const HeightMap<double>& map) { return std::max(map.dx, map.dy); }
-
-/// MeasuredSurface::widest_band of \p heights.
-template <class Heights>
-double widest_band(const Heights& heights, const CutOffs& cut_offs) {
-    const double length = length_of(heights), step = step_of(heights);
-    const double widest = std::min(length, cut_offs.lambda_c.value_or(length)) / std::max(2 * step, cut_offs.lambda_s.value_or(0));
-    return widest > 1 ? widest : std::numeric_limits<double>::infinity();
-}
-
-/// Into \p surface what was \p found of \p levelled, whose heights are those of \p heights.
-template <class Levelled, class Heights>
-void store(MeasuredSurface& surface, SurfaceParameters<double> found, const Levelled& levelled, const Heights& heights,
-           const MeasureOptions& options) {
+/// \p found, which was read as \p read says, with its sentences and its neighbours.
+MeasuredSurface with_sentences(const MeasuredSurface& read, Surface<double>&& found, MeasureOptions options) {
+    MeasuredSurface surface = read;
+    surface.profile = found.profile;
+    surface.map = found.map;
+    surface.measured_size = found.size;
+    surface.cut_offs = found.cut_offs;
+    surface.concerns = found.concerns;
+    surface.peaks = found.peaks_counted;
     surface.parameters = uncertain(found);
-    describe(surface, found, levelled.form, levelled.rms_as_read, levelled.rms, options);
-    const double rms_gradient = gradient_of(levelled);
-    surface.concerns = concerns_of(found, rms_gradient);
-    if (has(surface.concerns, MeasuredConcern::implausible_gradient))
-        surface.warnings.push_back(gradient_warning(rms_gradient, "measured"));
-    if (surface.cut_offs.lambda_c && !surface.cut_offs.why_c.empty() && levelled.rms < levelled.rms_levelled / 2)
-        surface.warnings.push_back(
-            "lambda_c " + shown_length(*surface.cut_offs.lambda_c) + ", chosen by the table, leaves " +
-            shown_percent(levelled.rms / levelled.rms_levelled) + " of the rms height of " +
-            shown_length(levelled.rms_levelled) +
-            ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
-    try {
-        surface.heights = height_statistics(heights);
-        ShapeOfHeights<double> shape;
-        shape.add(heights);
-        surface.shape_share = shape.share();
-    } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
-    }
+    if (surface.profile) describe(surface, found, *surface.profile, options);
+    if (surface.map) describe(surface, found, *surface.map, options);
+    surface.heights = found.heights;
+    surface.shape_share = found.shape_share;
+    surface.max_peak_height = found.max_peak_height;
+    surface.dimension_window_error = found.dimension_window_error;
+    surface.widest_band = found.widest_band;
+    surface.fractal_roughness = found.fractal_roughness;
+    surface.fractal_refusal = found.why_no_dimension;
+    surface.peaks_refusal = found.why_no_peaks;
     surface.profile_fit = std::move(found.profile_fit);
     surface.map_fit = std::move(found.map_fit);
     if (found.islands) surface.islands = std::move(found.islands->curve);
-    surface.max_peak_height = found.max_peak_height;
-    surface.dimension_window_error = found.dimension_window_error;
-    surface.widest_band = widest_band(heights, surface.cut_offs);
-    if (found.fractal_roughness) surface.fractal_roughness = found.fractal_roughness;
-    surface.fractal_refusal = found.why_no_dimension;
-    surface.peaks_refusal = found.why_no_peaks;
-}
-
-void refuse_options_of_profile(const MeasureOptions& options) {
-    if (options.peaks == PeakSource::summits)
-        throw option_error(std::string(options.input.prefix) + "peaks = \"summits\" is for a map; " +
-                           display_name(options.input.file) +
-                           " holds a profile, whose R and D_p come from its curvature and its peaks");
-}
-
-MeasuredSurface measure_profile(const MeasureOptions& options, const SurfaceInput& input,
-                                const ProgressHook& progress) {
-    refuse_options_of_profile(options);
-    SurfaceParameterOptions<double> how = parameter_options(options, progress);
-    MeasuredSurface surface = surface_as_read(options, input);
-    surface.profile = std::make_shared<PreparedProfile>(level_profile(options.input, input));
-    const PreparedProfile& levelled = *surface.profile;
-    surface.cut_offs = levelled.cut_offs;
-    how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
-    store(surface, about_file(options.input.file, [&] { return surface_parameters<double>(levelled, how); }), levelled,
-          levelled.profile, options);
-    if (options.neighbours)
-        add_neighbours(surface, options, levelled.profile.spacing,
-                       [&](const MeasureOptions& other) { return measure_profile(other, input, {}); });
-    return surface;
-}
-
-/// Of a map, which \p prepare(options) returns behind other cut-offs. The neighbours come first: what is found of the map
-/// itself needs no memory while they are.
-template <class Prepare>
-MeasuredSurface measure_map(const MeasureOptions& options, const SurfaceInput& input, const HeightMap<double>& steps,
-                            const Prepare& prepare, const ProgressHook& progress) {
-    SurfaceParameterOptions<double> how = parameter_options(options, progress);
-    MeasuredSurface surface = surface_as_read(options, input);
-    if (options.neighbours) {
-        surface.cut_offs = map_cut_offs(options.input, steps);
-        add_neighbours(surface, options, std::max(steps.dx, steps.dy),
-                       [&](const MeasureOptions& other) { return measure_map(other, input, steps, prepare, {}); });
-    }
-    const auto levelled = std::make_shared<PreparedMap>(prepare(options.input));
-    surface.cut_offs = levelled->cut_offs;
-    how.fit.lambda_s = surface.cut_offs.lambda_s.value_or(0);
-    SurfaceParameters<double> found =
-        about_file(options.input.file, [&] { return surface_parameters<double>(*levelled, how); });
-    levelled->unfiltered.reset();  // D is found
-    surface.map = levelled;
-    store(surface, std::move(found), *levelled, levelled->map, options);
+    options.neighbours = false;
+    options.resamples = 2;
+    for (Surface<double>& neighbour : found.neighbours)
+        surface.neighbours.push_back(with_sentences(read, std::move(neighbour), options));
     return surface;
 }
 
@@ -298,28 +214,27 @@ MeasuredSurface measure_map(const MeasureOptions& options, const SurfaceInput& i
 
 MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes, const ProgressHook& progress) {
     SurfaceInput input = read_surface_input(options.input, std::move(bytes));
-    if (input.surface.is_profile()) return measure_profile(options, input, progress);
-    refuse_options_of_map(options);
-    const PreparedMap without_form = map_without_form(options.input, input);
-    return measure_map(
-        options, input, *without_form.unfiltered,
-        [&](const SurfaceOptions& other) { return with_cut_offs(other, without_form); }, progress);
+    if (input.surface.is_profile()) return measure_surface(options, input, progress);
+    const auto how = library_options(options, input, progress);
+    const MeasuredSurface read = surface_as_read(options, input);
+    return with_sentences(
+        read, about_file(options.input.file, [&] { return measure(input.take_map(), how); }), options);
 }
 
 MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
                                 const ProgressHook& progress) {
-    if (input.surface.is_profile()) return measure_profile(options, input, progress);
-    refuse_options_of_map(options);
-    return measure_map(
-        options, input, input.surface.map(), [&](const SurfaceOptions& other) { return level_map(other, input); },
-        progress);
+    const auto how = library_options(options, input, progress);
+    const MeasuredSurface read = surface_as_read(options, input);
+    return with_sentences(read, about_file(options.input.file, [&] {
+                              return std::visit([&](const auto& heights) { return measure(heights, how); },
+                                                input.surface.data);
+                          }),
+                          options);
 }
 
 double MeasuredSurface::size() const {
-    double size = 0;
+    double size = measured_size;
     for (const MeasuredSurface& part : parts) size += part.size();
-    if (profile) size = static_cast<double>(profile->profile.present()) * profile->profile.spacing;
-    if (map) size = static_cast<double>(map->map.present()) * map->map.dx * map->map.dy;
     return size;
 }
 

@@ -5,12 +5,8 @@
 #include "scene/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
-#include <fstiff/measured/height_statistics.hpp>
-#include <fstiff/measured/measured_concerns.hpp>
-#include <fstiff/measured/sections.hpp>
+#include <fstiff/measured/measure.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
-#include <fstiff/profile/fractal_fit.hpp>
-#include <fstiff/topography/islands.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -35,7 +31,7 @@ struct MeasureOptions {
 struct MeasuredSurface {
     std::string file, sha256, kind;  ///< of the measured file; kind: profile or map
     std::vector<std::string> decisions, warnings;
-    CutOffs cut_offs;                       ///< of what was measured
+    CutOffs<double> cut_offs;               ///< of what was measured
     std::vector<MeasuredConcern> concerns;  ///< behind the warnings
     std::size_t peaks = 0;                  ///< behind R and D_p
     UncertainSurface<double> parameters;
@@ -48,8 +44,8 @@ struct MeasuredSurface {
     std::optional<HeightStatistics<double>> heights;  ///< none: the JSON is of an older fstiff
     std::string fractal_refusal, peaks_refusal;       ///< why there is no D, no r and theta
     /// What was measured, without its form; neither when the numbers come from the JSON of fstiff measure.
-    std::shared_ptr<const PreparedProfile> profile;
-    std::shared_ptr<const PreparedMap> map;
+    std::shared_ptr<const PreparedProfile<double>> profile;
+    std::shared_ptr<const PreparedMap<double>> map;
     std::optional<FractalFit<double>> profile_fit;  ///< that gave D, and that of a map
     std::optional<DirectionalFit<double>> map_fit;
     std::optional<IslandCurve<double>> islands;  ///< that gave R and D_p of a map
@@ -60,7 +56,8 @@ struct MeasuredSurface {
     /// one. Without lambda_s: behind four steps, which is twice the shortest wave of the file.
     std::vector<MeasuredSurface> neighbours;
 
-    /// Length of the profile [m], or area of the map [m^2]; 0 where neither is there.
+    double measured_size = 0;  ///< length of the profile [m], or area of the map [m^2]; 0 where neither was there
+    /// The same of all parts.
     [[nodiscard]] double size() const;
 };
 

@@ -33,7 +33,7 @@ void add_material_ratio(RoughnessTable& table, const std::string& letter, std::s
 
 }  // namespace
 
-RoughnessTable roughness_table(const PreparedProfile& levelled) {
+RoughnessTable roughness_table(const PreparedProfile<double>& levelled) {
     const Profile<double>& profile = levelled.profile;
     const auto found = roughness_parameters(profile, levelled.cut_offs.lambda_c);
     const auto length = autocorrelation_length(autocorrelation(profile));
@@ -60,7 +60,7 @@ RoughnessTable roughness_table(const PreparedProfile& levelled) {
     return table;
 }
 
-RoughnessTable roughness_table(const PreparedMap& levelled) {
+RoughnessTable roughness_table(const PreparedMap<double>& levelled) {
     const HeightMap<double>& map = levelled.map;
     const auto found = areal_parameters(map, levelled.areal);
     RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}};

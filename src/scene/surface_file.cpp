@@ -5,12 +5,7 @@
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
-#include <fstiff/profile/gaussian_filter.hpp>
-#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/surface/moments.hpp>
-#include <fstiff/topography/areal_statistics.hpp>
-#include <fstiff/topography/gaussian_map_filter.hpp>
-#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #ifdef FSTIFF_HAS_X3P
 #include <fstiff/io/x3p.hpp>
 #endif
@@ -40,57 +35,6 @@ void refuse_cutoff(const SurfaceOptions& options) {
     if (!options.cutoff.empty())
         throw option_error(std::string(options.prefix) + "cutoff belongs to " + std::string(options.prefix) +
                            "detrend gaussian, of a profile; must not be given without it");
-}
-
-/// What a robust filter says of itself, in words behind others.
-template <class Robust>
-std::string left_out(const Robust& robust, Eigen::Index points) {
-    return ", " + std::to_string(robust.left_out) + " of " + std::to_string(points) + " points without weight, " +
-           std::to_string(robust.iterations) + " iterations" + (robust.converged ? "" : ", not converged");
-}
-
-/// Root of twice the mean square slope between neighbours.
-double gradient_of(const Profile<double>& profile) {
-    double sum = 0, pairs = 0;
-    for (std::size_t i = 1; i < profile.size(); ++i) {
-        const double slope = (profile.heights[i] - profile.heights[i - 1]) / profile.spacing;
-        if (std::isnan(slope)) continue;
-        sum += slope * slope;
-        pairs += 1;
-    }
-    return std::sqrt(2 * sum / std::max(pairs, 1.0));
-}
-
-/// \p levelled without its waves above lambda_c, by the filter that \p cut_offs name.
-LevelledProfile<double> without_waves_above(CutOffs& cut_offs, LevelledProfile<double> levelled) {
-    if (cut_offs.filter == CutOffFilter::gaussian) return without_waviness(std::move(levelled), *cut_offs.lambda_c);
-    const RobustWaviness<double> robust = robust_waviness(levelled.profile, *cut_offs.lambda_c);
-    cut_offs.left_out = left_out(robust, static_cast<Eigen::Index>(levelled.profile.present()));
-    if (!levelled.unfiltered) levelled.unfiltered = levelled.profile;
-    for (std::size_t i = 0; i < levelled.profile.size(); ++i) levelled.profile.heights[i] -= robust.waviness.heights[i];
-    levelled.lambda_c = cut_offs.lambda_c;
-    return levelled;
-}
-
-/// Takes the waves beyond the cut-offs of \p result, which has some, out of its map; what it was stays as unfiltered.
-void apply_cut_offs(PreparedMap& result) {
-    CutOffs& cut_offs = result.cut_offs;
-    if (!result.unfiltered) result.unfiltered = std::make_shared<const HeightMap<double>>(std::move(result.map));
-    const HeightMap<double>& before = *result.unfiltered;
-    if (cut_offs.lambda_s)
-        result.map = gaussian_low_pass(before, *cut_offs.lambda_s);
-    else
-        result.map = before;
-    if (const auto longest = cut_offs.lambda_c) {
-        if (cut_offs.filter == CutOffFilter::robust) {
-            const RobustMapWaviness<double> robust = robust_waviness(result.map, *longest);
-            result.map.heights -= robust.waviness.heights;
-            cut_offs.left_out = left_out(robust, result.map.present());
-        } else {
-            result.map = gaussian_high_pass(result.map, *longest);
-        }
-        result.lambda_c = *longest;
-    }
 }
 
 }  // namespace
@@ -124,9 +68,9 @@ std::size_t SurfaceInput::missing() const {
            (surface.is_profile() ? surface.profile().present() : static_cast<std::size_t>(surface.map().present()));
 }
 
-void SurfaceInput::drop_map() {
+HeightMap<double> SurfaceInput::take_map() {
     dropped = Counts{points(), missing()};
-    std::get<1>(surface.data).heights.resize(0, 0);
+    return std::move(std::get<1>(surface.data));
 }
 
 namespace {
@@ -205,123 +149,83 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     return input;
 }
 
-PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
-    if (!input.surface.is_profile())
-        throw domain_error(display_name(options.file) + ": holds a map (" +
-                           std::to_string(input.surface.map().columns()) + " x " +
-                           std::to_string(input.surface.map().rows()) + " points); must be a profile");
-    PreparedProfile result;
-    result.form = options.detrend.empty() ? "line" : options.detrend;
-    const bool filter = result.form == gaussian_form;
-    const Form form =
-        filter ? Form::line : form_of<Form>(options, result.form, "profile", ", " + std::string(gaussian_form));
-    const std::string name = std::string(options.prefix) + "cutoff";
-    if (!filter) refuse_cutoff(options);
-    if (filter && options.cutoff.empty())
-        throw option_error(std::string(options.prefix) + "detrend gaussian needs " + name + ", such as \"0.8 mm\"");
-    const Profile<double>& read = input.surface.profile();
-    if (filter && !options.lambda_c.empty() && options.lambda_c != "none")
-        throw option_error(std::string(options.prefix) + "detrend gaussian has the cut-off " + name +
-                           " already; must not stand beside another cut-off of long waves");
-    CutOffs& cut_offs = result.cut_offs = cut_offs_of(options, read.spacing, read.length());
-    about_file(options.file, [&] {
-        result.rms_as_read = rms_height(read);
-        auto& levelled = static_cast<LevelledProfile<double>&>(result);
-        levelled = level(read, form, filter ? cut_offs.lambda_c : std::nullopt, input.surface.record.resolution,
-                         cut_offs.lambda_s);
-        result.rms_levelled = rms_height(result.profile);
-        if (!filter && is_automatic(options.lambda_c)) choose_lambda_c(cut_offs, levelled.profile);
-        if (!filter && cut_offs.lambda_c) levelled = without_waves_above(cut_offs, std::move(levelled));
-        result.rms = rms_height(result.profile);
-    });
-    result.rms_gradient = gradient_of(result.profile);
-    return result;
-}
-
-CutOffs map_cut_offs(const SurfaceOptions& options, const HeightMap<double>& map) {
-    CutOffs cut_offs =
-        cut_offs_of(options, std::max(map.dx, map.dy),
-                    std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy));
-    if (is_automatic(options.lambda_c))
-        cut_offs.why_c = "an S-F surface of ISO 25178-2: the form alone bounds the long waves";
-    return cut_offs;
-}
-
 namespace {
 
-/// What is asked before anything is computed: that the surface is a map, and its form.
-MapForm form_of_map(const SurfaceOptions& options, const SurfaceInput& input, PreparedMap& result) {
-    if (input.surface.is_profile())
-        throw domain_error(display_name(options.file) + ": holds a profile (" +
-                           std::to_string(input.surface.profile().size()) + " points); must be a map");
-    result.form = options.detrend.empty() ? "plane" : options.detrend;
-    const MapForm form = form_of<MapForm>(options, result.form, "map");
-    refuse_cutoff(options);
-    return form;
-}
-
-/// Takes the form out of the map of \p input into \p result.
-void take_form(const SurfaceInput& input, MapForm form, PreparedMap& result) {
-    const HeightMap<double>& read = input.surface.map();
-    static_cast<LevelledMap<double>&>(result) = level(read, form, input.surface.record.resolution);
-    result.rms_as_read = rms_height(read);
-    result.rms_levelled = rms_height(result.map);
-}
-
-/// Takes out the waves beyond the cut-offs of \p result, and finds its statistics.
-void finish(PreparedMap& result) {
-    if (result.cut_offs.any()) apply_cut_offs(result);
-    result.areal = areal_statistics(result.map);
-    result.rms = result.areal.rms_height;
+/// The form that \p options name, into \p how.
+void read_form(const SurfaceOptions& options, fstiff::MeasureOptions<double>& how) {
+    const bool filter = options.detrend == gaussian_form;
+    if (!options.detrend.empty() && !filter)
+        how.form = form_of<Form>(options, options.detrend, "profile", ", " + std::string(gaussian_form));
+    if (!filter) {
+        refuse_cutoff(options);
+        return;
+    }
+    const std::string name = std::string(options.prefix) + "cutoff";
+    if (options.cutoff.empty())
+        throw option_error(std::string(options.prefix) + "detrend gaussian needs " + name + ", such as \"0.8 mm\"");
+    if (!options.lambda_c.empty() && options.lambda_c != "none")
+        throw option_error(std::string(options.prefix) + "detrend gaussian has the cut-off " + name +
+                           " already; must not stand beside another cut-off of long waves");
 }
 
 }  // namespace
 
-PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input) {
-    PreparedMap result;
-    const MapForm form = form_of_map(options, input, result);
-    result.cut_offs = map_cut_offs(options, input.surface.map());
-    about_file(options.file, [&] {
-        take_form(input, form, result);
-        finish(result);
+fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options, const SurfaceInput& input) {
+    if (!input.surface.is_profile())
+        throw domain_error(display_name(options.file) + ": holds a map (" +
+                           std::to_string(input.surface.map().columns()) + " x " +
+                           std::to_string(input.surface.map().rows()) + " points); must be a profile");
+    fstiff::MeasureOptions<double> form;
+    read_form(options, form);
+    const Profile<double>& read = input.surface.profile();
+    return about_file(options.file, [&] {
+        fstiff::MeasureOptions<double> how = library_options(options);
+        how.form = form.form;
+        if (options.detrend == gaussian_form)
+            how.form_cut_off = parse_length(options.cutoff, std::string(options.prefix) + "cutoff");
+        how.height_step = input.surface.record.resolution;
+        require_cut_offs(options, how, read.spacing, read.length());
+        return how;
     });
-    return result;
 }
 
-PreparedMap level_map_of(const SurfaceOptions& options, SurfaceInput& input) {
-    PreparedMap result;
-    const MapForm form = form_of_map(options, input, result);
-    result.cut_offs = map_cut_offs(options, input.surface.map());
-    about_file(options.file, [&] {
-        take_form(input, form, result);
-        input.drop_map();
-        finish(result);
+fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, const SurfaceInput& input) {
+    if (input.surface.is_profile())
+        throw domain_error(display_name(options.file) + ": holds a profile (" +
+                           std::to_string(input.surface.profile().size()) + " points); must be a map");
+    const MapForm form =
+        options.detrend.empty() ? MapForm::plane : form_of<MapForm>(options, options.detrend, "map");
+    refuse_cutoff(options);
+    const HeightMap<double>& map = input.surface.map();
+    return about_file(options.file, [&] {
+        fstiff::MeasureOptions<double> how = library_options(options);
+        how.map_form = form;
+        how.height_step = input.surface.record.resolution;
+        require_cut_offs(
+            options, how, std::max(map.dx, map.dy),
+            std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy));
+        return how;
     });
-    return result;
 }
 
-PreparedMap map_without_form(const SurfaceOptions& options, SurfaceInput& input) {
-    PreparedMap result;
-    const MapForm form = form_of_map(options, input, result);
-    (void)map_cut_offs(options, input.surface.map());  // what is wrong with them is said before anything is computed
-    about_file(options.file, [&] {
-        take_form(input, form, result);
-        input.drop_map();
-        result.unfiltered = std::make_shared<const HeightMap<double>>(std::move(result.map));
-    });
-    return result;
+std::string form_name(const LevelledProfile<double>& levelled) {
+    return std::string(levelled.cutoff ? gaussian_form : name_of(levelled.removed));
+}
+std::string form_name(const LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
+
+PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
+    const auto how = options_for_profile(options, input);
+    return about_file(options.file, [&] { return prepare(input.surface.profile(), how); });
 }
 
-PreparedMap with_cut_offs(const SurfaceOptions& options, PreparedMap without_form) {
-    without_form.cut_offs = map_cut_offs(options, *without_form.unfiltered);
-    about_file(options.file, [&] {
-        if (!without_form.cut_offs.any()) {
-            without_form.map = *without_form.unfiltered;
-            without_form.unfiltered.reset();
-        }
-        finish(without_form);
-    });
-    return without_form;
+PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input) {
+    const auto how = options_for_map(options, input);
+    return about_file(options.file, [&] { return prepare(input.surface.map(), how); });
+}
+
+PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input) {
+    const auto how = options_for_map(options, input);
+    return about_file(options.file, [&] { return prepare(input.take_map(), how); });
 }
 
 std::string gradient_warning(double rms_gradient, std::string_view origin) {

@@ -7,10 +7,8 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/surface_file.hpp>
+#include <fstiff/measured/prepare.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
-#include <fstiff/profile/level.hpp>
-#include <fstiff/topography/areal_statistics.hpp>
-#include <fstiff/topography/form.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -63,8 +61,8 @@ struct SurfaceInput {
 
     [[nodiscard]] std::size_t points() const;  ///< missing ones included
     [[nodiscard]] std::size_t missing() const;
-    /// Gives up the heights of the map, whose memory is needed, and keeps their counts.
-    void drop_map();
+    /// Gives up the map, whose memory is needed, and keeps its counts.
+    [[nodiscard]] HeightMap<double> take_map();
 };
 
 /// \throws domain_error in one sentence with the name of the file.
@@ -72,50 +70,33 @@ struct SurfaceInput {
 /// The same from bytes that were read already.
 [[nodiscard]] SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes);
 
-/// Heights that no file holds, cleaned as \p options say; options.file stands for them in messages, and \p origin says where
-/// they come from. \throws domain_error for heights or steps that are no surface.
+/// Heights that no file holds, cleaned as \p options say; options.file stands for them in messages, and \p origin says
+/// where they come from. \throws domain_error for heights or steps that are no surface.
 [[nodiscard]] SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights,
                                               const std::string& origin);
 
-/// A profile without its form and, with cut-offs, without its short and its long waves.
-struct PreparedProfile : LevelledProfile<double> {
-    double rms_as_read{}, rms{};  ///< Rq before and after [m]
-    double rms_levelled{};        ///< without the form, before the cut-offs [m]
-    double rms_gradient{};        ///< after them, root of twice the mean square slope between neighbours
-    std::string form;             ///< that was removed, by name
-    CutOffs cut_offs;             ///< lambda_c is the cut-off of detrend = "gaussian" too
-};
+/// The options of the library for a surface, of a profile or of a map.
+/// \throws option_error for the form of the other kind or a cut-off without its filter, domain_error when the surface
+/// is of the other kind, and for cut-offs that the file cannot hold.
+[[nodiscard]] fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options,
+                                                                 const SurfaceInput& input);
+[[nodiscard]] fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, const SurfaceInput& input);
 
-/// A map without its form and, with cut-offs, without its short and its long waves.
-struct PreparedMap : LevelledMap<double> {
-    double rms_as_read{}, rms{};  ///< Sq before and after [m]
-    double rms_levelled{};        ///< without the form, before the cut-offs [m]
-    ArealStatistics<double> areal;
-    std::string form;
-    CutOffs cut_offs;
-};
+/// The name of the form that was removed: one of Form, or gaussian_form; one of MapForm.
+[[nodiscard]] std::string form_name(const LevelledProfile<double>& levelled);
+[[nodiscard]] std::string form_name(const LevelledMap<double>& levelled);
 
-/// Removes none, mean, line, parabola or gaussian (line, then the filter of ISO 16610-21 with the cut-off), then the waves
-/// below lambda_s, then those above lambda_c.
-/// \throws option_error for the form of a map or a cut-off without its filter, domain_error when the surface is a map, and
-/// for cut-offs that the file cannot hold.
-[[nodiscard]] PreparedProfile level_profile(const SurfaceOptions& options, const SurfaceInput& input);
-/// Removes none, mean, plane, quadratic or cubic, then the waves beyond the cut-offs. \throws as above.
-[[nodiscard]] PreparedMap level_map(const SurfaceOptions& options, const SurfaceInput& input);
-/// The same of an \p input that is needed no more: it gives up its map on the way, so that no more than two are held at once.
-[[nodiscard]] PreparedMap level_map_of(const SurfaceOptions& options, SurfaceInput& input);
-/// The form alone removed, once for several cut-offs: it stands in `unfiltered`, which the maps behind them share. \p input gives
-/// up its map. \throws as level_map().
-[[nodiscard]] PreparedMap map_without_form(const SurfaceOptions& options, SurfaceInput& input);
-/// The map behind the cut-offs of \p options of what map_without_form() returned. \throws as level_map().
-[[nodiscard]] PreparedMap with_cut_offs(const SurfaceOptions& options, PreparedMap without_form);
-/// The cut-offs of \p map by \p options. \throws as cut_offs_of().
-[[nodiscard]] CutOffs map_cut_offs(const SurfaceOptions& options, const HeightMap<double>& map);
+/// prepare() for a profile. \throws as options_for_profile() and, with the name of the file, prepare().
+[[nodiscard]] PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input);
+/// prepare() for a map. \throws as above.
+[[nodiscard]] PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input);
+/// The same for an \p input that is not needed afterwards and gives up its map.
+[[nodiscard]] PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input);
 
 /// A warning about an rms gradient that no surface has, found as \p origin says; empty for any other.
 [[nodiscard]] std::string gradient_warning(double rms_gradient, std::string_view origin);
-/// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the reader; and
-/// gradient_warning() of the \p rms_gradient that was measured, where it is known yet.
+/// What the reading leaves in doubt: a sentence on missing points, where there are some, and the warnings of the
+/// reader; and gradient_warning() of the \p rms_gradient that was measured, where it is known yet.
 [[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
                                                         std::optional<double> rms_gradient = {});
 

@@ -5,7 +5,7 @@
 
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/measured/height_shape.hpp>
-#include <fstiff/measured/height_statistics.hpp>
+#include <fstiff/measured/measure.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/profile/all_lags.hpp>
@@ -75,6 +75,14 @@ FSTIFF_SCENE_INSTANCE Summits<double> summits_of(const HeightMap<double>&);
 FSTIFF_SCENE_INSTANCE HeightStatistics<double> height_statistics(const Profile<double>&);
 FSTIFF_SCENE_INSTANCE HeightStatistics<double> height_statistics(const HeightMap<double>&);
 FSTIFF_SCENE_INSTANCE class ShapeOfHeights<double>;
+FSTIFF_SCENE_INSTANCE CleaningReport clean(Profile<double>&, const Cleaning<double>&);
+FSTIFF_SCENE_INSTANCE CleaningReport clean(HeightMap<double>&, const Cleaning<double>&);
+FSTIFF_SCENE_INSTANCE PreparedProfile<double> prepare(const Profile<double>&, const MeasureOptions<double>&);
+FSTIFF_SCENE_INSTANCE PreparedMap<double> prepare(const HeightMap<double>&, const MeasureOptions<double>&);
+FSTIFF_SCENE_INSTANCE PreparedMap<double> prepare(HeightMap<double>&&, const MeasureOptions<double>&);
+FSTIFF_SCENE_INSTANCE Surface<double> measure(const Profile<double>&, const MeasureOptions<double>&);
+FSTIFF_SCENE_INSTANCE Surface<double> measure(const HeightMap<double>&, const MeasureOptions<double>&);
+FSTIFF_SCENE_INSTANCE Surface<double> measure(HeightMap<double>&&, const MeasureOptions<double>&);
 FSTIFF_SCENE_INSTANCE class BoundaryElements<double>;
 FSTIFF_SCENE_INSTANCE std::vector<TruthPoint<double>> truth(const HeightMap<double>&, double,
                                                             const std::vector<double>&, const TruthOptions<double>&);

@@ -34,10 +34,10 @@ TruthOfMap truth_of_map(const TruthRequest& options, const SurfaceInput& input) 
     if (input.surface.is_profile())
         throw domain_error(display_name(options.surface.file) + ": is a profile; boundary elements need a map");
     for (const double pressure : options.pressures) require_positive("pressure", pressure);
-    const PreparedMap map = level_map(options.surface, input);
+    const PreparedMap<double> map = level_map(options.surface, input);
     TruthOfMap solved;
     solved.file = display_name(options.surface.file);
-    solved.form = map.form + (map.cut_offs.any() ? ", " + map.cut_offs.sentence() : "");
+    solved.form = form_name(map) + (map.cut_offs.any() ? ", " + sentence_of(map.cut_offs) : "");
     solved.points_option = std::string(options.surface.prefix) + "points";
     solved.modulus = options.modulus;
     solved.rms_height = map.rms;

@@ -264,6 +264,7 @@ static void test_measurement(void) {
     /* by the table of the standards: five steps; the short waves are gone */
     const double rough = surface.rms_gradient.value;
     CHECK(fstiff_measure_profile(heights, count, 1e-6, NULL, &surface) == FSTIFF_OK);
+    check_measured("profile/default", &surface);
     CHECK(surface.lambda_s >= 5e-6 * 0.999 && surface.rms_gradient.value < rough);
     options.lambda_s = 20e-6;
     CHECK(fstiff_measure_profile(heights, count, 1e-6, &options, &surface) == FSTIFF_OK && surface.lambda_s == 20e-6);
@@ -276,6 +277,8 @@ static void test_measurement(void) {
     const size_t rows = (size_t)sides[0], columns = (size_t)sides[1];
     CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], &options, &surface) == FSTIFF_OK);
     check_measured("map/measured", &surface);
+    CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], NULL, &surface) == FSTIFF_OK);
+    check_measured("map/default", &surface);
     options.detrend = "sphere";
     CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], &options, &surface) == FSTIFF_REFUSED);
     CHECK(strstr(fstiff_last_message(), "sphere"));

@@ -3,7 +3,7 @@
 // Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
 #include <fstiff/contact/contact_law.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/measured/measure.hpp>
 #include <fstiff/profile/level.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/form.hpp>
@@ -91,9 +91,11 @@ int main(int, char** argv) {
     const Profile<double> profile = self_affine_profile(surface, 4096, 1e-6);
     print("profile", profile.heights);
     print_measured("profile/measured", surface_parameters<double>(level(profile, Form::line), {}));
+    print_measured("profile/default", measure(profile));
     const HeightMap<double> map = self_affine_map(surface, 96, 64, 1e-6, 1.5e-6);
     print("map", {map.heights.data(), map.heights.data() + map.size()});
     print("map/sides", {static_cast<double>(map.rows()), static_cast<double>(map.columns()), map.dx, map.dy});
     print_measured("map/measured", surface_parameters<double>(level(map, MapForm::plane), {}));
+    print_measured("map/default", measure(map));
     return std::fclose(out);
 }

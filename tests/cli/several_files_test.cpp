@@ -131,4 +131,23 @@ TEST_CASE("files that are not of one surface are refused in one sentence") {
     refused(a + " " + folder / "none --units m", "none");
 }
 
+TEST_CASE("maps are pooled with their neighbours, each by its area") {
+    const test::Folder folder;
+    std::string files;
+    std::vector<double> squares;
+    for (const char* seed : {"1", "2"}) {
+        const auto made = test::run_fstiff(
+            "generate map --points 96 --spacing '0.5 um' --hurst 0.7 --rms '0.3 um' --longest '20 um' --seed " +
+            std::string(seed));
+        const std::string file = folder.write(std::string("map") + seed + ".txt", made.out);
+        files += " " + file;
+        const auto one = test::json_of("measure " + file);
+        squares.push_back(std::pow(one["neighbours"][0]["surface"]["rms_height"]["value"].get<double>(), 2));
+    }
+    const auto pooled = test::json_of("measure" + files);
+    REQUIRE(pooled["neighbours"].size() == 2);
+    const double rms = pooled["neighbours"][0]["surface"]["rms_height"]["value"];
+    CHECK(std::abs(rms * rms / ((squares[0] + squares[1]) / 2) - 1) < 1e-12);
+}
+
 }  // namespace several_files_test

@@ -3,6 +3,7 @@
 
 import json
 import os
+import pathlib
 import threading
 
 import numpy as np
@@ -108,6 +109,34 @@ def test_numbers_are_those_of_cpp_bit_for_bit(numbers):
     }.items():
         found = [made["surface"].get(key, {"value": 0, "error": 0}) for key in keys]
         assert [x for one in found for x in (one["value"], one["error"])] == numbers[f"{name}/measured"].tolist()
+    for name, made in {
+        "profile": fstiff.measure(numbers["profile"], spacing=1e-6),
+        "map": fstiff.measure(heights, dx=dx, dy=dy),
+    }.items():
+        found = [made["surface"].get(key, {"value": 0, "error": 0}) for key in keys]
+        assert [x for one in found for x in (one["value"], one["error"])] == numbers[f"{name}/default"].tolist()
+
+
+UNITS = {"nanovea_test1.txt": "mm,um", "opdx-3.txt": "m,m", "xy-4.txt": "um"}  # which these files do not say
+
+
+def test_measured_files_have_the_numbers_of_the_command(command, root):
+    folder = pathlib.Path(os.environ.get("FSTIFF_SURFACES", root.parent / "shared/surfaces"))
+    if not folder.is_dir():
+        pytest.skip(f"there is no folder of measured surfaces {folder}")
+    measured = 0
+    for path in sorted(folder.iterdir()):
+        units = UNITS.get(path.name)
+        try:
+            found = fstiff.measure(path, **({"units": units} if units else {}))
+        except ValueError:
+            command("measure", path, allowed=(3,))
+            continue
+        expected = command.json("measure", path, *(["--units", units] if units else []))
+        for key in ("surface", "neighbours", "moments", "concerns", "lambda_s_m", "lambda_c_m"):
+            assert plain(found.get(key)) == expected.get(key), (path.name, key)
+        measured += 1
+    assert measured >= 8
 
 
 def test_truth_is_that_of_the_command(command, rough_map, tmp_path):

@@ -66,9 +66,9 @@ std::string table(const FractalOptions& options, const SurfaceInput& input, cons
     text += "  profile  spacing " + shown_length(result.levelled.profile.spacing) + ", length " +
             shown_length(result.levelled.profile.length()) + "\n";
     text += "  Rq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
-            shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form +
-            (result.levelled.form == gaussian_form ? ", cut-off " + shown_length(*result.levelled.cutoff) : "") + ")\n";
-    text += "  cut-offs " + result.levelled.cut_offs.sentence() + "\n";
+            shown_length(result.levelled.rms) + " after removal of the form (" + form_name(result.levelled) +
+            (result.levelled.cutoff ? ", cut-off " + shown_length(*result.levelled.cutoff) : "") + ")\n";
+    text += "  cut-offs " + sentence_of(result.levelled.cut_offs) + "\n";
     text += "  window   " + window_line(fit) + "\n           " + window_reason(fit) + "\n\n";
     text += "  D = " + rounded(fit.fractal.dimension) + " +- " + rounded(fit.dimension_error, 2) +
             "   (regression alone, too small: " + rounded(fit.regression_dimension_error, 2) + ")\n";
@@ -111,8 +111,8 @@ std::string table(const FractalOptions& options, const SurfaceInput& input, cons
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
             shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";
     text += "  Sq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
-            shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form + ")\n";
-    text += "  cut-offs " + result.levelled.cut_offs.sentence() + "\n";
+            shown_length(result.levelled.rms) + " after removal of the form (" + form_name(result.levelled) + ")\n";
+    text += "  cut-offs " + sentence_of(result.levelled.cut_offs) + "\n";
     text += "  moments  m2 " + rounded(a.m2) + " (x " + rounded(a.m2_x) + ", y " + rounded(a.m2_y) + "), m4 " +
             rounded(a.m4 * 1e-12) + " /µm², Nayak's alpha " + rounded(a.nayak) + "\n";
     text += "  summits  " + std::to_string(a.summits) + ", density " + rounded(a.summit_density * 1e-6) +

@@ -29,8 +29,8 @@ std::string table(const IslandsRequest& options, const SurfaceInput& input, cons
     text += "  map      " + std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points, dx " +
             shown_length(map.dx) + ", dy " + shown_length(map.dy) + "\n";
     text += "  Sq       " + shown_length(result.levelled.rms_as_read) + " as read, " +
-            shown_length(result.levelled.rms) + " after removal of the form (" + result.levelled.form + ")\n";
-    text += "  cut-offs " + result.levelled.cut_offs.sentence() + "\n";
+            shown_length(result.levelled.rms) + " after removal of the form (" + form_name(result.levelled) + ")\n";
+    text += "  cut-offs " + sentence_of(result.levelled.cut_offs) + "\n";
     text += "  islands  of " + std::to_string(options.neighbours) + " neighbours, of " +
             std::to_string(options.min_points) + " points at least, at the border " +
             (options.border == BorderIslands::kept ? "kept" : "dropped") + "; height by " +

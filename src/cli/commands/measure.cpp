@@ -23,7 +23,7 @@ namespace {
 
 struct Options {
     OutputOptions output;
-    MeasureOptions measure;
+    scene::MeasureOptions measure;
     std::vector<std::string> files;
     bool scales = false;
     std::string modulus = "112.6 GPa", pressure = "10 MPa", picture;
@@ -108,7 +108,7 @@ Report execute_scales(const Options& options) {
     ScalesOptions how{.progress = progress_bar()};
     how.pressure = parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
     how.modulus = parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
-    MeasureOptions measure = options.measure;
+    scene::MeasureOptions measure = options.measure;
     measure.input.file = options.files.front();
     const SurfaceInput input = read_surface_input(measure.input);
     const MeasuredSurface surface = measure_surface(measure, input, progress_bar());
@@ -144,7 +144,7 @@ Report execute_scales(const Options& options) {
 Report execute(const Options& options) {
     if (options.scales) return execute_scales(options);
     if (!options.picture.empty()) throw Usage("--plot draws what --scales computes; give both");
-    MeasureOptions measure = options.measure;
+    scene::MeasureOptions measure = options.measure;
     measure.keep_maps = false;
     const MeasuredSurface surface = measure_files(measure, options.files, progress_bar());
     return report({.table = [&] { return table(surface); },
@@ -161,7 +161,7 @@ Report execute(const Options& options) {
 Command add_measure(CLI::App& app) {
     using namespace measure_command;
     auto options = std::make_shared<Options>();
-    MeasureOptions& measure = options->measure;
+    scene::MeasureOptions& measure = options->measure;
     Arguments command(app, "measure",
                       "Every parameter of a scene's surface from a measured profile or map, with errors");
     command

@@ -32,7 +32,7 @@ struct Source {
     PeakDistribution<double> density;
     std::string from;
     std::optional<SurfaceInput> input;
-    std::optional<PreparedProfile> levelled;
+    std::optional<PreparedProfile<double>> levelled;
     std::optional<PeakStatistics<double>> statistics;
 };
 
@@ -48,7 +48,7 @@ Source choose(const Options& options) {
     }
     if (file) {
         SurfaceInput input = read_surface_input(options.surface);
-        PreparedProfile levelled = level_profile(options.surface, input);
+        PreparedProfile<double> levelled = level_profile(options.surface, input);
         const auto statistics = about_file(options.surface.file, [&] { return peak_statistics(levelled.profile); });
         return {PeakDistribution<double>(statistics.r, statistics.theta), "profile", std::move(input),
                 std::move(levelled), statistics};
@@ -129,11 +129,11 @@ Json json(const Options& options, const Source& source, const std::vector<double
     document["equations"] = {{"density", "(4.4)"}, {"peak_ratio", "(4.3)"}};
     if (source.input) {
         document["source"] = json_source(options.surface, *source.input);
-        document["inputs"] = json_inputs(options.surface, source.levelled->form);
+        document["inputs"] = json_inputs(options.surface, form_name(*source.levelled));
         document["points"] = source.input->points();
         document["missing_points"] = source.input->missing();
         document["spacing_m"] = source.levelled->profile.spacing;
-        document["detrend"] = source.levelled->form;
+        document["detrend"] = form_name(*source.levelled);
     }
     put(document, moments(source));
     if (!heights.empty()) document["heights"] = rows_of(source, heights).arrays();
@@ -145,9 +145,9 @@ std::string table(const Options& options, const Source& source, const std::vecto
     std::string text = "fstiff " FSTIFF_VERSION ": peak density (4.4) from " + source.from;
     if (source.input) {
         text += " " + shown_name(options.surface.file) + "\n" + source_lines(*source.input, "  file              ");
-        text += "  form removed      " + source.levelled->form + "; Rq " + shown_length(source.levelled->rms_as_read) +
-                " before, " + shown_length(source.levelled->rms) + " after";
-        if (source.levelled->cut_offs.any()) text += "; " + source.levelled->cut_offs.sentence();
+        text += "  form removed      " + form_name(*source.levelled) + "; Rq " +
+                shown_length(source.levelled->rms_as_read) + " before, " + shown_length(source.levelled->rms) + " after";
+        if (source.levelled->cut_offs.any()) text += "; " + sentence_of(source.levelled->cut_offs);
     }
     text += "\n  r, theta          " + rounded(p.r(), 6) + ", " + rounded(p.theta(), 6) + " rad\n";
     text += "  peaks/ordinates   " + rounded(p.peak_ratio(), 6) + " (4.3)";

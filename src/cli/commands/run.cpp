@@ -162,7 +162,7 @@ std::string introduction(const Scene& scene, const Results& results) {
                 parts.push_back(std::string(parameter_table[i].symbol) + " " +
                                 shown_percent(u.error[i] / u.value[i]));
         parts.front() = printable(measured.file) + " (" + measured.kind + "), errors of " + parts.front();
-        if (measured.cut_offs.any()) parts.push_back(measured.cut_offs.sentence());
+        if (measured.cut_offs.any()) parts.push_back(sentence_of(measured.cut_offs));
         text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
     }
     const auto material = [&](const Material<double>& m) {

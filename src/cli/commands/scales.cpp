@@ -70,7 +70,7 @@ std::string scales_text(const Scales& scales, const ScalesOptions& how) {
                        scales_rows(scales).text() + "\n";
     for (const std::string& sentence : what_is_settled(scales)) text += "  " + sentence + "\n";
     for_each(scales, [&](const Scale& scale) {
-        if (!scale.refusal.empty()) text += "  " + scale.cut_offs.sentence() + ": " + scale.refusal + "\n";
+        if (!scale.refusal.empty()) text += "  " + sentence_of(scale.cut_offs) + ": " + scale.refusal + "\n";
     });
     return text;
 }

@@ -55,7 +55,7 @@ struct Result {
     std::vector<Curve> curves;
     std::string form, convention, source;  ///< how the numbers are normalised, and by whom
     double rms_as_read{}, rms{}, rms_gradient{};
-    CutOffs cut_offs;
+    CutOffs<double> cut_offs;
 };
 
 Curve profile_psd(const std::string& label, const std::string& suffix, std::vector<double> wavenumber,
@@ -156,7 +156,7 @@ std::string source_of(const Options& options, bool profile) {
 Result compute(const Options& options, const SurfaceInput& input) {
     const auto result_of = [&](const auto& levelled, const auto& heights, bool profile, double gradient) {
         return Result{.curves = about_file(options.surface.file, [&] { return curves_of(options, heights); }),
-                      .form = levelled.form,
+                      .form = form_name(levelled),
                       .convention = convention_of(options, profile),
                       .source = source_of(options, profile),
                       .rms_as_read = levelled.rms_as_read,
@@ -165,10 +165,10 @@ Result compute(const Options& options, const SurfaceInput& input) {
                       .cut_offs = levelled.cut_offs};
     };
     if (input.surface.is_profile()) {
-        const PreparedProfile levelled = level_profile(options.surface, input);
+        const PreparedProfile<double> levelled = level_profile(options.surface, input);
         return result_of(levelled, levelled.profile, true, levelled.rms_gradient);
     }
-    const PreparedMap levelled = level_map(options.surface, input);
+    const PreparedMap<double> levelled = level_map(options.surface, input);
     return result_of(levelled, levelled.map, false, levelled.areal.rms_gradient);
 }
 
@@ -203,7 +203,7 @@ std::string table(const Options& options, const SurfaceInput& input, const Resul
     std::string text = "fstiff " FSTIFF_VERSION ": " + title_of(options) + "\n" + source_lines(input, "  file     ");
     text += std::string(input.surface.is_profile() ? "  Rq       " : "  Sq       ") + shown_length(result.rms_as_read) +
             " as read, " + shown_length(result.rms) + " after removal of the form (" + result.form + ")\n";
-    text += "  cut-offs " + result.cut_offs.sentence() + "\n";
+    text += "  cut-offs " + sentence_of(result.cut_offs) + "\n";
     text += "  scale    " + result.convention + "\n  by       " + result.source + "\n\n";
     constexpr std::size_t shown = 24;
     const Rows rows = rows_of(result);
@@ -267,7 +267,7 @@ Figure figure_of(const Options& options, const Result& result) {
             (psd ? "Power spectral density of " : "Autocorrelation function of ") +
             shown_file(display_name(options.surface.file)),
         .panels = {},
-        .note = "fstiff " FSTIFF_VERSION ", " + result.cut_offs.sentence() +
+        .note = "fstiff " FSTIFF_VERSION ", " + sentence_of(result.cut_offs) +
                 (psd ? "; " + window_of(options) + "; means over 2 % of q" : "")};
     const auto begin_panel = [&](const std::string& title, const std::string& label) {
         figure.panels.push_back(psd ? Panel{.title = title, .x = {.label = "q [rad/µm]"}, .y = {.label = label}}

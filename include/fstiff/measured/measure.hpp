@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Measurement of a surface: from heights to every parameter that a contact needs, each with its standard error.
+///
+///     const auto surface = fstiff::measure(fstiff::Profile<double>{heights, 0.5e-6});
+///     surface.rms_height.value, surface.rms_height.error       [m]
+///     surface.cut_offs.lambda_s, surface.concerns, surface.neighbours
+///
+/// In this order: clean() (by default nothing), prepare() (form, lambda_s, lambda_c), surface_parameters(),
+/// height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface measured with a shorter and a longer
+/// lambda_s (measured/cut_offs), without errors: what they change in K widens the band (measured/stiffness_band). The
+/// command, C and Python measure by this function.
+///
+/// Reference   measured/cut_offs.hpp, measured/prepare.hpp, measured/surface_parameters.hpp
+/// Units       SI
+/// Valid       as prepare() and surface_parameters(); options.tip_radius is for profiles, whose lags can be freed of
+///             the tip, and PeakSource::summits for maps
+/// Accuracy    that of the steps; the numbers of the command to the last digit (tests/cli/one_measurement_test.cpp)
+
+#include <fstiff/measured/height_shape.hpp>
+#include <fstiff/measured/measured_concerns.hpp>
+#include <fstiff/measured/prepare.hpp>
+
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace fstiff {
+
+/// A measured surface: its parameters with their standard errors, and what they rest on.
+template <Real T = double>
+struct Surface : SurfaceParameters<T> {
+    Measurement<T> rms_gradient{};                ///< [1]; error 0: too few points for one
+    std::optional<HeightStatistics<T>> heights{};  ///< none: too few points
+    T shape_share{};  ///< 0 to 1: how much of skewness and of kurtosis - 3 counts in a hybrid contact (counted_shape)
+    CutOffs<T> cut_offs{};
+    std::vector<MeasuredConcern> concerns{};
+    CleaningReport cleaning{};
+    T size{};  ///< of the points that exist: length of the profile [m], area of the map [m^2]
+    /// Greatest wave number over the least that the surface can hold: from its length, or lambda_c, to two steps, or
+    /// lambda_s.
+    T widest_band = std::numeric_limits<T>::infinity();
+    std::shared_ptr<const PreparedProfile<T>> profile{};  ///< what was measured; null for a map
+    std::shared_ptr<const PreparedMap<T>> map{};          ///< null for a profile, and for a neighbour without keep_maps
+    std::vector<Surface> neighbours{};                    ///< with a shorter and a longer lambda_s, without errors
+};
+
+/// Measures \p profile, which is taken for a section of an isotropic surface.
+/// \throws domain_error for a profile, a cut-off or an option out of range, or a profile without peaks.
+template <Real T>
+[[nodiscard]] Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options = {});
+/// Measures \p map. \throws as above.
+template <Real T>
+[[nodiscard]] Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options = {});
+/// The same; \p map gives up its memory on the way.
+template <Real T>
+[[nodiscard]] Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options = {});
+
+/// Whether the lambda_c of the tables took more than half of the rms height of \p prepared: R, D_p and K are then those
+/// of the short waves alone.
+template <class Prepared>
+[[nodiscard]] bool is_mostly_waviness(const Prepared& prepared) {
+    return prepared.cut_offs.lambda_c && prepared.cut_offs.why_c != CutOffReason::given &&
+           prepared.rms < prepared.rms_levelled / 2;
+}
+
+namespace detail {
+
+template <Real T>
+[[nodiscard]] SurfaceParameterOptions<T> parameter_options(const MeasureOptions<T>& options,
+                                                           const CutOffs<T>& cut_offs) {
+    SurfaceParameterOptions<T> how;
+    how.fit.tip_radius = options.tip_radius;
+    how.fit.resolution = options.resolution;
+    how.fit.window = options.window;
+    how.fit.lambda_s = cut_offs.lambda_s.value_or(T(0));
+    how.fit.seed = how.seed = options.seed;
+    how.resamples = options.resamples;
+    how.progress = how.fit.progress = how.islands.progress = options.progress;
+    how.peaks = options.peaks;
+    return how;
+}
+
+/// Surface::widest_band of a surface whose longer side has \p length, whose coarser step is \p step.
+template <Real T>
+[[nodiscard]] T widest_band(T length, T step, const CutOffs<T>& cut_offs) {
+    const T longest = (std::min)(length, cut_offs.lambda_c.value_or(length));
+    const T widest = longest / (std::max)(2 * step, cut_offs.lambda_s.value_or(T(0)));
+    return widest > T(1) ? widest : std::numeric_limits<T>::infinity();
+}
+
+/// The surface of \p found, with the statistics of \p heights and the concerns of both.
+template <Real T, class Heights>
+[[nodiscard]] Surface<T> surface_of(SurfaceParameters<T> found, const Heights& heights, const CutOffs<T>& cut_offs,
+                                    T rms_gradient) {
+    Surface<T> surface{std::move(found)};
+    surface.cut_offs = cut_offs;
+    surface.concerns = concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
+    surface.rms_gradient.value = rms_gradient;
+    try {
+        surface.heights = height_statistics(heights);
+        surface.rms_gradient = surface.heights->rms_gradient;
+        ShapeOfHeights<T> shape;
+        shape.add(heights);
+        surface.shape_share = shape.share();
+    } catch (const domain_error&) {  // too few points for a distribution: R and D_p may do without
+    }
+    return surface;
+}
+
+/// The neighbours of a surface of \p step with \p cut_offs; \p measure_one(options) measures one. A neighbour that
+/// cannot be measured is left out: its cut-off is too long for the surface, or leaves too few peaks.
+template <Real T, class MeasureOne>
+[[nodiscard]] std::vector<Surface<T>> measured_neighbours(const CutOffs<T>& cut_offs, MeasureOptions<T> options, T step,
+                                                    const MeasureOne& measure_one) {
+    options.neighbours = false;
+    options.resamples = 2;  // their errors are not asked for
+    options.progress = {};
+    if (!options.form_cut_off) options.lambda_c = CutOff<T>::of(cut_offs.lambda_c);  // whatever chose it, it stays
+    std::vector<Surface<T>> all;
+    for (const T lambda_s : neighbouring_lambda_s(cut_offs.lambda_s, step)) {
+        options.lambda_s = lambda_s;
+        try {
+            all.push_back(measure_one(options));
+            if (!options.keep_maps) all.back().map.reset();
+        } catch (const domain_error&) {
+        }
+    }
+    return all;
+}
+
+/// \p profile after the cleaning.
+template <Real T>
+[[nodiscard]] Surface<T> measure_profile(const Profile<T>& profile, const MeasureOptions<T>& options) {
+    const auto prepared = std::make_shared<const PreparedProfile<T>>(prepare(profile, options));
+    const Profile<T>& flat = prepared->profile;
+    SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared),
+                                                       parameter_options(options, prepared->cut_offs));
+    Surface<T> surface = surface_of(std::move(found), flat, prepared->cut_offs, prepared->rms_gradient);
+    surface.profile = prepared;
+    surface.size = static_cast<T>(flat.present()) * flat.spacing;
+    surface.widest_band = widest_band(static_cast<T>(flat.size()) * flat.spacing, flat.spacing, surface.cut_offs);
+    if (options.neighbours)
+        surface.neighbours =
+            measured_neighbours(surface.cut_offs, options, flat.spacing,
+                          [&](const MeasureOptions<T>& other) { return measure_profile(profile, other); });
+    return surface;
+}
+
+/// A map without its form after the cleaning. The neighbours come first: what is found of the map itself needs no
+/// memory while they do.
+template <Real T>
+[[nodiscard]] Surface<T> measure_map(const PreparedMap<T>& without_form, const MeasureOptions<T>& options) {
+    std::vector<Surface<T>> neighbours;
+    const HeightMap<T>& steps = *without_form.unfiltered;
+    if (options.neighbours)
+        neighbours =
+            measured_neighbours(choose_cut_offs(steps, options), options, (std::max)(steps.dx, steps.dy),
+                          [&](const MeasureOptions<T>& other) { return measure_map(without_form, other); });
+    const auto prepared = std::make_shared<PreparedMap<T>>(with_cut_offs(without_form, options));
+    SurfaceParameters<T> found = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),
+                                                       parameter_options(options, prepared->cut_offs));
+    prepared->unfiltered.reset();  // D is found
+    const HeightMap<T>& flat = prepared->map;
+    Surface<T> surface =
+        surface_of(std::move(found), flat, prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient));
+    surface.map = prepared;
+    surface.size = static_cast<T>(flat.present()) * flat.dx * flat.dy;
+    surface.widest_band =
+        widest_band((std::max)(static_cast<T>(flat.columns()) * flat.dx, static_cast<T>(flat.rows()) * flat.dy),
+                    (std::max)(flat.dx, flat.dy), surface.cut_offs);
+    surface.neighbours = std::move(neighbours);
+    return surface;
+}
+
+template <Real T>
+void require_options_of_map(const HeightMap<T>& map, const MeasureOptions<T>& options) {
+    if (options.tip_radius > T(0))
+        refuse("tip_radius", options.tip_radius, "left out for a map, whose lags cannot be freed of the tip");
+    (void)choose_cut_offs(map, options);  // what is wrong with them is said before anything is computed
+}
+
+/// Whether \p cleaning leaves a surface as it is.
+template <Real T>
+[[nodiscard]] bool is_empty(const Cleaning<T>& cleaning) {
+    return !cleaning.crop && cleaning.mask.size() == 0 && cleaning.spikes == T(0) && !cleaning.fill;
+}
+
+}  // namespace detail
+
+template <Real T>
+Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options) {
+    if (options.peaks == PeakSource::summits)
+        throw domain_error("peaks = summits: must be islands for a profile, whose R and D_p come from its curvature");
+    if (detail::is_empty(options.cleaning)) return detail::measure_profile(profile, options);
+    Profile<T> cleaned = profile;
+    const CleaningReport report = clean(cleaned, options.cleaning);
+    Surface<T> surface = detail::measure_profile(cleaned, options);
+    surface.cleaning = report;
+    return surface;
+}
+
+template <Real T>
+Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options) {
+    const CleaningReport report = clean(map, options.cleaning);
+    detail::require_options_of_map(map, options);
+    const PreparedMap<T> flat = without_form(std::move(map), options);
+    Surface<T> surface = detail::measure_map(flat, options);
+    surface.cleaning = report;
+    return surface;
+}
+
+template <Real T>
+Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options) {
+    if (!detail::is_empty(options.cleaning)) return measure(HeightMap<T>(map), options);
+    detail::require_options_of_map(map, options);
+    return detail::measure_map(without_form(map, options), options);
+}
+
+}  // namespace fstiff

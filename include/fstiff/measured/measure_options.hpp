@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Everything that may be asked of the measurement of a surface, with its defaults: cleaning, form, cut-offs,
+/// estimates.
+///
+///     fstiff::MeasureOptions<double> how{.lambda_s = 1e-6, .lambda_c = fstiff::no_cut_off};
+///
+/// Units       lengths [m]
+/// Valid       as each field says; clean(), prepare() and measure() refuse what is not
+
+#include <fstiff/core/progress.hpp>
+#include <fstiff/measured/surface_parameters.hpp>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+namespace fstiff {
+
+/// Asks for no filter.
+struct NoCutOff {};
+inline constexpr NoCutOff no_cut_off{};
+
+/// A cut-off that is asked for: by default that of the tables, else a length [m] or no_cut_off.
+template <Real T = double>
+class CutOff {
+public:
+    constexpr CutOff() = default;
+    constexpr CutOff(NoCutOff) : automatic_(false) {}
+    constexpr CutOff(std::type_identity_t<T> length) : automatic_(false), length_(length) {}
+    /// What another measurement had: the length \p found, or none.
+    [[nodiscard]] static constexpr CutOff of(const std::optional<T>& found) {
+        return found ? CutOff(*found) : CutOff(no_cut_off);
+    }
+    /// Whether the tables choose it.
+    [[nodiscard]] constexpr bool automatic() const { return automatic_; }
+    /// The length that was given [m]; none without a filter, and where the tables choose.
+    [[nodiscard]] constexpr const std::optional<T>& length() const { return length_; }
+
+private:
+    bool automatic_ = true;
+    std::optional<T> length_{};
+};
+
+/// The filter of lambda_c: grooves and spikes draw the mean line (surface) of `gaussian`, and not that of `robust`.
+enum class CutOffFilter { gaussian, robust };
+template <>
+inline constexpr auto names<CutOffFilter> = name_list<CutOffFilter>({{CutOffFilter::gaussian, "gaussian"},
+                                                                     {CutOffFilter::robust, "robust"}});
+
+/// A part of a surface, from its first point on [m]; y has no meaning for a profile.
+template <Real T = double>
+struct Crop {
+    T x_from{}, x_to{}, y_from{}, y_to{};
+};
+
+/// Marks of the points of a surface: true where a point is used. A profile has one row or one column.
+using PointMask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Repairs before the form is removed, in the order of the fields. By default none.
+template <Real T = double>
+struct Cleaning {
+    std::optional<Crop<T>> crop{};
+    PointMask mask{};  ///< of the cropped surface; empty: every point is used
+    T spikes{};        ///< points so many robust standard deviations away become missing, 3 to 1000; 0: none
+    bool fill{};       ///< whether missing points are filled
+};
+
+/// How a surface is cleaned, prepared and measured.
+template <Real T = double>
+struct MeasureOptions {
+    CutOff<T> lambda_s{};                           ///< of the short waves
+    CutOff<T> lambda_c{};                           ///< of the long waves
+    CutOffFilter filter = CutOffFilter::gaussian;   ///< of lambda_c
+    T tip_radius{}, resolution{};                   ///< of the instrument [m]; 0: not known
+    Form form = Form::line;                         ///< removed from a profile
+    std::optional<T> form_cut_off{};                ///< of a Gaussian filter that removes the long waves with it [m]
+    MapForm map_form = MapForm::plane;              ///< removed from a map
+    T height_step{};                                ///< in which heights were printed or counted [m]; 0: not known
+    Cleaning<T> cleaning{};
+    PeakSource peaks = PeakSource::islands;         ///< of a map
+    std::optional<LagWindow<T>> window{};           ///< of the lags that give D; none: found by itself
+    std::size_t resamples = 400;                    ///< for the standard errors
+    std::uint64_t seed = 2014;                      ///< of the resamples
+    bool neighbours = true;                         ///< whether the surface is measured with other lambda_s too
+    bool keep_maps = true;                          ///< whether the neighbours keep their filtered maps
+    ProgressHook progress{};                        ///< of the resamples
+};
+
+}  // namespace fstiff

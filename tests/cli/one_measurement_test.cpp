@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One file has one R and one sigma: the command, measure() of the headers and the C interface agree to the last digit.
+// tests/python/test_surfaces.py holds the Python package to the command.
+#include "json.hpp"
+
+#include "scene/surface_file.hpp"
+#include "support/skip.hpp"
+
+#include <fstiff/measured/measure.hpp>
+#ifdef FSTIFF_TEST_HAS_C
+#include <fstiff.h>
+#endif
+
+#include <cmath>
+#include <map>
+#include <variant>
+
+namespace one_measurement_test {
+
+using namespace fstiff;
+
+namespace {
+
+/// Options that a file needs, because it does not say its units.
+const std::map<std::string, std::string> units_of_files{
+    {"nanovea_test1.txt", "mm,um"}, {"opdx-3.txt", "m,m"}, {"xy-4.txt", "um"}};
+
+/// \p a is \p b, bit for bit. A processor that fuses products and sums may round them elsewhere in another program.
+bool same(double a, double b) {
+#if defined(__FMA__) || !defined(__x86_64__)
+    return a == b || std::abs(a - b) <= 1e-12 * std::abs(b);
+#else
+    return a == b;
+#endif
+}
+
+/// Name, value and error of what every language tells of a surface; 0 for what is not known.
+using Numbers = std::map<std::string, Measurement<double>>;
+
+Numbers numbers_of(const Surface<double>& surface) {
+    Numbers all{{"rms_height", surface.rms_height},
+                {"peak_radius", surface.peak_radius},
+                {"peak_density", surface.peak_density},
+                {"max_peak_height", surface.max_peak_height}};
+    if (surface.heights) {
+        all["rms_gradient"] = surface.rms_gradient;
+        all["skewness"] = surface.heights->skewness;
+        all["kurtosis"] = surface.heights->kurtosis;
+    }
+    if (surface.fractal_dimension) all["fractal_dimension"] = *surface.fractal_dimension;
+    if (surface.fractal_roughness) all["fractal_roughness"] = *surface.fractal_roughness;
+    if (surface.r) all["r"] = *surface.r, all["theta"] = *surface.theta;
+    return all;
+}
+
+Numbers numbers_of(const nlohmann::json& surface) {
+    Numbers all;
+    for (const auto& [name, one] : surface.items()) all[name] = {one["value"], one["error"]};
+    return all;
+}
+
+#ifdef FSTIFF_TEST_HAS_C
+Numbers numbers_of(const fstiff_surface& surface) {
+    Numbers all;
+    const auto add = [&](const char* name, const fstiff_measured& one) {
+        if (one.known) all[name] = {one.value, one.error};
+    };
+    add("rms_height", surface.rms_height);
+    add("peak_radius", surface.peak_radius);
+    add("peak_density", surface.peak_density);
+    add("max_peak_height", surface.max_peak_height);
+    add("rms_gradient", surface.rms_gradient);
+    add("skewness", surface.skewness);
+    add("kurtosis", surface.kurtosis);
+    add("fractal_dimension", surface.fractal_dimension);
+    add("fractal_roughness", surface.fractal_roughness);
+    add("r", surface.r);
+    add("theta", surface.theta);
+    return all;
+}
+
+int measure_by_c(const Profile<double>& profile, fstiff_surface& to) {
+    return fstiff_measure_profile(profile.heights.data(), profile.size(), profile.spacing, nullptr, &to);
+}
+int measure_by_c(const HeightMap<double>& map, fstiff_surface& to) {
+    return fstiff_measure_map(map.heights.data(), static_cast<std::size_t>(map.rows()),
+                              static_cast<std::size_t>(map.columns()), map.dx, map.dy, nullptr, &to);
+}
+#endif
+
+void require_same(const Numbers& found, const Numbers& wanted) {
+    REQUIRE(found.size() == wanted.size());
+    for (const auto& [name, one] : wanted) {
+        CAPTURE(name);
+        REQUIRE(found.count(name) == 1);
+        CHECK(same(found.at(name).value, one.value));
+        CHECK(same(found.at(name).error, one.error));
+    }
+}
+
+void require_same(const nlohmann::json& found, const std::optional<double>& wanted) {
+    REQUIRE(found.is_null() == !wanted);
+    if (wanted) CHECK(same(found.get<double>(), *wanted));
+}
+
+/// What the command prints of \p surface, that of \p document.
+void require_same(const nlohmann::json& document, const Surface<double>& surface) {
+    require_same(numbers_of(document["surface"]), numbers_of(surface));
+    require_same(document["lambda_s_m"], surface.cut_offs.lambda_s);
+    require_same(document["lambda_c_m"], surface.cut_offs.lambda_c);
+    if (surface.heights) CHECK(same(document["moments"]["alpha"], surface.heights->moments.bandwidth()));
+    if (document.contains("widest_band") && !document["widest_band"].is_null())
+        CHECK(same(document["widest_band"], surface.widest_band));
+    const auto neighbours = document.value("neighbours", nlohmann::json::array());
+    REQUIRE(neighbours.size() == surface.neighbours.size());
+    for (std::size_t k = 0; k < neighbours.size(); ++k) require_same(neighbours[k], surface.neighbours[k]);
+}
+
+/// Whether the command measures the file; then the headers and C find the same numbers, else they refuse it too.
+bool is_measured(const std::filesystem::path& path) {
+    scene::SurfaceOptions options;
+    options.file = path.string();
+    std::string arguments = "measure '" + options.file + "' --format json";
+    if (const auto units = units_of_files.find(path.filename().string()); units != units_of_files.end()) {
+        options.units = units->second;
+        arguments += " --units " + units->second;
+    }
+    const auto outcome = test::run_fstiff(arguments);
+    if (outcome.status % 4 != 0) {
+        CHECK_THROWS_AS(std::visit([](const auto& heights) { return measure(heights).size; },
+                                   scene::read_surface_input(options).surface.data),
+                        domain_error);
+        return false;
+    }
+    const auto document = nlohmann::json::parse(outcome.out);
+    const scene::SurfaceInput input = scene::read_surface_input(options);
+    const auto measured = [](const auto& heights) { return measure(heights); };
+    const Surface<double> surface = std::visit(measured, input.surface.data);
+    require_same(document, surface);
+    std::vector<std::string> concerns;
+    for (const MeasuredConcern one : surface.concerns) concerns.emplace_back(name_of(one));
+    CHECK(document["concerns"] == concerns);
+#ifdef FSTIFF_TEST_HAS_C
+    fstiff_surface by_c{};
+    by_c.size = sizeof by_c;
+    REQUIRE(std::visit([&](const auto& heights) { return measure_by_c(heights, by_c); }, input.surface.data) ==
+            FSTIFF_OK);
+    require_same(numbers_of(by_c), numbers_of(surface));
+    CHECK(by_c.lambda_s == surface.cut_offs.lambda_s.value_or(0));
+    CHECK(by_c.lambda_c == surface.cut_offs.lambda_c.value_or(0));
+    CHECK(by_c.peaks == surface.peaks_counted);
+#endif
+    return true;
+}
+
+/// How many files of \p folder are measured.
+std::size_t measured_files(const std::filesystem::path& folder) {
+    std::size_t measured = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        INFO(entry.path().string());
+        measured += is_measured(entry.path()) ? 1 : 0;
+    }
+    return measured;
+}
+
+}  // namespace
+
+TEST_CASE("The command, the headers and C find the same numbers in every file of data") {
+    test::Folder folder;
+    for (const char* surface : {"profile --points 4096 --spacing '0.5 um' --longest '90 um' --hurst 0.4 --rms '0.3 um'",
+                                "profile --points 2048 --spacing '10 um' --hurst 0.7 --rms '3 um' --seed 2",
+                                "map --points 96 --spacing '0.5 um' --longest '12 um' --hurst 0.7 --rms '0.2 um'"}) {
+        const auto made = test::run_fstiff("generate " + std::string(surface));
+        REQUIRE(made.status == 0);
+        CHECK(is_measured(folder.write("made.txt", made.out)));
+    }
+    (void)measured_files(FSTIFF_SCENES);
+    CHECK(measured_files(FSTIFF_TEST_DATA "/formats") > 0);
+}
+
+TEST_CASE("The command, the headers and C find the same numbers in every measured file") {
+    if (!std::filesystem::exists(FSTIFF_SURFACES))
+        SKIP_CASE("there is no folder of measured surfaces " FSTIFF_SURFACES);
+    CHECK(measured_files(FSTIFF_SURFACES) >= 8);
+}
+
+}  // namespace one_measurement_test
