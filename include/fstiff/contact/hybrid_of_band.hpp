@@ -27,7 +27,8 @@
 /// Valid       Gaussian isotropic surfaces, alpha > 3/2; pressures up to 0.75 E g
 /// Accuracy    K over boundary elements of Gaussian maps, alpha 2.5 to 210, p/(E g) 0.001 to 0.25 (tests/data/broad.csv): within 15 % at
 ///             97 of 100 points with 40 contacts or more, 67 of 100 with fewer, which scatter from map to map; 0.35 to 0.75: all
-///             within 10 %. Of maps with two waves a side at alpha 250 and 340, single ones are 0.7 to 1.3 times the law. Molecular
+///             within 10 %. Of maps with two waves a side at alpha 250 and 340, single ones are 0.7 to 1.3 times the law; at
+///             alpha 700 and 1040 K is 0.82 to 0.90 of that of two of them. Molecular
 ///             dynamics at alpha 140: 0.90 to 1.16, the latter at 0.6. Other boundary elements, narrow bands: 104 of 105 within
 ///             15 % (tests/contact/hybrid_of_band_test.cpp). With bearing curves: docs/validation.md
 
