@@ -2,6 +2,7 @@
 // Several files of one surface as one.
 #include "scene/measured_surface.hpp"
 #include "scene/shown_unit.hpp"
+#include "scene/surface_instances.hpp"
 
 #include <fstiff/measured/pooled_surface.hpp>
 
