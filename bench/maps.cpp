@@ -93,10 +93,11 @@ private:
         m.m4 = std::max(m.m4, 1.51 * m.m2 * m.m2 / m.m0);
         return fstiff::band_of_moments(m, 0.8);
     }
-    void add(const std::string& name, const fstiff::SpectralMoments<double>& m, const fstiff::BearingSlope<double>& curve) {
+    void add(const std::string& name, const fstiff::SpectralMoments<double>& m,
+             const fstiff::BearingSlope<double>& curve) {
         laws_.emplace(name, fstiff::hybrid_of_band(band(m), curve, 1.0));
     }
-    /// \p count rows of \p map, or columns across a lay, as traces of one surface: by their moments, and by their shape too.
+    /// \p count rows of \p map, or columns across a lay, as traces of one surface: by their moments, and by shape too.
     void of_rows(const fstiff::HeightMap<double>& map, bool across, Eigen::Index count) {
         std::vector<fstiff::HeightStatistics<double>> all;
         fstiff::ShapeOfHeights<double> shape;

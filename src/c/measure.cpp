@@ -4,6 +4,8 @@
 
 #include "scene/measured_surface.hpp"
 
+#include <fstiff/measured/height_shape.hpp>
+
 #include <cmath>
 #include <string>
 #include <utility>
@@ -137,6 +139,10 @@ int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* r
     return guarded([&] {
         const fstiff_surface& from = sized(surface, "surface");
         fstiff_roughness& to = sized(roughness, "roughness");
+        fstiff::HeightStatistics<double> heights;
+        heights.skewness = {from.skewness.value, from.skewness.error};
+        heights.kurtosis = {from.kurtosis.known ? from.kurtosis.value : 3, from.kurtosis.error};
+        const auto shape = fstiff::counted_shape(heights, from.shape_share);
         to = {sizeof to,
               from.rms_height.value,
               from.peak_radius.value,
@@ -145,13 +151,9 @@ int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* r
               from.r.value,
               from.theta.value,
               from.fractal_dimension.value,
-              from.rms_gradient.value};
-        fstiff::HeightStatistics<double> heights;
-        heights.skewness = {from.skewness.value, from.skewness.error};
-        heights.kurtosis = {from.kurtosis.value, from.kurtosis.error};
-        const auto shape = fstiff::counted_shape(heights, from.shape_share);
-        to.skewness = shape.skewness;
-        to.kurtosis = from.kurtosis.known ? shape.kurtosis : 0;
+              from.rms_gradient.value,
+              shape.skewness,
+              shape.kurtosis};
         return FSTIFF_OK;
     });
 }

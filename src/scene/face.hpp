@@ -40,7 +40,7 @@ struct Face {
     UncertainSurface<double> uncertain;                ///< the same with errors
     double dimension_window_error = 0;                 ///< share of the window of lags in the error of D
     std::optional<HeightStatistics<double>> heights;   ///< where the surface was measured
-    HeightShape<double> shape;                         ///< of the heights that hybrid takes: given, or measured as far as it counts
+    HeightShape<double> shape;                         ///< of the heights, given or as far as a measured one counts
     std::shared_ptr<const BearingSlope<double>> bearing;  ///< of heights over the rms height; none of Gaussian heights
     std::optional<MeasuredSurface> measured;           ///< where surface.from says, or --surface; none of a sum
 

@@ -337,8 +337,8 @@ std::unique_ptr<AnyContact> plastic(const ContactInputs& inputs) {
     if (!inputs.map || !inputs.spectrum_of_map) {
         const double g = std::sqrt(2 * inputs.moments.m2);
         return of_hybrid_of_numbers(inputs, [&](auto&& contact) {
-            return PlasticContact(std::move(contact), GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E), hardness, E,
-                                  g);
+            return PlasticContact(std::move(contact), GaussianCut<double>(std::sqrt(inputs.moments.m0), g, E),
+                                  hardness, E, g);
         });
     }
     const double g = inputs.map->spectrum(inputs.elements.edges).rms_gradient();

@@ -2,6 +2,7 @@
 // Several files of one surface as one.
 #include "scene/measured_surface.hpp"
 #include "scene/shown_unit.hpp"
+#include "scene/surface_instances.hpp"
 
 #include <fstiff/measured/pooled_surface.hpp>
 
@@ -106,7 +107,7 @@ MeasuredFace<double> measured_face(const MeasuredSurface& one) {
     return of;
 }
 
-/// How much of the shape of the heights of all counts; where some heights are not kept, the mean of what counts of each.
+/// How much of the shape of all heights counts; where some are not kept, the mean of what counts of each.
 double share_of(const std::vector<MeasuredSurface>& parts) {
     ShapeOfHeights<double> all;
     double sum = 0, size = 0;
@@ -220,7 +221,10 @@ MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
     if (!mean.face.r) whole.peaks_refusal = first.peaks_refusal;
     whole.widest_band = 0;
     for (const MeasuredSurface& part : whole.parts) whole.widest_band = std::max(whole.widest_band, part.widest_band);
-    if (heights.size() == sizes.size()) whole.heights = fstiff::pooled(heights, sizes), whole.shape_share = share_of(whole.parts);
+    if (heights.size() == sizes.size()) {
+        whole.heights = fstiff::pooled(heights, sizes);
+        whole.shape_share = share_of(whole.parts);
+    }
     for (std::size_t k = 0; k < first.neighbours.size(); ++k) {
         std::vector<MeasuredSurface> neighbours;
         for (const MeasuredSurface& part : whole.parts)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bearing curve of [surface], as it is written: skewness and kurtosis, the parameters of the core, or a list of heights.
+// The bearing curve of [surface] as it is written: skewness and kurtosis, parameters of the core, or a list of heights.
 #include "scene/file.hpp"
 #include "scene/read_face.hpp"
 
@@ -24,8 +24,9 @@ constexpr std::array<CoreKeys, 2> core_keys{
 
 HeightShape<double> read_shape(Source& source, const Section& surface) {
     const auto number = [&](const char* name, const char* other) {
-        const toml::node& node = surface.at(name, "is missing; surface.skewness and surface.kurtosis stand side by side, and " +
-                                                      surface.key(other) + " is there");
+        const toml::node& node =
+            surface.at(name, "is missing; surface.skewness and surface.kurtosis stand side by side, and " +
+                                 surface.key(other) + " is there");
         return source.number(node, surface.key(name));
     };
     const double skewness = number("skewness", "kurtosis"), kurtosis = number("kurtosis", "skewness");
@@ -47,7 +48,8 @@ MaterialRatio<double> read_core(Source& source, const Section& surface, const Co
         const double value = source.quantity(node, surface.key(keys[which]), Dimension::length);
         if (!(value >= 0 && std::isfinite(value)) || (which == core_height && value == 0))
             source.refuse(node, surface.key(keys[which]),
-                          which == core_height ? "must be finite and greater than 0" : "must be finite and not negative");
+                          which == core_height ? "must be finite and greater than 0"
+                                               : "must be finite and not negative");
         return value;
     };
     const auto share = [&](CoreKey which) {
@@ -100,7 +102,8 @@ bool has_bearing(const Section& surface) {
 
 void read_bearing(Source& source, const Section& surface, Face& face) {
     const auto first_of = [&](std::span<const std::string_view> keys) {
-        const auto found = std::find_if(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key); });
+        const auto found =
+            std::find_if(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key); });
         return found == keys.end() ? nullptr : &*found;
     };
     constexpr std::array<std::string_view, 2> moments{"skewness", "kurtosis"};

@@ -42,7 +42,8 @@ bool departs(const Measurement<double>& one, double gaussian, double limit) {
 std::string without_distribution(const Scene& scene) {
     if (!scene.map)
         return std::string("believe boundary_elements of a map of this surface (fstiff truth)") +
-               (scene.bearing ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known" : "");
+               (scene.bearing ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
+                              : "");
     const std::string elements = advised(scene, "boundary_elements"), hybrid = advised(scene, "hybrid");
     const std::string refused = "boundary_elements " + refusal_of(*find_law("boundary_elements"), scene);
     const std::string own = hybrid.empty() ? "" : hybrid + ", which takes the map's own summits and bearing curve";

@@ -102,4 +102,19 @@ TEST_CASE("The slope of a bearing curve scales with the heights alone") {
     CHECK(test::relative_error(one.slope(0.2, 0.1), 0.3 * std::exp(0.06)) < 1e-3);
 }
 
+TEST_CASE("A part of a bearing curve, and a taller one") {
+    const BearingSlope<double> curve({{-3, -9}, {-1, -1}, {0, 0}, {2, 8}, {3, 27}});
+    const auto part = curve.between(-2, 2.5), taller = curve.scaled(1e-6);
+    CHECK(part.lowest() == -2);
+    CHECK(part.highest() == 2.5);
+    for (const double zeta : {-2.0, -1.5, -0.3, 1.0, 2.2, 2.5}) {
+        CHECK(std::abs(part.height(zeta) - curve.height(zeta)) < 1e-12);
+        CHECK(std::abs(taller.height(zeta) - 1e-6 * curve.height(zeta)) < 1e-18);
+    }
+    CHECK(part.slope(9, 0.5) == part.slope(2.5, 0.5));
+    CHECK(curve.between(-9, 9).knots().size() == 5);
+    CHECK_THROWS_AS(curve.between(1, 1), domain_error);
+    CHECK_THROWS_AS(curve.between(4, 5), domain_error);
+}
+
 }  // namespace bearing_slope_test

@@ -4,22 +4,22 @@
 /// Skewness and kurtosis of a surface as far as its heights know them, for the bearing curve of the hybrid contact.
 ///
 ///     D^2   = <(z/sigma - zeta)^2>,  zeta = Phi^-1((rank + 1/2)/N)     how far the heights are from Gaussian ones
-///     n     = N/(1 + 2 sum_k A(k)^2)         heights that know nothing of one another, A the autocorrelation (pairs/N at lags up to
-///                                            N/2, whose chance adds 0.6 of the sum); of a map the product of those along x
-///                                            and along y, each the mean over 16 lines at most
-///     share = max(0, 1 - 0.8/(n D^2))        how much of skewness and of kurtosis - 3 counts, where one of them is farther from
-///                                            a Gaussian's than two of its standard errors
+///     n     = N/(1 + 2 sum_k A(k)^2)    heights that know nothing of one another, A the autocorrelation (times pairs/N
+///                                       at lags up to N/2, whose chance adds 0.6 of the sum); of a map the product of
+///                                       those along x and along y, each the mean over 16 lines at most
+///     share = max(0, 1 - 0.8/(n D^2))   how much of skewness and of kurtosis - 3 counts, where one of them is farther
+///                                       from a Gaussian's than two of its standard errors
 ///
-/// Heights that are Gaussian have some D by chance, which falls as 1/n: on the Gaussian maps of tests/support/map_kinds.hpp n D^2
-/// of traces is 0.1 to 2.6, on others 0.15 to 6 of one row with 8 to 16 waves, 0.7 to 19 of four, 2 to 83 of sixteen.
+/// Heights that are Gaussian have some D by chance, which falls as 1/n: on the Gaussian maps of
+/// tests/support/map_kinds.hpp n D^2 of traces is 0.1 to 2.6, on others 0.15 to 6 of one row with 8 to 16 waves, 0.7 to 19 of four, 2 to 83 of sixteen.
 ///
 ///     ShapeOfHeights<double> shape;
 ///     shape.add(profile);
 ///     HeightShape<double> counted = counted_shape(height_statistics(profile), shape.share());
 ///     BearingSlope<double> curve = bearing_of_moments(counted.skewness, counted.kurtosis);
 ///
-/// Reference   Bartlett, J. R. Stat. Soc. Suppl. 8 (1946) 27 (n); the share: this project, chosen on seeds 1 and 2 of these maps
-///             and shown on 3 to 5 (docs/validation.md).
+/// Reference   Bartlett, J. R. Stat. Soc. Suppl. 8 (1946) 27 (n); the share: this project, chosen on seeds 1 and 2 of these
+///             maps and shown on 3 to 5 (docs/validation.md).
 /// Units       heights [m]; all else dimensionless, kurtosis 3 of a Gaussian
 /// Valid       form removed before, 16 points at least; missing points are left out
 /// Accuracy    1e-12 of the formulae (tests/measured/height_shape_test.cpp)
@@ -48,15 +48,15 @@ struct HeightShape {
     [[nodiscard]] bool is_gaussian() const { return skewness == 0 && kurtosis == 3; }
 };
 
-/// \p share of \p skewness and of \p kurtosis - 3, but a skewness of 2 and a kurtosis of 10 at most, beyond which no map was
-/// compared: a spike makes more, and says nothing of the rest. Within the range of bearing_of_moments.
+/// \p share of \p skewness and of \p kurtosis - 3, but a skewness of 2 and a kurtosis of 10 at most, beyond which no
+/// map was compared: a spike makes more, and says nothing of the rest. Within the range of bearing_of_moments.
 template <Real T>
 [[nodiscard]] HeightShape<T> counted_shape(T skewness, T kurtosis, T share) {
     const T s = std::clamp(share * skewness, T(-2), T(2));
     return {s, std::clamp(3 + share * (kurtosis - 3), least_kurtosis(s), T(10))};
 }
 
-/// The same of \p measured heights: Gaussian ones unless their skewness or their kurtosis departs by two standard errors.
+/// The same of \p measured heights: Gaussian ones unless their skewness or kurtosis departs by two standard errors.
 template <Real T>
 [[nodiscard]] HeightShape<T> counted_shape(const HeightStatistics<T>& measured, T share) {
     const auto departs = [](const Measurement<T>& one, T gaussian) {
@@ -66,7 +66,7 @@ template <Real T>
     return counted_shape(measured.skewness.value, measured.kurtosis.value, share);
 }
 
-/// That of the sum of two faces with the mean square heights \p m0_a and \p m0_b, whose heights are independent: cumulants add.
+/// That of the sum of two faces with the mean square heights \p m0_a and \p m0_b and independent heights: cumulants add.
 template <Real T>
 [[nodiscard]] HeightShape<T> sum_of_shapes(const HeightShape<T>& a, T m0_a, const HeightShape<T>& b, T m0_b) {
     const T of_a = m0_a / (m0_a + m0_b), of_b = m0_b / (m0_a + m0_b);

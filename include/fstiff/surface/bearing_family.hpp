@@ -17,8 +17,8 @@
 ///
 /// Reference   ISO 25178-2:2021 (Sk ...); Johnson, Biometrika 36 (1949) 149 (S_U, S_B)
 /// Units       heights in any unit; skewness and kurtosis dimensionless, the latter 3 of a Gaussian
-/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, kurtosis from least_kurtosis(skewness), which is
-///             skewness^2 + 1.25 up to a skewness of 1.5, to 100. No surface has a kurtosis below skewness^2 + 1
+/// Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, kurtosis from least_kurtosis(skewness), which
+///             is skewness^2 + 1.25 up to a skewness of 1.5, to 100. No surface has a kurtosis below skewness^2 + 1
 /// Accuracy    areas and moments 1e-8 over knots 1/128 apart in zeta, from -8 to 8 (tests/surface/bearing_family_test.cpp)
 
 #include <fstiff/core/error.hpp>
@@ -78,7 +78,7 @@ template <Real T, class F>
     return {m + middle, v, third / (v * std::sqrt(v)), fourth / (v * v)};
 }
 
-/// Johnson's curve at zeta with f(0) = 0 and f'(0) = 1: steepness is 1/w, bend f''(0)/(f'(0) steepness), which is 0 of a
+/// Johnson's curve at zeta with f(0) = 0 and f'(0) = 1: steepness is 1/w, bend f''(0)/(f'(0) steepness), 0 of a
 /// symmetrical curve and 1 of a lognormal one.
 template <Real T>
 [[nodiscard]] T johnson(bool bounded, T steepness, T bend, T zeta) {
@@ -98,7 +98,7 @@ struct FittedJohnson {
     T log_steepness, bend, off;
 };
 
-/// That of given skewness >= 0 and kurtosis, by Newton's method on differences with halved steps from \p steepness and \p t on.
+/// That of given skewness >= 0 and kurtosis, by Newton's method on differences with halved steps, from \p steepness and \p t.
 template <Real T>
 [[nodiscard]] FittedJohnson<T> fitted_johnson(bool bounded, T skewness, T kurtosis, T steepness, T t) {
     const auto off = [&](T log_steepness, T bend) {
@@ -138,7 +138,8 @@ template <Real T>
     const T small = std::sqrt((std::max)(bounded ? square - excess / 2 : excess / 4 - square / 3, least * least));
     FittedJohnson<T> best{0, 0, (std::numeric_limits<T>::max)()};
     for (const T steepness : {(std::min)(small, T(1.4)), bounded ? T(1) : T(0.5), bounded ? T(4) : T(0.25)}) {
-        const T bend = steepness == small ? skewness / (3 * steepness) : std::tanh(skewness / (bounded ? 2 : 1) * steepness);
+        const T bend =
+            steepness == small ? skewness / (3 * steepness) : std::tanh(skewness / (bounded ? 2 : 1) * steepness);
         const auto found = fitted_johnson(bounded, skewness, kurtosis, steepness, std::clamp(bend, T(0), T(0.999)));
         if (found.off < best.off) best = found;
         if (best.off < T(1e-9)) break;
@@ -170,7 +171,7 @@ template <Real T>
 [[nodiscard]] BearingSlope<T> bearing_of_moments(T skewness, std::type_identity_t<T> kurtosis) {
     require(std::abs(skewness) <= most_skewness<T>, "skewness", skewness, "between -3 and 3");
     require(kurtosis >= least_kurtosis(skewness) && kurtosis <= most_kurtosis<T>, "kurtosis", kurtosis,
-            "from skewness^2 + 1.25, and more beyond a skewness of 1.5, to 100; no surface has less than skewness^2 + 1");
+            "from skewness^2 + 1.25, and more beyond a skewness of 1.5, to 100");
     const T end = 8;
     const T sign = skewness < 0 ? T(-1) : T(1);
     const auto knots_of = [&](const auto& f) {

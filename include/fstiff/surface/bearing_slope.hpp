@@ -90,7 +90,7 @@ public:
     /// \throws domain_error unless low < high, and the curve has a part between them.
     [[nodiscard]] BearingSlope between(T low, T high) const {
         const T from = (std::max)(low, lowest()), to = (std::min)(high, highest());
-        require(from < to, "scores of a bearing curve, the higher of two", high, "greater than the lower, within the curve");
+        require(from < to, "higher score of a part of a bearing curve", high, "above the lower one, within the curve");
         std::vector<Knot> knots{{from, height(from)}};
         for (const Knot& knot : knots_)
             if (knot.score > from && knot.score < to) knots.push_back(knot);
