@@ -115,6 +115,8 @@
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/kinked_tables.hpp>
+#include <fstiff/contact/kinked_tabulator.hpp>
 #include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
