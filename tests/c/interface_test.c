@@ -247,7 +247,7 @@ static char* scene_of_a_map(void) {
         }
     fprintf(file, "*\n");
     fclose(file);
-    return "name = \"waves\"\n[surface]\nfile = \"waves.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+    return "name = \"waves\"\n[surface]\nfrom = \"waves.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
            "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
            "hardness = \"6 GPa\"\n[contact]\nlaws = [\"hybrid\", \"summits\", \"persson\", \"plastic\"]\npressures = [\"10 MPa\"]\n";
 }

@@ -114,7 +114,7 @@ TEST_CASE("export writes the law itself, of a map too, with the K that run print
     for (const std::string law : {"hybrid", "summits", "persson", "plastic", "hertz"}) {
         CAPTURE(law);
         const std::string scene = folder.write(
-            law + ".toml", "name = \"m\"\n[surface]\nfile = \"map.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+            law + ".toml", "name = \"m\"\n[surface]\nfrom = \"map.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
                            "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\n"
                            "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[contact]\nlaws = [\"" +
                                law + "\"]\npressures = [\"3 MPa\", \"10 MPa\", \"50 MPa\"]\n");
