@@ -134,7 +134,8 @@ typedef struct fstiff_law fstiff_law;
 /** What a law does outside its range (contact/contact_law.hpp). */
 enum { FSTIFF_OUTSIDE_REFUSE = 0, FSTIFF_OUTSIDE_CLAMP = 1, FSTIFF_OUTSIDE_EXACT = 2, FSTIFF_OUTSIDE_EXTRAPOLATE = 3 };
 
-/** contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact again. */
+/** contact tabulated between two pressures [Pa], 0 < min_pressure < max_pressure. The law does not need the contact again.
+ * Of a map every law but "boundary_elements" has a table, with an error of 1e-3 or less (fstiff_law_facts). */
 FSTIFF_API int fstiff_law_make(const fstiff_contact* contact, double min_pressure, double max_pressure, int outside,
                                fstiff_law** made);
 /** The law that fstiff_law_text wrote (or ContactLaw::to_text), bit for bit; length bytes. */

@@ -195,7 +195,8 @@ class Contact:
         """The contact tabulated between two pressures [Pa]: nanoseconds a point in place of microseconds.
 
         `outside` of the range the law refuses with ValueError, clamps to its ends, computes the exact model, or extrapolates
-        smoothly, to p = K = 0 for an open contact.
+        smoothly, to p = K = 0 for an open contact. Of a map every law but "boundary_elements" has a table, with a
+        relative_error of 1e-3 or less; of other surfaces it is 1e-7 or less.
         """
         return Law(self._core.tabulate(min_pressure, max_pressure, outside))
 

@@ -2,7 +2,10 @@
 #include "scene/overclosure.hpp"
 
 #include "scene/file.hpp"
+#include "scene/one_contact.hpp"
 #include "scene/results.hpp"
+
+#include <fstiff/contact/contact_law.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +97,14 @@ std::vector<std::size_t> rows_within(std::span<const Row> points, double toleran
         rows.push_back(end);
     }
     return rows;
+}
+
+std::string law_text(const Scene& scene, const PressureTableOptions& options) {
+    const Scene one = fine_scene(scene, options);
+    const double from = one.points.front(), to = one.points.back();
+    return contact_of(one, 0, 0, options.progress)
+        .contact->tabulate({.min_pressure = from, .max_pressure = to, .outside = OutsideRange::extrapolate})
+        .to_text();
 }
 
 PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options) {

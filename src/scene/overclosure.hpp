@@ -57,4 +57,8 @@ struct PressureTable {
 /// separation does not fall with the pressure; as compute().
 [[nodiscard]] PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options);
 
+/// The law of \p options tabulated over its range, as text for ContactLaw::from_text; it goes on smoothly outside. The tolerance is not
+/// asked for: the law has its own error. \throws domain_error as pressure_table, and for a law without a table.
+[[nodiscard]] std::string law_text(const Scene& scene, const PressureTableOptions& options);
+
 }  // namespace fstiff::scene

@@ -231,6 +231,52 @@ static void test_law(const char* file) {
     free(text);
 }
 
+/* A map of waves as SDF text, and a scene of it with all laws of a map. */
+static char* scene_of_a_map(void) {
+    FILE* file = fopen("waves.sdf", "wb");
+    if (!file) exit(1);
+    fprintf(file, "aISO-1.0\nManufacID = test\nNumPoints = 64\nNumProfiles = 64\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-6\n"
+                  "Zresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n");
+    for (int i = 0; i < 64; ++i)
+        for (int j = 0; j < 64; ++j) {
+            double z = 0;
+            for (int n = 3; n < 9; ++n)
+                z += (cos(0.098174770424681 * (n * i + (11 - n) * j) + n * n) +
+                      cos(0.098174770424681 * (n * i - (10 - n) * j) + 5 * n)) / n;
+            fprintf(file, "%.6f\n", z);
+        }
+    fprintf(file, "*\n");
+    fclose(file);
+    return "name = \"waves\"\n[surface]\nfrom = \"waves.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+           "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
+           "hardness = \"6 GPa\"\n[contact]\nlaws = [\"hybrid\", \"summits\", \"persson\", \"plastic\"]\npressures = [\"10 MPa\"]\n";
+}
+
+static void test_law_of_a_map(void) {
+    const char* text = scene_of_a_map();
+    for (size_t i = 0; i < 4; ++i) {
+        fstiff_contact* contact = NULL;
+        CHECK(fstiff_contact_of_scene(text, strlen(text), NULL, i, 0, &contact) == FSTIFF_OK);
+        fstiff_law* law = NULL;
+        CHECK(fstiff_law_make(contact, 5e6, 5e7, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+        fstiff_law_facts facts = {.size = sizeof facts};
+        CHECK(fstiff_law_facts_of(law, &facts) == FSTIFF_OK && facts.relative_error <= 1e-3);
+        double pressures[9], separations[9], wanted[9], k[9], p[9];
+        for (size_t j = 0; j < 9; ++j) pressures[j] = 5.1e6 * pow(1.3, (double)j);
+        const fstiff_points points = {sizeof points, NULL, separations, wanted, NULL, NULL, NULL, NULL, NULL};
+        CHECK(fstiff_contact_at_pressures(contact, pressures, 9, &points) == FSTIFF_OK);
+        CHECK(fstiff_law_at_pressures(law, pressures, 9, NULL, k, NULL) == FSTIFF_OK);
+        CHECK(fstiff_law_at_separations(law, separations, 9, p, NULL, NULL) == FSTIFF_OK);
+        for (size_t j = 0; j < 9; ++j) {
+            CHECK(fabs(k[j] / wanted[j] - 1) < 1e-3);
+            CHECK(fabs(p[j] / pressures[j] - 1) < 1e-3);
+        }
+        fstiff_law_free(law);
+        fstiff_contact_free(contact);
+    }
+    remove("waves.sdf");
+}
+
 static void check_measured(const char* key, const fstiff_surface* found) {
     size_t count;
     double* wanted = numbers_of(key, &count);
@@ -579,6 +625,7 @@ int main(int argc, char** argv) {
         test_contacts();
         test_scene(scene);
         test_law(argv[3]);
+        test_law_of_a_map();
         test_measurement();
         free(text);
     } else if (strcmp(part, "refusals") == 0)

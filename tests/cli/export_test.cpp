@@ -3,8 +3,10 @@
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
 
+#include <fstiff/contact/contact_law.hpp>
 #include <fstiff/core/version.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace export_test {
@@ -100,6 +102,34 @@ TEST_CASE("export writes the first law that run prints, and its first line says 
     CHECK(test::contains(outcome.err, "warning: the slope of the table is -dp/dd, 0.413 of K of law fractal"));
     CHECK(outcome.status == 0);
     CHECK(test::run_fstiff("export --to abaqus --law hertz").err.find("slope") == std::string::npos);
+}
+
+TEST_CASE("export writes the law itself, of a map too, with the K that run prints") {
+    const test::Folder folder;
+    REQUIRE(test::run_fstiff("generate map --seed 3 --points 64 --rows 64 --spacing \"1 um\" --rms \"0.5 um\" --shortest "
+                             "\"8 um\" --hurst 0.8 --format sdf -o " +
+                             folder / "map.sdf")
+                .status == 0);
+    const std::string file = folder / "map.law";
+    for (const std::string law : {"hybrid", "summits", "persson", "plastic", "hertz"}) {
+        CAPTURE(law);
+        const std::string scene = folder.write(
+            law + ".toml", "name = \"m\"\n[surface]\nfrom = \"map.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+                           "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\n"
+                           "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[contact]\nlaws = [\"" +
+                               law + "\"]\npressures = [\"3 MPa\", \"10 MPa\", \"50 MPa\"]\n");
+        const auto outcome = test::run_fstiff("export " + scene + " --to law -o " + file);
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.status == 0);
+        const auto table = fstiff::ContactLaw<double>::from_text(test::read(file));
+        CHECK(table.relative_error() <= 1e-3);
+        const test::Csv run(test::run_fstiff("run " + scene + " --format csv").out);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double p = std::clamp(run.number(i, "pressure_Pa"), table.pressures()[0], table.pressures()[1]);
+            CHECK(test::relative_error(table.stiffness(p), run.number(i, "stiffness_Pa_per_m")) < 1e-3);
+        }
+    }
+    test::check_refused("export --to law --law boundary_elements", 3, {"boundary_elements"});
 }
 
 TEST_CASE("export replaces its own files and no others") {

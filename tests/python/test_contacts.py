@@ -182,6 +182,24 @@ def test_a_law_refuses_what_is_outside_unless_it_goes_on():
         fstiff.Law.from_text("no law")
 
 
+@pytest.mark.parametrize("law", ["hybrid", "persson", "summits", "plastic"])
+def test_every_law_of_a_map_has_a_table(rough_map, law):
+    surface = fstiff.measure(rough_map, spacing="1 um")
+    contact = fstiff.Contact(law, surface=surface, effective_modulus=112.6e9, hardness=6e9)
+    table = contact.tabulate(3e6, 3e7)
+    assert table.relative_error <= 1e-3
+    p = np.exp(np.random.default_rng(5).uniform(np.log(3e6), np.log(3e7), 40))
+    points = contact.at_pressures(p, ["separation", "stiffness"])
+    np.testing.assert_allclose(table.stiffness(p), points.stiffness, rtol=1e-3)
+    inside = np.clip(points.separation, *table.separations)
+    pressure, slope = table.tangent_at_separation(inside)
+    np.testing.assert_allclose(pressure, p, rtol=1e-3)
+    assert np.all(slope > 0)
+    d = np.linspace(*table.separations, 1000)[1:-1]
+    assert np.all(np.diff(table.at_separation(d)[0]) < 0)
+    assert fstiff.Law.from_text(table.to_text()) == table
+
+
 def test_pickled_contacts_give_the_same(trace):
     for contact in CONTACTS.values():
         again = pickle.loads(pickle.dumps(contact))

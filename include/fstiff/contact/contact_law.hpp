@@ -10,7 +10,7 @@
 /// two in the binary exponent of p (math/piecewise), so that an evaluation needs neither a logarithm nor an exponential
 /// nor a search, and an array of them is evaluated four at a time where the processor can. K of a map has kinks, one
 /// where each of its summits touches: such a law is a table of parabolas (contact/kinked_tables), as many as its kinks need,
-/// right to 1e-3 or better and found in some ten nanoseconds, one element of an array after the other; so is any law of which
+/// right to 1e-3 or better, looked up as fast, but one element of an array after the other; so is any law of which
 /// polynomials would not be monotone or be off by more than 1e-3. The slope -dp/dd is the
 /// derivative of the very polynomial that returns p(separation), for every law: it is the tangent that Newton's method
 /// in an implicit solver needs. K is that slope with HertzLaw, FractalConsistentLaw and GreenwoodWilliamson; with

@@ -9,8 +9,8 @@
 /// The inverse of a parabola is closed, so that p(d), -dp/dd, d(p) and K(p) are one function: -dp/dd is the derivative of the
 /// returned p, continuous in d, and separation(p) its inverse. p rises strictly as d falls wherever all s_i are positive.
 ///
-/// The pieces are as short as the law needs. A piece is found through equal cells of d, and through cells of 1/32 to 1/16 of p by
-/// its leading bits; where a cell holds several pieces, by bisection.
+/// The pieces are as short as the law needs. A piece is found through cells, two for each piece: equal ones of d, and of the
+/// leading bits of p; where a cell holds several pieces, by bisection.
 ///
 /// Units       SI: Pa, m, Pa/m
 /// Valid       float and double; arguments within the table
@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,7 @@ public:
     explicit KinkedTables(std::vector<Parabola<T>> pieces) : pieces_(std::move(pieces)) {
         const Parabola<T>&first = pieces_.front(), &last = pieces_.back();
         low_ = bits_of(first.pressure), count_ = bits_of(last.pressure) - low_ + 1;
+        while (shift_ > 0 && (count_ >> shift_) < 2 * pieces_.size()) --shift_;
         furthest_ = first.separation, length_ = furthest_ - last.separation;
         cells_per_length_ = static_cast<T>(2 * pieces_.size()) / length_;
         by_pressure_ = cells([this](const Parabola<T>& at) { return pressure_cell(at.pressure); });
@@ -89,13 +91,12 @@ public:
 
 private:
     using Index = std::uint32_t;
-    static constexpr int shift = BinaryPieces<T>::shift - 1;
 
     [[nodiscard]] static State state(const Parabola<T>& at, T x, T pressure, T slope) noexcept {
         return {at.separation - x, pressure, slope, at.stiffness + at.stiffness_per_fall * x, at.stiffness_per_fall / slope};
     }
     [[nodiscard]] std::size_t pressure_cell(T p) const noexcept {
-        return static_cast<std::size_t>((bits_of(p) >> shift) - (low_ >> shift));
+        return static_cast<std::size_t>((bits_of(p) - low_) >> shift_);
     }
     [[nodiscard]] std::size_t separation_cell(T d) const noexcept {
         return static_cast<std::size_t>((furthest_ - d) * cells_per_length_);
@@ -123,6 +124,7 @@ private:
 
     std::vector<Parabola<T>> pieces_;
     Bits<T> low_ = 0, count_ = 0;  ///< of the pressures; count_ 0 of an empty table
+    int shift_ = std::numeric_limits<T>::digits - 2;  ///< bits of a cell
     T furthest_{}, length_{}, cells_per_length_{};
     std::vector<Index> by_pressure_, by_separation_;
 };

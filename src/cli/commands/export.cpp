@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fstiff export: the law of a scene as the table of a contact in a finite-element program.
+// fstiff export: the law of a scene as the table of a contact in a finite-element program, or as the text of a tabulated law.
 #include "commands/commands.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
@@ -16,7 +16,7 @@
 namespace fstiff::cli {
 namespace {
 
-enum class Solver { calculix, abaqus };
+enum class Solver { calculix, abaqus, law };
 
 }  // namespace
 }  // namespace fstiff::cli
@@ -25,7 +25,8 @@ namespace fstiff {
 
 template <>
 inline constexpr auto names<cli::Solver> = name_list<cli::Solver>({{cli::Solver::calculix, "calculix"},
-                                                                   {cli::Solver::abaqus, "abaqus"}});
+                                                                   {cli::Solver::abaqus, "abaqus"},
+                                                                   {cli::Solver::law, "law"}});
 
 }  // namespace fstiff
 
@@ -143,6 +144,7 @@ Report execute(const Options& options) {
                                              .tolerance = share_of(options.tolerance),
                                              .progress = progress_bar()};
     const Scene scene = read_scene(options.scene);
+    if (options.solver == Solver::law) return {.document = law_text(scene, wanted), .diagnostics = {}};
     const scene::PressureTable table = pressure_table(scene, wanted);
     Report report{.document = document_of(scene, table, options, units), .diagnostics = {}};
     for (const std::string& warning : table.warnings) report.diagnostics.push_back("warning: " + warning);
@@ -164,7 +166,7 @@ Command add_export(CLI::App& app) {
         command, options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
         "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
-    command.option("--to", options->solver, "program whose input is written").required();
+    command.option("--to", options->solver, "program whose input is written; law: the tabulated law itself, for C, C++, Python and Fortran").required();
     command.option("--units", options->units, "units of the model, length, force and pressure, such as m,N,Pa")
         .show_default();
     command.option("--tolerance", options->tolerance, "largest error of the pressure between two rows").show_default();
