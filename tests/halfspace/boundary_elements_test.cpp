@@ -180,6 +180,11 @@ TEST_CASE("maps that boundary elements do not take") {
     for (const double p : {0.0, -1.0, std::nan("")})
         CHECK(test::refusal([&] { (void)solver.at_pressure(p); }).find("pressure") == 0);
     CHECK(std::isinf(solver.at_pressure(1.0).stiffness));  // all in contact
+    CHECK(std::isinf(solver.at_pressure(1e300).stiffness));
+    BoundaryElements<double> hard(wave(64), 1e11);  // p/E is 0
+    const auto none = hard.at_pressure(5e-324);
+    CHECK_FALSE(none.converged);
+    CHECK(std::isnan(none.stiffness));
 }
 
 }  // namespace boundary_elements_test

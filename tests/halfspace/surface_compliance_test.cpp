@@ -38,7 +38,7 @@ TEST_CASE("a wave of pressure deflects by 2/(E |q|) of it") {
             CAPTURE(rows, columns);
             CHECK((field - truth).abs().maxCoeff() < 2e-14 * truth.abs().maxCoeff());
             const double stiffest =  // 2/|q| of the shortest wave: of zigzags along both sides
-                2 / std::hypot(std::numbers::pi / dx * highest(columns, edges), std::numbers::pi / dy * highest(rows, edges));
+                2 / std::numbers::pi / std::hypot(highest(columns, edges) / dx, highest(rows, edges) / dy);
             GridField<float> pull = (field / stiffest).cast<float>();
             compliance.inverse().apply(pull);
             CHECK((pull.cast<double>() - pressure).abs().maxCoeff() < 3e-6 * (field / stiffest).abs().maxCoeff());

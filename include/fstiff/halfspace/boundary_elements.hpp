@@ -6,10 +6,10 @@
 ///     g = u[p] - h + d >= 0,   p >= 0,   p g = 0 at every point,   mean p = the nominal pressure
 ///     u[p] of an elastic half space that repeats the map, or mirrors it at its edges (halfspace/surface_compliance.hpp)
 ///
-/// is a quadratic programme. The points in contact on a grid half as fine, and so on down to 8 points, are a first set; on a
-/// set, conjugate gradients level the gap; points whose pressure became less than 0 leave it, points that lie within the other
-/// face join it, until none does (an active set method). The stiffness needs no difference of two solutions: the points in
-/// contact are held together and moved by one unit,
+/// is a quadratic programme, solved by an active set method. The contact on a grid half as fine, itself begun on a coarser
+/// one down to 8 points, is the first set. Conjugate gradients level the gap on the set; points whose pressure became less
+/// than 0 leave it, points that lie within the other face join it, until none does. The stiffness needs no difference of two
+/// solutions: the points in contact are held together and moved by one unit,
 ///
 ///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1
 ///
@@ -17,9 +17,9 @@
 /// nanometre. With a hardness H the pressure is cut there (p <= H; g < 0 is plastic flow where p = H), and the stiffness is that
 /// of unloading.
 ///
-/// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; Polonsky, Keer, Wear 231 (1999) 206 (conjugate gradients); sets:
-///             Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist et al., J. Mech. Phys. Solids 55
-///             (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
+/// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; conjugate gradients: Polonsky, Keer, Wear 231 (1999) 206; sets:
+///             Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist et al., J. Mech. Phys.
+///             Solids 55 (2007) 1, here by the method of Dai, Fletcher, Math. Program. 106 (2006) 403.
 /// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
 /// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
 /// Accuracy    of the equations on the grid: tolerance, 1e-8 by default. Of the surface: a contact needs several points, and
@@ -79,8 +79,8 @@ public:
     /// The contact under \p pressure [Pa], whatever was solved before. \throws domain_error unless 0 < pressure, < H.
     [[nodiscard]] BoundaryElementState<T> at_pressure(T pressure);
 
-    /// The last one on the grid half as fine, from which it began. \throws domain_error before at_pressure() and where there is
-    /// no such grid: of less than 16 points along the shorter side, and of heights that all cancel on it.
+    /// The last one on the grid half as fine, from which it began. \throws domain_error before at_pressure() and where there
+    /// is no such grid: of less than 16 points along the shorter side, and of heights that all cancel on it.
     [[nodiscard]] BoundaryElementState<T> on_coarser_grid();
 
     /// Pressures of the last solution [Pa], mirrored rows and columns left out.
@@ -160,7 +160,7 @@ BoundaryElementState<T> BoundaryElements<T>::at_pressure(T pressure) {
 
 template <Real T>
 BoundaryElementState<T> BoundaryElements<T>::on_coarser_grid() {
-    require(!coarser_.empty(), "coarser grids", 0, "1: of a map of 16 points along the shorter side that is not flat there");
+    require(!coarser_.empty(), "coarser grids", 0, "1, which a map of 16 points a side has unless it is flat there");
     require(p_.size() > 0, "pressures solved", 0, "at least 1");
     const T nominal = p_.mean();
     BoundaryElements& coarser = coarser_.front();

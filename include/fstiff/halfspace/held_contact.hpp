@@ -5,8 +5,8 @@
 ///
 ///     u[t] = 1/K on the set, t = 0 elsewhere, mean t = 1
 ///
-/// It is a linear problem, solved by conjugate gradients: no contact is searched for. 1/K is the mean of t u[t], which is least
-/// there, so that its error is a square. The highest points of area p/H are what
+/// It is a linear problem, solved by conjugate gradients: no contact is searched for. 1/K is the mean of t u[t], which is
+/// least there, so that its error is a square. The highest points of area p/H are what
 /// a rigid flat leaves of peaks that flow at the hardness H; their K is that of unloading.
 ///
 /// Reference   halfspace/boundary_elements.hpp; Stanley, Kato, J. Tribol. 119 (1997) 481
@@ -68,10 +68,11 @@ public:
     [[nodiscard]] const std::vector<Eigen::Index>& points() const { return points_; }
     /// Mean gap on the set, and the rms of what is more or less than it.
     [[nodiscard]] T level() const { return level_; }
-    [[nodiscard]] T scatter() const { return std::sqrt(gap_.square().mean()); }
+    [[nodiscard]] T scatter() const { return std::sqrt(gap_.square().sum() / T(gap_.size())); }
 
     /// One iteration: \p p on the set and \p u change. \returns the sum of the changes of \p p; 0 where there are none.
     T step(Field& p, Field& u) {
+        if (points_.empty()) return 0;
         const Values pull = preconditioned();
         const T norm = (gap_ * pull).sum();
         direction_ = pull + norm / last_norm_ * direction_;
@@ -98,12 +99,12 @@ private:
 
     void find_gaps(const Field& u) {
         for_each([&](Eigen::Index k, Eigen::Index i) { gap_[i] = u.data()[k] - heights_->data()[k]; });
-        level_ = gap_.mean();
+        level_ = gap_.sum() / T(gap_.size());  // no number where there are no points
         gap_ -= level_;
     }
 
-    /// The pressures that would close the gaps were all points in the set, of mean 0 on it: the operator is 1/|q|, so that |q|
-    /// leaves few different eigenvalues.
+    /// The pressures that would close the gaps were all points in the set, of mean 0 on it: the operator is 1/|q|, so that
+    /// |q| leaves few different eigenvalues.
     [[nodiscard]] Values preconditioned() {
         const T scale = gap_.abs().maxCoeff();
         Values pull = Values::Zero(gap_.size());
@@ -161,7 +162,8 @@ template <Real T>
 /// Of the points where \p on is 1 (others 0), from the pressures \p start on them, which are not 0 altogether.
 template <Real T>
 [[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, const GridField<T>& on,
-                                           const GridField<T>& start, T tolerance = T(1e-6), int max_iterations = 2000) {
+                                           const GridField<T>& start, T tolerance = T(1e-6),
+                                           int max_iterations = 2000) {
     detail::WaveFactors<float> inverse = compliance.inverse();
     return detail::held_together(compliance, inverse, on, start, tolerance, max_iterations);
 }

@@ -111,7 +111,8 @@ private:
         using Line = Eigen::Array<T, Eigen::Dynamic, 1>;
         const auto waves = [edges](Eigen::Index points, T step) -> Line {
             return Line::NullaryExpr(points, [&](Eigen::Index k) {
-                return 2 * numbers::pi_v<T> / (step * T(points)) * detail::wave_number<T>(static_cast<std::size_t>(k), edges);
+                return 2 * numbers::pi_v<T> / (step * T(points)) *
+                       detail::wave_number<T>(static_cast<std::size_t>(k), edges);
             });
         };
         const Line qx = waves(columns, dx), qy = waves(rows, dy);

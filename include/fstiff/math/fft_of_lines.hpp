@@ -5,11 +5,11 @@
 ///
 ///     Z_k = sum over j of z_j exp(-2 pi i j k / M)        of each of `width` complex lines
 ///
-/// Stages of 4, 2 and odd factors that sort themselves (Stockham): the innermost loop runs over neighbouring numbers in every
-/// stage, and all of them share one phase.
+/// Stages of 4, 2 and odd factors that sort themselves (Stockham): in every stage the innermost loop runs over neighbouring
+/// numbers, and all of them share one phase.
 ///
-/// Reference   Stockham, AFIPS Proc. 28 (1966) 229; the odd factors by sums and differences of pairs: Singleton, IEEE Trans. Audio
-///             Electroacoust. 17 (1969) 93.
+/// Reference   Stockham, AFIPS Proc. 28 (1966) 229; odd factors by sums and differences of pairs: Singleton, IEEE Trans.
+///             Audio Electroacoust. 17 (1969) 93.
 /// Units       those of the data
 /// Valid       M from 2 to 2^30 without a prime factor above 50
 /// Accuracy    that of math/fft (tests/math/fft_of_lines_test.cpp)
@@ -45,8 +45,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    /// Number j of line l is \p re[j width + l] + i \p im[j width + l], and so is what becomes of it. With \p re and \p im
-    /// exchanged it is the transform with the other sign: M times the inverse.
+    /// Number j of line l is \p re[j width + l] + i \p im[j width + l], before and after. With \p re and \p im exchanged it
+    /// is the transform with the other sign: M times the inverse.
     void transform(T* re, T* im) {
         Planes from{re, im}, to{re_.data(), im_.data()};
         std::size_t run = width;
@@ -146,7 +146,8 @@ private:
                 const Complex first = Complex::load(from, in);
                 Complex all = first;
                 for (std::size_t j = 1; j <= half; ++j) {
-                    const Complex a = Complex::load(from, in + j * apart), b = Complex::load(from, in + (p - j) * apart);
+                    const Complex a = Complex::load(from, in + j * apart);
+                    const Complex b = Complex::load(from, in + (p - j) * apart);
                     plus[j] = a + b;
                     minus[j] = a - b;
                     all = all + plus[j];
@@ -161,8 +162,9 @@ private:
                         difference = difference + Complex{minus[j].im * s, minus[j].re * s};
                     }
                     const std::complex<T>* const phase = &stage.phase[q * (p - 1)];
-                    (Complex{sum.re - difference.re, sum.im + difference.im} * phase[k - 1]).store(to, out + k * run);
-                    (Complex{sum.re + difference.re, sum.im - difference.im} * phase[p - k - 1]).store(to, out + (p - k) * run);
+                    const Complex turned{V::all(0) - difference.re, difference.im};
+                    ((sum + turned) * phase[k - 1]).store(to, out + k * run);
+                    ((sum - turned) * phase[p - k - 1]).store(to, out + (p - k) * run);
                 }
             }
     }

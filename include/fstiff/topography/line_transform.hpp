@@ -9,7 +9,7 @@
 /// Mirrored lines are even about both ends, half a step outside of the last points: a line of N points has the period 2N, and
 /// its transform is the cosine transform of type II.
 ///
-/// Several lines are transformed at once (LinesTransform), a line in each lane of the machine's vectors (math/fft_of_lines.hpp).
+/// LinesTransform takes several lines at once, in the lanes of the machine's vectors (math/fft_of_lines.hpp).
 ///
 /// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform).
 /// Units       those of the data
