@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The spectra of maps, their crowded contacts by their bearing curves, and their highest points. They cost a sort and a transform
-// of each map, so that they are made when a law first asks for them; all copies of a surface share them.
+// The spectra of maps, their crowded contacts by their bearing curves, and their highest points. They cost a sort and a
+// transform of each map, so that they are made when a law first asks for them; all copies of a surface share them.
 
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/hand_over.hpp>

@@ -217,9 +217,8 @@ Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_
         of.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     }
     if (upper.map->spectra && lower.map->spectra)
-        of.spectra = std::make_shared<const SpectraOfMaps>([a = upper.map->spectra, b = lower.map->spectra](Edges edges) {
-            return sum_of_spectra(a->of(edges), b->of(edges));
-        });
+        of.spectra = std::make_shared<const SpectraOfMaps>(
+            [a = upper.map->spectra, b = lower.map->spectra](Edges edges) { return sum_of_spectra(a->of(edges), b->of(edges)); });
     of.mean_square_height = upper.map->mean_square_height + lower.map->mean_square_height;
     of.bearings = std::make_shared<const BearingsOfMaps>(of.maps, of.summits);
     face.map = std::make_shared<const MapOfSurface>(std::move(of));

@@ -175,6 +175,7 @@ TEST_CASE("Every law of a measured surface divides by one sigma: that of the hei
         const scene::Scene scene = scene::read_scene(of.surface + rest, {.name = "s.toml"});
         CHECK(test::relative_error(scene.surface.rms_height, of.sigma) < 1e-7);  // the file has nine digits
         CHECK(test::relative_error(scene.map->spectrum().rms_height, scene.surface.rms_height) < 1e-12);
+        CHECK(test::relative_error(scene.map->rms_height(), scene.surface.rms_height) < 1e-12);
         const auto results = scene::compute(scene);
         REQUIRE(results.curves.size() == 3);
         for (const auto& curve : results.curves)

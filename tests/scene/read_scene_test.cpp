@@ -87,6 +87,21 @@ TEST_CASE("theta written next to a measured r holds for the neighbours of lambda
     }
 }
 
+TEST_CASE("Without a band nothing is measured behind other lambda_s, and all else is the same") {
+    const test::Folder folder;
+    const std::string from =
+        "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
+    const auto with = [&](int samples) {
+        return read(text_of(from, "laws = [\"hertz\"]\n[uncertainty]\nsamples = " + std::to_string(samples) + "\n"));
+    };
+    const scene::Scene banded = with(20), plain = with(0);
+    CHECK(banded.neighbours.size() == 2);
+    CHECK(plain.neighbours.empty());
+    CHECK(plain.uncertain.value == banded.uncertain.value);
+    CHECK(plain.uncertain.error == banded.uncertain.error);
+    CHECK(plain.warnings == banded.warnings);
+}
+
 TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
     const test::Folder folder;
     fstiff::HeightMap<double> map = test::half_space_map("gaussian");

@@ -36,8 +36,8 @@ namespace fstiff {
 template <Real T = double>
 class HandOver {
 public:
-    /// Of a surface of \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded ln K_crowded
-    /// at p_h.
+    /// Of a surface of \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded is
+    /// ln K_crowded at p_h.
     template <class Peaks>
     HandOver(T log_pressure, std::vector<T> log_ratio, T log_crowded, const Peaks& peaks)
         : log_pressure_(log_pressure), log_crowded_(log_crowded), log_ratio_(std::move(log_ratio)) {
@@ -53,8 +53,8 @@ public:
         return peaks() * std::exp(log_ratio(-beyond / numbers::ln2_v<T>));
     }
 
-    /// That of a surface \p factor times as high, of \p peaks, with the same ratios; its crowded contact has the same K under
-    /// \p factor times the pressure.
+    /// That of a surface \p factor times as high, of \p peaks, with the same ratios; its crowded contact has the same K
+    /// under \p factor times the pressure.
     template <class Peaks>
     [[nodiscard]] HandOver of(const Peaks& peaks, T factor) const {
         HandOver other = *this;

@@ -46,7 +46,8 @@ MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool rem
             if (std::isnan(map.heights(j, i))) continue;
             if (j > 0 && i > 0 && j + 1 < rows && i + 1 < columns) {
                 const auto z = [&](Eigen::Index down, Eigen::Index right) { return map.heights(j + down, i + right); };
-                const std::array<T, 8> all{z(-1, -1), z(-1, 0), z(-1, 1), z(0, -1), z(0, 1), z(1, -1), z(1, 0), z(1, 1)};
+                const std::array<T, 8> all{z(-1, -1), z(-1, 0), z(-1, 1), z(0, -1),
+                                           z(0, 1),   z(1, -1), z(1, 0),  z(1, 1)};
                 if (std::none_of(all.begin(), all.end(), [](T height) { return std::isnan(height); })) {
                     differences[static_cast<std::size_t>(j * columns + i)] = z(0, 0) - median_of_eight(all);
                     continue;
