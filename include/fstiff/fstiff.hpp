@@ -145,6 +145,7 @@
 #include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/resolvable_stiffness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
+#include <fstiff/measured/band_parts.hpp>
 #include <fstiff/measured/cut_offs.hpp>
 #include <fstiff/measured/from_profile.hpp>
 #include <fstiff/measured/height_shape.hpp>
@@ -163,6 +164,7 @@
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
+#include <fstiff/measured/widened_band.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>
 #include <fstiff/fit/identify.hpp>

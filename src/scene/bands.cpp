@@ -6,7 +6,6 @@
 #include "scene/shown_unit.hpp"
 
 #include <fstiff/math/random.hpp>
-#include <fstiff/math/statistics.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -100,29 +99,13 @@ Scene lean_scene(const Scene& scene) {
     return lean;
 }
 
-/// Widens \p band, of K = \p value, by the spread to \p others. A band of no surface stays 0.
-void widen(SampledBand<double>& band, BandParts& parts, double value, const std::vector<double>& others) {
-    if (!(band.low > 0)) return;
-    parts.errors_low = std::min(0.0, std::log(band.low / value)),
-    parts.errors_high = std::max(0.0, std::log(band.high / value));
-    for (const double other : others) {
-        if (!(other > 0) || !std::isfinite(other)) continue;
-        parts.scale_low = std::min(parts.scale_low, std::log(other / value));
-        parts.scale_high = std::max(parts.scale_high, std::log(other / value));
-    }
-    band.low *= std::exp(-(std::hypot(parts.errors_low, parts.scale_low) + parts.errors_low));
-    band.high *= std::exp(std::hypot(parts.errors_high, parts.scale_high) - parts.errors_high);
-    band.high = std::min(band.high, std::numeric_limits<double>::max() / 2);  // as in_range() of a state
-}
-
 /// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
 std::vector<std::vector<double>> behind_other_windows(const Scene& lean, double modulus) {
     std::vector<std::vector<double>> both;
     if (!lean.fractal_dimension || !(lean.dimension_window_error > 0)) return both;
-    for (const double sign : {-1.0, 1.0}) {
+    for (const double dimension : dimensions_of_other_windows(*lean.fractal_dimension, lean.dimension_window_error)) {
         Scene other = lean;
-        const double moved = *lean.fractal_dimension + sign * normal_95<double>.value * lean.dimension_window_error;
-        other.fractal_dimension = std::clamp(moved, 1.001, 1.999);
+        other.fractal_dimension = dimension;
         both.push_back(stiffnesses(other, modulus));
     }
     return both;
@@ -131,7 +114,7 @@ std::vector<std::vector<double>> behind_other_windows(const Scene& lean, double 
 /// Which part of the band of the first law is the wider one, at the middle point.
 std::string dominating(const Scene& scene, const Curve& curve) {
     const std::size_t i = curve.band_parts.size() / 2;
-    const BandParts& parts = curve.band_parts[i];
+    const BandParts<double>& parts = curve.band_parts[i];
     const auto percent = [](double low, double high) {
         return shown_change(std::exp(low)) + " to " + shown_change(std::exp(high));
     };
@@ -181,18 +164,17 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
             const double value = curve.states[i].stiffness.value, factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
             if (!curve.law->quick_options.empty()) band.low *= factor, band.median *= factor, band.high *= factor;
             if (!of_neighbours.empty()) {
-                std::vector<double> others;
-                for (const auto& of : of_neighbours) others.push_back(of[at] * factor);
-                BandParts& parts = curve.band_parts.emplace_back();
-                widen(band, parts, value, others);
-                for (const auto& of : of_windows) {
-                    const double change = std::log(of[at] * factor / value);
-                    if (!std::isfinite(change)) continue;
-                    parts.window_low = std::min(parts.window_low, change);
-                    parts.window_high = std::max(parts.window_high, change);
-                }
+                const auto at_point = [&](const std::vector<std::vector<double>>& of) {
+                    std::vector<double> all;
+                    for (const auto& one : of) all.push_back(one[at] * factor);
+                    return all;
+                };
+                const std::vector<double> others = at_point(of_neighbours), windows = at_point(of_windows);
+                BandParts<double>& parts =
+                    curve.band_parts.emplace_back(widen(band, value, std::span<const double>(others)));
+                spread_of(value, std::span<const double>(windows), parts.window_low, parts.window_high);
             }
-            if (scene.has_lay) band.high = std::min(lay_factor * band.high, std::numeric_limits<double>::max() / 2);
+            if (scene.has_lay) widen_by_lay(band);
             curve.band.push_back(band);
         }
         next += scene.points.size();

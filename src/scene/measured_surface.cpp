@@ -4,6 +4,8 @@
 #include "scene/shown_unit.hpp"
 #include "scene/surface_instances.hpp"
 
+#include <fstiff/measured/band_parts.hpp>
+
 #include <algorithm>
 #include <utility>
 #include <variant>

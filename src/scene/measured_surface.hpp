@@ -90,9 +90,6 @@ struct MeasuredSurface {
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface,
                                                         const UncertainSurface<double>& used);
 
-/// How many times K of a face with a lay may exceed that of an isotropic one with the statistics of a profile across it:
-/// boundary elements of three turned faces gave 10 to 18 at p* of 1e-4 to 1e-2.
-inline constexpr double lay_factor = 20;
 /// Whether \p surface is a profile that repeats itself, which cannot know K of its face.
 [[nodiscard]] bool is_profile_with_lay(const MeasuredSurface& surface);
 

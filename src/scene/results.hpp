@@ -13,7 +13,7 @@
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/core/progress.hpp>
-#include <fstiff/measured/sampled_band.hpp>
+#include <fstiff/measured/band_parts.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -28,13 +28,6 @@ struct Column {
     std::string key;             ///< with the unit at its end, such as "stiffness_Pa_per_m"
     std::string unit;            ///< SI, such as "Pa/m"; empty: a plain number
     std::vector<double> values;  ///< one a point; empty: the law does not give the quantity
-};
-
-/// What the band of K at one point is made of, in logarithms of K over its value: low ends are 0 or less, high ends 0 or more.
-struct BandParts {
-    double errors_low = 0, errors_high = 0;  ///< of the surfaces drawn by their errors
-    double scale_low = 0, scale_high = 0;    ///< of the neighbours behind another lambda_s
-    double window_low = 0, window_high = 0;  ///< of the errors, the share of the windows of D that can be defended
 };
 
 /// A point of the scene that a law does not reach.
@@ -54,7 +47,7 @@ struct Curve {
     std::vector<Check<double>> checks{};
     std::vector<LoadMeans<double>> means{};   ///< of a plastic law, one a state
     std::vector<SampledBand<double>> band{};  ///< of the stiffness, one a state; empty: the surface has no errors
-    std::vector<BandParts> band_parts{};      ///< of the band, where the surface has neighbours
+    std::vector<BandParts<double>> band_parts{};  ///< of the band, where the surface has neighbours
     std::vector<Column> columns{};            ///< what Scene asks for; the same keys in every curve
 
     /// Which of the states is that of the point \p place of the scene; none where the law does not reach it.

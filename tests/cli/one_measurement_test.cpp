@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One file has one R and one sigma: the command, measure() of the headers and the C interface agree to the last digit.
+// One file has one R, one sigma and one K: the command, the headers and the C interface agree to the last digit.
 // tests/python/test_surfaces.py holds the Python package to the command.
 #include "json.hpp"
 
 #include "scene/surface_file.hpp"
 #include "support/skip.hpp"
 
-#include <fstiff/measured/measure.hpp>
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/measured/widened_band.hpp>
 #ifdef FSTIFF_TEST_HAS_C
 #include <fstiff.h>
 #endif
@@ -153,6 +154,21 @@ bool is_measured(const std::filesystem::path& path) {
     return true;
 }
 
+/// K of \p law and its band in the rows of \p document are those of \p found.
+void require_same_band(const nlohmann::json& document, const std::string& law,
+                       const std::vector<WidenedBand<double>>& found) {
+    std::size_t next = 0;
+    for (const auto& row : document["rows"]) {
+        if (row["law"] != law) continue;
+        REQUIRE(next < found.size());
+        CHECK(same(row["stiffness_Pa_per_m"], found[next].stiffness));
+        CHECK(same(row["stiffness_p05_Pa_per_m"], found[next].band.low));
+        CHECK(same(row["stiffness_p95_Pa_per_m"], found[next].band.high));
+        ++next;
+    }
+    CHECK(next == found.size());
+}
+
 /// How many files of \p folder are measured.
 std::size_t measured_files(const std::filesystem::path& folder) {
     std::size_t measured = 0;
@@ -177,6 +193,30 @@ TEST_CASE("The command, the headers and C find the same numbers in every file of
     }
     (void)measured_files(FSTIFF_SCENES);
     CHECK(measured_files(FSTIFF_TEST_DATA "/formats") > 0);
+}
+
+TEST_CASE("The command and the headers find the same K and the same band of it") {
+    test::Folder folder;
+    for (const char* surface : {"profile --points 4096 --spacing '0.5 um' --longest '90 um' --hurst 0.4 --rms '0.3 um'",
+                                "map --points 192 --spacing '0.5 um' --longest '90 um' --hurst 0.5 --rms '0.2 um'"}) {
+        const auto made = test::run_fstiff("generate " + std::string(surface) + " --seed 3");
+        scene::SurfaceOptions file;
+        file.file = folder.write("made.txt", made.out);
+        const std::string scene = folder.write(
+            "scene.toml", "[surface]\nfrom = \"made.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
+                          "poisson_ratio = 0.3\n[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n"
+                          "laws = [\"hertz\", \"fractal\"]\n");
+        const auto document = test::json_of("run '" + scene + "' --format json");
+        const auto measured = [](const auto& heights) { return measure(heights); };
+        const Surface<double> found = std::visit(measured, scene::read_surface_input(file).surface.data);
+        REQUIRE(found.fractal_dimension);
+        const std::vector<double> pressures{1e6, 1e7};
+        const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
+        const auto hertz = [](double) { return HertzLaw<double>{}; };
+        const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
+        require_same_band(document, "hertz", stiffness_band(found, pressures, hertz, modulus));
+        require_same_band(document, "fractal", stiffness_band(found, pressures, fractal, modulus));
+    }
 }
 
 TEST_CASE("The command, the headers and C find the same numbers in every measured file") {

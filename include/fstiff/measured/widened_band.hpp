@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The band of K(p) of a measured surface: over the errors of its parameters, and over the choice of lambda_s.
+///
+///     const auto surface = fstiff::measure(profile);
+///     const auto band = fstiff::stiffness_band(surface, pressures, [](double) { return fstiff::HertzLaw<double>{}; },
+///                                              112.6e9);
+///     band[0].stiffness, band[0].band.low, band[0].band.high       [Pa/m] at pressures[0]: K, 5 and 95 %
+///
+/// The band over the errors (measured/stiffness_band) is widened by the neighbours of the surface
+/// (measured/band_parts). A profile with a lay cannot tell K: its band ends lay_factor times higher.
+///
+/// Reference   measured/stiffness_band.hpp, measured/band_parts.hpp, measured/measure.hpp
+/// Units       K [Pa/m], pressures [Pa]
+/// Valid       as stiffness_band() of an uncertain surface; r and theta known, for the form with an asperity law
+/// Accuracy    the band of `fstiff run` to the last digit (tests/cli/one_measurement_test.cpp)
+
+#include <fstiff/measured/band_parts.hpp>
+#include <fstiff/measured/measure.hpp>
+#include <fstiff/measured/stiffness_band.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+namespace fstiff {
+
+/// K of a measured surface at one pressure, with its band.
+template <Real T = double>
+struct WidenedBand {
+    T stiffness{};  ///< of the surface as measured [Pa/m]; NaN where it has none
+    SampledBand<T> band;
+    BandParts<T> parts;
+};
+
+/// Whether \p surface is a profile that repeats itself, which cannot know K of its face.
+template <Real T>
+[[nodiscard]] bool is_profile_with_lay(const Surface<T>& surface) {
+    return surface.profile && std::count(surface.concerns.begin(), surface.concerns.end(), MeasuredConcern::lay) > 0;
+}
+
+/// The band of the stiffness of any contact: \p contact_of takes a surface, an array in the order of Parameter, and
+/// returns what has at_pressure. A neighbour without a contact is left out.
+/// \throws domain_error as sampled_band().
+template <Real T, class Pressures, class ContactOf>
+[[nodiscard]] std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
+                                                         const ContactOf& contact_of,
+                                                         const BandOptions& options = {});
+/// The same for RoughContact with the asperity law that \p law_of makes of D, and the modulus \p effective_modulus
+/// [Pa].
+/// \throws domain_error as above, and when r and theta of \p surface are not known.
+template <Real T, class Pressures, class LawOf>
+[[nodiscard]] std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
+                                                         const LawOf& law_of, std::type_identity_t<T> effective_modulus,
+                                                         const BandOptions& options = {},
+                                                         const RoughContactOptions<T>& contact = {});
+
+namespace detail {
+
+/// K at \p pressures; NaN where the surface has no contact, or the contact no state.
+template <Real T, class Pressures, class ContactOf>
+[[nodiscard]] std::vector<T> stiffnesses_at(const std::array<T, surface_parameter_count>& values,
+                                            const Pressures& pressures, const ContactOf& contact_of) {
+    std::vector<T> all;
+    try {
+        for (const auto& point : curve_at_pressures(contact_of(values), pressures, Quantity::stiffness))
+            all.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<T>::quiet_NaN());
+    } catch (const domain_error&) {
+        all.assign(std::size(pressures), std::numeric_limits<T>::quiet_NaN());
+    }
+    return all;
+}
+
+/// The parameters of \p neighbour; r and theta of \p surface where it has none.
+template <Real T>
+[[nodiscard]] std::array<T, surface_parameter_count> values_of_neighbour(const Surface<T>& neighbour,
+                                                                         const UncertainSurface<T>& surface) {
+    const UncertainSurface<T> own = uncertain<T>(neighbour);
+    auto values = own.value;
+    for (const Parameter which : {Parameter::r, Parameter::theta})
+        if (!own.known[index_of(which)]) values[index_of(which)] = surface.value[index_of(which)];
+    return values;
+}
+
+}  // namespace detail
+
+template <Real T, class Pressures, class ContactOf>
+std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
+                                           const ContactOf& contact_of, const BandOptions& options) {
+    const UncertainSurface<T> values = uncertain<T>(surface);
+    const auto at = [&](const std::array<T, surface_parameter_count>& of) {
+        return detail::stiffnesses_at(of, pressures, contact_of);
+    };
+    const auto bands = sampled_band(values, at, options);
+    const std::vector<T> own = at(values.value);
+    std::vector<std::vector<T>> of_neighbours, of_windows;
+    for (const Surface<T>& neighbour : surface.neighbours)
+        of_neighbours.push_back(at(detail::values_of_neighbour(neighbour, values)));
+    if (surface.fractal_dimension && surface.dimension_window_error > T(0))
+        for (const T dimension :
+             dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
+            auto other = values.value;
+            other[index_of(Parameter::fractal_dimension)] = dimension;
+            of_windows.push_back(at(other));
+        }
+    std::vector<WidenedBand<T>> all;
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        WidenedBand<T> one{own[i], bands[i], {}};
+        const auto column = [i](const std::vector<std::vector<T>>& of) {
+            std::vector<T> at_pressure;
+            for (const auto& curve : of) at_pressure.push_back(curve[i]);
+            return at_pressure;
+        };
+        const std::vector<T> neighbours = column(of_neighbours), windows = column(of_windows);
+        if (!neighbours.empty()) one.parts = widen(one.band, one.stiffness, std::span<const T>(neighbours));
+        spread_of(one.stiffness, std::span<const T>(windows), one.parts.window_low, one.parts.window_high);
+        if (is_profile_with_lay(surface)) widen_by_lay(one.band);
+        all.push_back(one);
+    }
+    return all;
+}
+
+template <Real T, class Pressures, class LawOf>
+std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures, const LawOf& law_of,
+                                           std::type_identity_t<T> effective_modulus, const BandOptions& options,
+                                           const RoughContactOptions<T>& contact) {
+    if (!surface.r || !surface.theta)
+        throw domain_error("r and theta of the surface are not known: must be known for the density of its peaks");
+    return stiffness_band(
+        surface, pressures,
+        [&](const std::array<T, surface_parameter_count>& drawn) {
+            return RoughContact(
+                roughness_of(drawn),
+                PeakDistribution<T>(drawn[index_of(Parameter::r)], drawn[index_of(Parameter::theta)]),
+                law_of(drawn[index_of(Parameter::fractal_dimension)]), effective_modulus, contact);
+        },
+        options);
+}
+
+}  // namespace fstiff
