@@ -55,7 +55,7 @@ class FstiffConan(ConanFile):
 
     def generate(self):
         toolchain = CMakeToolchain(self)
-        for part in ("CLI", "C", "TESTS", "BENCH"):
+        for part in ("IO", "CLI", "C", "TESTS", "BENCH"):
             toolchain.cache_variables[f"FSTIFF_BUILD_{part}"] = False
         toolchain.generate()
         if not self.options.system_eigen:

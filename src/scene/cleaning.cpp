@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/cleaning.hpp"
 
+#include "io/npy.hpp"
 #include "scene/shown_unit.hpp"
 #include "scene/surface_file.hpp"
 

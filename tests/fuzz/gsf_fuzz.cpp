@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Simple fields of Gwyddion.
-#include <fstiff/io/gsf.hpp>
+#include "io/gsf.hpp"
 
 #include "fuzz.hpp"
 

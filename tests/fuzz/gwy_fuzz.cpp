@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files of Gwyddion: the channel that is chosen, one by number, one by title.
-#include <fstiff/io/gwy.hpp>
+#include "io/gwy.hpp"
 
 #include "fuzz.hpp"
 

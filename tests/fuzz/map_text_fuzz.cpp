@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps as delimited text, and the recognition of any file: as it is, with units, as triples, with a size.
-#include <fstiff/io/map_text.hpp>
+#include "io/map_text.hpp"
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/io/write_csv.hpp>
+#include <fstiff/io/write.hpp>
 
 #include "fuzz.hpp"
 

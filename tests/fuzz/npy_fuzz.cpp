@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays of NumPy, with units and steps given for a map and for a profile.
-#include <fstiff/io/npy.hpp>
+#include "io/npy.hpp"
 
 #include "fuzz.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Profiles as delimited text: as it is, with units, with a column chosen; what is read is written and read again.
-#include <fstiff/io/profile_text.hpp>
-#include <fstiff/io/write_csv.hpp>
+#include "io/profile_text.hpp"
+#include <fstiff/io/write.hpp>
 
 #include "fuzz.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surface data files, text and binary; what is read is written in both forms and comes back.
-#include <fstiff/io/sdf.hpp>
-#include <fstiff/io/write_sdf.hpp>
+#include "io/sdf.hpp"
+#include <fstiff/io/write.hpp>
 
 #include "fuzz.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Profiles of ISO 5436-2 and their elder form.
-#include <fstiff/io/smd.hpp>
+#include "io/smd.hpp"
 
 #include "fuzz.hpp"
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // X3P files. Damaged archives seldom get past their check sums: bytes that are no archive are taken for main.xml, and
 // those behind its end for the heights, both put into an archive here.
-#include <fstiff/io/x3p.hpp>
+#include "io/x3p.hpp"
 
 #include "fuzz.hpp"
+
+#include <zip.h>
 
 using namespace fstiff;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/gsf.hpp>
+#include "io/gsf.hpp"
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"

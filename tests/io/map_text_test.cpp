@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/map_text.hpp>
+#include "io/map_text.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

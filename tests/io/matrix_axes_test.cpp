@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Matrices with positions as their first row and column, as Excel, MATLAB and pandas write them: the same map as without.
-#include <fstiff/io/map_text.hpp>
+#include "io/map_text.hpp"
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"

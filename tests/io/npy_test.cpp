@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/npy.hpp>
+#include "io/npy.hpp"
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"

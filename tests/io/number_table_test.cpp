@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows of numbers, for both kinds of rules. The tables are read by eye.
-#include <fstiff/io/number_table.hpp>
+#include "io/number_table.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A map of one row is a profile.
-#include <fstiff/io/profile_or_map.hpp>
+#include "io/profile_or_map.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/profile_text.hpp>
+#include "io/profile_text.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/skip.hpp"

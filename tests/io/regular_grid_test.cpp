@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Grids that are made here, with points left out and positions rounded, must be found again.
-#include <fstiff/io/regular_grid.hpp>
+#include "io/regular_grid.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/smd.hpp>
+#include "io/smd.hpp"
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"

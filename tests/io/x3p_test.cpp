@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/x3p.hpp>
+#include "io/x3p.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <zip.h>
 #include <cstring>
 #include <sstream>
 
@@ -228,7 +229,7 @@ TEST_CASE("Descriptions that cannot be read are refused with element, value and 
 TEST_CASE("An increment beside heights of floating point is said, and may be ignored") {
     const std::string bytes = packed({{"main.xml", Main().text()}, {"bindata/data.bin", heights<double>()}});
     const auto reading = [&](io::X3pIncrement increment) {
-        return io::read_surface(bytes, "file.x3p", {.x3p_increment = increment, .x3p = io::x3p_reader()});
+        return io::read_surface(bytes, "file.x3p", {.x3p_increment = increment});
     };
     const auto applied = reading(io::X3pIncrement::apply), ignored = reading(io::X3pIncrement::ignore);
     for (int k = 0; k < columns * rows; ++k) {
@@ -242,8 +243,7 @@ TEST_CASE("An increment beside heights of floating point is said, and may be ign
     CHECK(ignored.record.warnings[0].ends_with("x3p_increment = apply"));
     const Main plain{.z = "<Increment>1</Increment>"}, counted{.type = "I"};
     for (const auto& [main, data] : {std::pair{plain, heights<double>()}, {counted, heights<std::int16_t>()}})
-        CHECK(io::read_surface(packed({{"main.xml", main.text()}, {"bindata/data.bin", data}}), "file.x3p",
-                               {.x3p = io::x3p_reader()})
+        CHECK(io::read_surface(packed({{"main.xml", main.text()}, {"bindata/data.bin", data}}), "file.x3p")
                   .record.warnings.empty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/map_text.hpp>
+#include "io/map_text.hpp"
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
