@@ -3,9 +3,9 @@
 /// \file
 /// Titles above the columns of a text: the units they state, and which column numbers the points.
 ///
-/// A column numbers the points where its title says so ("Nr.", "No.", "#", "Index", "Point") and its numbers are whole and
-/// rise; or where it is the first, counts 0, 1, 2 ... or 1, 2, 3 ... under a title that names no length, and another column
-/// states a unit of length or names a length. One that states a unit of length is none.
+/// A column numbers the points where its title says so ("Nr.", "No.", "#", "Index", "Point") and its numbers are whole
+/// and rise; or where it is the first, counts 0, 1, 2 ... or 1, 2, 3 ... under a title that names no length, and
+/// another column states a unit of length or names a length. One that states a unit of length is none.
 ///
 /// Units       lengths by the names of their units
 /// Accuracy    none: words (tests/io/column_titles_test.cpp)
@@ -25,8 +25,8 @@ using FreeColumns = std::vector<bool>;
 /// \p line without the signs of a comment before it.
 std::string_view without_comment_sign(std::string_view line, char separator);
 
-/// The units of \p columns columns that \p line states, empty for \p free ones without; none when it does not state them
-/// all. Free columns need titles that the separator of the table separates.
+/// The units of \p columns columns that \p line states, empty for \p free ones without; none when it does not state
+/// them all. Free columns need titles that the separator of the table separates.
 std::vector<std::string_view> units_in(std::string_view line, std::size_t columns, char separator,
                                        const FreeColumns& free = {});
 /// The units of the options: "um,nm" or "um". \throws domain_error for more than \p most of them, or another unit.
@@ -48,8 +48,8 @@ struct ColumnTitle {
 
 ColumnTitle title_of(std::string_view cell);
 
-/// The titles above the columns of \p table, of the nearest two lines of the header with a word for some and no number for
-/// any; none where there are none.
+/// The titles above the columns of \p table, of the nearest two lines of the header with a word for some and no number
+/// for any; none where there are none.
 std::vector<ColumnTitle> titles_above(const NumberTable& table);
 
 /// Whether a column called \p name holds heights.

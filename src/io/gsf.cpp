@@ -9,29 +9,46 @@ namespace detail {
 
 namespace {
 
+/// What the file states.
+struct GsfHeader {
+    std::string title;  // printable characters only
+    std::string lateral_unit, height_unit;
+    std::size_t columns{}, rows{};
+    std::size_t trailer{};  // bytes after the heights
+};
+
+Record record_of(const GsfHeader& file, const RawMap& map) {
+    Record record;
+    record.say("form", "Gwyddion simple field" + (file.title.empty() ? "" : " \"" + file.title + "\""));
+    record.say("units",
+               "x and y in " + file.lateral_unit + ", heights in " + file.height_unit + ", from XYUnits and ZUnits");
+    record.say("spacing", "from XReal / XRes and YReal / YRes");
+    record.say_points(map);
+    record.say_trailer(file.trailer);
+    return record;
+}
+
 class GsfReader {
 public:
     GsfReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
 
-    GsfSurface read() {
+    Reading read() {
         if (!is_gsf(bytes_))
             refuse_file(name_, {"does not begin as a simple field; must begin with \"Gwyddion Simple Field 1.0\""});
-        record_.name = name_;
         const std::string_view heights = split();
-        record_.columns = count("XRes");
-        record_.rows = count("YRes");
-        record_.lateral_unit = unit("XYUnits");
-        record_.height_unit = unit("ZUnits");
-        record_.title = printable(find("Title").value_or(""), 80);
-        const double lateral = unit_factor(record_.lateral_unit, Dimension::length);
-        const double dx = length("XReal") * lateral / static_cast<double>(record_.columns);
-        const double dy = length("YReal") * lateral / static_cast<double>(record_.rows);
-        GsfSurface result;
-        read_heights(result.map, heights);
-        set_spacings(result.map, dx, dy, name_);
-        record_.missing = static_cast<std::size_t>(result.map.size() - result.map.present());
-        result.record = record_;
-        return result;
+        header_.columns = count("XRes");
+        header_.rows = count("YRes");
+        header_.lateral_unit = unit("XYUnits");
+        header_.height_unit = unit("ZUnits");
+        header_.title = printable(find("Title").value_or(""), 80);
+        const double lateral = unit_factor(header_.lateral_unit, Dimension::length);
+        const double dx = length("XReal") * lateral / static_cast<double>(header_.columns);
+        const double dy = length("YReal") * lateral / static_cast<double>(header_.rows);
+        RawMap map;
+        read_heights(map, heights);
+        set_spacings(map, dx, dy, name_);
+        Record record = record_of(header_, map);
+        return {std::move(map), std::move(record)};
     }
 
 private:
@@ -90,45 +107,34 @@ private:
         return std::string(value);
     }
 
-    void read_heights(HeightMap<double>& map, std::string_view bytes) {
+    void read_heights(RawMap& map, std::string_view bytes) {
         // both below 2^32: the product fits into 64 bits
-        const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
+        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
         if (points > bytes.size() / 4)
-            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of 4 bytes, but holds ",
+            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of 4 bytes, but holds ",
                                 bytes.size(), " bytes of them; must hold all"});
-        record_.trailer = bytes.size() - static_cast<std::size_t>(points) * 4;
-        const double factor = unit_factor(record_.height_unit, Dimension::length);
-        map.heights.resize(static_cast<Eigen::Index>(record_.rows), static_cast<Eigen::Index>(record_.columns));
+        header_.trailer = bytes.size() - static_cast<std::size_t>(points) * 4;
+        const double factor = unit_factor(header_.height_unit, Dimension::length);
+        allocate(map, header_.rows, header_.columns);
         for (std::size_t i = 0; i < points; ++i) {
             const double z = real_at(bytes.substr(4 * i, 4), false);
             if (std::isinf(z))
-                refuse_file(name_, {"holds infinity in row ", i / record_.columns + 1, ", column ",
-                                    i % record_.columns + 1, "; must hold finite numbers, or NaN for missing points"});
-            map.heights.data()[i] = z * factor;
+                refuse_file(name_, {"holds infinity in row ", i / header_.columns + 1, ", column ",
+                                    i % header_.columns + 1, "; must hold finite numbers, or NaN for missing points"});
+            map.heights[i] = z * factor;
         }
     }
 
     std::string_view bytes_;
     std::string name_;
     std::vector<std::pair<std::string_view, std::string_view>> fields_;
-    GsfRecord record_;
+    GsfHeader header_;
 };
 
 }  // namespace
 
 }  // namespace detail
 
-std::vector<std::string> GsfRecord::sentences() const {
-    std::vector<std::string> all;
-    all.push_back("form: Gwyddion simple field" + (title.empty() ? "" : " \"" + title + "\""));
-    all.push_back("units: x and y in " + lateral_unit + ", heights in " + height_unit + ", from XYUnits and ZUnits");
-    all.push_back("spacing: from XReal / XRes and YReal / YRes");
-    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
-                  std::to_string(missing) + " missing");
-    if (trailer != 0) all.push_back("trailer: " + std::to_string(trailer) + " bytes, not read");
-    return all;
-}
-
-GsfSurface read_gsf(std::string_view bytes, std::string_view name) { return detail::GsfReader(bytes, name).read(); }
+Reading read_gsf(std::string_view bytes, std::string_view name) { return detail::GsfReader(bytes, name).read(); }
 
 }  // namespace fstiff::io

@@ -9,6 +9,17 @@ namespace detail {
 
 namespace {
 
+/// What the file states.
+struct GwyHeader {
+    std::string channel;              // "0 \"Height\""
+    std::string channel_from;         // why it is that one
+    std::vector<std::string> others;  // channels that were not read, with their units
+    std::string lateral_unit, height_unit;
+    std::size_t columns{}, rows{};
+    std::size_t masked{};   // of the missing ones, those that the mask marks
+    std::size_t trailer{};  // bytes after the tree
+};
+
 /// The components of one object, read from its front to its end.
 class GwyCursor {
 public:
@@ -98,30 +109,47 @@ private:
     const std::string& name_;
 };
 
+Record record_of(const GwyHeader& file, const RawMap& map) {
+    Record record;
+    record.say("form", "Gwyddion file, channel " + file.channel + ", " +
+                           (file.channel_from == "options" ? "from options" : file.channel_from));
+    std::string others;
+    for (const std::string& other : file.others) others += (others.empty() ? "" : ", ") + other;
+    if (!others.empty()) record.say("other channels", others + ", not read");
+    record.say("units", "x and y in " + file.lateral_unit + ", heights in " + file.height_unit + ", from the file");
+    record.say("spacing", "from xreal / xres and yreal / yres");
+    const std::string masked = std::to_string(file.masked);
+    record.say_points(map, file.masked == 0 ? "" : " (" + masked + " of them under the mask)");
+    record.say_trailer(file.trailer);
+    if (file.masked != 0)
+        record.warnings.push_back(
+            "the file has a mask over " + masked +
+            " points, which were taken for missing; where it marks something else, save the file without the mask");
+    return record;
+}
+
 class GwyReader {
 public:
     GwyReader(std::string_view bytes, std::string_view name, std::string_view channel)
         : bytes_(bytes), name_(name), wanted_(trimmed(channel)) {}
 
-    GwySurface read() {
+    Reading read() {
         if (!is_gwy(bytes_)) refuse_file(name_, {"does not begin as a file of Gwyddion; must begin with GWYP"});
-        record_.name = name_;
         find_channels();
         const Channel& chosen = choose();
         const Field field = field_of(chosen.data, chosen.called + "/data");
-        record_.columns = field.columns;
-        record_.rows = field.rows;
-        record_.lateral_unit = length_unit("si_unit_xy", field.lateral_unit);
-        record_.height_unit = length_unit("si_unit_z", field.height_unit);
-        GwySurface result;
-        read_heights(result.map, field);
-        if (!chosen.mask.empty()) apply(field_of(chosen.mask, chosen.called + "/mask"), result.map);
-        const double lateral = unit_factor(record_.lateral_unit, Dimension::length);
-        set_spacings(result.map, step("xreal", field.width) * lateral / static_cast<double>(field.columns),
+        header_.columns = field.columns;
+        header_.rows = field.rows;
+        header_.lateral_unit = length_unit("si_unit_xy", field.lateral_unit);
+        header_.height_unit = length_unit("si_unit_z", field.height_unit);
+        RawMap map;
+        read_heights(map, field);
+        if (!chosen.mask.empty()) apply(field_of(chosen.mask, chosen.called + "/mask"), map);
+        const double lateral = unit_factor(header_.lateral_unit, Dimension::length);
+        set_spacings(map, step("xreal", field.width) * lateral / static_cast<double>(field.columns),
                      step("yreal", field.height) * lateral / static_cast<double>(field.rows), name_);
-        record_.missing = static_cast<std::size_t>(result.map.size() - result.map.present());
-        result.record = record_;
-        return result;
+        Record record = record_of(header_, map);
+        return {std::move(map), std::move(record)};
     }
 
 private:
@@ -151,7 +179,7 @@ private:
     void find_channels() {
         GwyCursor file(bytes_.substr(4), name_);
         GwyCursor tree(file.object("the tree", "GwyContainer"), name_);
-        record_.trailer = file.left();
+        header_.trailer = file.left();
         const auto once = [&](std::string_view& slot, std::string_view key, std::string_view content) {
             if (slot.data() != nullptr) refuse_file(name_, {"holds ", shown_cell(key), " twice; must be stated once"});
             slot = content;
@@ -224,7 +252,7 @@ private:
     }
     std::string length_unit(const std::string& field, const std::string& unit) const {
         if (!is_unit(unit, Dimension::length))
-            refuse_field(name_, field + " of channel " + record_.channel, shown_cell(unit),
+            refuse_field(name_, field + " of channel " + header_.channel, shown_cell(unit),
                          "a unit of length: " + accepted_units(Dimension::length));
         return unit;
     }
@@ -262,36 +290,36 @@ private:
             refuse_file(name_,
                         {"has no channel in units of length (it has ", list, "); must have heights over lengths"});
         if (!chosen) refuse_file(name_, {"has no channel ", shown_cell(wanted_), "; must be one of ", list});
-        record_.channel = shown(chosen->first, chosen->second);
-        record_.channel_from = !wanted_.empty()        ? "options"
+        header_.channel = shown(chosen->first, chosen->second);
+        header_.channel_from = !wanted_.empty()        ? "options"
                                : channels_.size() == 1 ? "the only one"
                                                        : "the lowest whose units are lengths";
         for (const auto& [number, text] : described)
-            if (number != chosen->first) record_.others.push_back(text);
+            if (number != chosen->first) header_.others.push_back(text);
         return chosen->second;
     }
 
-    void read_heights(HeightMap<double>& map, const Field& field) const {
-        const double factor = unit_factor(record_.height_unit, Dimension::length);
-        map.heights.resize(static_cast<Eigen::Index>(field.rows), static_cast<Eigen::Index>(field.columns));
+    void read_heights(RawMap& map, const Field& field) const {
+        const double factor = unit_factor(header_.height_unit, Dimension::length);
+        allocate(map, field.rows, field.columns);
         for (std::size_t i = 0; i < field.columns * field.rows; ++i) {
             const double z = double_at(field.numbers.substr(8 * i, 8));
             if (std::isinf(z))
                 refuse_file(name_, {"holds infinity in row ", i / field.columns + 1, ", column ", i % field.columns + 1,
                                     "; must hold finite numbers, or NaN for missing points"});
-            map.heights.data()[i] = z * factor;
+            map.heights[i] = z * factor;
         }
     }
 
     /// Makes missing what the mask marks.
-    void apply(const Field& mask, HeightMap<double>& map) {
-        if (mask.columns != record_.columns || mask.rows != record_.rows)
+    void apply(const Field& mask, RawMap& map) {
+        if (mask.columns != header_.columns || mask.rows != header_.rows)
             refuse_file(name_, {"has a mask of ", mask.columns, " x ", mask.rows, " points over heights of ",
-                                record_.columns, " x ", record_.rows, "; must be as many"});
+                                header_.columns, " x ", header_.rows, "; must be as many"});
         for (std::size_t i = 0; i < mask.numbers.size() / 8; ++i)
             if (double_at(mask.numbers.substr(8 * i, 8)) >= 0.5) {
-                map.heights.data()[i] = std::numeric_limits<double>::quiet_NaN();
-                ++record_.masked;
+                map.heights[i] = std::numeric_limits<double>::quiet_NaN();
+                ++header_.masked;
             }
     }
 
@@ -299,38 +327,14 @@ private:
     std::string name_;
     std::string wanted_;
     std::map<unsigned, Channel> channels_;
-    GwyRecord record_;
+    GwyHeader header_;
 };
 
 }  // namespace
 
 }  // namespace detail
 
-std::vector<std::string> GwyRecord::sentences() const {
-    std::vector<std::string> all;
-    all.push_back("form: Gwyddion file, channel " + channel + ", " +
-                  (channel_from == "options" ? "from options" : channel_from));
-    if (!others.empty()) {
-        std::string list;
-        for (const std::string& other : others) list += (list.empty() ? "" : ", ") + other;
-        all.push_back("other channels: " + list + ", not read");
-    }
-    all.push_back("units: x and y in " + lateral_unit + ", heights in " + height_unit + ", from the file");
-    all.push_back("spacing: from xreal / xres and yreal / yres");
-    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
-                  std::to_string(missing) + " missing" +
-                  (masked == 0 ? "" : " (" + std::to_string(masked) + " of them under the mask)"));
-    if (trailer != 0) all.push_back("trailer: " + std::to_string(trailer) + " bytes, not read");
-    return all;
-}
-
-std::vector<std::string> GwyRecord::warnings() const {
-    if (masked == 0) return {};
-    return {"the file has a mask over " + std::to_string(masked) +
-            " points, which were taken for missing; where it marks something else, save the file without the mask"};
-}
-
-GwySurface read_gwy(std::string_view bytes, std::string_view name, std::string_view channel) {
+Reading read_gwy(std::string_view bytes, std::string_view name, std::string_view channel) {
     return detail::GwyReader(bytes, name, channel).read();
 }
 

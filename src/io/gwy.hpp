@@ -7,17 +7,17 @@
 /// content as uint32, and components: name, NUL, a letter of the type, and the value.
 ///
 ///     b, c   1 byte           s   text with a NUL byte                 C, I, Q, D   uint32 count, then the elements
-///     i      int32            o   an object                            S, O         uint32 count, then texts or objects
-///     q, d   int64, float64
+///     i      int32            o   an object                            S, O         uint32 count, then texts or
+///     objects q, d   int64, float64
 ///
-/// The outer object is a GwyContainer. Channel N is the GwyDataField "/N/data" of xres columns and yres rows over a width
-/// xreal and a height yreal in the unit si_unit_xy, its heights in si_unit_z as float64, row after row from the top. Its
-/// name is "/N/data/title". Points that its mask "/N/mask" marks (1; 0 elsewhere) are taken for missing.
+/// The outer object is a GwyContainer. Channel N is the GwyDataField "/N/data" of xres columns and yres rows over a
+/// width xreal and a height yreal in the unit si_unit_xy, its heights in si_unit_z as float64, row after row from the
+/// top. Its name is "/N/data/title". Points that its mask "/N/mask" marks (1; 0 elsewhere) are taken for missing.
 ///
 ///     dx = xreal / xres,    dy = yreal / yres
 ///
-/// The lowest channel whose units are lengths is read, or the one that the options name by its number or its title; every
-/// other one is told. Graphs, volumes, clouds of points and the files of Gwyddion 1 (GWYO) are not read.
+/// The lowest channel whose units are lengths is read, or the one that the options name by its number or its title;
+/// every other one is told. Graphs, volumes, clouds of points and the files of Gwyddion 1 (GWYO) are not read.
 ///
 /// Reference   Gwyddion user guide, "Format of Gwyddion Files". Deviation: a missing or empty unit is refused.
 /// Units       map in m
@@ -26,7 +26,7 @@
 
 #include "io/binary_numbers.hpp"
 #include "io/lines.hpp"
-#include "io/profile_or_map.hpp"
+#include "io/reading.hpp"
 
 #include <fstiff/io/quantity.hpp>
 
@@ -34,36 +34,12 @@
 
 namespace fstiff::io {
 
-/// What was found in a file.
-struct GwyRecord {
-    std::string name;
-    std::string channel;              ///< "0 \"Height\""
-    std::string channel_from;         ///< why it is that one
-    std::vector<std::string> others;  ///< channels that were not read, with their units
-    std::string lateral_unit, height_unit;
-    std::size_t columns{}, rows{};
-    std::size_t missing{};
-    std::size_t masked{};   ///< of the missing ones, those that the mask marks
-    std::size_t trailer{};  ///< bytes after the tree
-
-    /// The above as sentences for people, one a line, without a full stop.
-    [[nodiscard]] std::vector<std::string> sentences() const;
-    /// What may be wrong about the reading.
-    [[nodiscard]] std::vector<std::string> warnings() const;
-};
-
-/// What one channel of a Gwyddion file holds.
-struct GwySurface {
-    HeightMap<double> map;  ///< of one row when yres is 1
-    GwyRecord record;
-};
-
 /// Whether \p bytes begin as a file of Gwyddion 2 does.
 [[nodiscard]] bool is_gwy(std::string_view bytes);
 
-/// The channel \p channel, its number ("1") or its title ("Height"), of the file in \p bytes, which messages call \p name;
-/// empty: the lowest whose units are lengths.
+/// The channel \p channel, its number ("1") or its title ("Height"), of the file in \p bytes, which messages call \p
+/// name; empty: the lowest whose units are lengths.
 /// \throws domain_error naming file, component, value and what is allowed.
-[[nodiscard]] GwySurface read_gwy(std::string_view bytes, std::string_view name, std::string_view channel = {});
+[[nodiscard]] Reading read_gwy(std::string_view bytes, std::string_view name, std::string_view channel = {});
 
 }  // namespace fstiff::io

@@ -24,8 +24,8 @@ bool is_grid_word(std::string_view word) {
     return key == "ncols" || key == "nrows" || key == "cellsize" || key == "nodata_value";
 }
 
-/// "10,5 um" as "10.5 um" where its comma is decimal: the table's is, or other than three digits follow or a zero leads, as
-/// of no thousands.
+/// "10,5 um" as "10.5 um" where its comma is decimal: the table's is, or other than three digits follow or a zero
+/// leads, as of no thousands.
 std::string with_decimal_point(std::string_view value, bool decimal_comma) {
     std::string text(value);
     const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
@@ -41,8 +41,8 @@ std::string with_decimal_point(std::string_view value, bool decimal_comma) {
 
 constexpr std::string_view wide_colon = "\xEF\xBC\x9A";  // of Chinese and Japanese
 
-/// "XY Calibration","277.8","nm", as Keyence exports it, or Pitch,0.5,um, as Mitutoyo does: the cells, of which there are two
-/// or three; none of other lines.
+/// "XY Calibration","277.8","nm", as Keyence exports it, or Pitch,0.5,um, as Mitutoyo does: the cells, of which there
+/// are two or three; none of other lines.
 std::vector<std::string_view> entry_cells(std::string_view line) {
     std::vector<std::string_view> cells;
     const bool quoted = line.starts_with('"');

@@ -42,8 +42,8 @@ struct StatedGrid {
 /// The entry called \p key; nullptr where there is none.
 const HeaderEntry* find_entry(const std::vector<HeaderEntry>& entries, std::string_view key);
 
-/// A spacing that the header of a profile states, such as "Resolution,0.156 um/sample" or "Punktabstand [um]: 0,5"; with the
-/// weight of its last digit [m].
+/// A spacing that the header of a profile states, such as "Resolution,0.156 um/sample" or "Punktabstand [um]: 0,5";
+/// with the weight of its last digit [m].
 struct StatedSpacing {
     double value{}, resolution{};
     std::size_t line{};

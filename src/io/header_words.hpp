@@ -3,12 +3,13 @@
 /// \file
 /// The words that instruments and programs write above a map in other languages than English.
 ///
-/// Words may be in UTF-8 or in any 8-bit code page: there, one byte of 128 and more stands for each letter that is not ASCII,
-/// whichever page it is of. Only words that also have ASCII letters are known so, for others would fit one another.
+/// Words may be in UTF-8 or in any 8-bit code page: there, one byte of 128 and more stands for each letter that is not
+/// ASCII, whichever page it is of. Only words that also have ASCII letters are known so, for others would fit one
+/// another.
 ///
-/// Reference   Gwyddion's export of text in the languages of its interface, as SurfaceTopography (MIT licence) lists them;
-///             the height export of Keyence's VK and VR programs, as open converters list its words in English, German and
-///             Korean
+/// Reference   Gwyddion's export of text in the languages of its interface, as SurfaceTopography (MIT licence) lists
+///             them; the height export of Keyence's VK and VR programs, as open converters list its words in English,
+///             German and Korean
 /// Valid       keys in lower case as far as they are ASCII
 
 #include "io/number.hpp"

@@ -16,7 +16,8 @@ namespace fstiff::io::detail {
 inline constexpr std::string_view readable_forms =
     "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, .npy, .gsf, .gwy, .sur or .smd";
 
-/// "is binary: a PNG picture, which is not read; must be ..."; empty when the first bytes are of no format that is known here.
+/// "is binary: a PNG picture, which is not read; must be ..."; empty when the first bytes are of no format that is
+/// known here.
 std::string known_binary_refusal(std::string_view bytes);
 
 /// Whether a reader may want bytes that begin so, NUL bytes and all: of a binary form, or of text in UTF-16.

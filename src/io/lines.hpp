@@ -49,8 +49,8 @@ struct NamedBytes {
 /// What no file may exceed: a map of 8000 x 8000 points with 17 digits each has 1.5e9 bytes.
 inline constexpr std::uint64_t most_bytes = std::uint64_t(1) << 31;
 
-/// Appends the bytes of \p input, to its end, or to the end of the first block with a NUL byte of what is no binary form that
-/// is read: no reader takes that, and endless input ends there. \throws domain_error, file_error
+/// Appends the bytes of \p input, to its end, or to the end of the first block with a NUL byte of what is no binary
+/// form that is read: no reader takes that, and endless input ends there. \throws domain_error, file_error
 void append_bytes(std::istream& input, const std::string& name, std::string& bytes);
 
 /// All bytes of \p input.
@@ -58,8 +58,8 @@ NamedBytes read_bytes(std::istream& input, std::string_view name);
 
 NamedBytes read_bytes(const std::filesystem::path& path, std::string_view what);
 
-/// \p bytes without a byte order mark, in UTF-8 where they are UTF-16, when they may be text; \p what names the text that
-/// must be there.
+/// \p bytes without a byte order mark, in UTF-8 where they are UTF-16, when they may be text; \p what names the text
+/// that must be there.
 std::string text_of(std::string bytes, const std::string& name, std::string_view what);
 
 struct Line {

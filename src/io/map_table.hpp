@@ -3,8 +3,8 @@
 /// \file
 /// The table of a map of text: its rows, the columns that are used, its axes and its grid.
 ///
-/// Columns that number the points are dropped (io/column_titles.hpp). Four columns and more begin with x, y and z where the
-/// first two are called so, or form a grid of which more than half is there, each point once.
+/// Columns that number the points are dropped (io/column_titles.hpp). Four columns and more begin with x, y and z where
+/// the first two are called so, or form a grid of which more than half is there, each point once.
 ///
 /// Units       those of the file
 
@@ -49,8 +49,8 @@ protected:
     /// Leaves the columns \p kept, counted from 0.
     void keep_columns(const std::vector<std::size_t>& kept);
 
-    /// The column of z, counted from 0, where there are more than three: the one of that title, or the only one beyond x and y
-    /// with a unit of length, or the third.
+    /// The column of z, counted from 0, where there are more than three: the one of that title, or the only one beyond
+    /// x and y with a unit of length, or the third.
     std::size_t height_column() const;
 
     std::string name_;

@@ -9,34 +9,42 @@ namespace detail {
 
 namespace {
 
+/// What was decided, for the record.
+struct MapNotes {
+    std::string units, units_from;  // of x and y (where the file needs them) and of the heights
+    std::string size_from;          // where dx and dy come from
+    std::string columns;  // which columns are used, or what the axes are; empty where all are heights or triples
+    std::string columns_key = "columns";
+};
+
 /// Everything that reading one map needs to pass between its steps. The text must outlive it.
 class MapTextReader : public MapTable {
 public:
-    explicit MapTextReader(MapTable table) : MapTable(std::move(table)) {}
+    MapTextReader(MapTable table, SurfaceFormat form, const SurfaceOptions& options)
+        : MapTable(std::move(table)), triples_(form == SurfaceFormat::triples), options_(options) {}
 
-    MapFromText read(const MapTextOptions& options) {
-        options_ = options;
-        record_.name = name_;
-        table(options_.missing).describe(record_);
-        if (!table_.missing.from.empty())
-            record_.missing_from = table_.missing.text() + ", from " + table_.missing.from;
+    Reading read() {
+        table(options_.missing);
         given_units_ =
             given_units(options_.units, 3, name_, "one unit, or \"um,nm\" (x and y, heights), or \"um,um,nm\"");
         if (given_units_.size() > 1) lateral_unit_ = given_units_.front();
         stated_ = stated_grid(entries_, lateral_unit_, name_);
         warn_of_lengths();
-        choose_form();
-        MapFromText result;
-        result.map = record_.form == MapForm::triples ? triples() : matrix();
-        located({.file = name_}, [&] { result.map.validate(2); });
-        record_.columns = static_cast<std::size_t>(result.map.columns());
-        record_.rows = static_cast<std::size_t>(result.map.rows());
-        record_.missing = static_cast<std::size_t>(result.map.size() - result.map.present());
-        result.record = record_;
-        return result;
+        RawMap map = triples_ ? triples() : matrix();
+        located({.file = name_}, [&] { validate_map(map, 2); });
+        describe(map);
+        return {std::move(map), std::move(record_)};
     }
 
 private:
+    void describe(const RawMap& map) {
+        table_.say_layout(record_);
+        record_.say("units", notes_.units + ", from " + notes_.units_from);
+        record_.say("spacing", "from " + notes_.size_from);
+        record_.say_points(map, table_.missing.note());
+        if (!notes_.columns.empty()) record_.say(notes_.columns_key, notes_.columns);
+    }
+
     static constexpr std::array<const char*, 3> axis_names{"x", "y", "the heights"};
 
     /// Puts on record which columns of the file are used, unless all are.
@@ -46,53 +54,13 @@ private:
             std::string& list = std::count(columns_.begin(), columns_.end(), c) > 0 ? used : left;
             list += (list.empty() ? "" : ", ") + std::to_string(c);
         }
-        if (!left.empty() && record_.form == MapForm::triples) used = "x, y and heights in " + used;
-        if (!left.empty()) record_.columns_text = "columns: " + used + "; left out: " + left;
+        if (!left.empty() && triples_) used = "x, y and heights in " + used;
+        if (!left.empty()) notes_.columns = used + "; left out: " + left;
     }
 
     bool size_given() const { return options_.dx || options_.dy || options_.width || options_.height; }
 
-    void choose_form() {
-        record_.form = options_.form;
-        record_.form_from = "options";
-        if (options_.form != MapForm::automatic) return;
-        record_.form = MapForm::matrix;
-        if (const auto form = stated_form(entries_); is_zygo() || form) {
-            record_.form = is_zygo() ? MapForm::triples : *form;
-            record_.form_from = "the header";
-            return;
-        }
-        if (axes_) record_.form_from = axes_from;
-        if (axes_) return;
-        const bool sized = size_given() || stated_.has_size();
-        if (begins_with_triples()) {
-            if (sized)
-                refuse_file(name_, {"has ", titles_.size(),
-                                    " columns, which begin with x, y and z, and a stated size: may be "
-                                    "triples or a matrix; must be told by ",
-                                    format_as(options_.names, "triples"), " or ", format_as(options_.names, "matrix")});
-            record_.form = MapForm::triples;
-            record_.form_from = triples_from();
-            return;
-        }
-        if (table_.columns != 3) {
-            require_no_lone_axis(options_.names);
-            record_.form_from = std::to_string(table_.columns) + " columns";
-            return;
-        }
-        if (grid().has_value() == sized)
-            refuse_file(name_,
-                        {"has three columns, ",
-                         (sized ? "of which two form a grid, and a stated size: may be x, y, z triples or a "
-                                  "matrix; must be told which"
-                                : "of which the first two form no regular grid, and no stated size: is "
-                                  "neither x, y, z triples nor a matrix; must be told which"),
-                         " by ", format_as(options_.names, "triples"), " or ", format_as(options_.names, "matrix")});
-        record_.form = grid() ? MapForm::triples : MapForm::matrix;
-        record_.form_from = grid() ? "three columns, the first two of which form a grid" : "a size is stated";
-    }
-
-    HeightMap<double> triples() {
+    RawMap triples() {
         if (begins_with_triples()) keep_columns({0, 1, height_column()});
         note_columns();
         if (table_.columns != 3) refuse_file(name_, {"has ", table_.columns, " columns; triples must have 3: x, y, z"});
@@ -107,15 +75,18 @@ private:
                                 "y, of which a tenth of the points at least is there"});
         const GridAxis &x = grid()->x, &y = grid()->y;
         const auto [x_unit, y_unit, z_unit] = is_zygo() ? units_of_zygo() : units_of_triples();
-        HeightMap<double> map;
+        RawMap map;
         std::vector<double> z(table_.rows());
         for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
         mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, height_unit_,
                      [&](std::size_t r) { return table_.row_lines[r]; });
         for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
         record_.resolution = table_.printed[2].resolution() * z_unit;
-        map.heights = heights_on(*grid(), table_, name_) * z_unit;
-        record_.size_from = "steps of x and y";
+        map.rows = y.count;
+        map.columns = x.count;
+        map.heights = heights_on(*grid(), table_, name_);
+        for (double& height : map.heights) height *= z_unit;
+        notes_.size_from = "steps of x and y";
         map.dx = step_of(x, x_unit, stated_.dx);
         map.dy = step_of(y, y_unit, stated_.dy);
         return map;
@@ -129,7 +100,7 @@ private:
             refuse_line(name_, stated->line,
                         {stated->value, " m disagrees with the positions, whose step is ", step, " m; must agree"});
         if (!(std::abs(step - stated->value) <= 1e-9 * step)) return step;
-        record_.size_from = "line " + std::to_string(stated->line) + ", with which the steps of x and y agree";
+        notes_.size_from = "line " + std::to_string(stated->line) + ", with which the steps of x and y agree";
         return stated->value;
     }
 
@@ -146,7 +117,7 @@ private:
             used = {std::string(given_units_.front()), std::string(given_units_.front()),
                     std::string(given_units_.back())};
             if (given_units_.size() == 3) used[1] = given_units_[1];
-            record_.units_from = "options";
+            notes_.units_from = "options";
             for (std::size_t k = 0; k < 3 && !stated[k].empty(); ++k)
                 if (unit_factor(used[k], Dimension::length) != unit_factor(stated[k], Dimension::length))
                     record_.warnings.push_back(contradiction(
@@ -154,21 +125,21 @@ private:
                         found.from + ", which states " + printable(stated[k], 16) + " for " + axis_names[k]));
         } else {
             used = stated;
-            record_.units_from = found.from;
+            notes_.units_from = found.from;
         }
         if (used[0].empty())
             refuse_file(name_,
                         {"states no units and none are given; must be ", given_as(options_.names, "units", "\"um,nm\""),
                          " (x and y, heights), each one of ", accepted_units(Dimension::length)});
         height_unit_ = printable(used[2], 16);
-        record_.units =
+        notes_.units =
             "x in " + printable(used[0], 16) + ", y in " + printable(used[1], 16) + ", heights in " + height_unit_;
         return {unit_factor(used[0], Dimension::length), unit_factor(used[1], Dimension::length),
                 unit_factor(used[2], Dimension::length)};
     }
 
-    /// Zygo's x and y are pixels, whose size [m] is the seventh number of line 8; its heights are in um unless a program was
-    /// told otherwise.
+    /// Zygo's x and y are pixels, whose size [m] is the seventh number of line 8; its heights are in um unless a
+    /// program was told otherwise.
     std::array<double, 3> units_of_zygo() {
         double pixel = 0;
         for (const Line& line : table_.lines)
@@ -180,8 +151,8 @@ private:
             refuse_line(name_, 8,
                         {"states no size of a pixel; must hold it as its seventh number [m], greater than 0"});
         height_unit_ = given_units_.empty() ? "um" : printable(given_units_.back(), 16);
-        record_.units = "x and y in pixels of " + number_text(pixel) + " m, heights in " + height_unit_;
-        record_.units_from = given_units_.empty() ? "line 8" : "line 8 and options";
+        notes_.units = "x and y in pixels of " + number_text(pixel) + " m, heights in " + height_unit_;
+        notes_.units_from = given_units_.empty() ? "line 8" : "line 8 and options";
         if (given_units_.empty())
             record_.warnings.push_back(
                 "Zygo XYZ states no unit of its heights, which are taken for um; another must be " +
@@ -189,8 +160,8 @@ private:
         return {pixel, pixel, unit_factor(height_unit_, Dimension::length)};
     }
 
-    HeightMap<double> matrix() {
-        HeightMap<double> map;
+    RawMap matrix() {
+        RawMap map;
         note_columns();
         if (axes_) take_axes();
         const std::size_t columns = table_.columns, rows = table_.rows();
@@ -205,8 +176,10 @@ private:
                      [&](std::size_t i) { return table_.row_lines[i / columns]; });
         for (std::size_t c = 0; c < std::min<std::size_t>(table_.printed.size(), 3); ++c)
             record_.resolution = (std::max)(record_.resolution, table_.printed[c].resolution() * unit);
-        map.heights = table_.values.take(rows, columns);
-        map.heights *= unit;
+        map.rows = rows;
+        map.columns = columns;
+        map.heights = std::move(table_.values);
+        for (double& z : map.heights) z *= unit;
         return map;
     }
 
@@ -231,9 +204,10 @@ private:
             set_step(stated_.dx, axes_->dx * factor, "dx of the positions in line " + std::to_string(axes_->line));
             set_step(stated_.dy, axes_->dy * factor, "dy of those in column 1");
         }
-        record_.columns_text = "axes: the first row and the first column are " +
-                               (numbers ? std::string("numbers of the points")
-                                        : "positions" + (unit.empty() ? std::string() : " in " + printable(unit, 16)));
+        notes_.columns_key = "axes";
+        notes_.columns = "the first row and the first column are " +
+                         (numbers ? std::string("numbers of the points")
+                                  : "positions" + (unit.empty() ? std::string() : " in " + printable(unit, 16)));
         drop_axes(table_, *axes_);
     }
 
@@ -279,7 +253,7 @@ private:
                    const std::optional<StatedGrid::Length>& stated_whole, std::size_t count) {
         const auto points = static_cast<double>(count);
         const auto note = [&](const std::string& from) {
-            record_.size_from += (record_.size_from.empty() ? "" : ", ") + from;
+            notes_.size_from += (notes_.size_from.empty() ? "" : ", ") + from;
         };
         if (given_step && given_whole)
             refuse_file(name_, {step, " and ", whole, " are both given; must be one of them"});
@@ -324,48 +298,26 @@ private:
             record_.warnings.push_back(
                 contradiction(options_.names, "units", shown_cell(options_.units), unit.contradicted));
         height_unit_ = std::move(unit.shown);
-        record_.units = "heights in " + unit.text;
-        record_.units_from = std::move(unit.from);
+        notes_.units = "heights in " + unit.text;
+        notes_.units_from = std::move(unit.from);
         return unit.factor;
     }
 
-    MapTextOptions options_;
-    MapTextRecord record_;
+    bool triples_;  // else a matrix
+    const SurfaceOptions& options_;
+    MapNotes notes_;
+    Record record_;
     std::vector<std::string_view> given_units_;
     std::string lateral_unit_, height_unit_;
     StatedGrid stated_;
 };
 
-MapFromText read_map_text(NamedBytes file, const MapTextOptions& options) {
-    const std::string text = text_of(std::move(file.bytes), file.name, map_rules.holds);
-    return MapTextReader(MapTable(text, file.name)).read(options);
-}
-
 }  // namespace
 
 }  // namespace detail
 
-std::vector<std::string> MapTextRecord::sentences() const {
-    std::vector<std::string> all = layout_sentences();
-    all.insert(all.begin(), std::string("form: ") + (form == MapForm::triples ? "x, y, z triples" : "matrix") +
-                                ", from " + form_from);
-    all.push_back("units: " + units + ", from " + units_from);
-    all.push_back("spacing: from " + size_from);
-    all.push_back(points_sentence(std::to_string(columns) + " x " + std::to_string(rows)));
-    if (!columns_text.empty()) all.push_back(columns_text);
-    return all;
-}
-
-MapFromText read_map(detail::MapTable table, const MapTextOptions& options) {
-    return detail::MapTextReader(std::move(table)).read(options);
-}
-
-MapFromText read_map(std::istream& input, std::string_view name, const MapTextOptions& options) {
-    return detail::read_map_text(detail::read_bytes(input, name), options);
-}
-
-MapFromText read_map(const std::filesystem::path& path, const MapTextOptions& options) {
-    return detail::read_map_text(detail::read_bytes(path, "delimited text"), options);
+Reading read_map(detail::MapTable table, SurfaceFormat form, const SurfaceOptions& options) {
+    return detail::MapTextReader(std::move(table), form, options).read();
 }
 
 }  // namespace fstiff::io

@@ -2,7 +2,7 @@
 #pragma once
 /// \file
 /// Numbers that stand for missing points, such as -9999 or 1e20: told by an option or by the header, else noticed and
-/// refused, for as heights they would be measured. But for OptionNames
+/// refused, for as heights they would be measured.
 ///
 /// A number is suspected that is the highest or the lowest of all, and lies beyond the range of the rest by
 ///     10 times that range, where it stands there twice or more;
@@ -40,6 +40,8 @@ struct MissingValues {
         for (const std::string& word : words) add(shown_cell(word));
         return all.empty() ? "no number" : all;
     }
+    /// " (-9999, from line 6)" behind a count of missing points; empty when nothing is said.
+    std::string note() const { return from.empty() ? "" : " (" + text() + ", from " + from + ")"; }
 };
 
 /// "-9999", "-32768,void" or "none". \throws domain_error for an empty one.

@@ -9,28 +9,49 @@ namespace detail {
 
 namespace {
 
+/// What the file states.
+struct NpyHeader {
+    std::string type;  // as NumPy writes it: "<f8"
+    bool fortran_order{};
+    std::size_t columns{}, rows{};
+    std::string missing_note;  // of the numbers that stand for missing points
+    std::string unit;          // of the heights
+    std::string size_from;     // where the spacings come from
+    std::size_t trailer{};     // bytes after the heights
+    double resolution{};       // step in which integers count [m]; 0 of numbers of floating point
+};
+
+Record record_of(const NpyHeader& file, const RawMap& map) {
+    Record record;
+    record.say("form", "NumPy array of " + file.type + ", in the order of " + (file.fortran_order ? "Fortran" : "C"));
+    record.say("units", "heights in " + file.unit + ", from options");
+    record.say("spacing", "from " + file.size_from);
+    record.say_points(map, file.missing_note);
+    record.say_trailer(file.trailer);
+    record.resolution = file.resolution;
+    return record;
+}
+
 class NpyReader {
 public:
-    NpyReader(std::string_view bytes, std::string_view name, const NpyOptions& options)
+    NpyReader(std::string_view bytes, std::string_view name, const SurfaceOptions& options)
         : rest_(bytes), name_(name), options_(options) {}
 
-    NpySurface read() {
+    Reading read() {
         if (!is_npy(rest_)) refuse_file(name_, {"does not begin as an array of NumPy; must begin with \\x93NUMPY"});
-        record_.name = name_;
         read_header(header());
         check_type();
         check_shape();
-        NpySurface result;
-        set_steps(result.map);
+        RawMap map;
+        set_steps(map);
         const double unit = height_unit();
-        read_heights(result.map);
-        missing_points(result.map);
-        for (Eigen::Index i = 0; i < result.map.size(); ++i) result.map.heights.data()[i] *= unit;
-        set_spacings(result.map, result.map.dx, result.map.dy, name_);
-        record_.missing = static_cast<std::size_t>(result.map.size() - result.map.present());
-        if (type_ != 'f') record_.resolution = unit;
-        result.record = record_;
-        return result;
+        read_heights(map);
+        missing_points(map);
+        for (double& z : map.heights) z *= unit;
+        set_spacings(map, map.dx, map.dy, name_);
+        if (type_ != 'f') header_.resolution = unit;
+        Record record = record_of(header_, map);
+        return {std::move(map), std::move(record)};
     }
 
 private:
@@ -76,12 +97,12 @@ private:
             const std::string_view key = quoted();
             expect(':');
             if (key == "descr") {
-                record_.type = printable(quoted(), 20);
+                header_.type = printable(quoted(), 20);
             } else if (key == "fortran_order") {
                 next();
-                record_.fortran_order = text.starts_with("True");
-                if (!record_.fortran_order && !text.starts_with("False")) refuse_header(text);
-                text.remove_prefix(record_.fortran_order ? 4 : 5);
+                header_.fortran_order = text.starts_with("True");
+                if (!header_.fortran_order && !text.starts_with("False")) refuse_header(text);
+                text.remove_prefix(header_.fortran_order ? 4 : 5);
                 ordered = true;
             } else if (key == "shape") {
                 expect('(');
@@ -94,7 +115,7 @@ private:
             }
             if (next() == ',') text.remove_prefix(1);
         }
-        if (record_.type.empty() || !ordered || !shaped)
+        if (header_.type.empty() || !ordered || !shaped)
             refuse_file(name_, {"has a header without descr, fortran_order or shape; must have all three"});
     }
 
@@ -111,7 +132,7 @@ private:
     }
 
     void check_type() {
-        const std::string_view type = record_.type;
+        const std::string_view type = header_.type;
         const bool known =
             type.size() == 3 && std::string_view("<>|").find(type[0]) != std::string_view::npos &&
             (type.substr(1) == "f4" || type.substr(1) == "f8" ||
@@ -127,22 +148,22 @@ private:
     void check_shape() {
         if (shape_.empty() || shape_.size() > 2)
             refuse_file(name_, {"has ", shape_.size(), " dimensions; must have 1 (a profile) or 2 (a map)"});
-        record_.rows = shape_.size() == 1 ? 1 : shape_[0];
-        record_.columns = shape_.back();
-        if (record_.columns == 1) std::swap(record_.rows, record_.columns);  // one column is a profile too
-        if (record_.rows == 0 || record_.columns < 2)
-            refuse_field(name_, "shape", std::to_string(record_.rows) + " x " + std::to_string(record_.columns),
+        header_.rows = shape_.size() == 1 ? 1 : shape_[0];
+        header_.columns = shape_.back();
+        if (header_.columns == 1) std::swap(header_.rows, header_.columns);  // one column is a profile too
+        if (header_.rows == 0 || header_.columns < 2)
+            refuse_field(name_, "shape", std::to_string(header_.rows) + " x " + std::to_string(header_.columns),
                          "at least 2 numbers");
         // both below 2^32: the product fits into 64 bits
-        const std::uint64_t points = std::uint64_t(record_.rows) * record_.columns;
+        const std::uint64_t points = std::uint64_t(header_.rows) * header_.columns;
         if (points > rest_.size() / size_)
-            refuse_file(name_, {"declares ", record_.rows, " x ", record_.columns, " numbers of ", size_,
+            refuse_file(name_, {"declares ", header_.rows, " x ", header_.columns, " numbers of ", size_,
                                 " bytes, but holds ", rest_.size(), " bytes of them; must hold all"});
-        record_.trailer = rest_.size() - static_cast<std::size_t>(points) * size_;
+        header_.trailer = rest_.size() - static_cast<std::size_t>(points) * size_;
     }
 
-    void set_steps(HeightMap<double>& map) {
-        if (record_.rows == 1) {
+    void set_steps(RawMap& map) {
+        if (header_.rows == 1) {
             if (options_.dx || options_.dy || options_.width || options_.height)
                 refuse_file(name_, {"holds a profile; must be given spacing, and not dx, dy, width or height"});
             if (!options_.spacing)
@@ -152,8 +173,8 @@ private:
         } else {
             if (options_.spacing)
                 refuse_file(name_, {"holds a map; must be given dx and dy, or width and height, and not spacing"});
-            map.dx = step("dx", options_.dx, "width", options_.width, record_.columns);
-            map.dy = step("dy", options_.dy, "height", options_.height, record_.rows);
+            map.dx = step("dx", options_.dx, "width", options_.width, header_.columns);
+            map.dy = step("dy", options_.dy, "height", options_.height, header_.rows);
         }
     }
 
@@ -165,7 +186,7 @@ private:
                                 " (between points), or width and height (of the map)"});
         const char* const what = given ? each : whole;
         located({.file = name_}, [&] { require_positive(what, given ? *given : *given_whole); });
-        record_.size_from += std::string(record_.size_from.empty() ? "" : ", ") + what + " of the options";
+        header_.size_from += std::string(header_.size_from.empty() ? "" : ", ") + what + " of the options";
         return given ? *given : *given_whole / static_cast<double>(points);
     }
 
@@ -175,7 +196,7 @@ private:
             refuse_file(name_,
                         {"states no unit of the heights and none is given; must be ",
                          given_as(options_.names, "units", "\"um\""), ", one of ", accepted_units(Dimension::length)});
-        record_.unit = std::string(given.back());
+        header_.unit = std::string(given.back());
         return unit_factor(given.back(), Dimension::length);
     }
 
@@ -186,30 +207,30 @@ private:
                               : static_cast<double>(unsigned_at(bytes, big_));
     }
 
-    void read_heights(HeightMap<double>& map) {
-        const std::size_t rows = record_.rows, columns = record_.columns;
-        map.heights.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+    void read_heights(RawMap& map) {
+        const std::size_t rows = header_.rows, columns = header_.columns;
+        allocate(map, rows, columns);
         for (std::size_t row = 0; row < rows; ++row)
             for (std::size_t column = 0; column < columns; ++column) {
-                const double z = number(record_.fortran_order ? column * rows + row : row * columns + column);
+                const double z = number(header_.fortran_order ? column * rows + row : row * columns + column);
                 if (std::isinf(z))
                     refuse_file(name_, {"holds infinity in row ", row + 1, ", column ", column + 1,
                                         "; must hold finite numbers, or NaN for missing points"});
-                map.heights.data()[row * columns + column] = z;
+                map.heights[row * columns + column] = z;
             }
     }
 
-    void missing_points(HeightMap<double>& map) {
+    void missing_points(RawMap& map) {
         const MissingValues missing = given_missing(options_.missing, name_);
-        if (!missing.from.empty()) record_.missing_from = missing.text() + ", from " + missing.from;
-        mark_missing(map.heights.data(), static_cast<std::size_t>(map.size()), missing, name_, options_.names,
-                     record_.unit, [](std::size_t) { return std::size_t(0); });
+        header_.missing_note = missing.note();
+        mark_missing(map.heights.data(), map.heights.size(), missing, name_, options_.names, header_.unit,
+                     [](std::size_t) { return std::size_t(0); });
     }
 
     std::string_view rest_;
     std::string name_;
-    const NpyOptions& options_;
-    NpyRecord record_;
+    const SurfaceOptions& options_;
+    NpyHeader header_;
     std::vector<std::size_t> shape_;
     bool big_ = false;
     char type_ = 'f';
@@ -220,18 +241,7 @@ private:
 
 }  // namespace detail
 
-std::vector<std::string> NpyRecord::sentences() const {
-    std::vector<std::string> all;
-    all.push_back("form: NumPy array of " + type + ", in the order of " + (fortran_order ? "Fortran" : "C"));
-    all.push_back("units: heights in " + unit + ", from options");
-    all.push_back("spacing: from " + size_from);
-    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
-                  std::to_string(missing) + " missing" + (missing_from.empty() ? "" : " (" + missing_from + ")"));
-    if (trailer != 0) all.push_back("trailer: " + std::to_string(trailer) + " bytes, not read");
-    return all;
-}
-
-NpySurface read_npy(std::string_view bytes, std::string_view name, const NpyOptions& options) {
+Reading read_npy(std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
     return detail::NpyReader(bytes, name, options).read();
 }
 

@@ -45,8 +45,8 @@ constexpr std::size_t utf8_length(std::string_view text) {
     return length;
 }
 
-/// \p text as a message may show it: printable whatever the file holds, no longer than \p longest characters. Letters and
-/// signs of UTF-8 stay, those of an 8-bit code page (\xB5 is the micro sign) become UTF-8, all else becomes "?".
+/// \p text as a message may show it: printable whatever the file holds, no longer than \p longest characters. Letters
+/// and signs of UTF-8 stay, those of an 8-bit code page (\xB5 is the micro sign) become UTF-8, all else becomes "?".
 std::string printable(std::string_view text, std::size_t longest);
 
 /// A cell for a message: short, and printable.
@@ -69,9 +69,9 @@ LeadingNumber leading_number(std::string_view text, int exponent = 0);
 /// The power of ten of the last digit of the number that fills \p cell.
 double last_digit_of(std::string_view cell);
 
-/// The number that fills \p cell, which may have a Fortran exponent as 1.0D-02 has; none when something else does, as where
-/// a point is in a number whose decimal sign is the comma: it may separate thousands. What is too small for a double counts
-/// as zero; what is too large is infinite, to be refused by the caller.
+/// The number that fills \p cell, which may have a Fortran exponent as 1.0D-02 has; none when something else does, as
+/// where a point is in a number whose decimal sign is the comma: it may separate thousands. What is too small for a
+/// double counts as zero; what is too large is infinite, to be refused by the caller.
 std::optional<double> number_in(std::string_view cell, bool decimal_comma);
 
 /// The words that stand for a missing point, for messages.

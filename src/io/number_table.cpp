@@ -11,10 +11,6 @@ std::string_view unquoted(std::string_view cell) {
     return cell;
 }
 
-std::string separator_name(char separator) {
-    return separator == ',' ? "comma" : separator == ';' ? "semicolon" : separator == '\t' ? "tab" : "blanks";
-}
-
 void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells) {
     cells.clear();
     if (separator == ' ') {
@@ -42,8 +38,8 @@ void split_row(std::string_view line, char separator, std::vector<std::string_vi
 
 namespace {
 
-/// Whether the cells are numbers, each with one decimal sign or the other, or words for missing points; words alone need to
-/// be several, or letters, since a line of asterisks or dashes may be an ornament.
+/// Whether the cells are numbers, each with one decimal sign or the other, or words for missing points; words alone
+/// need to be several, or letters, since a line of asterisks or dashes may be an ornament.
 bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma) {
     std::size_t numbers = 0, words = 0, ornaments = 0;
     for (const std::string_view cell : cells) {
@@ -132,6 +128,18 @@ std::size_t first_candidate(const std::vector<Line>& lines) {
 
 }  // namespace
 
+void NumberTable::say_layout(Record& record, bool may_be_one) const {
+    const char sign = dialect.separator;
+    const std::string separator = may_be_one && columns == 1 && sign == ' ' ? "none"
+                                  : sign == ','                             ? "comma"
+                                  : sign == ';'                             ? "semicolon"
+                                  : sign == '\t'                            ? "tab"
+                                                                            : "blanks";
+    record.say("separator", separator + ", decimal " + (dialect.decimal_comma ? "comma" : "point"));
+    const std::size_t header = lines[first].number - 1;  // blank lines and comments included
+    record.say("header", std::to_string(header) + (header == 1 ? " line" : " lines"));
+}
+
 void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules) {
     const std::string wanted = "; must hold " + std::string(rules.holds);
     if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
@@ -169,8 +177,8 @@ NumberTable open_table(std::string_view text, const std::string& name, const Tab
 
 namespace {
 
-/// How many columns a table has whose rows may be short: the first one shows some, others may show more, at most as many
-/// as the first one has separators for.
+/// How many columns a table has whose rows may be short: the first one shows some, others may show more, at most as
+/// many as the first one has separators for.
 std::size_t widest_row(const NumberTable& table) {
     std::vector<std::string_view> cells;
     split_row(without_comment(table.lines[table.first].text), table.dialect.separator, cells);
@@ -214,9 +222,9 @@ std::string without_points(const NumberTable& table) {
     return " (a comma cannot be the decimal sign and separate the columns)";
 }
 
-/// Refuses rows such as "0,5,-9,8351", whose comma separates columns and is decimal: every second cell has digits alone, some
-/// with a zero before others, as fractions have and whole numbers do not; or the first two cells of 16 rows and
-/// more, as one number, rise in equal steps.
+/// Refuses rows such as "0,5,-9,8351", whose comma separates columns and is decimal: every second cell has digits
+/// alone, some with a zero before others, as fractions have and whole numbers do not; or the first two cells of 16 rows
+/// and more, as one number, rise in equal steps.
 void refuse_double_comma(const NumberTable& table, const std::string& name) {
     if (table.dialect.separator != ',' || table.columns < 4 || table.columns % 2 != 0) return;
     std::vector<std::string_view> cells;

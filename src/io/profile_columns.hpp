@@ -3,8 +3,8 @@
 /// \file
 /// Which columns of a profile hold the positions and the heights.
 ///
-/// Columns that number the points (io/column_titles.hpp) are neither, unless they are chosen. Of what is left, one column
-/// holds heights, two hold positions and heights; more need a choice.
+/// Columns that number the points (io/column_titles.hpp) are neither, unless they are chosen. Of what is left, one
+/// column holds heights, two hold positions and heights; more need a choice.
 ///
 /// Units       columns counted from 1
 

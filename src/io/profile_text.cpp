@@ -7,45 +7,66 @@ namespace detail {
 
 namespace {
 
+/// What was decided, for the record.
+struct ProfileNotes {
+    std::size_t height_column{};    // counted from 1
+    std::size_t position_column{};  // counted from 1; 0: none used
+    std::size_t index_column{};     // the first that numbers the points, counted from 1; 0: none
+    std::string position_unit;      // as written; empty when no positions are used
+    std::string height_unit;        // as written
+    std::string units_from;         // "line 28" or "options"
+    std::string spacing_from;
+    bool reversed{};  // positions fell: the heights were turned round
+};
+
 /// Everything that reading one profile needs to pass between its steps. The text must outlive it.
 class ProfileTextReader {
 public:
-    ProfileTextReader(NumberTable table, std::string name, const ProfileTextOptions& options)
+    ProfileTextReader(NumberTable table, std::string name, const SurfaceOptions& options)
         : name_(std::move(name)), options_(options), table_(std::move(table)) {}
 
-    ProfileFromText read() {
+    Reading read() {
         settle_lone_commas();
         entries_ = header_entries(table_);
         table_.missing = stated_missing(entries_, options_.missing, name_);
-        if (!table_.missing.from.empty())
-            record_.missing_from = table_.missing.text() + ", from " + table_.missing.from;
         read_rows(table_, name_, profile_rules);
-        record_.name = name_;
-        table_.describe(record_);
-        record_.columns = table_.columns;
-        if (table_.columns == 1 && table_.dialect.separator == ' ') record_.separator = "none";
         choose_columns();
         choose_units();
-        ProfileFromText result;
-        result.profile.heights = column(record_.height_column);
-        mark_missing(result.profile.heights.data(), result.profile.size(), table_.missing, name_, options_.names,
-                     record_.height_unit, [&](std::size_t i) { return table_.row_lines[i]; });
-        const double unit = unit_factor(record_.height_unit, Dimension::length);
-        record_.resolution = table_.printed[record_.height_column - 1].resolution() * unit;
-        for (double& z : result.profile.heights) z *= unit;
-        result.profile.spacing = spacing();
-        if (resampled_) resample(result.profile.heights);
-        if (record_.reversed) std::reverse(result.profile.heights.begin(), result.profile.heights.end());
-        record_.points = result.profile.size();
-        record_.missing = record_.points - result.profile.present();
-        if (result.profile.present() < 16)
-            refuse_file(name_, {"holds ", result.profile.present(), " points; must be at least 16"});
-        located({.file = name_}, [&] { result.profile.validate(16); });
-        result.record = record_;
-        return result;
+        RawMap row;
+        row.rows = 1;
+        row.heights = column(notes_.height_column);
+        mark_missing(row.heights.data(), row.heights.size(), table_.missing, name_, options_.names, notes_.height_unit,
+                     [&](std::size_t i) { return table_.row_lines[i]; });
+        const double unit = unit_factor(notes_.height_unit, Dimension::length);
+        record_.resolution = table_.printed[notes_.height_column - 1].resolution() * unit;
+        for (double& z : row.heights) z *= unit;
+        row.dx = row.dy = spacing();
+        if (resampled_) resample(row.heights);
+        if (notes_.reversed) std::reverse(row.heights.begin(), row.heights.end());
+        row.columns = row.heights.size();
+        if (present(row) < 16) refuse_file(name_, {"holds ", present(row), " points; must be at least 16"});
+        located({.file = name_}, [&] { validate_map(row, 16); });
+        describe(row);
+        return {std::move(row), std::move(record_)};
     }
 
 private:
+    void describe(const RawMap& row) {
+        table_.say_layout(record_, true);
+        std::string columns =
+            std::to_string(table_.columns) + ", heights in column " + std::to_string(notes_.height_column);
+        if (notes_.position_column != 0) columns += ", positions in column " + std::to_string(notes_.position_column);
+        if (notes_.index_column != 0)
+            columns += ", column " + std::to_string(notes_.index_column) + " numbers the points";
+        record_.say("columns", columns + (notes_.reversed ? ", falling: turned round" : ""));
+        const std::string positions =
+            notes_.position_unit.empty() ? "" : ", positions in " + printable(notes_.position_unit, 16);
+        record_.say("units",
+                    "heights in " + printable(notes_.height_unit, 16) + positions + ", from " + notes_.units_from);
+        record_.say("spacing", "from " + notes_.spacing_from);
+        record_.say_points_of_profile(row, table_.missing.note());
+    }
+
     /// \p number counted from 1.
     std::vector<double> column(std::size_t number) const {
         std::vector<double> values(table_.rows());
@@ -90,13 +111,13 @@ private:
                                     .x_column = options_.x_column,
                                     .spacing = options_.spacing.has_value(),
                                     .names = options_.names});
-        record_.height_column = columns_.heights;
-        record_.position_column = options_.spacing ? 0 : columns_.positions;
-        record_.index_column = columns_.first_index();
+        notes_.height_column = columns_.heights;
+        notes_.position_column = options_.spacing ? 0 : columns_.positions;
+        notes_.index_column = columns_.first_index();
     }
 
     void choose_units() {
-        const std::size_t position = record_.position_column;
+        const std::size_t position = notes_.position_column;
         const auto given =
             given_units(options_.units, 2, name_, "one unit, or two such as \"um,nm\" (positions, heights)");
         const TitleUnits found = columns_.units(table_, position != 0);
@@ -104,33 +125,33 @@ private:
             return column == 0 ? std::string_view() : found.units[column - 1];
         };
         if (!given.empty()) {
-            record_.height_unit = given.back();
-            if (position != 0) record_.position_unit = given.front();
-            record_.units_from = "options";
+            notes_.height_unit = given.back();
+            if (position != 0) notes_.position_unit = given.front();
+            notes_.units_from = "options";
             if (!found.units.empty()) {
-                warn_of_unit(above(record_.height_column), record_.height_unit, found.from, "the heights");
-                warn_of_unit(above(position), record_.position_unit, found.from, "the positions");
+                warn_of_unit(above(notes_.height_column), notes_.height_unit, found.from, "the heights");
+                warn_of_unit(above(position), notes_.position_unit, found.from, "the positions");
             } else if (const auto entry = std::find_if(entries_.begin(), entries_.end(),
                                                        [](const HeaderEntry& one) {
                                                            return is_height_unit_key(one.key) &&
                                                                   is_unit(one.value, Dimension::length);
                                                        });
                        entry != entries_.end())
-                warn_of_unit(entry->value, record_.height_unit, "line " + std::to_string(entry->line), "the heights");
+                warn_of_unit(entry->value, notes_.height_unit, "line " + std::to_string(entry->line), "the heights");
             if (given.size() == 2) unit_of_positions_ = given.front();
             return;
         }
         if (!found.units.empty()) {
-            record_.height_unit = above(record_.height_column);
-            record_.position_unit = above(position);
+            notes_.height_unit = above(notes_.height_column);
+            notes_.position_unit = above(position);
             unit_of_positions_ = above(columns_.positions);
-            record_.units_from = found.from;
+            notes_.units_from = found.from;
             return;
         }
         if (const HeaderEntry* unit = stated_height_unit(entries_, name_).unit;
             position == 0 && unit && is_unit(unit->value, Dimension::length)) {
-            record_.height_unit = unit->value;
-            record_.units_from = "line " + std::to_string(unit->line);
+            notes_.height_unit = unit->value;
+            notes_.units_from = "line " + std::to_string(unit->line);
             return;
         }
         refuse_file(name_,
@@ -171,19 +192,19 @@ private:
         if (options_.spacing) {
             require_positive("spacing", *options_.spacing);
             warn_of_spacing(*options_.spacing, stated);
-            record_.spacing_from = "options";
+            notes_.spacing_from = "options";
             return *options_.spacing;
         }
-        if (record_.position_column == 0) {
+        if (notes_.position_column == 0) {
             if (!stated)
                 refuse_file(name_, {"has no column of positions", numbering(), " and no spacing is given; must be ",
                                     given_as(options_.names, "spacing", "\"0.5 um\"")});
-            record_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
+            notes_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
             return stated->value;
         }
-        const double unit = unit_factor(record_.position_unit, Dimension::length);
+        const double unit = unit_factor(notes_.position_unit, Dimension::length);
         const double step = mean_step() * unit;
-        record_.spacing_from = "mean step of the positions";
+        notes_.spacing_from = "mean step of the positions";
         if (stated) {
             const bool same = std::abs(step - stated->value) <= 1e-9 * step;
             // else rounded to its last digit
@@ -194,11 +215,11 @@ private:
                              " m; must agree, or the spacing be given"});
             if (same) {
                 // the same number, without the rounding of the positions
-                record_.spacing_from =
+                notes_.spacing_from =
                     "line " + std::to_string(stated->line) + " (" + stated->text + "), with which the positions agree";
                 return stated->value;
             }
-            record_.spacing_from +=
+            notes_.spacing_from +=
                 ", which agrees with line " + std::to_string(stated->line) + " (" + stated->text + ")";
         }
         return step;
@@ -206,21 +227,21 @@ private:
 
     /// Why a column is not the positions, for messages; empty without one that numbers the points.
     std::string numbering() const {
-        if (record_.index_column == 0) return "";
-        const std::string column = std::to_string(record_.index_column);
+        if (notes_.index_column == 0) return "";
+        const std::string column = std::to_string(notes_.index_column);
         return " (column " + column + " numbers the points; as positions it must be told by " +
                of_words(options_.names, "x_column") + options_.names.equals + column + ")";
     }
 
     /// Of the positions, in the file's unit, always positive.
     double mean_step() {
-        const std::vector<double> x = column(record_.position_column);
+        const std::vector<double> x = column(notes_.position_column);
         for (std::size_t i = 0; i < x.size(); ++i)
             if (std::isnan(x[i]))
                 refuse_line(name_, table_.row_lines[i], {"has no position; allowed are finite decimal numbers"});
         if (x.size() < 2) refuse_file(name_, {"holds ", x.size(), " points; must be at least 16"});
         const double mean = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
-        const double printed = table_.printed[record_.position_column - 1].resolution();
+        const double printed = table_.printed[notes_.position_column - 1].resolution();
         if (!std::isfinite(mean))
             refuse_file(name_, {"holds positions beyond the range of double precision; must be finite lengths"});
         // printed too coarsely, neighbours may share a position; otherwise every step goes the same way
@@ -230,15 +251,15 @@ private:
             // 1 30 3: without the 30, the positions go on as they should
             if (next < 0 && i > 1 && (x[i] - x[i - 2]) * direction > 0)
                 refuse_line(name_, table_.row_lines[i - 1],
-                            {"position ", x[i - 1], " ", record_.position_unit, " stands between ", x[i - 2], " and ",
-                             x[i], " ", record_.position_unit, "; positions must rise, or fall, throughout"});
+                            {"position ", x[i - 1], " ", notes_.position_unit, " stands between ", x[i - 2], " and ",
+                             x[i], " ", notes_.position_unit, "; positions must rise, or fall, throughout"});
             if (next < 0 || (next == 0 && printed < std::abs(mean)))
                 refuse_line(name_, table_.row_lines[i],
-                            {"position ", x[i], " ", record_.position_unit, " follows ", x[i - 1], " ",
-                             record_.position_unit, "; positions must rise, or fall, throughout"});
+                            {"position ", x[i], " ", notes_.position_unit, " follows ", x[i - 1], " ",
+                             notes_.position_unit, "; positions must rise, or fall, throughout"});
         }
         if (mean == 0)
-            refuse_file(name_, {"has all its positions at ", x.front(), " ", record_.position_unit,
+            refuse_file(name_, {"has all its positions at ", x.front(), " ", notes_.position_unit,
                                 "; positions must rise, or fall, throughout"});
         // both ends of a step and both ends of the whole are rounded, or cut, to the printed digits
         const double allowed = 1.01 * printed + 0.01 * std::abs(mean);
@@ -249,7 +270,7 @@ private:
             if (!options_.resample) refuse_spacing(x);
             resampled_ = true;
         }
-        record_.reversed = mean < 0;
+        notes_.reversed = mean < 0;
         return std::abs(mean);
     }
 
@@ -265,7 +286,8 @@ private:
         return *middle;
     }
 
-    /// 0 1 2 4 5 ...: positions printed to whole steps, of which one or two are odd, have lost a row rather than digits.
+    /// 0 1 2 4 5 ...: positions printed to whole steps, of which one or two are odd, have lost a row rather than
+    /// digits.
     static bool is_interrupted(const std::vector<double>& x, double printed) {
         const std::vector<double> steps = steps_of(x);
         const double usual = median(steps);
@@ -283,23 +305,22 @@ private:
             steps.begin(), steps.end(), [&](double a, double b) { return std::abs(a - usual) < std::abs(b - usual); });
         const auto row = static_cast<std::size_t>(odd - steps.begin()) + 1;
         refuse_line(name_, table_.row_lines[row],
-                    {"position ", x[row], " ", record_.position_unit, " is a step of ", *odd, " ",
-                     record_.position_unit, " where the usual one is ", usual, " ", record_.position_unit,
+                    {"position ", x[row], " ", notes_.position_unit, " is a step of ", *odd, " ", notes_.position_unit,
+                     " where the usual one is ", usual, " ", notes_.position_unit,
                      "; positions must be equally spaced to their printed digits, or be resampled by ",
                      switched_on(options_.names, "resample")});
     }
 
-    /// Heights at equal steps from the first position to the last, by straight lines between neighbours; missing where one
-    /// of them is.
+    /// Heights at equal steps from the first position to the last, by straight lines between neighbours; missing where
+    /// one of them is.
     void resample(std::vector<double>& heights) {
-        const std::vector<double> x = column(record_.position_column);
+        const std::vector<double> x = column(notes_.position_column);
         const std::vector<double> steps = steps_of(x);
         const auto [least, most] = std::minmax_element(steps.begin(), steps.end(),
                                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
-        record_.spacing_from = "interpolation: unequal steps of " + number_text(std::abs(*least)) + " to " +
-                               number_text(std::abs(*most)) + " " + record_.position_unit + " resampled to " +
-                               std::to_string(x.size()) +
-                               " equal ones by straight lines, which lowers the finest waves";
+        notes_.spacing_from = "interpolation: unequal steps of " + number_text(std::abs(*least)) + " to " +
+                              number_text(std::abs(*most)) + " " + notes_.position_unit + " resampled to " +
+                              std::to_string(x.size()) + " equal ones by straight lines, which lowers the finest waves";
         const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
         std::vector<double> even(heights.size());
         for (std::size_t i = 0, k = 0; i < even.size(); ++i) {
@@ -314,49 +335,22 @@ private:
     }
 
     std::string name_;
-    const ProfileTextOptions& options_;
+    const SurfaceOptions& options_;
     NumberTable table_;
-    ProfileTextRecord record_;
+    ProfileNotes notes_;
+    Record record_;
     std::vector<HeaderEntry> entries_;
     ProfileColumns columns_;
     std::string unit_of_positions_{};  // where it is known
     bool resampled_ = false;
 };
 
-ProfileFromText read_profile_text(NamedBytes file, const ProfileTextOptions& options) {
-    const std::string text = text_of(std::move(file.bytes), file.name, profile_rules.holds);
-    return ProfileTextReader(open_table(text, file.name, profile_rules), file.name, options).read();
-}
-
 }  // namespace
 
 }  // namespace detail
 
-std::vector<std::string> ProfileTextRecord::sentences() const {
-    std::vector<std::string> all = layout_sentences();
-    std::string column_text =
-        "columns: " + std::to_string(columns) + ", heights in column " + std::to_string(height_column);
-    if (position_column != 0) column_text += ", positions in column " + std::to_string(position_column);
-    if (index_column != 0) column_text += ", column " + std::to_string(index_column) + " numbers the points";
-    all.push_back(column_text + (reversed ? ", falling: turned round" : ""));
-    all.push_back("units: heights in " + detail::printable(height_unit, 16) +
-                  (position_unit.empty() ? "" : ", positions in " + detail::printable(position_unit, 16)) + ", from " +
-                  units_from);
-    all.push_back("spacing: from " + spacing_from);
-    all.push_back(points_sentence(std::to_string(points)));
-    return all;
-}
-
-ProfileFromText read_profile(detail::NumberTable table, const std::string& name, const ProfileTextOptions& options) {
+Reading read_profile(detail::NumberTable table, const std::string& name, const SurfaceOptions& options) {
     return detail::ProfileTextReader(std::move(table), name, options).read();
-}
-
-ProfileFromText read_profile(std::istream& input, std::string_view name, const ProfileTextOptions& options) {
-    return detail::read_profile_text(detail::read_bytes(input, name), options);
-}
-
-ProfileFromText read_profile(const std::filesystem::path& path, const ProfileTextOptions& options) {
-    return detail::read_profile_text(detail::read_bytes(path, "delimited text"), options);
 }
 
 }  // namespace fstiff::io

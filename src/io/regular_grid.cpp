@@ -68,10 +68,8 @@ std::size_t points_on(const Grid& grid, const NumberTable& table) {
     return table.rows();
 }
 
-HeightMap<double>::Array heights_on(const Grid& grid, const NumberTable& table, const std::string& name) {
-    HeightMap<double>::Array heights;
-    heights.setConstant(static_cast<Eigen::Index>(grid.y.count), static_cast<Eigen::Index>(grid.x.count),
-                        std::numeric_limits<double>::quiet_NaN());
+std::vector<double> heights_on(const Grid& grid, const NumberTable& table, const std::string& name) {
+    std::vector<double> heights(grid.x.count * grid.y.count, std::numeric_limits<double>::quiet_NaN());
     std::vector<std::size_t> line_at(grid.x.count * grid.y.count);
     for (std::size_t r = 0; r < table.rows(); ++r) {
         const double x = table.at(r, 0), y = table.at(r, 1);
@@ -82,7 +80,7 @@ HeightMap<double>::Array heights_on(const Grid& grid, const NumberTable& table, 
                 name, table.row_lines[r],
                 {"repeats the point of line ", line_at[at], ", x = ", x, ", y = ", y, "; every point must come once"});
         line_at[at] = table.row_lines[r];
-        heights.data()[at] = table.at(r, 2);  // by row
+        heights[at] = table.at(r, 2);  // by row
     }
     return heights;
 }

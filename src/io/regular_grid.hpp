@@ -8,8 +8,6 @@
 
 #include "io/number_table.hpp"
 
-#include <fstiff/topography/height_map.hpp>
-
 namespace fstiff::io::detail {
 
 /// Equally spaced positions, some of which may be missing.
@@ -34,8 +32,8 @@ std::optional<Grid> grid_of(const NumberTable& table);
 /// How many points of \p grid \p table holds, each counted once; 0 where one comes twice.
 std::size_t points_on(const Grid& grid, const NumberTable& table);
 
-/// The third column of \p table at the points of \p grid; NaN where there is no row.
+/// The third column of \p table at the points of \p grid, row after row; NaN where there is no row.
 /// \throws domain_error when two rows are of one point.
-HeightMap<double>::Array heights_on(const Grid& grid, const NumberTable& table, const std::string& name);
+std::vector<double> heights_on(const Grid& grid, const NumberTable& table, const std::string& name);
 
 }  // namespace fstiff::io::detail

@@ -10,26 +10,52 @@ namespace detail {
 
 namespace {
 
+/// What the file states.
+struct SdfHeader {
+    std::string version;       // "ISO-1.0"
+    std::string manufacturer;  // printable characters only
+    bool binary{};
+    int data_type{};  // 0 to 7: uint8, uint16, uint32, float32, int8, int16, int32, float64
+    double z_scale{};
+    bool check_sum{};  // there is one, which was not verified
+    std::size_t columns{}, rows{};
+    std::size_t trailer{};  // bytes after the heights
+};
+
+Record record_of(const SdfHeader& file, const RawMap& map) {
+    static constexpr const char* types[8] = {"uint8", "uint16", "uint32", "float32",
+                                             "int8",  "int16",  "int32",  "float64"};
+    Record record;
+    record.say("form", "surface data file " + file.version + ", " + (file.binary ? "binary" : "text") + ", " +
+                           types[file.data_type & 7] + (file.manufacturer.empty() ? "" : ", by " + file.manufacturer));
+    record.say("units", "m, heights in units of " + number_text(file.z_scale) + " m, from Zscale");
+    record.say("spacing", "from Xscale and Yscale");
+    record.say_points(map);
+    record.say_trailer(file.trailer);
+    if (file.check_sum) record.say("check sum", "not verified");
+    const bool counted = file.binary && file.data_type != 3 && file.data_type != 7;
+    record.resolution = counted ? file.z_scale : 0;
+    return record;
+}
+
 class SdfReader {
 public:
     SdfReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
 
-    SdfSurface read() {
+    Reading read() {
         if (!is_sdf(bytes_))
             refuse_file(name_, {"begins with ", shown_cell(bytes_.substr(0, 8)),
                                 "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, or b for a"});
-        record_.name = name_;
-        record_.binary = bytes_[0] == 'b' || bytes_[0] == 'B';
-        record_.version = std::string(bytes_.substr(1, 7));
-        bcr_ = record_.version == "BCR-1.0";
-        if (record_.binary)
+        header_.binary = bytes_[0] == 'b' || bytes_[0] == 'B';
+        header_.version = std::string(bytes_.substr(1, 7));
+        bcr_ = header_.version == "BCR-1.0";
+        if (header_.binary)
             read_binary();
         else
             read_text();
-        set_spacings(surface_.map, x_scale_, y_scale_, name_);
-        record_.missing = static_cast<std::size_t>(surface_.map.size() - surface_.map.present());
-        surface_.record = record_;
-        return std::move(surface_);
+        set_spacings(map_, x_scale_, y_scale_, name_);
+        Record record = record_of(header_, map_);
+        return {std::move(map_), std::move(record)};
     }
 
 private:
@@ -39,16 +65,16 @@ private:
                                           127, 32767, 2147483647,   1.7e308};
 
     void check_header(int compression, int check_type) {
-        if (record_.columns == 0 || record_.rows == 0)
+        if (header_.columns == 0 || header_.rows == 0)
             refuse_field(name_, "NumPoints x NumProfiles",
-                         std::to_string(record_.columns) + " x " + std::to_string(record_.rows), "at least 2 x 1");
+                         std::to_string(header_.columns) + " x " + std::to_string(header_.rows), "at least 2 x 1");
         require_scale("Xscale", x_scale_, false);
-        require_scale("Yscale", y_scale_, record_.rows == 1);
-        require_scale("Zscale", record_.z_scale, false);
+        require_scale("Yscale", y_scale_, header_.rows == 1);
+        require_scale("Zscale", header_.z_scale, false);
         if (compression != 0) refuse_field(name_, "Compression", std::to_string(compression), "0 (none)");
-        if (record_.data_type < 0 || record_.data_type > 7)
-            refuse_field(name_, "DataType", std::to_string(record_.data_type), "between 0 and 7");
-        record_.check_sum = check_type != 0;
+        if (header_.data_type < 0 || header_.data_type > 7)
+            refuse_field(name_, "DataType", std::to_string(header_.data_type), "between 0 and 7");
+        header_.check_sum = check_type != 0;
     }
 
     void require_scale(const std::string& field, double value, bool zero_too) {
@@ -57,28 +83,23 @@ private:
             refuse_field(name_, field, number_text(value), "finite and greater than 0");
     }
 
-    void allocate() {
-        surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
-                                    static_cast<Eigen::Index>(record_.columns));
-    }
-
     /// Height \p index of the file is \p number, in units of Zscale.
     void set(std::size_t index, double number) {
-        if (std::isinf(number) || std::isinf(number * record_.z_scale))
+        if (std::isinf(number) || std::isinf(number * header_.z_scale))
             refuse_file(name_, {"height ", index + 1,
                                 " is beyond the range of double precision; "
                                 "allowed are finite numbers"});
-        surface_.map.heights.data()[index] = number * record_.z_scale;
+        map_.heights[index] = number * header_.z_scale;
     }
 
     void read_binary() {
-        const std::size_t count_bytes = record_.version == "ISO-2.0" ? 4 : 2;
+        const std::size_t count_bytes = header_.version == "ISO-2.0" ? 4 : 2;
         const std::size_t header = 42 + 2 * count_bytes + 35;
         if (bytes_.size() < header)
             refuse_file(name_, {"ends after ", bytes_.size(), " bytes; its header must have ", header});
         std::string manufacturer(trimmed(bytes_.substr(8, 10)));
         std::erase(manufacturer, '\0');
-        record_.manufacturer = printable(manufacturer, 10);
+        header_.manufacturer = printable(manufacturer, 10);
         std::string_view rest = bytes_.substr(42);
         const auto count = [&] {
             const std::size_t value =
@@ -86,28 +107,28 @@ private:
             rest.remove_prefix(count_bytes);
             return value;
         };
-        record_.columns = count();
-        record_.rows = count();
+        header_.columns = count();
+        header_.rows = count();
         x_scale_ = double_at(rest);
         y_scale_ = double_at(rest.substr(8));
-        record_.z_scale = double_at(rest.substr(16));
-        record_.data_type = static_cast<unsigned char>(rest[33]);
+        header_.z_scale = double_at(rest.substr(16));
+        header_.data_type = static_cast<unsigned char>(rest[33]);
         check_header(static_cast<unsigned char>(rest[32]), static_cast<unsigned char>(rest[34]));
         rest.remove_prefix(35);
 
-        const std::size_t size = type_bytes[record_.data_type];
+        const std::size_t size = type_bytes[header_.data_type];
         // both below 2^32: the product fits into 64 bits, and the division below needs no more
-        const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
+        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
         if (points > rest.size() / size)
-            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of ", size,
+            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of ", size,
                                 " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
-        allocate();
+        allocate(map_, header_.rows, header_.columns);
         for (std::size_t i = 0; i < points; ++i) set(i, number_at(rest.substr(i * size, size)));
-        record_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
+        header_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
     }
 
     double number_at(std::string_view bytes) const {
-        switch (record_.data_type) {
+        switch (header_.data_type) {
             case 0:
                 return height(little_endian<std::uint8_t>(bytes));
             case 1:
@@ -191,22 +212,22 @@ private:
             return static_cast<std::size_t>(value);
         };
         for (const auto& [key, value] : fields)
-            if (key == "manufacid") record_.manufacturer += printable(value, 80);
-        record_.columns = count("NumPoints");
-        record_.rows = count("NumProfiles");
+            if (key == "manufacid") header_.manufacturer += printable(value, 80);
+        header_.columns = count("NumPoints");
+        header_.rows = count("NumProfiles");
         x_scale_ = number("Xscale");
         y_scale_ = number("Yscale");
-        record_.z_scale = number("Zscale");
-        record_.data_type =
+        header_.z_scale = number("Zscale");
+        header_.data_type =
             code("DataType", {"uchar", "uinteger", "ulongint", "float", "char", "integer", "longint", "double"});
         check_header(code("Compression", {}), code("CheckType", {}));
 
         // every height needs two characters, the last one needs one
-        const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
+        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
         if (points > rest.size() / 2 + 1)
-            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights, but has ", rest.size(),
+            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights, but has ", rest.size(),
                                 " bytes of them; must hold all"});
-        allocate();
+        allocate(map_, header_.rows, header_.columns);
         std::size_t found = 0;
         std::vector<std::string_view> cells;
         ended = false;
@@ -226,7 +247,7 @@ private:
         if (found < points)
             refuse_file(name_, {"holds ", found, " heights; must hold the ", points, " that it declares"});
         if (!ended) refuse_file(name_, {"has no line \"*\" after its heights; must have one"});
-        record_.trailer = rest.size();
+        header_.trailer = rest.size();
     }
 
     double text_number(std::string_view cell, std::size_t index) {
@@ -239,8 +260,8 @@ private:
 
     /// BCR writes missing points of a text as the largest number of their type.
     double reserved(double number) const {
-        const bool real = record_.data_type == 3 || record_.data_type == 7;
-        const double limit = largest[record_.data_type];
+        const bool real = header_.data_type == 3 || header_.data_type == 7;
+        const double limit = largest[header_.data_type];
         return number == limit || (real && number > limit) ? missing : number;
     }
 
@@ -248,8 +269,8 @@ private:
     std::string name_;
     bool bcr_ = false;
     double x_scale_{}, y_scale_{};
-    SdfSurface surface_;
-    SdfRecord record_;
+    RawMap map_;
+    SdfHeader header_;
 };
 
 }  // namespace
@@ -262,33 +283,8 @@ bool is_sdf(std::string_view bytes) {
     return version == "ISO-1.0" || version == "ISO-2.0" || version == "BCR-1.0";
 }
 
-std::vector<std::string> SdfRecord::sentences() const {
-    static constexpr const char* types[8] = {"uint8", "uint16", "uint32", "float32",
-                                             "int8",  "int16",  "int32",  "float64"};
-    std::vector<std::string> all;
-    all.push_back("form: surface data file " + version + ", " + (binary ? "binary" : "text") + ", " +
-                  types[data_type & 7] + (manufacturer.empty() ? "" : ", by " + manufacturer));
-    all.push_back("units: m, heights in units of " + detail::number_text(z_scale) + " m, from Zscale");
-    all.push_back("spacing: from Xscale and Yscale");
-    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
-                  std::to_string(missing) + " missing");
-    if (trailer != 0) all.push_back("trailer: " + std::to_string(trailer) + " bytes, not read");
-    if (check_sum) all.push_back("check sum: not verified");
-    return all;
-}
-
-SdfSurface read_sdf(std::string_view bytes, std::string_view name) {
+Reading read_sdf(std::string_view bytes, std::string_view name) {
     return detail::SdfReader(bytes, std::string(name)).read();
-}
-
-SdfSurface read_sdf(std::istream& input, std::string_view name) {
-    const detail::NamedBytes file = detail::read_bytes(input, name);
-    return detail::SdfReader(file.bytes, file.name).read();
-}
-
-SdfSurface read_sdf(const std::filesystem::path& path) {
-    const detail::NamedBytes file = detail::read_bytes(path, "surface data");
-    return detail::SdfReader(file.bytes, file.name).read();
 }
 
 }  // namespace fstiff::io

@@ -23,42 +23,16 @@
 /// Accuracy    the product with Zscale is rounded once (tests/io/sdf_test.cpp)
 
 #include "io/lines.hpp"
-#include "io/profile_or_map.hpp"
+#include "io/reading.hpp"
 
 #include <fstiff/io/quantity.hpp>
 
 namespace fstiff::io {
 
-/// What was found in a file.
-struct SdfRecord {
-    std::string name;
-    std::string version;       ///< "ISO-1.0"
-    std::string manufacturer;  ///< printable characters only
-    bool binary{};
-    int data_type{};  ///< 0 to 7: uint8, uint16, uint32, float32, int8, int16, int32, float64
-    double z_scale{};
-    bool check_sum{};  ///< there is one, which was not verified
-    std::size_t columns{}, rows{};
-    std::size_t missing{};
-    std::size_t trailer{};  ///< bytes after the heights
-
-    /// The above as sentences for people, one a line, without a full stop.
-    [[nodiscard]] std::vector<std::string> sentences() const;
-};
-
-/// What a surface data file holds.
-struct SdfSurface {
-    HeightMap<double> map;  ///< of one row when the file holds a profile
-    SdfRecord record;
-};
-
 /// Whether \p bytes begin as a surface data file does.
 [[nodiscard]] bool is_sdf(std::string_view bytes);
 
 /// \throws domain_error naming file, field, value and what is allowed.
-[[nodiscard]] SdfSurface read_sdf(std::istream& input, std::string_view name);
-[[nodiscard]] SdfSurface read_sdf(std::string_view bytes, std::string_view name);
-/// Reads the file \p path. \throws file_error when it cannot be opened or read.
-[[nodiscard]] SdfSurface read_sdf(const std::filesystem::path& path);
+[[nodiscard]] Reading read_sdf(std::string_view bytes, std::string_view name);
 
 }  // namespace fstiff::io

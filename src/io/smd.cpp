@@ -7,6 +7,17 @@ namespace detail {
 
 namespace {
 
+/// What the file states.
+struct SmdHeader {
+    bool prf{};           // the elder form
+    std::string version;  // of .smd, "ISO 5436-2:2012"; printable characters only
+    std::string x_unit, z_unit;
+    std::string stylus_radius;  // as the file states it; empty where it does not
+    double resolution{};        // step in which the heights are counted or printed [m]
+    bool sum_stated{}, sum_agrees{};
+    bool mapped{};  // lines MAP that are not applied
+};
+
 /// Fields between blanks or NUL bytes.
 std::vector<std::string_view> smd_fields(std::string_view line) {
     std::vector<std::string_view> fields;
@@ -34,28 +45,48 @@ bool is_prf(std::string_view bytes) {
            !fields[1].empty() && fields[1].back() == "PRF" && !fields[2].empty() && fields[2].front() == "CX";
 }
 
+Record record_of(const SmdHeader& file, const RawMap& map) {
+    Record record;
+    record.say("form",
+               file.prf ? "profile in records (.prf)" : "profile of ISO 5436-2 (.smd), \"" + file.version + "\"");
+    record.say("units", "x in " + file.x_unit + ", heights in " + file.z_unit + ", from the axes CX and CZ");
+    record.say("spacing", std::string("from ") + (file.prf ? "SPACING CX" : "the increment of CX"));
+    record.say_points_of_profile(map);
+    if (!file.stylus_radius.empty()) record.say("stylus radius", file.stylus_radius + " in the file, not used");
+    if (file.sum_stated) record.say("check sum", file.sum_agrees ? "agrees" : "does not agree");
+    if (file.sum_stated && !file.sum_agrees)
+        record.warnings.push_back(
+            "the check sum of the file does not agree with its bytes, which may have been changed since");
+    if (file.mapped)
+        record.warnings.push_back(
+            "the file states a correction of its gauge (lines MAP), which was not applied: heights were read as their "
+            "numbers stand");
+    record.resolution = file.resolution;
+    return record;
+}
+
 class SmdReader {
 public:
     SmdReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
 
-    SmdProfile read() {
+    Reading read() {
         if (!is_smd(bytes_))
             refuse_file(name_,
                         {"does not begin as a profile of ISO 5436-2; must begin with ISO 5436, or as .prf with a "
                          "line that ends with PRF and the axis CX"});
-        record_.name = name_;
-        record_.prf = !bytes_.starts_with("ISO 5436");
+        header_.prf = !bytes_.starts_with("ISO 5436");
         find_records();
         axes();
         remarks();
-        SmdProfile result;
-        result.profile.spacing = spacing();
-        result.profile.heights = heights();
-        located({.file = name_}, [&] { result.profile.validate(16); });
-        record_.missing = record_.points - result.profile.present();
-        if (!record_.prf) compare_sum();
-        result.record = record_;
-        return result;
+        RawMap map;
+        map.rows = 1;
+        map.dx = map.dy = spacing();
+        map.heights = heights();
+        map.columns = map.heights.size();
+        located({.file = name_}, [&] { validate_map(map, 16); });
+        if (!header_.prf) compare_sum();
+        Record record = record_of(header_, map);
+        return {std::move(map), std::move(record)};
     }
 
 private:
@@ -84,7 +115,7 @@ private:
                 line.remove_prefix(ends + 1);
                 end_record(bytes_.size() - rest.size());
             }
-            if (record_.prf && trimmed(line) == "EOR")
+            if (header_.prf && trimmed(line) == "EOR")
                 end_record(0);
             else
                 add({line, number});
@@ -94,7 +125,7 @@ private:
             refuse_file(name_, {"holds ", records_.size() - 1,
                                 " whole records; must hold at least 3: the axes, remarks "
                                 "and the heights, each of which ends at ",
-                                (record_.prf ? "a line EOR" : "the character ETX")});
+                                (header_.prf ? "a line EOR" : "the character ETX")});
     }
     void add(const Line& line) {
         if (!smd_fields(line.text).empty()) records_.back().push_back(line);
@@ -106,9 +137,9 @@ private:
 
     void axes() {
         const std::vector<Line>& lines = records_[0];
-        if (!record_.prf) {
+        if (!header_.prf) {
             const std::string_view first = lines.front().text;
-            record_.version = printable(trimmed(first.substr(0, first.find('\0'))), 40);
+            header_.version = printable(trimmed(first.substr(0, first.find('\0'))), 40);
             const auto form = lines.size() < 2 ? std::vector<std::string_view>() : smd_fields(lines[1].text);
             if (form.empty() || form.front() != "PRF")
                 refuse_file(name_, {"states the form ", shown_cell(form.empty() ? "" : form.front()),
@@ -124,15 +155,15 @@ private:
         for (const auto& [axis, called] : {std::pair{&x_, "CX"}, {&z_, "CZ"}})
             if (axis->line == 0)
                 refuse_file(name_, {"states no axis ", called, " in its first record; must state CX and CZ"});
-        const std::string_view kind_of_x = record_.prf ? "M" : "I", kind_of_z = record_.prf ? "M" : "A";
+        const std::string_view kind_of_x = header_.prf ? "M" : "I", kind_of_z = header_.prf ? "M" : "A";
         for (const auto& [axis, kind] : {std::pair{&x_, kind_of_x}, {&z_, kind_of_z}})
             if (axis->kind != kind)
                 refuse_line(name_, axis->line,
                             {"states an axis of the kind ", shown_cell(axis->kind), "; must be ", kind});
         if (x_.points != z_.points)
             refuse_line(name_, z_.line, {"states ", z_.points, " points where CX has ", x_.points, "; must agree"});
-        record_.x_unit = x_.unit;
-        record_.z_unit = z_.unit;
+        header_.x_unit = x_.unit;
+        header_.z_unit = z_.unit;
     }
 
     /// CX I 8000 mm 1.0e0 D 5.0e-4
@@ -174,8 +205,8 @@ private:
         for (const Line& line : records_[1]) {
             const auto fields = smd_fields(line.text);
             if (fields.front() == "STYLUS_RADIUS" && fields.size() == 3)
-                record_.stylus_radius = printable(fields[1], 20) + " " + printable(lower_case(fields[2]), 8);
-            if (!record_.prf) continue;
+                header_.stylus_radius = printable(fields[1], 20) + " " + printable(lower_case(fields[2]), 8);
+            if (!header_.prf) continue;
             if (fields.front() == "SPACING" && fields.size() >= 3 && fields[1] == "CX") {
                 if (!x_.increment.empty())
                     refuse_line(name_, line.number, {"states the spacing of CX again; must be stated once"});
@@ -189,7 +220,7 @@ private:
             const bool straight = fields.size() == 6 && fields[2] == "CZ" && value(4) == 1.0 &&
                                   ((value(1) == 1.0 && fields[3] == "CZ" && value(5) == 1.0) ||
                                    (value(1) == 2.0 && fields[3] == "CX" && value(5) == 0.0));
-            record_.mapped = record_.mapped || !straight;
+            header_.mapped = header_.mapped || !straight;
         }
     }
 
@@ -197,7 +228,7 @@ private:
         const std::size_t line = spacing_line_ != 0 ? spacing_line_ : x_.line;
         if (x_.increment.empty())
             refuse_line(name_, line,
-                        {record_.prf ? "states an axis whose spacing is nowhere; must have a line SPACING CX"
+                        {header_.prf ? "states an axis whose spacing is nowhere; must have a line SPACING CX"
                                      : "states no increment; must have one behind the type"});
         const double step = number(x_.increment, line, "increment") * x_.scale;
         if (!(step > 0) || !std::isfinite(step))
@@ -209,7 +240,6 @@ private:
         const std::vector<Line>& lines = records_[2];
         if (lines.size() != z_.points)
             refuse_file(name_, {"states ", z_.points, " points, but holds ", lines.size(), "; must hold all"});
-        record_.points = lines.size();
         std::vector<double> values;
         values.reserve(lines.size());
         PrintedDigits printed;
@@ -226,7 +256,7 @@ private:
             values.push_back(value * z_.scale);
         }
         const bool counted = z_.type == "I" || z_.type == "L";
-        record_.resolution = (counted ? 1 : printed.resolution()) * z_.scale;
+        header_.resolution = (counted ? 1 : printed.resolution()) * z_.scale;
         return values;
     }
 
@@ -237,8 +267,8 @@ private:
         if (!stated) return;
         std::uint64_t sum = 0;
         for (const char c : bytes_.substr(0, heights_end_)) sum += static_cast<unsigned char>(c);
-        record_.sum_stated = true;
-        record_.sum_agrees = *stated == static_cast<double>(sum % 65535) || *stated == static_cast<double>(sum % 65536);
+        header_.sum_stated = true;
+        header_.sum_agrees = *stated == static_cast<double>(sum % 65535) || *stated == static_cast<double>(sum % 65536);
     }
 
     std::string_view bytes_;
@@ -246,7 +276,7 @@ private:
     std::vector<std::vector<Line>> records_;
     std::size_t heights_end_ = 0, spacing_line_ = 0;
     Axis x_, z_;
-    SmdRecord record_;
+    SmdHeader header_;
 };
 
 }  // namespace
@@ -255,28 +285,6 @@ private:
 
 bool is_smd(std::string_view bytes) { return bytes.starts_with("ISO 5436") || detail::is_prf(bytes); }
 
-std::vector<std::string> SmdRecord::sentences() const {
-    std::vector<std::string> all;
-    all.push_back(prf ? "form: profile in records (.prf)" : "form: profile of ISO 5436-2 (.smd), \"" + version + "\"");
-    all.push_back("units: x in " + x_unit + ", heights in " + z_unit + ", from the axes CX and CZ");
-    all.push_back(std::string("spacing: from ") + (prf ? "SPACING CX" : "the increment of CX"));
-    all.push_back("points: " + std::to_string(points) + ", of which " + std::to_string(missing) + " missing");
-    if (!stylus_radius.empty()) all.push_back("stylus radius: " + stylus_radius + " in the file, not used");
-    if (sum_stated) all.push_back(std::string("check sum: ") + (sum_agrees ? "agrees" : "does not agree"));
-    return all;
-}
-
-std::vector<std::string> SmdRecord::warnings() const {
-    std::vector<std::string> all;
-    if (sum_stated && !sum_agrees)
-        all.push_back("the check sum of the file does not agree with its bytes, which may have been changed since");
-    if (mapped)
-        all.push_back(
-            "the file states a correction of its gauge (lines MAP), which was not applied: heights were read as their "
-            "numbers stand");
-    return all;
-}
-
-SmdProfile read_smd(std::string_view bytes, std::string_view name) { return detail::SmdReader(bytes, name).read(); }
+Reading read_smd(std::string_view bytes, std::string_view name) { return detail::SmdReader(bytes, name).read(); }
 
 }  // namespace fstiff::io

@@ -3,61 +3,39 @@
 /// \file
 /// Reads profiles of ISO 5436-2 (.smd, "softgauge") and of its elder relative that Mahr and Taylor Hobson write (.prf).
 ///
-/// Both are text in records. Those of .smd end at the character ETX (3), and their fields are parted by NUL bytes or blanks;
-/// those of .prf end at a line EOR. The first record names the file, the form PRF (a profile), and two axes:
+/// Both are text in records. Those of .smd end at the character ETX (3), and their fields are parted by NUL bytes or
+/// blanks; those of .prf end at a line EOR. The first record names the file, the form PRF (a profile), and two axes:
 ///
 ///     CX I 8000 mm 1.0e0 D 5.0e-4        axis, kind, points, unit, scale, type of the numbers, and of I the increment
 ///     CZ A 8000 um 1.0e0 D
 ///
-/// kinds being I (equal increments) of x and A (absolute) of z in .smd, and M of both in .prf, whose spacing stands in the
-/// second record as "SPACING CX 5.0e-4". The third record has a height a line, the fourth of .smd a sum over all bytes.
+/// kinds being I (equal increments) of x and A (absolute) of z in .smd, and M of both in .prf, whose spacing stands in
+/// the second record as "SPACING CX 5.0e-4". The third record has a height a line, the fourth of .smd a sum over all
+/// bytes.
 ///
 ///     z = number * scale * unit of CZ,        dx = increment * scale * unit of CX
 ///
-/// The sum is compared modulo 65535 and modulo 65536, for descriptions differ; one that fits neither is warned of. Lines MAP
-/// of .prf other than those of a straight gauge (MAP 1 CZ CZ 1 1, MAP 2 CZ CX 1 0) are not applied, with a warning.
+/// The sum is compared modulo 65535 and modulo 65536, for descriptions differ; one that fits neither is warned of.
+/// Lines MAP of .prf other than those of a straight gauge (MAP 1 CZ CZ 1 1, MAP 2 CZ CX 1 0) are not applied, with a
+/// warning.
 ///
-/// Reference   ISO 5436-2:2012, as the public help of NPL (softgauges, "Data File Format") and open programs that read or write
-///             it lay it out; not compared with files of the instruments themselves
+/// Reference   ISO 5436-2:2012, as the public help of NPL (softgauges, "Data File Format") and open programs that read
+///             or write it lay it out; not compared with files of the instruments themselves
 /// Units       m
 /// Valid       16 heights at least, that vary; files up to 2^31 bytes, lines up to 2^20 characters
 /// Accuracy    number times scale times unit: two roundings (tests/io/smd_test.cpp)
 
 #include "io/lines.hpp"
-#include "io/profile_or_map.hpp"
+#include "io/reading.hpp"
 
 #include <fstiff/io/quantity.hpp>
 
 namespace fstiff::io {
 
-/// What was found in a file.
-struct SmdRecord {
-    std::string name;
-    bool prf{};           ///< the elder form
-    std::string version;  ///< of .smd, "ISO 5436-2:2012"; printable characters only
-    std::string x_unit, z_unit;
-    std::string stylus_radius;  ///< as the file states it; empty where it does not
-    double resolution{};        ///< step in which the heights are counted or printed [m]
-    std::size_t points{}, missing{};
-    bool sum_stated{}, sum_agrees{};
-    bool mapped{};  ///< lines MAP that are not applied
-
-    /// The above as sentences for people, one a line, without a full stop.
-    [[nodiscard]] std::vector<std::string> sentences() const;
-    /// What may be wrong about the reading.
-    [[nodiscard]] std::vector<std::string> warnings() const;
-};
-
-/// What a file of ISO 5436-2, or its elder form, holds.
-struct SmdProfile {
-    Profile<double> profile;
-    SmdRecord record;
-};
-
 /// Whether \p bytes begin as one of the two forms does.
 [[nodiscard]] bool is_smd(std::string_view bytes);
 
 /// \throws domain_error naming file, line, value and what is allowed.
-[[nodiscard]] SmdProfile read_smd(std::string_view bytes, std::string_view name);
+[[nodiscard]] Reading read_smd(std::string_view bytes, std::string_view name);
 
 }  // namespace fstiff::io

@@ -11,29 +11,63 @@ namespace detail {
 
 namespace {
 
+/// What the file states.
+struct SurHeader {
+    bool profile{};
+    bool big_endian{};
+    int bits{};          // of a height: 16 or 32
+    std::string object;  // its name, printable characters only
+    std::string x_unit, z_unit;
+    double step{};          // of the heights [m]
+    bool marked{};          // missing points are marked
+    int inversion{};        // 0: none
+    std::size_t streams{};  // of a compressed file; 0: it is not compressed
+    std::size_t skipped{};  // bytes of the comment and the private zone
+    std::size_t columns{}, rows{};
+    std::size_t trailer{};  // bytes after the heights
+};
+
+Record record_of(const SurHeader& file, const RawMap& map) {
+    Record record;
+    record.say("form", "Digital Surf " + std::string(file.streams == 0 ? "" : "compressed ") +
+                           (file.profile ? "profile" : "surface") + " of " + std::to_string(file.bits) + " bits, " +
+                           (file.big_endian ? "most" : "least") + " significant byte first" +
+                           (file.object.empty() ? "" : ", \"" + file.object + "\""));
+    record.say("units", "x in " + file.x_unit + ", heights in " + file.z_unit + ", in steps of " +
+                            number_text(file.step) + " m, from the header; the offset of z is not added");
+    record.say("spacing", "from the steps of x and y in the header");
+    record.say_points(map, file.marked ? "" : " (the header says that none are marked)");
+    if (file.skipped != 0) record.say("comment and private zone", std::to_string(file.skipped) + " bytes, not read");
+    record.say_trailer(file.trailer);
+    if (file.inversion != 0)
+        record.warnings.push_back("the file states that its heights are inverted (code " +
+                                  std::to_string(file.inversion) +
+                                  "); they were read as the numbers stand, so that hills may be valleys");
+    record.resolution = std::abs(file.step);
+    return record;
+}
+
 class SurReader {
 public:
     SurReader(std::string_view bytes, std::string_view name, const Inflate& inflate)
         : bytes_(bytes), name_(name), inflate_(inflate) {}
 
-    SurSurface read() {
+    Reading read() {
         if (!is_sur(bytes_))
             refuse_file(name_,
                         {"does not begin as a file of Digital Surf; must begin with DIGITAL SURF or DSCOMPRESSED"});
         if (bytes_.size() < header_bytes)
             refuse_file(name_, {"ends after ", bytes_.size(), " bytes; its header must have ", header_bytes});
-        record_.name = name_;
         read_header();
-        SurSurface result;
-        const double dx = step("step of x", 120, 180, false, record_.x_unit);
+        RawMap map;
+        const double dx = step("step of x", 120, 180, false, header_.x_unit);
         std::string y_unit;
-        const double dy = record_.rows == 1 ? dx : step("step of y", 124, 196, false, y_unit);
-        record_.step = step("step of z", 128, 212, true, record_.z_unit);
-        read_heights(result.map);
-        set_spacings(result.map, dx, dy, name_);
-        record_.missing = static_cast<std::size_t>(result.map.size() - result.map.present());
-        result.record = record_;
-        return result;
+        const double dy = header_.rows == 1 ? dx : step("step of y", 124, 196, false, y_unit);
+        header_.step = step("step of z", 128, 212, true, header_.z_unit);
+        read_heights(map);
+        set_spacings(map, dx, dy, name_);
+        Record record = record_of(header_, map);
+        return {std::move(map), std::move(record)};
     }
 
 private:
@@ -54,22 +88,22 @@ private:
     void read_header() {
         const auto order = unsigned_at(bytes_.substr(12, 2), false);  // 0 and 257 are the same in both orders
         require_one_of("byte order", static_cast<std::int64_t>(order), {0, 257}, "0 or 257");
-        record_.big_endian = big_ = order == 257;
+        header_.big_endian = big_ = order == 257;
         require_one_of("number of objects", integer(14, 2), {0, 1}, "1: save each object as a file of its own");
         require_one_of("type of object", integer(18, 2), {1, 2}, "1 (a profile) or 2 (a surface)");
-        record_.profile = integer(18, 2) == 1;
+        header_.profile = integer(18, 2) == 1;
         require_one_of("bits of a height", integer(98, 2), {16, 32}, "16 or 32");
-        record_.bits = static_cast<int>(integer(98, 2));
-        record_.object = printable(words(20, 30), 30);
-        record_.marked = integer(86, 2) != 0;
-        record_.inversion = static_cast<int>(integer(290, 2));
+        header_.bits = static_cast<int>(integer(98, 2));
+        header_.object = printable(words(20, 30), 30);
+        header_.marked = integer(86, 2) != 0;
+        header_.inversion = static_cast<int>(integer(290, 2));
         const std::int64_t columns = integer(108, 4), rows = integer(112, 4);
         if (columns < 2 || rows < 1)
             refuse_field(name_, "points of a row x rows", std::to_string(columns) + " x " + std::to_string(rows),
                          "at least 2 x 1");
-        record_.columns = static_cast<std::size_t>(columns);
-        record_.rows = static_cast<std::size_t>(rows);
-        record_.skipped = static_cast<std::size_t>(unsigned_at(bytes_.substr(334, 2), big_)) +
+        header_.columns = static_cast<std::size_t>(columns);
+        header_.rows = static_cast<std::size_t>(rows);
+        header_.skipped = static_cast<std::size_t>(unsigned_at(bytes_.substr(334, 2), big_)) +
                           static_cast<std::size_t>(unsigned_at(bytes_.substr(336, 2), big_));
     }
 
@@ -87,24 +121,24 @@ private:
         return value * factor;
     }
 
-    void read_heights(HeightMap<double>& map) {
-        const std::size_t size = static_cast<std::size_t>(record_.bits) / 8;
+    void read_heights(RawMap& map) {
+        const std::size_t size = static_cast<std::size_t>(header_.bits) / 8;
         std::string_view rest = bytes_.substr(header_bytes);
-        rest.remove_prefix((std::min)(record_.skipped, rest.size()));
+        rest.remove_prefix((std::min)(header_.skipped, rest.size()));
         // both below 2^31: the product fits into 64 bits
-        const std::uint64_t points = std::uint64_t(record_.columns) * record_.rows;
+        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
         std::string inflated;
         if (bytes_.starts_with("DSCOMPRESSED")) rest = inflated = inflated_heights(rest, points, size);
         if (points > rest.size() / size)
-            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of ", size,
+            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of ", size,
                                 " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
-        if (record_.streams == 0) record_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
+        if (header_.streams == 0) header_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
         const std::int64_t reserved = integer(100, 4) - 2;
-        map.heights.resize(static_cast<Eigen::Index>(record_.rows), static_cast<Eigen::Index>(record_.columns));
+        allocate(map, header_.rows, header_.columns);
         for (std::size_t i = 0; i < points; ++i) {
             const std::int64_t number = signed_at(rest.substr(i * size, size), big_);
-            map.heights.data()[i] = record_.marked && number == reserved ? std::numeric_limits<double>::quiet_NaN()
-                                                                         : static_cast<double>(number) * record_.step;
+            map.heights[i] = header_.marked && number == reserved ? std::numeric_limits<double>::quiet_NaN()
+                                                                  : static_cast<double>(number) * header_.step;
         }
     }
 
@@ -132,7 +166,7 @@ private:
             refuse_file(name_, {"declares ", deflated, " bytes of streams, but holds ", rest.size() - table,
                                 "; must hold all"});
         if (whole != points * size || whole > most_bytes)
-            refuse_file(name_, {"declares ", record_.columns, " x ", record_.rows, " heights of ", size,
+            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of ", size,
                                 " bytes, but streams that inflate to ", whole, " bytes; must be as many, and at most ",
                                 most_bytes});
         std::string all(static_cast<std::size_t>(whole), '\0');
@@ -147,8 +181,8 @@ private:
             stream.remove_prefix(taken);
             out = out.subspan(length);
         }
-        record_.streams = static_cast<std::size_t>(streams);
-        record_.trailer = stream.size();
+        header_.streams = static_cast<std::size_t>(streams);
+        header_.trailer = stream.size();
         return all;
     }
 
@@ -156,34 +190,12 @@ private:
     std::string name_;
     const Inflate& inflate_;
     bool big_ = false;
-    SurRecord record_;
+    SurHeader header_;
 };
 
 }  // namespace
 
 }  // namespace detail
-
-std::vector<std::string> SurRecord::sentences() const {
-    std::vector<std::string> all;
-    all.push_back("form: Digital Surf " + std::string(streams == 0 ? "" : "compressed ") +
-                  (profile ? "profile" : "surface") + " of " + std::to_string(bits) + " bits, " +
-                  (big_endian ? "most" : "least") + " significant byte first" +
-                  (object.empty() ? "" : ", \"" + object + "\""));
-    all.push_back("units: x in " + x_unit + ", heights in " + z_unit + ", in steps of " + detail::number_text(step) +
-                  " m, from the header; the offset of z is not added");
-    all.push_back("spacing: from the steps of x and y in the header");
-    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
-                  std::to_string(missing) + " missing" + (marked ? "" : " (the header says that none are marked)"));
-    if (skipped != 0) all.push_back("comment and private zone: " + std::to_string(skipped) + " bytes, not read");
-    if (trailer != 0) all.push_back("trailer: " + std::to_string(trailer) + " bytes, not read");
-    return all;
-}
-
-std::vector<std::string> SurRecord::warnings() const {
-    if (inversion == 0) return {};
-    return {"the file states that its heights are inverted (code " + std::to_string(inversion) +
-            "); they were read as the numbers stand, so that hills may be valleys"};
-}
 
 Inflate inflate_where_built() {
 #ifdef FSTIFF_HAS_ZLIB
@@ -193,7 +205,7 @@ Inflate inflate_where_built() {
 #endif
 }
 
-SurSurface read_sur(std::string_view bytes, std::string_view name, const Inflate& inflate) {
+Reading read_sur(std::string_view bytes, std::string_view name, const Inflate& inflate) {
     return detail::SurReader(bytes, name, inflate).read();
 }
 

@@ -13,21 +13,23 @@
 ///     14  objects in the file      112 rows                               336  bytes of the private zone
 ///     18  1 profile, 2 surface
 ///
-/// The heights of a compressed file are zlib streams behind a table: their count, then of each its bytes when inflated and
-/// when deflated (uint32). Together they hold the heights as they would stand in the other form.
+/// The heights of a compressed file are zlib streams behind a table: their count, then of each its bytes when inflated
+/// and when deflated (uint32). Together they hold the heights as they would stand in the other form.
 ///
-/// Heights are number times step of z; the offset of the axis, a constant, is not added. Where missing points are marked,
-/// the lowest number less 2 stands for them. A file that states an inversion is read as its numbers stand, with a warning.
+/// Heights are number times step of z; the offset of the axis, a constant, is not added. Where missing points are
+/// marked, the lowest number less 2 stands for them. A file that states an inversion is read as its numbers stand, with
+/// a warning.
 ///
-/// Reference   the header of the formats SUR and PRO of Digital Surf, as open programs that read it (Gwyddion, surfalize)
-///             lay it out; files of both forms that surfalize wrote are read (tests/data), none that MountainsMap wrote
+/// Reference   the header of the formats SUR and PRO of Digital Surf, as open programs that read it (Gwyddion,
+///             surfalize) lay it out; files of both forms that surfalize wrote are read (tests/data), none that
+///             MountainsMap wrote
 /// Units       map in m
 /// Valid       one object; 2 points a side at least, or one row; heights that vary; files up to 2^31 bytes
 /// Accuracy    number times step times unit: two roundings (tests/io/sur_test.cpp)
 
 #include "io/binary_numbers.hpp"
 #include "io/lines.hpp"
-#include "io/profile_or_map.hpp"
+#include "io/reading.hpp"
 
 #include <fstiff/io/quantity.hpp>
 
@@ -40,42 +42,14 @@ namespace fstiff::io {
 /// nothing where zlib is not there.
 using Inflate = std::function<bool(std::string_view stream, std::span<char> out)>;
 
-/// What was found in a file.
-struct SurRecord {
-    std::string name;
-    bool profile{};
-    bool big_endian{};
-    int bits{};          ///< of a height: 16 or 32
-    std::string object;  ///< its name, printable characters only
-    std::string x_unit, z_unit;
-    double step{};          ///< of the heights [m]
-    bool marked{};          ///< missing points are marked
-    int inversion{};        ///< 0: none
-    std::size_t streams{};  ///< of a compressed file; 0: it is not compressed
-    std::size_t skipped{};  ///< bytes of the comment and the private zone
-    std::size_t columns{}, rows{};
-    std::size_t missing{};
-    std::size_t trailer{};  ///< bytes after the heights
-
-    /// The above as sentences for people, one a line, without a full stop.
-    [[nodiscard]] std::vector<std::string> sentences() const;
-    /// What may be wrong about the reading.
-    [[nodiscard]] std::vector<std::string> warnings() const;
-};
-
-/// What a file of Digital Surf holds.
-struct SurSurface {
-    HeightMap<double> map;  ///< of one row when the file holds a profile
-    SurRecord record;
-};
-
 /// Whether \p bytes begin as a file of Digital Surf does.
 [[nodiscard]] bool is_sur(std::string_view bytes);
 
 /// inflate_zlib() of io/inflate.hpp, or nothing without zlib.
 [[nodiscard]] Inflate inflate_where_built();
 
-/// Without \p inflate, compressed files are refused. \throws domain_error naming file, field, value and what is allowed.
-[[nodiscard]] SurSurface read_sur(std::string_view bytes, std::string_view name, const Inflate& inflate = {});
+/// Without \p inflate, compressed files are refused. \throws domain_error naming file, field, value and what is
+/// allowed.
+[[nodiscard]] Reading read_sur(std::string_view bytes, std::string_view name, const Inflate& inflate = {});
 
 }  // namespace fstiff::io

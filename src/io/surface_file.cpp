@@ -146,160 +146,85 @@ namespace detail {
 
 namespace {
 
-DescribedMap read_x3p_file(std::string_view bytes, const std::string& name, const SurfaceOptions& options) {
-#ifdef FSTIFF_HAS_X3P
-    return described_x3p(bytes, name, options);
-#else
-    (void)bytes, (void)options;
-    refuse_file(name, {"is X3P, which this program was built without; must be another form"});
-#endif
-}
-
 /// Reads a text of the form record.format, which is chosen here where it is automatic.
-void read_text(Surface& surface, const std::string& text, const SurfaceOptions& options) {
-    SurfaceRecord& record = surface.record;
+Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceOptions& options) {
     std::optional<MapTable> map;
     if (record.format != SurfaceFormat::profile) map.emplace(text, record.name);
     if (record.format == SurfaceFormat::automatic)
         std::tie(record.format, record.format_from) = text_form(*map, record.name, options);
     check_options(record.format, options, record.name);
-    if (record.format == SurfaceFormat::profile) {
-        const ProfileTextOptions given{.spacing = options.spacing,
-                                       .units = options.units,
-                                       .column = options.column,
-                                       .x_column = options.x_column,
-                                       .missing = options.missing,
-                                       .resample = options.resample,
-                                       .names = options.names};
-        NumberTable table =
-            map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules);
-        ProfileFromText read = read_profile(std::move(table), record.name, given);
-        record.details = read.record.sentences();
-        record.warnings = read.record.warnings;
-        record.resolution = read.record.resolution;
-        surface.data = std::move(read.profile);
-    } else {
-        const bool triples = record.format == SurfaceFormat::triples;
-        MapFromText read = read_map(std::move(*map), {.form = triples ? MapForm::triples : MapForm::matrix,
-                                                      .dx = options.dx,
-                                                      .dy = options.dy,
-                                                      .width = options.width,
-                                                      .height = options.height,
-                                                      .units = options.units,
-                                                      .missing = options.missing,
-                                                      .names = options.names});
-        record.details = read.record.sentences();
-        record.warnings = read.record.warnings;
-        record.resolution = read.record.resolution;
-        record.details.erase(record.details.begin());  // the form, which is said already
-        surface.data = std::move(read.map);
-    }
+    if (record.format != SurfaceFormat::profile) return read_map(std::move(*map), record.format, options);
+    NumberTable table = map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules);
+    return read_profile(std::move(table), record.name, options);
 }
 
 /// Reads bytes of the form \p format, which is no table of numbers.
-DescribedMap read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
-                         const SurfaceOptions& options) {
+Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
+                    const SurfaceOptions& options) {
     switch (format) {
-        case SurfaceFormat::sdf: {
-            SdfSurface found = read_sdf(bytes, name);
-            const bool counted = found.record.binary && found.record.data_type != 3 && found.record.data_type != 7;
-            return {.map = std::move(found.map),
-                    .sentences = found.record.sentences(),
-                    .resolution = counted ? found.record.z_scale : 0};
-        }
-        case SurfaceFormat::npy: {
-            NpySurface found = read_npy(bytes, name,
-                                        {.spacing = options.spacing,
-                                         .dx = options.dx,
-                                         .dy = options.dy,
-                                         .width = options.width,
-                                         .height = options.height,
-                                         .units = options.units,
-                                         .missing = options.missing,
-                                         .names = options.names});
-            return {.map = std::move(found.map),
-                    .sentences = found.record.sentences(),
-                    .resolution = found.record.resolution};
-        }
-        case SurfaceFormat::gsf: {
-            GsfSurface found = read_gsf(bytes, name);
-            return {.map = std::move(found.map), .sentences = found.record.sentences()};
-        }
-        case SurfaceFormat::gwy: {
-            GwySurface found = read_gwy(bytes, name, options.channel);
-            return {.map = std::move(found.map),
-                    .sentences = found.record.sentences(),
-                    .warnings = found.record.warnings()};
-        }
-        case SurfaceFormat::smd: {
-            const SmdProfile found = read_smd(bytes, name);
-            HeightMap<double> map;
-            map.heights = Eigen::Map<const HeightMap<double>::Array>(found.profile.heights.data(), 1,
-                                                                     static_cast<Eigen::Index>(found.profile.size()));
-            map.dx = map.dy = found.profile.spacing;
-            return {.map = std::move(map),
-                    .sentences = found.record.sentences(),
-                    .warnings = found.record.warnings(),
-                    .resolution = found.record.resolution};
-        }
-        case SurfaceFormat::sur: {
-            SurSurface found = read_sur(bytes, name, inflate_where_built());
-            return {.map = std::move(found.map),
-                    .sentences = found.record.sentences(),
-                    .warnings = found.record.warnings(),
-                    .resolution = std::abs(found.record.step)};
-        }
+        case SurfaceFormat::sdf:
+            return read_sdf(bytes, name);
+        case SurfaceFormat::npy:
+            return read_npy(bytes, name, options);
+        case SurfaceFormat::gsf:
+            return read_gsf(bytes, name);
+        case SurfaceFormat::gwy:
+            return read_gwy(bytes, name, options.channel);
+        case SurfaceFormat::smd:
+            return read_smd(bytes, name);
+        case SurfaceFormat::sur:
+            return read_sur(bytes, name, inflate_where_built());
         default:
-            return read_x3p_file(bytes, name, options);
+#ifdef FSTIFF_HAS_X3P
+            return read_x3p(bytes, name, options);
+#else
+            refuse_file(name, {"is X3P, which this program was built without; must be another form"});
+#endif
     }
 }
 
 }  // namespace
 
-}  // namespace detail
-
-Surface read_surface(std::string bytes, std::string_view name, const SurfaceOptions& options) {
-    Surface surface;
-    SurfaceRecord& record = surface.record;
-    record.name = std::string(name);
-    record.format = options.format;
-    record.format_from = "options";
+ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions& options) {
+    SurfaceRecord record{.name = std::string(name), .format = options.format, .format_from = "options"};
     if (record.format == SurfaceFormat::automatic) {
         record.format = form_of_first_bytes(bytes);
         if (record.format != SurfaceFormat::automatic) record.format_from = "the first bytes";
     }
+    Reading found;
     switch (record.format) {
         case SurfaceFormat::automatic:
         case SurfaceFormat::profile:
         case SurfaceFormat::triples:
         case SurfaceFormat::matrix: {
-            const bool utf16 = detail::is_utf16(bytes);
+            const bool utf16 = is_utf16(bytes);
             const std::string text =
-                detail::text_of(std::move(bytes), record.name, "numbers, or SDF, X3P, .npy, .gsf, .gwy, .sur or .smd");
-            detail::read_text(surface, text, options);
-            if (utf16) record.details.push_back("encoding: UTF-16, from its byte order mark");
-            return surface;
+                text_of(std::move(bytes), record.name, "numbers, or SDF, X3P, .npy, .gsf, .gwy, .sur or .smd");
+            found = read_text(record, text, options);
+            if (utf16) found.record.say("encoding", "UTF-16, from its byte order mark");
+            break;
         }
         default:
-            break;
+            check_options(record.format, options, record.name);
+            found = read_binary(record.format, bytes, record.name, options);
+            if (found.map.rows == 1) located({.file = record.name}, [&] { validate_map(found.map, 16); });
     }
-    detail::check_options(record.format, options, record.name);
-    DescribedMap read = detail::read_binary(record.format, bytes, record.name, options);
-    record.details = std::move(read.sentences);
-    record.warnings = std::move(read.warnings);
-    record.resolution = read.resolution;
-    surface.data = detail::as_surface(std::move(read.map), record.name);
-    return surface;
+    record.details = found.record.sentences();
+    record.warnings = std::move(found.record.warnings);
+    record.resolution = found.record.resolution;
+    return {std::move(found.map), std::move(record)};
 }
 
-Surface read_surface(std::istream& input, std::string_view name, const SurfaceOptions& options) {
-    detail::NamedBytes file = detail::read_bytes(input, name);
-    return read_surface(std::move(file.bytes), file.name, options);
+ReadSurface read(std::istream& input, std::string_view name, const SurfaceOptions& options) {
+    NamedBytes file = read_bytes(input, name);
+    return read(std::move(file.bytes), file.name, options);
 }
 
-Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options) {
-    detail::NamedBytes file = detail::read_bytes(path, "a profile or a map");
-    return read_surface(std::move(file.bytes), file.name, options);
+ReadSurface read(const std::filesystem::path& path, const SurfaceOptions& options) {
+    NamedBytes file = read_bytes(path, "a profile or a map");
+    return read(std::move(file.bytes), file.name, options);
 }
+
+}  // namespace detail
 
 }  // namespace fstiff::io

@@ -16,7 +16,8 @@ namespace fstiff::io::detail {
 /// Whether \p bytes begin with a byte order mark of UTF-16.
 bool is_utf16(std::string_view bytes);
 
-/// The text of \p bytes, which is_utf16(), without its mark; none when byte \p wrong (from 0) begins no whole character.
+/// The text of \p bytes, which is_utf16(), without its mark; none when byte \p wrong (from 0) begins no whole
+/// character.
 std::optional<std::string> utf8_of_utf16(std::string_view bytes, std::size_t& wrong);
 
 }  // namespace fstiff::io::detail

@@ -2,6 +2,7 @@
 #include "io/x3p.hpp"
 
 #include "io/binary_numbers.hpp"
+#include "io/option_names.hpp"
 #include "io/zip_archive.hpp"
 
 #include <fstiff/io/quantity.hpp>
@@ -14,6 +15,22 @@ namespace detail {
 
 namespace {
 
+/// What the file states.
+struct X3pHeader {
+    std::string main;        // of main.xml in the archive
+    std::string data;        // of the heights in the archive; empty when they are in main.xml
+    char data_type{};        // I, L, F or D
+    std::string instrument;  // printable characters only
+    std::size_t side_files{};
+    std::size_t columns{}, rows{};
+    bool mask{};           // there is a mask of valid points
+    double increment = 1;  // of the z axis, as the file states it
+    bool applied = true;   // the heights are times the increment
+
+    /// Heights of floating point with an increment that changes them: two readings are possible.
+    [[nodiscard]] bool doubtful() const { return (data_type == 'F' || data_type == 'D') && increment != 1; }
+};
+
 /// The child called \p name in whatever namespace; empty when there is none.
 pugi::xml_node local_child(const pugi::xml_node& parent, std::string_view name) {
     for (pugi::xml_node child = parent.first_child(); child; child = child.next_sibling()) {
@@ -24,21 +41,43 @@ pugi::xml_node local_child(const pugi::xml_node& parent, std::string_view name) 
     return {};
 }
 
+Record record_of(const X3pHeader& file, const RawMap& map, const OptionNames& names) {
+    Record record;
+    record.say("form", "X3P, heights of type " + std::string(1, file.data_type) + " from " +
+                           shown_cell(file.data.empty() ? file.main : file.data) +
+                           (file.instrument.empty() ? "" : ", measured with " + file.instrument));
+    const std::string increment = number_text(file.increment), increment_of_z = "the increment " + increment + " of CZ";
+    record.say("units", !file.doubtful() ? "m"
+                        : file.applied   ? "m, heights times " + increment_of_z
+                                         : "m, heights as they are, without " + increment_of_z);
+    record.say("spacing", "from the increments of CX and CY");
+    record.say_points(map, file.mask ? ", from a mask" : "");
+    if (file.side_files != 0) record.say("other files in the archive", std::to_string(file.side_files) + ", not read");
+    if (file.doubtful())
+        record.warnings.push_back(
+            "the heights are numbers of floating point, and the file states an increment of " + increment +
+            " besides: " +
+            (file.applied ? "they were taken times the increment; where they are metres already, the other reading is "
+                          : "they were taken as metres, without the increment; the other reading is ") +
+            of_words(names, "x3p_increment") + names.equals + (file.applied ? "ignore" : "apply"));
+    record.resolution = file.data_type == 'I' || file.data_type == 'L' ? file.increment : 0;
+    return record;
+}
+
 class X3pReader {
 public:
-    X3pReader(std::string_view bytes, std::string name, const X3pLimits& limits, X3pIncrement increment)
-        : name_(std::move(name)), archive_(bytes, name_, limits), increment_(increment) {}
+    X3pReader(std::string_view bytes, std::string name, const SurfaceOptions& options)
+        : name_(std::move(name)), archive_(bytes, name_, options.x3p_limits), options_(options) {}
 
-    X3pSurface read() {
-        record_.name = name_;
+    Reading read() {
         find_main();
-        const std::string main = archive_.content(*archive_.find(record_.main));
+        const std::string main = archive_.content(*archive_.find(header_.main));
         if (!document_.load_buffer(main.data(), main.size()))
-            refuse_file(name_, {shown_cell(record_.main), " is no XML; must be a whole X3P file"});
+            refuse_file(name_, {shown_cell(header_.main), " is no XML; must be a whole X3P file"});
         for (pugi::xml_node root = document_.first_child(); root && !root_; root = root.next_sibling())
             if (local_child(root, "Record1") && local_child(root, "Record3")) root_ = root;
         if (!root_)
-            refuse_file(name_, {shown_cell(record_.main),
+            refuse_file(name_, {shown_cell(header_.main),
                                 " has no element that holds Record1 and Record3; must be "
                                 "the description of an X3P file"});
         read_axes();
@@ -53,11 +92,10 @@ public:
             read_link(link);
         else
             read_list(list);
-        set_spacings(surface_.map, dx_, dy_, name_);
-        record_.missing = static_cast<std::size_t>(surface_.map.size() - surface_.map.present());
+        set_spacings(map_, dx_, dy_, name_);
         describe();
-        surface_.record = record_;
-        return std::move(surface_);
+        Record record = record_of(header_, map_, options_.names);
+        return {std::move(map_), std::move(record)};
     }
 
 private:
@@ -74,11 +112,11 @@ private:
             twice = depth == least;
             if (depth >= least) continue;
             least = depth;
-            record_.main = entry;
+            header_.main = entry;
         }
         if (least == std::string::npos) refuse_archive();
         if (twice) refuse_file(name_, {"holds more than one main.xml, none nearer to its root; must hold one"});
-        folder_ = record_.main.substr(0, record_.main.size() - std::string_view("main.xml").size());
+        folder_ = header_.main.substr(0, header_.main.size() - std::string_view("main.xml").size());
     }
 
     /// Says what an archive is that is no X3P file.
@@ -130,7 +168,7 @@ private:
         const std::string data = text_at(local_child(z, "DataType"));
         if (data != "I" && data != "L" && data != "F" && data != "D")
             refuse_field(name_, "CZ/DataType", shown_cell(data), "I, L, F or D");
-        record_.data_type = data[0];
+        header_.data_type = data[0];
         dx_ = number_at(x, "CX/Increment", 0);
         dy_ = number_at(y, "CY/Increment", 0);
         z_increment_ = number_at(z, "CZ/Increment", 1);
@@ -141,9 +179,9 @@ private:
             require(dy_ >= 0, "CY/Increment", dy_, "at least 0");
             require_positive("CZ/Increment", z_increment_);
         });
-        record_.increment = z_increment_;
-        record_.applied = !record_.doubtful() || increment_ == X3pIncrement::apply;
-        if (!record_.applied) z_increment_ = 1;
+        header_.increment = z_increment_;
+        header_.applied = !header_.doubtful() || options_.x3p_increment == X3pIncrement::apply;
+        if (!header_.applied) z_increment_ = 1;
     }
 
     std::size_t count_at(const pugi::xml_node& parent, const std::string& title) const {
@@ -156,22 +194,17 @@ private:
     void read_size() {
         const pugi::xml_node record3 = local_child(root_, "Record3");
         if (const pugi::xml_node matrix = local_child(record3, "MatrixDimension")) {
-            record_.columns = count_at(matrix, "SizeX");
-            record_.rows = count_at(matrix, "SizeY");
+            header_.columns = count_at(matrix, "SizeX");
+            header_.rows = count_at(matrix, "SizeY");
             if (const std::size_t layers = count_at(matrix, "SizeZ"); layers != 1)
                 refuse_field(name_, "SizeZ", std::to_string(layers), "1 (one layer)");
         } else if (profile_ && local_child(record3, "ListDimension")) {
-            record_.columns = count_at(record3, "ListDimension");
-            record_.rows = 1;
+            header_.columns = count_at(record3, "ListDimension");
+            header_.rows = 1;
         } else {
             refuse_file(name_, {"has no MatrixDimension; must be a grid of points"});
         }
-        points_ = std::uint64_t(record_.columns) * record_.rows;
-    }
-
-    void allocate() {
-        surface_.map.heights.resize(static_cast<Eigen::Index>(record_.rows),
-                                    static_cast<Eigen::Index>(record_.columns));
+        points_ = std::uint64_t(header_.columns) * header_.rows;
     }
 
     void set(std::size_t index, double number) {
@@ -180,7 +213,7 @@ private:
         if (std::isinf(height))
             refuse_file(name_,
                         {"height ", index + 1, " is infinite; must be finite, or NaN where the point is missing"});
-        surface_.map.heights.data()[index] = height;
+        map_.heights[index] = height;
     }
 
     /// The file of the archive that \p node names, relative to main.xml.
@@ -197,9 +230,9 @@ private:
     }
 
     void read_link(const pugi::xml_node& link) {
-        const std::size_t size = record_.data_type == 'I' ? 2 : record_.data_type == 'D' ? 8 : 4;
+        const std::size_t size = header_.data_type == 'I' ? 2 : header_.data_type == 'D' ? 8 : 4;
         const std::size_t data = linked(local_child(link, "PointDataLink"), "PointDataLink");
-        record_.data = archive_.names()[data];
+        header_.data = archive_.names()[data];
         require_size(data, size);
         std::optional<std::size_t> mask;
         if (const pugi::xml_node node = local_child(link, "ValidPointsLink"); node && !text_at(node).empty()) {
@@ -210,8 +243,8 @@ private:
         }
         const std::string bytes = archive_.content(data);
         const std::string valid = mask ? archive_.content(*mask) : std::string();
-        record_.mask = mask.has_value();
-        allocate();
+        header_.mask = mask.has_value();
+        allocate(map_, header_.rows, header_.columns);
         for (std::size_t i = 0; i < points_; ++i) {
             const bool is_valid = !mask || ((static_cast<unsigned char>(valid[i / 8]) >> (i % 8)) & 1) != 0;
             set(i, is_valid ? binary_number(std::string_view(bytes).substr(i * size, size)) : missing);
@@ -223,11 +256,11 @@ private:
         const std::size_t there = archive_.size(data);
         if (there % size != 0 || there / size != points_)
             refuse_file(name_, {shown_cell(archive_.names()[data]), " has ", there, " bytes; must have ", size,
-                                " for each of ", record_.columns, " x ", record_.rows, " points"});
+                                " for each of ", header_.columns, " x ", header_.rows, " points"});
     }
 
     double binary_number(std::string_view bytes) const {
-        switch (record_.data_type) {
+        switch (header_.data_type) {
             case 'I':
                 return static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes));
             case 'L':
@@ -244,8 +277,8 @@ private:
         for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) found += is_datum(datum);
         if (found != points_)
             refuse_file(name_,
-                        {"DataList holds ", found, " heights; must hold ", record_.columns, " x ", record_.rows});
-        allocate();
+                        {"DataList holds ", found, " heights; must hold ", header_.columns, " x ", header_.rows});
+        allocate(map_, header_.rows, header_.columns);
         std::size_t index = 0;
         for (pugi::xml_node datum = list.first_child(); datum; datum = datum.next_sibling()) {
             if (!is_datum(datum)) continue;
@@ -271,75 +304,31 @@ private:
         const pugi::xml_node instrument = local_child(local_child(root_, "Record2"), "Instrument");
         for (const char* part : {"Manufacturer", "Model"}) {
             const std::string text = printable(text_at(local_child(instrument, part)), 80);
-            if (!text.empty()) record_.instrument += (record_.instrument.empty() ? "" : " ") + text;
+            if (!text.empty()) header_.instrument += (header_.instrument.empty() ? "" : " ") + text;
         }
         for (const std::string& entry : archive_.names())
-            record_.side_files += !entry.ends_with('/') && entry != record_.main && entry != record_.data;
+            header_.side_files += !entry.ends_with('/') && entry != header_.main && entry != header_.data;
     }
 
     std::string name_;
     ZipArchive archive_;
-    X3pIncrement increment_;
+    const SurfaceOptions& options_;
     std::string folder_;  // of main.xml, with its slash
     pugi::xml_document document_;
     pugi::xml_node root_;
     bool profile_ = false;
     double dx_{}, dy_{}, z_increment_{}, z_offset_{};
     std::uint64_t points_{};
-    X3pSurface surface_;
-    X3pRecord record_;
+    RawMap map_;
+    X3pHeader header_;
 };
 
 }  // namespace
 
 }  // namespace detail
 
-std::vector<std::string> X3pRecord::sentences() const {
-    std::vector<std::string> all;
-    all.push_back("form: X3P, heights of type " + std::string(1, data_type) + " from " +
-                  detail::shown_cell(data.empty() ? main : data) +
-                  (instrument.empty() ? "" : ", measured with " + instrument));
-    const std::string increment_text = "the increment " + detail::number_text(increment) + " of CZ";
-    all.push_back(!doubtful() ? "units: m"
-                  : applied   ? "units: m, heights times " + increment_text
-                              : "units: m, heights as they are, without " + increment_text);
-    all.push_back("spacing: from the increments of CX and CY");
-    all.push_back("points: " + std::to_string(columns) + " x " + std::to_string(rows) + ", of which " +
-                  std::to_string(missing) + " missing" + (mask ? ", from a mask" : ""));
-    if (side_files != 0) all.push_back("other files in the archive: " + std::to_string(side_files) + ", not read");
-    return all;
-}
-
-X3pSurface read_x3p(std::string_view bytes, std::string_view name, const X3pLimits& limits, X3pIncrement increment) {
-    return detail::X3pReader(bytes, std::string(name), limits, increment).read();
-}
-
-DescribedMap described_x3p(std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
-    X3pSurface read = read_x3p(bytes, name, options.x3p_limits, options.x3p_increment);
-    const X3pRecord& record = read.record;
-    const bool counted = record.data_type == 'I' || record.data_type == 'L';
-    DescribedMap described{
-        .map = std::move(read.map), .sentences = record.sentences(), .resolution = counted ? record.increment : 0};
-    if (record.doubtful())
-        described.warnings.push_back(
-            "the heights are numbers of floating point, and the file states an increment of " +
-            detail::number_text(record.increment) + " besides: " +
-            (record.applied
-                 ? "they were taken times the increment; where they are metres already, the other reading is "
-                 : "they were taken as metres, without the increment; the other reading is ") +
-            options.names.prefix + (options.names.prefix.empty() ? "x3p_increment" : "x3p-increment") +
-            options.names.equals + (record.applied ? "ignore" : "apply"));
-    return described;
-}
-
-X3pSurface read_x3p(std::istream& input, std::string_view name, const X3pLimits& limits) {
-    const detail::NamedBytes file = detail::read_bytes(input, name);
-    return read_x3p(file.bytes, file.name, limits);
-}
-
-X3pSurface read_x3p(const std::filesystem::path& path, const X3pLimits& limits) {
-    const detail::NamedBytes file = detail::read_bytes(path, "the form X3P");
-    return read_x3p(file.bytes, file.name, limits);
+Reading read_x3p(std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
+    return detail::X3pReader(bytes, std::string(name), options).read();
 }
 
 }  // namespace fstiff::io

@@ -6,7 +6,8 @@
 ///     parse_quantity("0.832 um", Dimension::length, "rms_height")   8.32e-7
 ///     parse_angle("pi/4", "theta")                                  0.785...
 ///
-/// Units are spelt as <fstiff/io/units.hpp> says, after any blank or none. The decimal sign is the point in every locale.
+/// Units are spelt as <fstiff/io/units.hpp> says, after any blank or none. The decimal sign is the point in every
+/// locale.
 ///
 /// Units       result in SI: m, m^2, 1/m^2, Pa, rad, Hz, m/s, kg/m^3, kg/(m^2 s), Pa/m
 /// Valid       finite decimal numbers; "inf", "nan", hexadecimal and anything left over are refused

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A measured file of any known form: a profile or a map, with the form that was recognised and every decision. Compiled: link fstiff::io.
+/// A measured file of any known form: a profile or a map, with the form that was recognised and every decision.
+/// Compiled: link fstiff::io.
 ///
-/// Surface data files (SDF), X3P, arrays of NumPy, files and simple fields of Gwyddion, files of Digital Surf and profiles of
-/// ISO 5436-2 are known by their first bytes. Other text is known by the columns of its first row: one or two
-/// make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four and
-/// more are a matrix, unless they begin with x, y and z, titles with units stand above them, or SurfaceOptions::column says
-/// that they are columns of a profile. Columns that number the points do not count; a matrix may have positions as its first
-/// row and column. What could be two things is refused, naming the option `format` that decides.
-/// Binary files of one row are profiles; an array of NumPy takes units and steps from the options.
+/// Surface data files (SDF), X3P, arrays of NumPy, files and simple fields of Gwyddion, files of Digital Surf and
+/// profiles of ISO 5436-2 are known by their first bytes. Other text is known by the columns of its first row: one or
+/// two make a profile; three are x, y, z triples where x and y form a grid, else a matrix where a size is stated; four
+/// and more are a matrix, unless they begin with x, y and z, titles with units stand above them, or
+/// SurfaceOptions::column says that they are columns of a profile. Columns that number the points do not count; a
+/// matrix may have positions as its first row and column. What could be two things is refused, naming the option
+/// `format` that decides. Binary files of one row are profiles; an array of NumPy takes units and steps from the
+/// options.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are the file's
-/// Valid       profiles of 16 points, maps of 2 points a side at least, of heights that vary; files up to 2^31 bytes, SDF and
-///             X3P up to 2^30; lines of text up to 2^20 characters. The reader of each form, in src/io, says what it takes
-/// Accuracy    heights and steps are the printed or stored numbers times their unit, each rounded once, or twice where the
-///             file has a scale too (tests/io/surface_file_test.cpp, and the test of each reader)
+/// Valid       profiles of 16 points, maps of 2 points a side at least, of heights that vary; files up to 2^31 bytes,
+///             SDF and X3P up to 2^30; lines of text up to 2^20 characters. The reader of each form, in src/io, says
+///             what it takes
+/// Accuracy    heights and steps are the printed or stored numbers times their unit, each rounded once, or twice where
+///             the file has a scale too (tests/io/surface_file_test.cpp, and the test of each reader)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/profile/profile.hpp>
@@ -27,6 +30,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -65,7 +69,8 @@ inline constexpr auto names<io::X3pIncrement> = name_list<io::X3pIncrement>({{io
 
 namespace fstiff::io {
 
-/// "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "gwy", "sur", "smd" or "auto". \throws domain_error listing them.
+/// "profile", "triples", "matrix", "sdf", "x3p", "npy", "gsf", "gwy", "sur", "smd" or "auto". \throws domain_error
+/// listing them.
 [[nodiscard]] SurfaceFormat surface_format(std::string_view name);
 /// The word of \p format, as surface_format() takes it.
 [[nodiscard]] std::string_view surface_format_name(SurfaceFormat format);
@@ -115,9 +120,9 @@ inline constexpr std::size_t max_profile_columns = 4096;
 struct SurfaceRecord {
     std::string name;
     SurfaceFormat format{};
-    std::string format_from;            ///< how the form was recognised
-    std::vector<std::string> details;   ///< of the reader of that form
-    std::vector<std::string> warnings;  ///< of readings that may be wrong, with the option of the other
+    std::string format_from;              ///< how the form was recognised
+    std::vector<std::string> details{};   ///< of the reader of that form
+    std::vector<std::string> warnings{};  ///< of readings that may be wrong, with the option of the other
     double resolution{};  ///< step in which the heights are printed or counted [m]; 0 where it is not known
 
     /// The above as sentences for people, one a line, without a full stop.
@@ -137,12 +142,54 @@ struct Surface {
     [[nodiscard]] const HeightMap<double>& map() const { return std::get<1>(data); }
 };
 
+namespace detail {
+
+/// Heights row after row; one row is a profile. What is compiled hands over no array of Eigen, which a program may only
+/// free where it was compiled for the same processor.
+struct RawMap {
+    std::vector<double> heights;  ///< [m], NaN where missing
+    std::size_t rows{}, columns{};
+    double dx{}, dy{};  ///< [m]
+
+    [[nodiscard]] double at(std::size_t row, std::size_t column) const { return heights[row * columns + column]; }
+};
+
+/// What read_surface() makes a Surface of.
+struct ReadSurface {
+    RawMap map;
+    SurfaceRecord record;
+};
+[[nodiscard]] ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions& options);
+[[nodiscard]] ReadSurface read(std::istream& input, std::string_view name, const SurfaceOptions& options);
+[[nodiscard]] ReadSurface read(const std::filesystem::path& path, const SurfaceOptions& options);
+
+[[nodiscard]] inline Surface surface_of(ReadSurface read) {
+    RawMap& raw = read.map;
+    if (raw.rows == 1) return {Profile<double>{std::move(raw.heights), raw.dx}, std::move(read.record)};
+    HeightMap<double> map;
+    map.heights = Eigen::Map<const HeightMap<double>::Array>(raw.heights.data(), static_cast<Eigen::Index>(raw.rows),
+                                                             static_cast<Eigen::Index>(raw.columns));
+    map.dx = raw.dx;
+    map.dy = raw.dy;
+    return {std::move(map), std::move(read.record)};
+}
+
+}  // namespace detail
+
 /// Reads the bytes of a file; \p name stands for it in messages.
 /// \throws domain_error naming file, place, value and what is allowed, or the option that resolves an ambiguity.
-[[nodiscard]] Surface read_surface(std::string bytes, std::string_view name, const SurfaceOptions& options = {});
+[[nodiscard]] inline Surface read_surface(std::string bytes, std::string_view name,
+                                          const SurfaceOptions& options = {}) {
+    return detail::surface_of(detail::read(std::move(bytes), name, options));
+}
 /// Reads all of \p input.
-[[nodiscard]] Surface read_surface(std::istream& input, std::string_view name, const SurfaceOptions& options = {});
+[[nodiscard]] inline Surface read_surface(std::istream& input, std::string_view name,
+                                          const SurfaceOptions& options = {}) {
+    return detail::surface_of(detail::read(input, name, options));
+}
 /// Reads the file \p path. \throws file_error when it cannot be opened or read.
-[[nodiscard]] Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
+[[nodiscard]] inline Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {}) {
+    return detail::surface_of(detail::read(path, options));
+}
 
 }  // namespace fstiff::io

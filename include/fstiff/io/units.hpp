@@ -5,9 +5,9 @@
 ///
 ///     unit_factor("GPa/um", Dimension::stiffness_per_area)          1e15
 ///
-/// The micro sign may be "u", U+00B5, U+03BC, the CP1252 byte 0xB5 or the MS-DOS byte 0xE6; exponents may be written "^2", "2" or as
-/// superscripts; blanks around a unit may be those of Unicode; products with a blank, "*" or a middle dot. Case matters ("MPa" is not "mPa"), except in spelt-out
-/// words ("Micrometer").
+/// The micro sign may be "u", U+00B5, U+03BC, the CP1252 byte 0xB5 or the MS-DOS byte 0xE6; exponents may be written
+/// "^2", "2" or as superscripts; blanks around a unit may be those of Unicode; products with a blank, "*" or a middle
+/// dot. Case matters ("MPa" is not "mPa"), except in spelt-out words ("Micrometer").
 ///
 /// Units       SI: m, m^2, 1/m^2, Pa, rad, Hz, m/s, kg/m^3, kg/(m^2 s), Pa/m
 /// Accuracy    powers of ten are correctly rounded; in, psi, deg within 1 ulp (tests/io/quantity_test.cpp)

@@ -4,15 +4,15 @@
 /// Writes profiles and maps: as delimited text, and as surface data files (SDF). read_surface() of
 /// <fstiff/io/surface_file.hpp> reads both back bit for bit. Compiled: link fstiff::io.
 ///
-/// A profile as text has rows of x and z, triples have rows of x, y and z, separated by commas below a line of titles with
-/// units. A matrix has a row of the map a line, separated by tabs below the header that Gwyddion writes, with dx and dy
-/// beside the width and the height. Spacings stand in the header as they are; positions are multiples of them, rounded.
-/// A missing point is an empty cell of a profile, "nan" in a map.
+/// A profile as text has rows of x and z, triples have rows of x, y and z, separated by commas below a line of titles
+/// with units. A matrix has a row of the map a line, separated by tabs below the header that Gwyddion writes, with dx
+/// and dy beside the width and the height. Spacings stand in the header as they are; positions are multiples of them,
+/// rounded. A missing point is an empty cell of a profile, "nan" in a map.
 ///
 /// Reference   ISO 25178-71:2017 (versions 1.0, 2.0) for SDF
 /// Units       m, stated in the header; Zscale of SDF is 1
-/// Valid       what the readers accept: 16 points of a profile, 2 a side of a map, heights that vary; 2 points of a profile
-///             as SDF
+/// Valid       what the readers accept: 16 points of a profile, 2 a side of a map, heights that vary; 2 points of a
+///             profile as SDF
 /// Accuracy    heights and spacings come back bit for bit (tests/io/write_csv_test.cpp, tests/io/write_sdf_test.cpp)
 
 #include <fstiff/core/names.hpp>
