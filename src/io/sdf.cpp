@@ -221,7 +221,11 @@ private:
         header_.data_type =
             code("DataType", {"uchar", "uinteger", "ulongint", "float", "char", "integer", "longint", "double"});
         check_header(code("Compression", {}), code("CheckType", {}));
+        read_text_heights(rest);
+    }
 
+    /// The heights of a text, \p rest being what stands behind its header.
+    void read_text_heights(std::string_view rest) {
         // every height needs two characters, the last one needs one
         const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
         if (points > rest.size() / 2 + 1)
@@ -230,8 +234,8 @@ private:
         allocate(map_, header_.rows, header_.columns);
         std::size_t found = 0;
         std::vector<std::string_view> cells;
-        ended = false;
-        while (!rest.empty() && !ended) {
+        bool ended = false;
+        while (!rest.empty()) {
             const std::string_view line = content(next_line(rest));
             ended = line == "*";
             if (ended) break;
