@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# fstiff::x3p, where libzip and pugixml are found: what <fstiff/io/x3p.hpp> needs. Also in the installed package:
-# find_package(fstiff COMPONENTS x3p). Defines FSTIFF_HAS_X3P for those who link it.
+# fstiff::x3p, where libzip and pugixml are found: what src/io/x3p.cpp needs. Defines FSTIFF_HAS_X3P for those who link it.
 if(NOT TARGET fstiff::x3p)
     # by file: the package file that Debian ships for libzip fails unless its tools are installed too
     find_path(FSTIFF_LIBZIP_INCLUDE zip.h)

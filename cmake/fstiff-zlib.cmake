@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# fstiff::zlib, where zlib is found: what <fstiff/io/inflate.hpp> needs. Also in the installed package:
-# find_package(fstiff COMPONENTS zlib). Defines FSTIFF_HAS_ZLIB for those who link it.
+# fstiff::zlib, where zlib is found: what src/io/inflate.cpp needs. Defines FSTIFF_HAS_ZLIB for those who link it.
 if(NOT TARGET fstiff::zlib)
     find_path(FSTIFF_ZLIB_INCLUDE zlib.h)
     find_library(FSTIFF_ZLIB_LIBRARY NAMES z zlib)

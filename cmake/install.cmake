@@ -2,6 +2,7 @@
 # What is installed, by component; read where FSTIFF_INSTALL is on.
 #     dev    headers of C++, the licence, the package files for find_package(fstiff) and pkg-config fstiff (here)
 #     cli    the command and its scenes (src/cli)
+#     io     the readers and writers of files, with their headers and package files (src/io)
 #     c      the C interface with its header, its package files and the Fortran module (src/c)
 include(CMakePackageConfigHelpers)
 
@@ -15,8 +16,7 @@ write_basic_package_version_file(
     ${PROJECT_BINARY_DIR}/fstiff-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(
     FILES ${PROJECT_BINARY_DIR}/fstiff-config.cmake ${PROJECT_BINARY_DIR}/fstiff-config-version.cmake
-          ${CMAKE_CURRENT_LIST_DIR}/fstiff-eigen.cmake ${CMAKE_CURRENT_LIST_DIR}/fstiff-x3p.cmake
-          ${CMAKE_CURRENT_LIST_DIR}/fstiff-zlib.cmake
+          ${CMAKE_CURRENT_LIST_DIR}/fstiff-eigen.cmake
     DESTINATION ${fstiff_package_dir}
     COMPONENT dev)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/fstiff COMPONENT dev)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Packages by cpack, in the build folder after the build:
-#     cpack -G DEB    fstiff (component cli), libfstiff-dev (dev) and libfstiff-c (c), each with what it depends on
+#     cpack -G DEB    fstiff (component cli), libfstiff-dev (dev), libfstiff-io-dev (io) and libfstiff-c (c), each with what it depends on
 #     cpack -G TGZ    one archive of these components
 #     cpack --config CPackSourceConfig.cmake    the sources, without the build folder
 set(CPACK_PACKAGE_VENDOR "the fstiff authors")
@@ -10,6 +10,9 @@ set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/packages-by-generator.cm
 set(CPACK_STRIP_FILES ON)
 
 set(CPACK_COMPONENTS_ALL dev)
+if(FSTIFF_BUILD_IO)
+    list(APPEND CPACK_COMPONENTS_ALL io)
+endif()
 if(TARGET fstiff_cli)
     list(APPEND CPACK_COMPONENTS_ALL cli)
 endif()
@@ -17,6 +20,7 @@ if(TARGET fstiff_c)
     list(APPEND CPACK_COMPONENTS_ALL c)
 endif()
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers of C++20, and the files that CMake and pkg-config find them by.")
+set(CPACK_COMPONENT_IO_DESCRIPTION "Readers and writers of measured surfaces, with their headers of C++20.")
 set(CPACK_COMPONENT_CLI_DESCRIPTION "The command fstiff, and scenes to begin with.")
 set(CPACK_COMPONENT_C_DESCRIPTION "The C interface with its header, and the Fortran module.")
 
@@ -27,6 +31,15 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfstiff-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
+set(CPACK_DEBIAN_IO_PACKAGE_NAME libfstiff-io-dev)
+set(CPACK_DEBIAN_IO_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_IO_PACKAGE_DEPENDS "libfstiff-dev (= ${PROJECT_VERSION})")
+if(TARGET fstiff::x3p)
+    string(APPEND CPACK_DEBIAN_IO_PACKAGE_DEPENDS ", libzip-dev, libpugixml-dev")
+endif()
+if(TARGET fstiff::zlib)
+    string(APPEND CPACK_DEBIAN_IO_PACKAGE_DEPENDS ", zlib1g-dev")
+endif()
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME fstiff)
 set(CPACK_DEBIAN_CLI_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_C_PACKAGE_NAME libfstiff-c)

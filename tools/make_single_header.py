@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Puts headers of fstiff, and all that they include, into one file: tools/make_single_header.py -o fstiff.hpp [HEADER]...
+With --io fstiff_io.cpp, the readers and writers of files too: one source to compile with the program, which includes fstiff.hpp.
 
 HEADER is a name as in an include, fstiff/contact/rough_contact.hpp; without one, fstiff/fstiff.hpp and fstiff/io.hpp. The includes
 are followed depth first, each header is written once, where the first include of it stood, and so is each header of Eigen and of
-the standard library. One licence line stands on top. Eigen and C++20 are needed as by the headers apart.
+the standard library. One licence line stands on top. Eigen and C++20 are needed as by the headers apart. The one source reads
+neither X3P nor compressed files of Digital Surf, which need other libraries.
 """
 import argparse
 import pathlib
@@ -13,12 +15,14 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = ROOT / "include"
+SOURCE = ROOT / "src"
+PACKED = ("x3p.cpp", "inflate.cpp")  # need other libraries
 DIRECTIVE = re.compile(r"\s*#\s*(include|if|ifdef|ifndef|endif|pragma)\b\s*(.*)")
-NAME = re.compile(r"<([^<>]+)>")
+NAME = re.compile(r"<([^<>]+)>|\"(io/[^\"]+)\"")
 
 
 class Amalgamation:
-    """The text of the headers added so far; no header comes twice."""
+    """The text of the files added so far; no header comes twice."""
 
     def __init__(self):
         self.lines = []
@@ -30,7 +34,10 @@ class Amalgamation:
         if name in self.seen:
             return
         self.seen.add(name)
-        text = (INCLUDE / name).read_text(encoding="utf-8").splitlines()
+        own_header = name.startswith("fstiff/")
+        text = ((INCLUDE if own_header else SOURCE) / name).read_text(encoding="utf-8").splitlines()
+        if name.endswith(".cpp"):
+            text.insert(1, "#pragma once")
         if not text[0].startswith("// SPDX-License-Identifier: BSD-3-Clause") or text[1] != "#pragma once":
             raise ValueError(f"{name}: must begin with the licence line and #pragma once")
         self.headers += 1
@@ -53,43 +60,67 @@ class Amalgamation:
                     raise ValueError(f"{name}: '{line}': an include must stand in angle brackets")
                 if depth:
                     raise ValueError(f"{name}: '{line}': stands under a condition, and would be left out elsewhere")
-                if other[1].startswith("fstiff/"):
+                included = other[1] or other[2]
+                if included.startswith("fstiff/") or other[2]:
                     flush()
-                    self.add(other[1])
+                    self.add(included)
                     continue
-                if other[1] in self.seen:
+                if included in self.seen:
                     continue
-                self.seen.add(other[1])
+                self.seen.add(included)
             if line.strip() != "/// \\file":
                 own.append(line)
         flush()
 
 
-def single_header(names):
-    """One header that holds those of these names and all that they include."""
-    amalgamation = Amalgamation()
-    for name in names:
-        amalgamation.add(name)
+def written(title, lines):
+    """The file of these lines below its licence and title."""
     version = re.search(r'FSTIFF_VERSION "(.+)"', (INCLUDE / "fstiff/core/version.hpp").read_text(encoding="utf-8"))[1]
     copyright_line = re.search(r"^Copyright .*$", (ROOT / "LICENSE").read_text(encoding="utf-8"), re.M)[0]
-    body = re.sub(r"\n{3,}", "\n\n", "\n".join(amalgamation.lines))
-    return (f"// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n// fstiff {version}. {copyright_line}\n"
-            f"// {' and '.join(names)} with all that they include, {amalgamation.headers} headers in one file.\n"
-            f"// Written by tools/make_single_header.py: change the headers, not this file.\n\n{body}\n")
+    body = re.sub(r"\n{3,}", "\n\n", "\n".join(lines))
+    return (f"// fstiff {version}. {copyright_line}\n// {title}\n"
+            f"// Written by tools/make_single_header.py: change the files of fstiff, not this one.\n\n{body}\n")
+
+
+def single_header(names):
+    """One header that holds those of these names and all that they include, and what was taken for it."""
+    taken = Amalgamation()
+    for name in names:
+        taken.add(name)
+    title = f"{' and '.join(names)} with all that they include, {taken.headers} headers in one file."
+    return "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n" + written(title, taken.lines), taken
+
+
+def single_source(header, taken):
+    """One source of fstiff::io behind the header, which holds what was taken already."""
+    taken.lines = [f'#include "{header}"']
+    for path in sorted((SOURCE / "io").glob("*.cpp")):
+        if path.name not in PACKED:
+            taken.add(f"io/{path.name}")
+    return "// SPDX-License-Identifier: BSD-3-Clause\n" + written("The sources of fstiff::io in one file.", taken.lines)
+
+
+def write(path, text):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("headers", nargs="*", metavar="HEADER", default=["fstiff/fstiff.hpp", "fstiff/io.hpp"])
     parser.add_argument("-o", "--output", type=pathlib.Path, help="the file to write; without it, the standard output")
+    parser.add_argument("--io", type=pathlib.Path, help="the source of fstiff::io to write, beside --output")
     options = parser.parse_args()
+    if options.io and not options.output:
+        parser.error("--io needs --output, the header that the source includes")
     try:
-        text = single_header(options.headers)
+        text, taken = single_header(options.headers)
+        if options.io:
+            write(options.io, single_source(options.output.name, taken))
     except (ValueError, OSError) as error:
         sys.exit(f"make_single_header.py: {error}")
     if options.output:
-        options.output.parent.mkdir(parents=True, exist_ok=True)
-        options.output.write_text(text, encoding="utf-8")
+        write(options.output, text)
     else:
         sys.stdout.write(text)
 

@@ -19,13 +19,18 @@ tests_elsewhere() {
     printf '#define CATCH_CONFIG_MAIN\n#include <catch2/catch.hpp>\n' >"$build/catch_main.cpp"
     printf '#include <fstiff/fstiff.hpp>\nint main() {}\n' >"$build/umbrella.cpp"
 
-    all="$flags -std=c++20 -O1 -Wall -Wextra -I$root/include -I$root/tests -isystem $build/include -isystem /usr/include/eigen3"
+    # the readers of files, but for what needs other libraries
+    for source in "$root"/src/io/*.cpp; do
+        case $source in */x3p.cpp | */inflate.cpp) ;; *) printf '#include "%s"\n' "$source" ;; esac
+    done >"$build/fstiff_io.cpp"
+
+    all="$flags -std=c++20 -O1 -Wall -Wextra -I$root/include -I$root/src -I$root/tests -isystem $build/include -isystem /usr/include/eigen3"
     all="$all -DFSTIFF_TEST_DATA=\\\"$root/tests/data\\\" -DFSTIFF_SCENES=\\\"$root/data\\\""
     all="$all -DFSTIFF_SURFACES=\\\"${SURFACES:-$root/../shared/surfaces}\\\" ${FLAGS:-}"
     {
         printf 'rule compile\n  command = %s %s -MMD -MF $out.d -c $in -o $out\n  description = compile $out\n  depfile = $out.d\n  deps = gcc\n' "$compiler" "$all"
         printf 'rule link\n  command = %s %s $in %s -o $out\n  description = link $out\n' "$compiler" "$flags" "$link"
-        printf 'build catch_main.o: compile catch_main.cpp\nbuild umbrella.o: compile umbrella.cpp\nbuild umbrella: link umbrella.o\n'
+        printf 'build catch_main.o: compile catch_main.cpp\nbuild umbrella.o: compile umbrella.cpp\nbuild umbrella: link umbrella.o\nbuild fstiff_io.o: compile fstiff_io.cpp\n'
         for folder in $folders; do
             objects=
             for source in "$root/tests/$folder"/*_test.cpp; do
@@ -34,15 +39,16 @@ tests_elsewhere() {
                     echo "Left out, it needs GSL: tests/$folder/$(basename "$source")" >&2
                     continue
                 fi
-                if [ "$(basename "$source")" = x3p_test.cpp ]; then
-                    echo "Left out, it needs pugixml, a library in C++: tests/$folder/x3p_test.cpp" >&2
+                case $source in */io/x3p_test.cpp | */io/inflate_test.cpp)
+                    echo "Left out, it needs libraries built for the same: tests/$folder/$(basename "$source")" >&2
                     continue
-                fi
+                    ;;
+                esac
                 object=$folder/$(basename "$source" .cpp).o
                 printf 'build %s: compile %s\n' "$object" "$source"
                 objects="$objects $object"
             done
-            printf 'build test_%s: link catch_main.o%s\n' "$folder" "$objects"
+            printf 'build test_%s: link catch_main.o fstiff_io.o%s\n' "$folder" "$objects"
         done
     } >"$build/build.ninja.new"
     mv "$build/build.ninja.new" "$build/build.ninja"

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The headers of fstiff as a Conan 2 package, made of the clone that this file lies in:
+"""The headers of fstiff, and what reads files, as a Conan 2 package, made of the clone that this file lies in:
 
     conan create packaging/conan                                  Eigen from the Conan remote
     conan create packaging/conan -o "fstiff/*:system_eigen=True"  Eigen from the system's packages
+    conan create packaging/conan -o "fstiff/*:io=True"            fstiff::io too, without X3P and compressed .sur
 """
 import pathlib
 import re
@@ -21,10 +22,9 @@ class FstiffConan(ConanFile):
     description = "Normal contact stiffness of rough surfaces"
     license = "BSD-3-Clause"
     topics = ("tribology", "contact mechanics", "header-only")
-    package_type = "header-library"
     settings = "os", "arch", "compiler", "build_type"
-    options = {"system_eigen": [True, False]}
-    default_options = {"system_eigen": False}
+    options = {"system_eigen": [True, False], "io": [True, False]}
+    default_options = {"system_eigen": False, "io": False}
     no_copy_source = True
 
     @property
@@ -36,8 +36,11 @@ class FstiffConan(ConanFile):
         self.version = re.search(r'define FSTIFF_VERSION "(.+)"', text)[1]
 
     def export_sources(self):
-        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "include/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "src/io/*"):
             copy(self, pattern, str(self._clone), self.export_sources_folder)
+
+    def configure(self):
+        self.package_type = "static-library" if self.options.io else "header-library"
 
     def requirements(self):
         if not self.options.system_eigen:
@@ -57,6 +60,9 @@ class FstiffConan(ConanFile):
         toolchain = CMakeToolchain(self)
         for part in ("CLI", "C", "TESTS", "BENCH"):
             toolchain.cache_variables[f"FSTIFF_BUILD_{part}"] = False
+        toolchain.cache_variables["FSTIFF_BUILD_IO"] = bool(self.options.io)
+        for library in ("LIBZIP", "PUGIXML", "ZLIB"):  # none of the machine that builds
+            toolchain.cache_variables[f"FSTIFF_{library}_LIBRARY"] = ""
         toolchain.generate()
         if not self.options.system_eigen:
             from conan.tools.cmake import CMakeDeps
@@ -64,13 +70,17 @@ class FstiffConan(ConanFile):
             CMakeDeps(self).generate()
 
     def build(self):
-        CMake(self).configure()
+        cmake = CMake(self)
+        cmake.configure()
+        if self.options.io:
+            cmake.build()
 
     def package(self):
         CMake(self).install()
 
     def package_id(self):
-        self.info.clear()
+        if not self.info.options.io:
+            self.info.clear()
 
     def package_info(self):
         # The package's own files are what find_package(fstiff) finds, so that one target serves with Conan and without.
@@ -78,3 +88,6 @@ class FstiffConan(ConanFile):
         self.cpp_info.builddirs = ["share/cmake/fstiff"]
         self.cpp_info.bindirs = []
         self.cpp_info.libdirs = []
+        if self.options.io:
+            self.cpp_info.builddirs.append("lib/cmake/fstiff-io")
+            self.cpp_info.libdirs = ["lib"]

@@ -40,7 +40,7 @@ std::string units() {
     std::string text = "Units, after a number and in quotation marks, such as \"0.5 um\" or \"0.5 µm\":";
     for (const auto& [dimension, name] : fstiff::names<fstiff::io::Dimension>)
         text += "\n  " + std::string(name) + std::string(20 - name.size(), ' ') +
-                fstiff::io::detail::accepted_units(dimension);
+                fstiff::io::accepted_units(dimension);
     return text;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/cleaning.hpp"
 
+#include "io/npy.hpp"
 #include "scene/shown_unit.hpp"
 #include "scene/surface_file.hpp"
 #include "scene/surface_instances.hpp"
@@ -78,11 +79,13 @@ Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, 
 HeightMap<double>::Array read_mask(const std::string& file) {
     const std::string bytes = read_all(file), name = display_name(file);
     if (io::is_npy(bytes)) {
-        io::NpyOptions how;
+        io::SurfaceOptions how;
         how.dx = how.dy = how.spacing = 1;
         how.units = "m";
         how.missing = "none";
-        return io::read_npy(bytes, name, how).map.heights;
+        const io::RawMap read = io::read_npy(bytes, name, how).map;
+        return Eigen::Map<const HeightMap<double>::Array>(read.heights.data(), static_cast<Eigen::Index>(read.rows),
+                                                          static_cast<Eigen::Index>(read.columns));
     }
     std::vector<double> values;
     std::size_t rows = 0, columns = 0, here = 0;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/file.hpp"
 
+#include "io/lines.hpp"
+
 #include <fstiff/core/text.hpp>
-#include <fstiff/io/lines.hpp>
 #include <fstiff/io/quantity.hpp>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/measured_curve.hpp"
 
+#include "io/number_table.hpp"
 #include "scene/file.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/io/number_table.hpp>
 #include <fstiff/io/quantity.hpp>
 
 #include <algorithm>
@@ -116,7 +116,7 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
         if (meaning->dimension && !(is_plain_error && title.unit.empty())) {
             try {
                 if (title.unit.empty())
-                    throw domain_error("has no unit; must be one of " + text::accepted_units(*meaning->dimension));
+                    throw domain_error("has no unit; must be one of " + io::accepted_units(*meaning->dimension));
                 factor = io::unit_factor(title.unit, *meaning->dimension);
             } catch (const domain_error& refusal) {
                 throw domain_error(column + refusal.what());
@@ -140,7 +140,7 @@ void check_header(const Header& header, const std::string& where) {
         throw domain_error(where + "there is no column stiffness or reflection; " + std::string(must_name_columns));
     if (of[column::stiffness] && of[column::error] && header.error_is_share)
         throw domain_error(where + "the error column has no unit; must be one of " +
-                           text::accepted_units(io::Dimension::stiffness_per_area));
+                           io::accepted_units(io::Dimension::stiffness_per_area));
 }
 
 MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_comma, const std::string& where) {

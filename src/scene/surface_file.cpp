@@ -6,12 +6,6 @@
 #include "scene/surface_instances.hpp"
 
 #include <fstiff/surface/moments.hpp>
-#ifdef FSTIFF_HAS_X3P
-#include <fstiff/io/x3p.hpp>
-#endif
-#ifdef FSTIFF_HAS_ZLIB
-#include <fstiff/io/inflate.hpp>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -136,12 +130,6 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
             options.x3p_increment,
             std::string(options.prefix) + (options.prefix.empty() ? "x3p_increment" : "x3p-increment"));
     how.channel = options.channel;
-#ifdef FSTIFF_HAS_ZLIB
-    how.inflate = io::inflate_zlib;
-#endif
-#ifdef FSTIFF_HAS_X3P
-    how.x3p = io::x3p_reader();
-#endif
     SurfaceInput input;
     input.sha256 = sha256(bytes);
     input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);

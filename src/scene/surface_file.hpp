@@ -19,7 +19,7 @@
 namespace fstiff::scene {
 
 /// Columns of a profile of text, as io/number_table.hpp bounds them.
-inline constexpr int most_columns = static_cast<int>(io::detail::max_short_row_columns);
+inline constexpr int most_columns = static_cast<int>(io::max_profile_columns);
 
 /// How a file is read; a file name alone will do. What is left empty is taken from the file, or by default.
 struct SurfaceOptions {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/lines.hpp"
 
+#include "io/number.hpp"
 #include "scene/file.hpp"
 #include "scene/results.hpp"
 
 #include <fstiff/core/text.hpp>
-#include <fstiff/io/number.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Every public header compiles after the macros that windows.h, complex.h and hosts define, without the warnings that hosts
 # turn on; and a name that is such a macro is refused.
-# COMPILER, INCLUDE: of fstiff, EIGEN, OPTIONAL: the opt-in headers whose libraries are there, WORK.
+# COMPILER, INCLUDE: of fstiff, EIGEN, WORK.
 cmake_minimum_required(VERSION 3.25)
 
 file(WRITE ${WORK}/macros.hpp "// windef.h, minwindef.h, rpcndr.h, objbase.h, winnt.h, wingdi.h, winbase.h
@@ -47,9 +47,6 @@ file(GLOB_RECURSE headers RELATIVE ${INCLUDE} ${INCLUDE}/*.hpp ${INCLUDE}/*.h)
 set(others "")
 set(own "")
 foreach(header IN LISTS headers)
-    if(header MATCHES "^fstiff/io/(x3p|zip_archive|inflate)\\.hpp$" AND NOT header IN_LIST OPTIONAL)
-        continue()
-    endif()
     string(APPEND own "#include <${header}>\n")
     file(STRINGS ${INCLUDE}/${header} lines REGEX "^#include <[^>]*>")
     list(FILTER lines EXCLUDE REGEX "<fstiff")

@@ -65,4 +65,5 @@ endif()
 # what such a project installed is a package like any other
 configure(own-twice "Eigen of fstiff: [^ ]*/eigen-5.0.1 " -DCMAKE_PREFIX_PATH=${WORK}/own-installed/prefix -DEigen3_DIR=${WORK}/eigen-5.0.1)
 
-configure(component "refused:.*there is no component \"nonsense\"; there are x3p and zlib" ${package} -DCOMPONENTS=nonsense)
+configure(component-io "Eigen of fstiff: " ${package} -DCOMPONENTS=io)
+configure(component "refused:.*there is no component \"nonsense\"; there is io" ${package} -DCOMPONENTS=nonsense)

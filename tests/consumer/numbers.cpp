@@ -46,8 +46,11 @@ void print_text() {
     std::stringstream file("x [um], z [nm]\n");
     file.seekp(0, std::ios::end);
     for (int i = 0; i < 32; ++i) file << i << ", " << i * i % 7 << '\n';
-    const auto read = fstiff::io::read_profile(file, "a profile");
-    print("spacing", read.profile.spacing);
+    const auto read = fstiff::io::read_surface(file, "a profile");
+    print("spacing", read.profile().spacing);
+    std::ostringstream written;
+    fstiff::io::write_csv(written, read.profile());
+    std::printf("%zu bytes written\n", written.str().size());
     print("stiffness", fstiff::io::parse_quantity("3 GPa/um", fstiff::io::Dimension::stiffness_per_area, "K"));
     print("reflection", fstiff::reflection(1e14, 46e6, 2 * std::numbers::pi * 1e6));
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // What the fuzz targets share: a reader returns something valid or throws domain_error with a printable sentence.
-#include <fstiff/profile/profile.hpp>
-#include <fstiff/topography/height_map.hpp>
+#include "io/reading.hpp"
 
 #include <cstdint>
 #include <cstdio>
@@ -24,12 +23,17 @@ inline std::string bytes(const std::uint8_t* data, std::size_t size) {
     return size == 0 ? std::string() : std::string(reinterpret_cast<const char*>(data), size);
 }
 
-inline void check(const fstiff::Profile<double>& profile) { profile.validate(2); }
-inline void check(const fstiff::HeightMap<double>& map) {
-    if (map.rows() == 1)
-        check(fstiff::Profile<double>{{map.heights.data(), map.heights.data() + map.size()}, map.dx});
+inline void check(const fstiff::io::Reading& read) {
+    fstiff::io::detail::validate_map(read.map, 2);
+    require(read.record.sentences().size() >= 4, "four sentences at least");
+    for (const auto& [key, text] : read.record.entries)
+        require(!key.empty() && !text.empty(), "a sentence says something");
+}
+inline void check(const fstiff::io::Surface& read) {
+    if (read.is_profile())
+        read.profile().validate(2);
     else
-        map.validate(2);
+        read.map().validate(2);
 }
 
 /// Whether \p call returned; else it refused, in one line.

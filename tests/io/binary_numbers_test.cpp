@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/binary_numbers.hpp>
+#include "io/binary_numbers.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns that number the points, by eye; and profiles with and without such a column, which must be the same.
-#include <fstiff/io/column_titles.hpp>
+#include "io/column_titles.hpp"
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/gsf.hpp>
+#include "io/gsf.hpp"
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"
@@ -15,7 +15,7 @@ using namespace std::string_literals;
 namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-io::GsfSurface read(const std::string& bytes) { return io::read_gsf(bytes, "file.gsf"); }
+io::Reading read(const std::string& bytes) { return io::read_gsf(bytes, "file.gsf"); }
 std::string refusal(const std::string& bytes) {
     return test::refusal([&] { (void)read(bytes); });
 }
@@ -40,19 +40,19 @@ std::string replaced(const std::string& from, const std::string& to) {
 TEST_CASE("A simple field is read, whatever the padding of its header") {
     for (const char* title : {"", "Title = a\n", "Title = ab\n", "Title = abc\n", "Title = abcd\n", "Other=x=y\n\n"}) {
         CAPTURE(title);
-        const io::GsfSurface found = read(file(title + fields));
-        REQUIRE(found.map.rows() == 2);
-        REQUIRE(found.map.columns() == 3);
+        const io::Reading found = read(file(title + fields));
+        REQUIRE(found.map.rows == 2);
+        REQUIRE(found.map.columns == 3);
         const double expected[2][3] = {{1, 2, -0.5}, {0.25, 3, 100}};
         for (int row = 0; row < 2; ++row)
-            for (int column = 0; column < 3; ++column) CHECK(found.map.heights(row, column) == expected[row][column]);
+            for (int column = 0; column < 3; ++column) CHECK(found.map.at(row, column) == expected[row][column]);
         CHECK(found.map.dx == 6e-6 / 3);
         CHECK(found.map.dy == 1e-6);
-        CHECK(found.record.trailer == 0);
+        CHECK(found.record.said("trailer").empty());
     }
     CHECK(has(read(file("Title = a b\n" + fields)).record.sentences()[0], "\"a b\""));
-    CHECK(read(file(fields, six + "abc")).record.trailer == 3);
-    CHECK(read(file(replaced("ZUnits = m", "ZUnits = nm"))).map.heights(0, 1) == 2 * 1e-9);
+    CHECK(read(file(fields, six + "abc")).record.said("trailer") == "3 bytes, not read");
+    CHECK(read(file(replaced("ZUnits = m", "ZUnits = nm"))).map.at(0, 1) == 2 * 1e-9);
     CHECK(read(file(replaced("XYUnits = m", "XYUnits = um"))).map.dy == 2e-6 * 1e-6 / 2);
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("NaN is missing, infinity is refused with its place") {
     std::string data = six;
     data.replace(4, 4, "\0\0\xC0\x7F"s);
     CHECK(read(file(fields, data)).record.missing == 1);
-    CHECK(std::isnan(read(file(fields, data)).map.heights(0, 1)));
+    CHECK(std::isnan(read(file(fields, data)).map.at(0, 1)));
     data.replace(12, 4, "\0\0\x80\xFF"s);
     CHECK(has(refusal(file(fields, data)), "infinity in row 2, column 1"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/gwy.hpp>
+#include "io/gwy.hpp"
 #include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"
@@ -15,7 +15,7 @@ using namespace std::string_literals;
 namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-io::GwySurface read(const std::string& bytes, const std::string& channel = "") {
+io::Reading read(const std::string& bytes, const std::string& channel = "") {
     return io::read_gwy(bytes, "file.gwy", channel);
 }
 std::string refusal(const std::string& bytes, const std::string& channel = "") {
@@ -76,15 +76,15 @@ TEST_CASE("A channel of Gwyddion is read among components of every type, which a
                                part("/longs", 'Q', little(1, 4) + little(7, 8)) + part("/xs", 'D', array({1, 2})) +
                                part("/texts", 'S', little(2, 4) + "a\0b\0"s) +
                                part("/list", 'O', little(2, 4) + object("A", "") + object("B", part("z", 'b', "\1")));
-    const io::GwySurface found = read(file(others + channel(0, {}, "Height") + others));
-    REQUIRE(found.map.rows() == 2);
-    REQUIRE(found.map.columns() == 3);
+    const io::Reading found = read(file(others + channel(0, {}, "Height") + others));
+    REQUIRE(found.map.rows == 2);
+    REQUIRE(found.map.columns == 3);
     CHECK(found.map.dx == 6e-6 / 3);
     CHECK(found.map.dy == 5e-6 / 2);
-    for (int i = 0; i < 6; ++i) CHECK(found.map.heights.data()[i] == heights[static_cast<std::size_t>(i)] * 1e-9);
+    for (int i = 0; i < 6; ++i) CHECK(found.map.heights[i] == heights[static_cast<std::size_t>(i)] * 1e-9);
     CHECK(found.record.sentences().front() == "form: Gwyddion file, channel 0 \"Height\", the only one");
-    CHECK(found.record.warnings().empty());
-    CHECK(read(file(channel(0)) + "more").record.trailer == 4);
+    CHECK(found.record.warnings.empty());
+    CHECK(read(file(channel(0)) + "more").record.said("trailer") == "4 bytes, not read");
 }
 
 TEST_CASE("The lowest channel in lengths is read, or the one that is named, and the others are told") {
@@ -92,11 +92,10 @@ TEST_CASE("The lowest channel in lengths is read, or the one that is named, and 
     tilted.values = {1, 2, 3, 4, 5, 7};
     const std::string bytes =
         file(channel(12, tilted, "Topography") + channel(0, {.vertical = "V"}, "Current") + channel(2, {}, "Height"));
-    CHECK(read(bytes).record.channel == "2 \"Height\"");
-    CHECK(read(bytes).record.others.size() == 2);
+    CHECK(has(read(bytes).record.said("form"), "channel 2 \"Height\""));
     CHECK(has(read(bytes).record.sentences()[1], "0 \"Current\" in \"V\", 12 \"Topography\" in \"nm\", not read"));
-    CHECK(read(bytes, "12").map.heights(0, 0) == 1e-9);
-    CHECK(read(bytes, "topography").map.heights(0, 0) == 1e-9);
+    CHECK(read(bytes, "12").map.at(0, 0) == 1e-9);
+    CHECK(read(bytes, "topography").map.at(0, 0) == 1e-9);
     CHECK(has(refusal(bytes, "3"), "no channel \"3\"; must be one of 0 \"Current\" in \"V\", 2 "));
     CHECK(has(refusal(bytes, "Current"), "si_unit_z of channel 0 \"Current\" = \"V\": must be a unit of length"));
     CHECK(has(refusal(file(channel(0, {}, "a") + channel(1, {}, "a")), "a"), "two channels \"a\""));
@@ -107,13 +106,13 @@ TEST_CASE("Masked points and NaN are missing, and a mask is warned of") {
     const std::string mask = part("/0/mask", 'o', Field{.vertical = "", .values = {0, 1, 0, 0, 0, 0.2}}.bytes());
     Field gap;
     gap.values[4] = std::numeric_limits<double>::quiet_NaN();
-    const io::GwySurface found = read(file(mask + channel(0, gap)));
-    CHECK(found.record.masked == 1);
+    const io::Reading found = read(file(mask + channel(0, gap)));
+    CHECK(has(found.record.said("points"), "(1 of them under the mask)"));
     CHECK(found.record.missing == 2);
-    CHECK(std::isnan(found.map.heights(0, 1)));
-    CHECK(std::isnan(found.map.heights(1, 1)));
-    REQUIRE(found.record.warnings().size() == 1);
-    CHECK(has(found.record.warnings()[0], "a mask over 1 points"));
+    CHECK(std::isnan(found.map.at(0, 1)));
+    CHECK(std::isnan(found.map.at(1, 1)));
+    REQUIRE(found.record.warnings.size() == 1);
+    CHECK(has(found.record.warnings[0], "a mask over 1 points"));
     const std::string wrong = part("/0/mask", 'o', Field{.columns = 2, .values = {0, 1, 0, 1}}.bytes());
     CHECK(has(refusal(file(wrong + channel(0))), "a mask of 2 x 2 points over heights of 3 x 2"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What headers state, read by eye.
-#include <fstiff/io/header.hpp>
+#include "io/header.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

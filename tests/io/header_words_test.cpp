@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/header_words.hpp>
+#include "io/header_words.hpp"
 
 #include "support/catch.hpp"
 

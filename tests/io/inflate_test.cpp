@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/inflate.hpp>
+#include "io/inflate.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines, and refusals with their place: the sentences are written out.
-#include <fstiff/io/lines.hpp>
+#include "io/lines.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/map_text.hpp>
+#include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/surfaces.hpp"
 
 #include <functional>
 #include <sstream>
@@ -10,15 +11,14 @@
 namespace map_text_test {
 
 using namespace fstiff;
-using io::MapTextOptions;
+using io::SurfaceOptions;
 
 namespace {
 
-io::MapFromText read(const std::string& text, const MapTextOptions& options = {}) {
-    std::istringstream input(text);
-    return io::read_map(input, "file.txt", options);
+io::Surface read(const std::string& text, const SurfaceOptions& options = {}) {
+    return io::read_surface(text, "file.txt", options);
 }
-std::string refusal(const std::string& text, const MapTextOptions& options = {}) {
+std::string refusal(const std::string& text, const SurfaceOptions& options = {}) {
     return test::refusal([&] { (void)read(text, options); });
 }
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -45,13 +45,13 @@ std::string with_commas(std::string text) {
 }
 const std::string gwyddion = "# Channel: z\n# Width: 10 um\n# Height: 800 nm\n# Value units: nm\n";
 
-void check_map(const io::MapFromText& found, double dx, double dy, double unit) {
-    REQUIRE(found.map.rows() == rows);
-    REQUIRE(found.map.columns() == columns);
-    CHECK(test::ulps(found.map.dx, dx) <= 1);
-    CHECK(test::ulps(found.map.dy, dy) <= 1);
+void check_map(const io::Surface& found, double dx, double dy, double unit) {
+    REQUIRE(found.map().rows() == rows);
+    REQUIRE(found.map().columns() == columns);
+    CHECK(test::ulps(found.map().dx, dx) <= 1);
+    CHECK(test::ulps(found.map().dy, dy) <= 1);
     for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) REQUIRE(found.map.heights(j, i) == height(i, j) * unit);
+        for (int i = 0; i < columns; ++i) REQUIRE(found.map().heights(j, i) == height(i, j) * unit);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ TEST_CASE("A matrix has its size and units from a Gwyddion header, however mixed
     const auto found = read("# Width: 0.01 mm\n# Height: 8 \xC2\xB5m\n# Value units: \xB5m\n" + matrix(" "));
     check_map(found, 2e-6, 2e-6, 1e-6);
     CHECK(found.record.sentences().size() == 6);
-    CHECK(found.record.form == io::MapForm::matrix);
+    CHECK(found.record.format == io::SurfaceFormat::matrix);
 }
 
 TEST_CASE("A matrix has its pitch and a height factor from a header of keys") {
@@ -80,14 +80,14 @@ TEST_CASE("A matrix has its pitch and a height factor from a header of keys") {
 
 TEST_CASE("A matrix without a physical size or a unit is refused with the option that resolves it") {
     CHECK(has(refusal(matrix(" ")), "dx and dy (between points) or width and height"));
-    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .units = "nm"}), "states no physical size"));
+    CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = 1e-6}), "states no physical size"));
     CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6}), "units = \"nm\""));
     CHECK(has(refusal("Width: 10\nHeight: 8\nunit: nm\n" + matrix(" ")), "line 1: \"width\" has no unit"));
-    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6, .width = 1e-6, .units = "nm"}), "both given"));
-    CHECK(has(refusal(matrix(" "), {.dx = -1e-6, .dy = 1e-6, .units = "nm"}), "dx = -1e-06: must be"));
-    CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6, .units = "furlong"}), "furlong"));
-    check_map(read(matrix(" "), {.dx = 1e-6, .dy = 2e-6, .units = "nm"}), 1e-6, 2e-6, 1e-9);
-    check_map(read(matrix(" "), {.width = 5e-6, .height = 8e-6, .units = "nm"}), 1e-6, 2e-6, 1e-9);
+    CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = 1e-6, .dy = 1e-6, .width = 1e-6}), "both given"));
+    CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = -1e-6, .dy = 1e-6}), "dx = -1e-06: must be"));
+    CHECK(has(refusal(matrix(" "), {.units = "furlong", .dx = 1e-6, .dy = 1e-6}), "furlong"));
+    check_map(read(matrix(" "), {.units = "nm", .dx = 1e-6, .dy = 2e-6}), 1e-6, 2e-6, 1e-9);
+    check_map(read(matrix(" "), {.units = "nm", .width = 5e-6, .height = 8e-6}), 1e-6, 2e-6, 1e-9);
     check_map(read("Width: 10\nHeight: 8\n" + matrix(" "), {.units = "um,nm"}), 2e-6, 2e-6, 1e-9);
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("An export of SPIP has its lengths in nm, and its heights in a unit or
         "# File Format = ASCII\n# x-pixels = 5\n# y-pixels = 4\n# x-length = 10000\n# y-length = 800\n";
     const auto found = read(header + "# z-unit = um\n# Start of Data:\n" + matrix("\t"));
     check_map(found, 2e-6, 200e-9, 1e-6);
-    CHECK(has(found.record.size_from, "width of line 4 (in nm, as SPIP writes it)"));
+    CHECK(has(test::said(found, "spacing"), "width of line 4 (in nm, as SPIP writes it)"));
     check_map(read(header + "# Bit2nm = 0.5\n" + matrix("\t")), 2e-6, 200e-9, 0.5e-9);
     check_map(read(header + "# Bit2nm = 1\n# z-unit = um\n" + matrix("\t")), 2e-6, 200e-9, 1e-6);
     check_map(read(header + "# x-unit = um\n# z-unit = nm\n" + matrix("\t")), 2e-3, 200e-9, 1e-9);
@@ -141,7 +141,7 @@ TEST_CASE("A comma in the lengths of a header is decimal, unless it may stand be
 }
 
 TEST_CASE("Options replace what the header of a matrix says") {
-    check_map(read(gwyddion + matrix("\t"), {.dx = 3e-6, .dy = 4e-6, .units = "mm"}), 3e-6, 4e-6, 1e-3);
+    check_map(read(gwyddion + matrix("\t"), {.units = "mm", .dx = 3e-6, .dy = 4e-6}), 3e-6, 4e-6, 1e-3);
 }
 
 TEST_CASE("Every separator and decimal sign gives the same matrix") {
@@ -160,10 +160,10 @@ TEST_CASE("Missing points of a matrix are words or empty cells, wherever they ar
     CAPTURE(i, j, word);
     const auto found =
         read(gwyddion + matrix(",", [&, x = i, y = j](int a, int b) { return a == x && b == y ? word : plain(a, b); }));
-    CHECK(found.record.missing == 1);
-    CHECK(std::isnan(found.map.heights(j, i)));
-    CHECK(found.map.heights(1, 1) == height(1, 1) * 1e-9);
-    CHECK(found.map.columns() == columns);
+    CHECK(test::missing(found) == 1);
+    CHECK(std::isnan(found.map().heights(j, i)));
+    CHECK(found.map().heights(1, 1) == height(1, 1) * 1e-9);
+    CHECK(found.map().columns() == columns);
 }
 
 TEST_CASE("Triples give the grid back in whatever order the points come") {
@@ -184,12 +184,12 @@ TEST_CASE("Triples give the grid back in whatever order the points come") {
     for (const std::string& line : lines) text += line + "\n";
     const auto found = read(text);
     // written with falling y: the map has y rising
-    REQUIRE(found.map.rows() == rows);
-    CHECK(test::ulps(found.map.dx, 5e-6) <= 1);
-    CHECK(test::ulps(found.map.dy, 2e-3) <= 1);
+    REQUIRE(found.map().rows() == rows);
+    CHECK(test::ulps(found.map().dx, 5e-6) <= 1);
+    CHECK(test::ulps(found.map().dy, 2e-3) <= 1);
     for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) REQUIRE(found.map.heights(j, i) == height(i, j) * 1e-9);
-    CHECK(found.record.form == io::MapForm::triples);
+        for (int i = 0; i < columns; ++i) REQUIRE(found.map().heights(j, i) == height(i, j) * 1e-9);
+    CHECK(found.record.format == io::SurfaceFormat::triples);
 }
 
 TEST_CASE("Points that triples do not hold are missing, and whole missing lines keep their place") {
@@ -199,12 +199,12 @@ TEST_CASE("Points that triples do not hold are missing, and whole missing lines 
             if (i != 3 && !(i == 1 && j == 4))
                 text += std::to_string(i / 2.0) + " " + std::to_string(j) + " " + std::to_string(i * j) + "\n";
     const auto found = read(text);
-    REQUIRE(found.map.columns() == 6);
-    CHECK(found.record.missing == 7);
-    CHECK(std::isnan(found.map.heights(2, 3)));
-    CHECK(std::isnan(found.map.heights(4, 1)));
-    CHECK(found.map.heights(5, 5) == 25 * 1e-6);
-    CHECK(test::ulps(found.map.dx, 0.5e-6) <= 1);
+    REQUIRE(found.map().columns() == 6);
+    CHECK(test::missing(found) == 7);
+    CHECK(std::isnan(found.map().heights(2, 3)));
+    CHECK(std::isnan(found.map().heights(4, 1)));
+    CHECK(found.map().heights(5, 5) == 25 * 1e-6);
+    CHECK(test::ulps(found.map().dx, 0.5e-6) <= 1);
 }
 
 TEST_CASE("Positions that are rounded when printed still lie on their grid") {
@@ -216,9 +216,9 @@ TEST_CASE("Positions that are rounded when printed still lie on their grid") {
             text += line;
         }
     const auto found = read(text);
-    CHECK(found.map.columns() == 30);
+    CHECK(found.map().columns() == 30);
     // both ends are rounded to 0.005
-    CHECK(test::relative_error(found.map.dx, 1e-6 / 3) <= 0.01 / (29 / 3.0));
+    CHECK(test::relative_error(found.map().dx, 1e-6 / 3) <= 0.01 / (29 / 3.0));
 }
 
 TEST_CASE("Points off a grid, twice at a place or without a unit are refused") {
@@ -228,16 +228,18 @@ TEST_CASE("Points off a grid, twice at a place or without a unit are refused") {
             std::to_string(std::sin(i)) + " " + std::to_string(std::cos(3 * i)) + " " + std::to_string(i) + "\n";
     for (int i = 0; i < 40; ++i)
         grid += std::to_string(i % 8) + " " + std::to_string(i / 8) + " " + std::to_string((i * i) % 11) + "\n";
-    CHECK(has(refusal(scattered), "format = triples or format = matrix"));
-    CHECK(has(refusal(scattered, {.form = io::MapForm::triples, .units = "um"}), "lie on no regular grid"));
+    CHECK(has(refusal(scattered), "format = triples, format = matrix, or format = profile with column"));
+    CHECK(has(refusal(scattered, {.format = io::SurfaceFormat::triples, .units = "um"}), "lie on no regular grid"));
     CHECK(has(refusal(grid), "states no units and none are given"));
-    CHECK(has(refusal(grid, {.dx = 1e-6, .dy = 1e-6, .units = "um"}), "format = triples or format = matrix"));
-    CHECK(
-        has(refusal("# dx: 2 um\n" + grid, {.form = io::MapForm::triples, .units = "um"}), "disagrees with the positions"));
+    CHECK(has(refusal(grid, {.units = "um", .dx = 1e-6, .dy = 1e-6}), "format = triples or format = matrix"));
+    CHECK(has(refusal("# dx: 2 um\n" + grid, {.format = io::SurfaceFormat::triples, .units = "um"}),
+              "disagrees with the positions"));
     CHECK(has(refusal(grid + "3 2 1\n", {.units = "um"}), "line 41: repeats the point of line 20"));
-    CHECK(has(refusal(grid + "nan 2 1\n", {.form = io::MapForm::triples, .units = "um"}), "line 41: has no position"));
-    CHECK(read(grid, {.units = "um"}).map.size() == 40);
-    CHECK(read(grid, {.form = io::MapForm::matrix, .dx = 1e-6, .dy = 1e-6, .units = "um"}).map.columns() == 3);
+    CHECK(has(refusal(grid + "nan 2 1\n", {.format = io::SurfaceFormat::triples, .units = "um"}),
+              "line 41: has no position"));
+    CHECK(read(grid, {.units = "um"}).map().size() == 40);
+    CHECK(read(grid, {.format = io::SurfaceFormat::matrix, .units = "um", .dx = 1e-6, .dy = 1e-6}).map().columns() ==
+          3);
 }
 
 TEST_CASE("Bad text is refused with the line and the cell") {
@@ -259,21 +261,21 @@ TEST_CASE("A number for missing points is honoured where the header names it, an
     const Cell cell = [](int i, int j) { return (i + j) % 4 == 1 ? std::string("-9999") : plain(i, j); };
     const std::string esri = "ncols 5\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value -9999\n";
     const auto found = read(esri + matrix(" ", cell), {.units = "um,nm"});
-    CHECK(found.record.missing == 5);
-    CHECK(test::ulps(found.map.dx, 2e-6) <= 1);
+    CHECK(test::missing(found) == 5);
+    CHECK(test::ulps(found.map().dx, 2e-6) <= 1);
     CHECK(has(found.record.sentences().back(), "5 missing (-9999, from line 6)"));
-    CHECK(std::isnan(found.map.heights(0, 1)));
-    CHECK(found.map.heights(0, 0) == height(0, 0) * 1e-9);
+    CHECK(std::isnan(found.map().heights(0, 1)));
+    CHECK(found.map().heights(0, 0) == height(0, 0) * 1e-9);
     CHECK(has(refusal(gwyddion + matrix(" ", cell)), "line 5: height -9999 nm stands here and 4 times more"));
     CHECK(has(refusal(gwyddion + matrix(" ", cell)), "missing = \"-9999\""));
-    CHECK(read(gwyddion + matrix(" ", cell), {.missing = "-9999"}).record.missing == 5);
-    CHECK(read(gwyddion + matrix(" ", cell), {.missing = "none"}).record.missing == 0);
+    CHECK(test::missing(read(gwyddion + matrix(" ", cell), {.missing = "-9999"})) == 5);
+    CHECK(test::missing(read(gwyddion + matrix(" ", cell), {.missing = "none"})) == 0);
     std::string triples = "x [um],y [um],z [nm]\n";
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
             triples += std::to_string(i) + "," + std::to_string(j) + "," + cell(i, j) + "\n";
     CHECK(has(refusal(triples), "line 3: height -9999 nm"));
-    CHECK(read(triples, {.missing = "-9999"}).record.missing == 5);
+    CHECK(test::missing(read(triples, {.missing = "-9999"})) == 5);
 }
 
 TEST_CASE("Words for missing points are the same in every form of a map", "[missing]") {
@@ -282,20 +284,20 @@ TEST_CASE("Words for missing points are the same in every form of a map", "[miss
             INFO(word << separator);
             const Cell cell = [&](int i, int j) { return j == 0 ? std::string(word) : plain(i, j); };
             const auto found = read(gwyddion + matrix(separator, cell));  // the first row is no title
-            CHECK(found.map.rows() == rows);
-            CHECK(found.record.missing == 5);
+            CHECK(found.map().rows() == rows);
+            CHECK(test::missing(found) == 5);
         }
 }
 
 TEST_CASE("Options that contradict the header of a map are used, and said", "[contradiction]") {
-    const auto found = read(gwyddion + matrix("\t"), {.dx = 3e-6, .height = 1.6e-6, .units = "mm"});
+    const auto found = read(gwyddion + matrix("\t"), {.units = "mm", .dx = 3e-6, .height = 1.6e-6});
     check_map(found, 3e-6, 4e-7, 1e-3);
     CHECK(found.record.warnings ==
           std::vector<std::string>{
               "dx = 3e-06 m contradicts line 2, which states 1e-05 m; the option is used",
               "height = 1.6e-06 m contradicts line 3, which states 8e-07 m; the option is used",
               "units = \"mm\" contradicts line 4, which states nm for the heights; the option is used"});
-    CHECK(read(gwyddion + matrix("\t"), {.dx = 2e-6, .units = "nm"}).record.warnings.empty());
+    CHECK(read(gwyddion + matrix("\t"), {.units = "nm", .dx = 2e-6}).record.warnings.empty());
     const auto kept = read(gwyddion + matrix("\t"), {.units = "m,nm"});
     CHECK(kept.record.warnings ==
           std::vector<std::string>{
@@ -321,14 +323,14 @@ TEST_CASE("Zygo's XYZ text has its pixel in line 8 and heights in um", "[zygo]")
             text += std::to_string(10 + i) + (i % 2 ? "\t" : " ") + std::to_string(20 + j) + " " + plain(i, j) + "\n";
     const auto found = read(text + "#\n");
     check_map(found, 5.5e-5, 5.5e-5, 1e-6);
-    CHECK(found.record.form == io::MapForm::triples);
+    CHECK(found.record.format == io::SurfaceFormat::triples);
     REQUIRE(found.record.warnings.size() == 1);
     CHECK(has(found.record.warnings[0], "Zygo XYZ states no unit of its heights, which are taken for um"));
     const auto given = read(text, {.units = "nm"});
     check_map(given, 5.5e-5, 5.5e-5, 1e-9);
     CHECK(given.record.warnings.empty());
     const auto missing = read(head + "10 20 No Data\n" + text.substr(text.find('\n', head.size()) + 1));
-    CHECK(missing.record.missing == 1);
+    CHECK(test::missing(missing) == 1);
     std::string unknown = text;
     unknown.replace(unknown.find("5.5e-05"), 7, "0      ");
     CHECK(has(refusal(unknown), "line 8: states no size of a pixel"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which numbers are suspected of standing for missing points: small lists, judged by eye.
-#include <fstiff/io/missing_values.hpp>
+#include "io/missing_values.hpp"
 
 #include "support/catch.hpp"
 

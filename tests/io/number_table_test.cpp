@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows of numbers, for both kinds of rules. The tables are read by eye.
-#include <fstiff/io/number_table.hpp>
+#include "io/number_table.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -27,14 +27,12 @@ TEST_CASE("the header ends at the first row of numbers, whose signs hold for all
     CHECK(table.lines[table.first].number == 3);
     CHECK(table.dialect.separator == ';');
     CHECK(table.dialect.decimal_comma);
-    CHECK(std::vector<double>(table.values.begin(), table.values.end()) == std::vector<double>{1, 2, 3.5, 4});
+    CHECK(table.values == std::vector<double>{1, 2, 3.5, 4});
     CHECK(table.row_lines == std::vector<std::size_t>{3, 4});
-    fstiff::io::TextRecord record;
-    table.describe(record);
-    CHECK(record.separator == "semicolon");
-    CHECK(record.decimal_comma);
-    CHECK(record.lines == 4);
-    CHECK(record.header_lines == 2);
+    CHECK(table.line_count == 4);
+    fstiff::io::Record record;
+    table.say_layout(record);
+    CHECK(record.sentences() == std::vector<std::string>{"separator: semicolon, decimal comma", "header: 2 lines"});
 }
 
 TEST_CASE("cells at the end of a row may be left out where the rules say so", "[number_table]") {
@@ -49,7 +47,7 @@ TEST_CASE("cells at the end of a row may be left out where the rules say so", "[
 TEST_CASE("a separator at the end of every row makes no column, an empty last cell does", "[number_table]") {
     const NumberTable dropped = table_of("1;2;\n3;4;\n", whole);
     CHECK(dropped.columns == 2);
-    CHECK(std::vector<double>(dropped.values.begin(), dropped.values.end()) == std::vector<double>{1, 2, 3, 4});
+    CHECK(dropped.values == std::vector<double>{1, 2, 3, 4});
     const NumberTable kept = table_of("1;2;\n3;4;5\n", whole);
     CHECK(kept.columns == 3);
     CHECK(std::isnan(kept.at(0, 2)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells of text. Truth: the digits are counted by eye, the numbers are what the compiler makes of the same literal.
-#include <fstiff/io/number.hpp>
+#include "io/number.hpp"
 
 #include "support/catch.hpp"
 

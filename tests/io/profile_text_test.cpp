@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/profile_text.hpp>
+#include <fstiff/io/surface_file.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/skip.hpp"
+#include "support/surfaces.hpp"
 
 #include <cstdio>
 #include <functional>
@@ -11,17 +12,21 @@
 namespace profile_text_test {
 
 using namespace fstiff;
-using io::ProfileTextOptions;
+using io::SurfaceOptions;
 
 namespace {
 
-/// What read_profile makes of \p text.
-io::ProfileFromText read(const std::string& text, const ProfileTextOptions& options = {}) {
-    std::istringstream input(text);
-    return io::read_profile(input, "file.txt", options);
+/// \p text read as a profile.
+io::Surface read(const std::string& text, SurfaceOptions options = {}) {
+    options.format = io::SurfaceFormat::profile;
+    return io::read_surface(text, "file.txt", options);
+}
+io::Surface read(const std::filesystem::path& path, SurfaceOptions options = {}) {
+    options.format = io::SurfaceFormat::profile;
+    return io::read_surface(path, options);
 }
 
-std::string refusal(const std::string& text, const ProfileTextOptions& options = {}) {
+std::string refusal(const std::string& text, const SurfaceOptions& options = {}) {
     return test::refusal([&] { (void)read(text, options); });
 }
 
@@ -47,68 +52,68 @@ std::string with_commas(std::string text) {
 }
 
 /// Checks the profile that rows() writes, with lengths in \p unit and heights in \p height_unit.
-void check_rows(const io::ProfileFromText& read, double unit, double height_unit) {
-    REQUIRE(read.profile.size() == 20);
-    CHECK(test::ulps(read.profile.spacing, 0.5 * unit) <= 2);
+void check_rows(const io::Surface& read, double unit, double height_unit) {
+    REQUIRE(read.profile().size() == 20);
+    CHECK(test::ulps(read.profile().spacing, 0.5 * unit) <= 2);
     for (int i = 0; i < 20; ++i) {
         const double truth = height(i) / 10.0 * height_unit;
-        REQUIRE(std::abs(read.profile.heights[static_cast<std::size_t>(i)] - truth) <= 2.3e-16 * std::abs(truth));
+        REQUIRE(std::abs(read.profile().heights[static_cast<std::size_t>(i)] - truth) <= 2.3e-16 * std::abs(truth));
     }
 }
 
 }  // namespace
 
 TEST_CASE("Comma, semicolon, tab and blanks separate columns") {
-    const ProfileTextOptions units{.units = "um,nm"};
+    const SurfaceOptions units{.units = "um,nm"};
     const auto comma = read(rows([](auto x, auto z) { return x + "," + z + "\n"; }), units);
     check_rows(comma, 1e-6, 1e-9);
-    CHECK(comma.record.separator == "comma");
+    CHECK(has(test::said(comma, "separator"), "comma"));
     const auto spaced = read(rows([](auto x, auto z) { return x + ", " + z + "\n"; }), units);
     check_rows(spaced, 1e-6, 1e-9);
     const auto semicolon = read(rows([](auto x, auto z) { return x + ";" + z + "\n"; }), units);
     check_rows(semicolon, 1e-6, 1e-9);
-    CHECK(semicolon.record.separator == "semicolon");
+    CHECK(has(test::said(semicolon, "separator"), "semicolon"));
     const auto tab = read(rows([](auto x, auto z) { return x + "\t" + z + "\n"; }), units);
     check_rows(tab, 1e-6, 1e-9);
-    CHECK(tab.record.separator == "tab");
+    CHECK(has(test::said(tab, "separator"), "tab"));
     const auto blanks = read(rows([](auto x, auto z) { return "  " + x + "   " + z + "  \n"; }), units);
     check_rows(blanks, 1e-6, 1e-9);
-    CHECK(blanks.record.separator == "blanks");
+    CHECK(has(test::said(blanks, "separator"), "blanks"));
     const auto mixed = read(rows([](auto x, auto z) { return " " + x + " \t " + z + "\t\n"; }), units);
     check_rows(mixed, 1e-6, 1e-9);
-    CHECK(comma.record.units_from == "options");
-    CHECK(comma.record.points == 20);
-    CHECK(comma.record.missing == 0);
-    CHECK(comma.record.sentences().size() == 6);
+    CHECK(test::said(comma, "units").ends_with("from options"));
+    CHECK(comma.profile().size() == 20);
+    CHECK(test::missing(comma) == 0);
+    CHECK(comma.record.details.size() == 6);
 }
 
 TEST_CASE("The decimal sign may be a comma where the comma does not separate") {
-    const ProfileTextOptions units{.units = "um,nm"};
+    const SurfaceOptions units{.units = "um,nm"};
     for (const std::string separator : {";", "\t", " ", "; "}) {
         CAPTURE(separator);
         const auto read_back =
             read(rows([&](auto x, auto z) { return with_commas(x) + separator + with_commas(z) + "\r\n"; }), units);
         check_rows(read_back, 1e-6, 1e-9);
-        CHECK(read_back.record.decimal_comma);
+        CHECK(has(test::said(read_back, "separator"), "decimal comma"));
     }
     // one column of "0,3": no equally spaced positions, so the comma is decimal
-    const auto one = read(rows([](auto, auto z) { return with_commas(z) + "\n"; }), {.spacing = 0.5e-6, .units = "nm"});
+    const auto one = read(rows([](auto, auto z) { return with_commas(z) + "\n"; }), {.units = "nm", .spacing = 0.5e-6});
     check_rows(one, 1e-6, 1e-9);
-    CHECK(one.record.separator == "none");
+    CHECK(has(test::said(one, "separator"), "none"));
     // but "1,5" with positions 0, 1, 2, ... are two columns of whole numbers
     std::string whole;
     for (int i = 0; i < 20; ++i) whole += std::to_string(i) + "," + std::to_string(std::abs(height(i))) + "\n";
     const auto two = read(whole, units);
-    CHECK(two.record.separator == "comma");
-    CHECK(test::relative_error(two.profile.spacing, 1e-6) < 1e-15);
+    CHECK(has(test::said(two, "separator"), "comma"));
+    CHECK(test::relative_error(two.profile().spacing, 1e-6) < 1e-15);
     // whole numbers in the first rows do not hide the decimal commas of later ones
     std::string late = "0;1\n1;2\n";
     for (int i = 2; i < 20; ++i) late += std::to_string(i) + ";1,5\n";
-    CHECK(read(late, units).record.decimal_comma);
+    CHECK(has(test::said(read(late, units), "separator"), "decimal comma"));
 }
 
 TEST_CASE("Every kind of line end, a byte order mark, comments and blank lines are understood") {
-    const ProfileTextOptions units{.units = "um,nm"};
+    const SurfaceOptions units{.units = "um,nm"};
     for (const std::string end : {"\n", "\r\n", "\r\r\n", "\r", "\n\n", ",,\r\n"}) {
         CAPTURE(end.size());
         check_rows(read(rows([&](auto x, auto z) { return x + "," + z + end; }), units), 1e-6, 1e-9);
@@ -121,7 +126,7 @@ TEST_CASE("Every kind of line end, a byte order mark, comments and blank lines a
     check_rows(read(rows([](auto x, auto z) { return x + "," + z + "  # noted\n"; }), units), 1e-6, 1e-9);
     const auto headed = read("Company\nDate,2014-01-02\nx,z\n" + plain, units);
     check_rows(headed, 1e-6, 1e-9);
-    CHECK(headed.record.header_lines == 3);
+    CHECK(test::said(headed, "header") == "3 lines");
 }
 
 TEST_CASE("Units are taken from the header wherever it states them, and options replace them") {
@@ -133,11 +138,11 @@ TEST_CASE("Units are taken from the header wherever it states them, and options 
         CAPTURE(header);
         const auto result = read(header + "\n" + plain);
         check_rows(result, 1e-6, 1e-9);
-        CHECK(has(result.record.units_from, "line 1"));
+        CHECK(has(test::said(result, "units"), "from line 1"));
     }
     const auto replaced = read("x [um],z [nm]\n" + plain, {.units = "mm,um"});
     check_rows(replaced, 1e-3, 1e-6);
-    CHECK(replaced.record.units_from == "options");
+    CHECK(test::said(replaced, "units").ends_with("from options"));
     check_rows(read(plain, {.units = "um"}), 1e-6, 1e-6);  // one unit for both
     const std::string one = rows([](auto, auto z) { return z + "\n"; });
     check_rows(read("z [nm]\n" + one, {.spacing = 0.5e-6}), 1e-6, 1e-9);
@@ -169,14 +174,14 @@ TEST_CASE("Positions printed with few digits are equally spaced as far as they t
         coarser += line;
     }
     const auto read_coarse = read("x [um],z [nm]\n" + coarse);
-    CHECK(test::relative_error(read_coarse.profile.spacing, 0.15625e-6) < 0.1 / 31);  // both ends to 0.05 of 31
-    CHECK(has(read_coarse.record.spacing_from, "mean step"));
+    CHECK(test::relative_error(read_coarse.profile().spacing, 0.15625e-6) < 0.1 / 31);  // both ends to 0.05 of 31
+    CHECK(has(test::said(read_coarse, "spacing"), "mean step"));
     // neighbours that share a printed position are allowed where the step is below the last digit
-    CHECK(test::relative_error(read("x [um],z [nm]\n" + coarser).profile.spacing, 0.15625e-6) < 1.0 / 31);
+    CHECK(test::relative_error(read("x [um],z [nm]\n" + coarser).profile().spacing, 0.15625e-6) < 1.0 / 31);
     const auto stated = read("Resolution,0.156 um/sample\nx [um],z [nm]\n" + coarse);
-    CHECK(has(stated.record.spacing_from, "agrees with line 1"));
+    CHECK(has(test::said(stated, "spacing"), "agrees with line 1"));
     CHECK(has(refusal("Resolution,0.3 um/sample\nx [um],z [nm]\n" + coarse), "disagrees"));
-    CHECK(read("x [um],z [nm]\n" + coarse, {.spacing = 0.156e-6}).profile.spacing == 0.156e-6);
+    CHECK(read("x [um],z [nm]\n" + coarse, {.spacing = 0.156e-6}).profile().spacing == 0.156e-6);
 }
 
 TEST_CASE("Unequal steps are seen through the digits, and a missing row in whole steps too") {
@@ -206,7 +211,7 @@ TEST_CASE("Unequal steps are seen through the digits, and a missing row in whole
         for (const double step : {0.15625, 1.03, 7.77}) {
             INFO(format << ' ' << step);
             const auto result = read(text(format, [step](int i) { return step * i; }));
-            CHECK(test::relative_error(result.profile.spacing, step * 1e-6) < 1 / (199 * step));
+            CHECK(test::relative_error(result.profile().spacing, step * 1e-6) < 1 / (199 * step));
         }
 }
 
@@ -214,9 +219,9 @@ TEST_CASE("Falling positions turn the profile round") {
     std::string text = "x [um],z [nm]\n";
     for (int i = 0; i < 20; ++i) text += std::to_string(19 - i) + ".0," + std::to_string(height(i)) + "\n";
     const auto result = read(text);
-    CHECK(result.record.reversed);
-    CHECK(test::relative_error(result.profile.spacing, 1e-6) < 1e-15);
-    CHECK(std::abs(result.profile.heights.front() - height(19) * 1e-9) < 1e-24);
+    CHECK(has(test::said(result, "columns"), "falling: turned round"));
+    CHECK(test::relative_error(result.profile().spacing, 1e-6) < 1e-15);
+    CHECK(std::abs(result.profile().heights.front() - height(19) * 1e-9) < 1e-24);
 }
 
 TEST_CASE("An empty cell is a missing point") {
@@ -224,26 +229,26 @@ TEST_CASE("An empty cell is a missing point") {
     for (int i = 0; i < 30; ++i)
         text += std::to_string(i) + ".0," + (i % 5 == 2 ? "" : std::to_string(height(i))) + "\n";
     const auto result = read(text);
-    CHECK(result.record.points == 30);
-    CHECK(result.record.missing == 6);
-    CHECK(std::isnan(result.profile.heights[7]));
-    CHECK_FALSE(std::isnan(result.profile.heights[8]));
+    CHECK(result.profile().size() == 30);
+    CHECK(test::missing(result) == 6);
+    CHECK(std::isnan(result.profile().heights[7]));
+    CHECK_FALSE(std::isnan(result.profile().heights[8]));
 }
 
 TEST_CASE("A column may be chosen among many, and more than two need a choice") {
     const std::string text = rows([](auto x, auto z) { return x + ",9," + z + ",8\n"; });
     CHECK(has(refusal(text, {.units = "um,nm"}), "4 columns"));
     check_rows(read(text, {.units = "um,nm", .column = 3}), 1e-6, 1e-9);
-    check_rows(read(text, {.spacing = 0.5e-6, .units = "nm", .column = 3}), 1e-6, 1e-9);
+    check_rows(read(text, {.units = "nm", .spacing = 0.5e-6, .column = 3}), 1e-6, 1e-9);
     CHECK(has(refusal(text, {.units = "um,nm", .column = 5}), "column = 5: must be between 1 and 4"));
     CHECK(has(refusal(text, {.units = "um,nm", .column = 1}), "spacing"));
     const auto two =
-        read(rows([](auto x, auto z) { return z + "," + x + "\n"; }), {.spacing = 0.5e-6, .units = "nm", .column = 1});
+        read(rows([](auto x, auto z) { return z + "," + x + "\n"; }), {.units = "nm", .spacing = 0.5e-6, .column = 1});
     check_rows(two, 1e-6, 1e-9);
 }
 
 TEST_CASE("Bad input is refused in one sentence with file, line, value and what is allowed") {
-    const ProfileTextOptions units{.units = "um,nm"};
+    const SurfaceOptions units{.units = "um,nm"};
     const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
     CHECK(has(refusal(""), "file.txt: is empty"));
     CHECK(has(refusal("\n \r\n\t\n"), "blank lines"));
@@ -268,11 +273,10 @@ TEST_CASE("Bad input is refused in one sentence with file, line, value and what 
               "15 points; must be at least 16"));
     CHECK(has(refusal("1,2\n", units), "1 points"));
     CHECK(has(refusal(rows([](auto, auto z) { return z + "\n"; }), units), "no spacing"));
-    CHECK(has(refusal(rows([](auto, auto z) { return z + "\n"; }), {.spacing = -1.0, .units = "nm"}), "spacing = -1"));
-    const std::string missing =
-        test::refusal([] { (void)io::read_profile(std::filesystem::path("no/such/file.csv")); });
+    CHECK(has(refusal(rows([](auto, auto z) { return z + "\n"; }), {.units = "nm", .spacing = -1.0}), "spacing = -1"));
+    const std::string missing = test::refusal([] { (void)read(std::filesystem::path("no/such/file.csv")); });
     CHECK(has(missing, "file.csv: cannot be opened"));
-    CHECK(has(test::refusal([] { (void)io::read_profile(std::filesystem::temp_directory_path()); }), "folder"));
+    CHECK(has(test::refusal([] { (void)read(std::filesystem::temp_directory_path()); }), "folder"));
     // what a message shows of a file is short and printable
     const std::string strange = refusal(plain + "10.0," + std::string(5000, '\x1b') + "\n", units);
     CHECK(strange.size() < 300);
@@ -287,9 +291,9 @@ TEST_CASE("No damaged file makes the reader crash, hang or return what is no num
     const auto try_it = [](const std::string& text) {
         try {
             const auto result = read(text);
-            REQUIRE(result.profile.present() >= 16);
-            REQUIRE(result.profile.spacing > 0);
-            for (const double z : result.profile.heights) REQUIRE_FALSE(std::isinf(z));
+            REQUIRE(result.profile().present() >= 16);
+            REQUIRE(result.profile().spacing > 0);
+            for (const double z : result.profile().heights) REQUIRE_FALSE(std::isinf(z));
         } catch (const domain_error& error) {
             REQUIRE(has(error.what(), "file.txt"));
         }
@@ -306,33 +310,31 @@ TEST_CASE("No damaged file makes the reader crash, hang or return what is no num
 TEST_CASE("Real stylus files are read as their owners describe them") {
     const std::filesystem::path folder = FSTIFF_SURFACES;
     if (!std::filesystem::exists(folder)) SKIP_CASE("there is no folder of measured surfaces " + folder.string());
-    const auto dektak = io::read_profile(folder / "dektak-1.csv");
-    CHECK(dektak.profile.size() == 9600);
-    CHECK(test::relative_error(dektak.profile.spacing, 1500e-6 / 9600) <
+    const auto dektak = read(folder / "dektak-1.csv");
+    CHECK(dektak.profile().size() == 9600);
+    CHECK(test::relative_error(dektak.profile().spacing, 1500e-6 / 9600) <
           1e-4);  // 1500 um, in steps printed as 0.156 um
-    CHECK(test::relative_error(dektak.profile.heights.front(), -0.00933e-6) < 1e-15);
-    CHECK(test::relative_error(dektak.profile.heights.back(), 16.58112e-6) < 1e-15);
-    CHECK(dektak.record.units_from == "line 28");
-    CHECK(dektak.record.header_lines == 28);
+    CHECK(test::relative_error(dektak.profile().heights.front(), -0.00933e-6) < 1e-15);
+    CHECK(test::relative_error(dektak.profile().heights.back(), 16.58112e-6) < 1e-15);
+    CHECK(test::said(dektak, "units").ends_with("from line 28"));
+    CHECK(test::said(dektak, "header") == "28 lines");
 
-    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "opdx-3.txt"); }), "unit"));
-    const auto opdx = io::read_profile(folder / "opdx-3.txt", {.units = "m,m"});
-    CHECK(opdx.profile.size() == 3001);
-    CHECK(test::relative_error(opdx.profile.length(), 49.966689e-6) < 1e-9);
-    CHECK(opdx.record.separator == "blanks");
+    CHECK(has(test::refusal([&] { (void)read(folder / "opdx-3.txt"); }), "unit"));
+    const auto opdx = read(folder / "opdx-3.txt", {.units = "m,m"});
+    CHECK(opdx.profile().size() == 3001);
+    CHECK(test::relative_error(opdx.profile().length(), 49.966689e-6) < 1e-9);
+    CHECK(has(test::said(opdx, "separator"), "blanks"));
 
-    const auto xy = io::read_profile(folder / "xy-4.txt", {.units = "um,um"});
-    CHECK(xy.profile.size() == 10001);
-    CHECK(test::relative_error(xy.profile.spacing, 0.995613e-6 / 10000) < 1e-6);
+    const auto xy = read(folder / "xy-4.txt", {.units = "um,um"});
+    CHECK(xy.profile().size() == 10001);
+    CHECK(test::relative_error(xy.profile().spacing, 0.995613e-6 / 10000) < 1e-6);
 
     // maps are no profiles
-    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "matrix-3.txt"); }), "256 columns"));
-    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "nanovea_test1.txt", {.units = "mm,um"}); }),
-              "3 columns"));
-    CHECK(has(
-        test::refusal([&] { (void)io::read_profile(folder / "nanovea_test1.txt", {.units = "mm,um", .column = 3}); }),
-        "line 104"));
-    CHECK(has(test::refusal([&] { (void)io::read_profile(folder / "x3p-2.x3p"); }), "zip archive"));
+    CHECK(has(test::refusal([&] { (void)read(folder / "matrix-3.txt"); }), "256 columns"));
+    CHECK(has(test::refusal([&] { (void)read(folder / "nanovea_test1.txt", {.units = "mm,um"}); }), "3 columns"));
+    CHECK(has(test::refusal([&] { (void)read(folder / "nanovea_test1.txt", {.units = "mm,um", .column = 3}); }),
+              "line 104"));
+    CHECK(has(test::refusal([&] { (void)read(folder / "x3p-2.x3p"); }), "zip archive"));
 }
 
 TEST_CASE("Missing points are words, in profiles as in maps", "[missing]") {
@@ -343,9 +345,9 @@ TEST_CASE("Missing points are words, in profiles as in maps", "[missing]") {
         for (int i = 0; i < 20; ++i)
             text += std::to_string(i) + ";" + (i == 7 ? std::string(word) : std::to_string(i * i % 11)) + "\n";
         const auto found = read(text);
-        CHECK(found.record.missing == 1);
-        CHECK(std::isnan(found.profile.heights[7]));
-        CHECK(found.profile.heights[8] == 9 * 1e-9);
+        CHECK(test::missing(found) == 1);
+        CHECK(std::isnan(found.profile().heights[7]));
+        CHECK(found.profile().heights[8] == 9 * 1e-9);
     }
 }
 
@@ -357,13 +359,13 @@ TEST_CASE("Titles behind a comment sign keep their units, angstrom and exponents
         return all;
     };
     const auto first = read(text("#;x [\xC2\xB5m];z [\xC2\xB5m]", ";", ""));
-    CHECK(first.record.units_from == "line 1");
-    CHECK(test::ulps(first.profile.heights[1], 1.5e-6) <= 1);
+    CHECK(test::said(first, "units").ends_with("from line 1"));
+    CHECK(test::ulps(first.profile().heights[1], 1.5e-6) <= 1);
     for (const char* unit : {"A", "\xC3\x85", "\xE2\x84\xAB", "\xC5", "A\xCC\x8A", "angstrom"}) {
         INFO(unit);
         const auto found = read(text("x [nm] z [" + std::string(unit) + "]", " ", "D-02"));
-        CHECK(test::ulps(found.profile.heights[3], 9.5e-12) <= 1);
-        CHECK(test::ulps(found.profile.spacing, 1e-9) <= 1);
+        CHECK(test::ulps(found.profile().heights[3], 9.5e-12) <= 1);
+        CHECK(test::ulps(found.profile().spacing, 1e-9) <= 1);
     }
     // letters above columns, and names of channels, are no units
     for (const char* header : {"A,B", "A,A", "x [um],sensor A"}) CHECK(has(refusal(text(header, ",", "")), "no unit"));
@@ -383,16 +385,17 @@ TEST_CASE("Unequal steps are refused beside the option that resamples them") {
     CHECK(has(refusal(text), "resampled by resample = true"));
     CHECK(has(refusal(text, {.names = {.prefix = "--", .equals = " "}}), "resampled by --resample"));
     const auto found = read(text, {.resample = true});
-    REQUIRE(found.profile.size() == 40);
-    CHECK(test::relative_error(found.profile.spacing, x.back() / 39 * 1e-6) < 1e-14);
+    REQUIRE(found.profile().size() == 40);
+    CHECK(test::relative_error(found.profile().spacing, x.back() / 39 * 1e-6) < 1e-14);
     for (int i = 0; i < 40; ++i)
-        CHECK(test::relative_error(found.profile.heights[static_cast<std::size_t>(i)],
+        CHECK(test::relative_error(found.profile().heights[static_cast<std::size_t>(i)],
                                    (3 * i * x.back() / 39 + 2) * 1e-6) < 1e-13);
-    CHECK(has(found.record.spacing_from, "unequal steps of 0.5 to 1.25 um resampled to 40 equal ones"));
-    CHECK(read(kinked, {.resample = true}).record.missing >= 1);
+    CHECK(has(test::said(found, "spacing"), "unequal steps of 0.5 to 1.25 um resampled to 40 equal ones"));
+    CHECK(test::missing(read(kinked, {.resample = true})) >= 1);
     // equal steps stay as they are
-    CHECK(read("x [um],z [um]\n" + rows([](auto a, auto z) { return a + "," + z + "\n"; }), {.resample = true})
-              .record.spacing_from == "mean step of the positions");
+    const auto even =
+        read("x [um],z [um]\n" + rows([](auto a, auto z) { return a + "," + z + "\n"; }), {.resample = true});
+    CHECK(test::said(even, "spacing") == "from mean step of the positions");
 }
 
 TEST_CASE("A position that leaps forth is named itself, not the one behind it") {
@@ -416,22 +419,22 @@ TEST_CASE("A number that stands for missing points is told, or refused with the 
         CHECK(has(why, "and 3 times more"));
         CHECK(has(why, "0 to 9 nm"));
         CHECK(has(why, "given as missing = "));
-        CHECK(read(text("", number), {.missing = number}).record.missing == 4);
-        CHECK(read(text("", number), {.missing = "none"}).record.missing == 0);
-        CHECK(read(text("# NODATA_value " + std::string(number) + "\n", number)).record.missing == 4);
+        CHECK(test::missing(read(text("", number), {.missing = number})) == 4);
+        CHECK(test::missing(read(text("", number), {.missing = "none"})) == 0);
+        CHECK(test::missing(read(text("# NODATA_value " + std::string(number) + "\n", number))) == 4);
     }
-    CHECK(read(text("", "void of data"), {.missing = "VOID of data"}).record.missing == 4);
+    CHECK(test::missing(read(text("", "void of data"), {.missing = "VOID of data"})) == 4);
     // positions are left alone
     const auto zero = read(text("", "5"), {.missing = "5,0"});
-    CHECK(zero.profile.size() == 40);
-    CHECK(zero.record.missing_from == "5, 0, from options");
+    CHECK(zero.profile().size() == 40);
+    CHECK(has(test::said(zero, "points"), "(5, 0, from options)"));
     CHECK(has(refusal(text("", "5"), {.missing = "5,"}), "missing = \"5,\": must be"));
     // a plateau adjoins the rest, steps of two heights have no rest
-    CHECK(read(text("", "10")).record.missing == 0);
-    CHECK(read(text("", "11")).record.missing == 0);
+    CHECK(test::missing(read(text("", "10"))) == 0);
+    CHECK(test::missing(read(text("", "11"))) == 0);
     std::string steps = "x [um],z [nm]\n";
     for (int i = 0; i < 40; ++i) steps += std::to_string(i) + (i / 5 % 2 ? ",500\n" : ",0\n");
-    CHECK(read(steps).record.missing == 0);
+    CHECK(test::missing(read(steps)) == 0);
 }
 
 TEST_CASE("A point in a number of a file with decimal commas is refused, never read as decimal", "[decimal]") {
@@ -449,7 +452,7 @@ TEST_CASE("A point in a number of a file with decimal commas is refused, never r
     }
     CHECK(has(refusal(text(".0", ",012")), "is no number where the decimal sign is the point"));
     CHECK(has(refusal(text(".0", ",000.5")), "is no number where the decimal sign is the point"));
-    CHECK(read(text(",0", ",012")).profile.size() == 20);
+    CHECK(read(text(",0", ",012")).profile().size() == 20);
     CHECK(has(refusal("x [um]\tz [nm]\n0,0\t5.012\n1,0\t5.013\n"), "line 2: \"5.012\" is no number"));
 }
 
@@ -462,12 +465,12 @@ TEST_CASE("A comma that separates columns and is decimal is refused as such", "[
                    std::to_string(i) + "\n";
         whole += std::to_string(10 + height(i)) + ",20," + std::to_string(height(i + 1)) + ",40\n";
     }
-    for (const ProfileTextOptions& options : {ProfileTextOptions{.units = "um", .column = 3}, ProfileTextOptions{}})
+    for (const SurfaceOptions& options : {SurfaceOptions{.units = "um", .column = 3}, SurfaceOptions{}})
         for (const std::string& text : {profile, triples})
             CHECK(has(refusal(text, options),
                       "has commas between its columns and in its numbers; must have another "
                       "separator, or points"));
-    CHECK(read(whole, {.spacing = 1e-6, .units = "um", .column = 3}).profile.size() == 20);
+    CHECK(read(whole, {.units = "um", .spacing = 1e-6, .column = 3}).profile().size() == 20);
     CHECK(has(refusal("x [um],z [um]\n0,1\n1,2\n2,3,4\n"),
               "has 3 columns; must be 2 as in line 2 (a comma cannot be the decimal sign and separate the columns)"));
 }
@@ -480,14 +483,14 @@ TEST_CASE("Heads of Hommel and Mitutoyo give the spacing and the unit", "[header
         CAPTURE(head);
         const auto found = read(head + one);
         check_rows(found, 1e-6, 1e-9);
-        CHECK(has(found.record.spacing_from, "line 1"));
+        CHECK(has(test::said(found, "spacing"), "line 1"));
     }
     check_rows(read("# Punktabstand: 0,5 um\n# Einheit: nm\n" + with_commas(one)), 1e-6, 1e-9);
 }
 
 TEST_CASE("Options that contradict what the file states are used, and said", "[contradiction]") {
     const std::string plain = rows([](auto x, auto z) { return x + "," + z + "\n"; });
-    const auto warnings = [](const io::ProfileFromText& found) { return found.record.warnings; };
+    const auto warnings = [](const io::Surface& found) { return found.record.warnings; };
     const auto units = read("x [um],z [nm]\n" + plain, {.units = "mm,um"});
     check_rows(units, 1e-3, 1e-6);
     REQUIRE(warnings(units).size() == 2);
@@ -500,16 +503,16 @@ TEST_CASE("Options that contradict what the file states are used, and said", "[c
     CHECK(warnings(read(plain, {.units = "mm,um"})).empty());
 
     const auto spacing = read("x [um],z [nm]\n" + plain, {.spacing = 5e-6});
-    CHECK(spacing.profile.spacing == 5e-6);
+    CHECK(spacing.profile().spacing == 5e-6);
     REQUIRE(warnings(spacing).size() == 1);
     CHECK(warnings(spacing)[0] ==
           "spacing = 5e-06 m contradicts column 1, whose mean step is 5e-07 m; the option is used");
     CHECK(warnings(read("x [um],z [nm]\n" + plain, {.spacing = 0.5e-6})).empty());
-    CHECK(warnings(read(plain, {.spacing = 5e-6, .units = "nm"})).empty());  // of the positions no unit is known
-    CHECK(warnings(read(plain, {.spacing = 5e-6, .units = "um,nm"})).size() == 1);
+    CHECK(warnings(read(plain, {.units = "nm", .spacing = 5e-6})).empty());  // of the positions no unit is known
+    CHECK(warnings(read(plain, {.units = "um,nm", .spacing = 5e-6})).size() == 1);
 
     const std::string one = "Pitch,0.5,um\nUnit,nm\n" + rows([](auto, auto z) { return z + "\n"; });
-    const auto stated = read(one, {.spacing = 1e-6, .units = "um", .names = {.prefix = "--", .equals = " "}});
+    const auto stated = read(one, {.units = "um", .spacing = 1e-6, .names = {.prefix = "--", .equals = " "}});
     REQUIRE(warnings(stated).size() == 2);
     CHECK(warnings(stated)[0] ==
           "--units \"um\" contradicts line 2, which states nm for the heights; the option is used");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/sdf.hpp>
-#include <fstiff/io/write_sdf.hpp>
+#include "io/sdf.hpp"
+#include <fstiff/io/write.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -14,10 +14,7 @@ using namespace fstiff;
 
 namespace {
 
-io::SdfSurface read(const std::string& bytes) {
-    std::istringstream input(bytes);
-    return io::read_sdf(input, "file.sdf");
-}
+io::Reading read(const std::string& bytes) { return io::read_sdf(bytes, "file.sdf"); }
 std::string refusal(const std::string& bytes) {
     return test::refusal([&] { (void)read(bytes); });
 }
@@ -68,12 +65,12 @@ std::string text(const std::string& data, const std::string& version = "aISO-1.0
 }
 
 /// Heights 1 to 5 halved behind a first one.
-void check_heights(const io::SdfSurface& found) {
-    REQUIRE(found.map.rows() == 2);
-    REQUIRE(found.map.columns() == 3);
+void check_heights(const io::Reading& found) {
+    REQUIRE(found.map.rows == 2);
+    REQUIRE(found.map.columns == 3);
     CHECK(found.map.dx == 1e-6);
     CHECK(found.map.dy == 2e-6);
-    for (int i = 1; i < 6; ++i) CHECK(found.map.heights(i / 3, i % 3) == i * 0.5);
+    for (int i = 1; i < 6; ++i) CHECK(found.map.at(i / 3, i % 3) == i * 0.5);
 }
 
 HeightMap<double> rough_map() {
@@ -105,18 +102,18 @@ TEMPLATE_TEST_CASE("Binary heights of every type are read, the reserved number a
     CAPTURE(type, version);
     const std::string header = Header{.version = version, .type = type}.bytes();
     check_heights(read(header + six<TestType>(9)));
-    CHECK(read(header + six<TestType>(9)).map.heights(0, 0) == 4.5);
-    CHECK(read(header + six<TestType>(9) + "trailer").record.trailer == 7);
+    CHECK(read(header + six<TestType>(9)).map.at(0, 0) == 4.5);
+    CHECK(read(header + six<TestType>(9) + "trailer").record.said("trailer") == "7 bytes, not read");
 
     const TestType reserved = bcr || !Limits::is_signed ? Limits::max() : Limits::lowest();
     const auto missing = read(header + six(reserved));
     CHECK(missing.record.missing == 1);
-    CHECK(std::isnan(missing.map.heights(0, 0)));
+    CHECK(std::isnan(missing.map.at(0, 0)));
     check_heights(missing);
     // the other end of the range is a height where the version does not reserve it
     if (Limits::is_signed && sizeof(TestType) < 8) {
         const TestType other = bcr ? Limits::lowest() : Limits::max();
-        CHECK(read(header + six(other)).map.heights(0, 0) == static_cast<double>(other) * 0.5);
+        CHECK(read(header + six(other)).map.at(0, 0) == static_cast<double>(other) * 0.5);
     }
     CHECK(has(refusal(header + six<TestType>(9).substr(1)), "declares 3 x 2 heights"));
 }
@@ -138,15 +135,15 @@ TEST_CASE("Text is read with any line ends, in any layout of the heights, with B
     const auto missing = read(text("BAD 1 2" + end + "3 4 5", version, "3", "2", "7", end));
     CHECK(missing.record.missing == 1);
     check_heights(missing);
-    CHECK(read(text("9 1 2 3 4 5", version, "3", "2", "7", end) + "junk\n*").record.trailer > 4);
+    CHECK_FALSE(read(text("9 1 2 3 4 5", version, "3", "2", "7", end) + "junk\n*").record.said("trailer").empty());
 }
 
 TEST_CASE("Text of BCR has names for codes, comments, and the largest number for missing points") {
     const auto found = read(text("32767 1 2 ; the first is missing\n3 4 5", "aBCR-1.0", "3", "2", "INTEGER"));
     CHECK(found.record.missing == 1);
-    CHECK(found.record.data_type == 5);
+    CHECK(has(found.record.said("form"), "int16"));
     check_heights(found);
-    CHECK(read(text("32767 1 2\n3 4 5", "aISO-1.0", "3", "2", "5")).map.heights(0, 0) == 32767 * 0.5);
+    CHECK(read(text("32767 1 2\n3 4 5", "aISO-1.0", "3", "2", "5")).map.at(0, 0) == 32767 * 0.5);
 }
 
 TEST_CASE("Declared sizes are compared with the bytes before memory is taken") {
@@ -185,7 +182,7 @@ TEST_CASE("Headers that cannot be meant are refused with field, value and range"
     CHECK(has(refusal(Header{.z = 0}.bytes() + six(1.0)), "Zscale = 0: must be"));
     CHECK(has(refusal(Header{.compression = 1}.bytes() + six(1.0)), "Compression = 1: must be 0"));
     CHECK(has(refusal(Header{.type = 8}.bytes() + six(1.0)), "DataType = 8: must be between 0 and 7"));
-    CHECK(read(Header{.check = 1}.bytes() + six(9.0)).record.check_sum);
+    CHECK(read(Header{.check = 1}.bytes() + six(9.0)).record.said("check sum") == "not verified");
     CHECK(has(refusal(text("9 1 2 3 4 x")), "height 6 is \"x\""));
     CHECK(has(refusal("aISO-3.0\n"), "begins with \"aISO-3.0\""));
     CHECK(has(refusal("aISO-1.0\nNumPoints = 3\n"), "that ends its header"));
@@ -195,9 +192,9 @@ TEST_CASE("Headers that cannot be meant are refused with field, value and range"
 
 TEST_CASE("A file of one profile needs no Yscale") {
     const auto found = read(Header{.points = 6, .profiles = 1, .y = 0}.bytes() + six(9.0));
-    CHECK(found.map.rows() == 1);
+    CHECK(found.map.rows == 1);
     CHECK(found.map.dy == 1e-6);
-    CHECK(found.map.heights(0, 0) == 4.5);
+    CHECK(found.map.at(0, 0) == 4.5);
 }
 
 }  // namespace sdf_test

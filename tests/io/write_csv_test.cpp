@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/io/write_csv.hpp>
+#include <fstiff/io/write.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is written, the reader must give back; what a file cannot hold is refused.
-#include <fstiff/io/sdf.hpp>
-#include <fstiff/io/write_sdf.hpp>
+#include "io/sdf.hpp"
+#include <fstiff/io/write.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -15,10 +15,7 @@ using namespace fstiff;
 
 namespace {
 
-io::SdfSurface read(const std::string& bytes) {
-    std::istringstream input(bytes);
-    return io::read_sdf(input, "file.sdf");
-}
+io::Reading read(const std::string& bytes) { return io::read_sdf(bytes, "file.sdf"); }
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 HeightMap<double> rough_map() {
@@ -43,13 +40,13 @@ TEST_CASE("What is written comes back bit for bit, text and binary") {
     std::ostringstream output;
     io::write_sdf(output, map, {.binary = binary, .manufacturer = "me", .date = "311219991234"});
     const auto back = read(output.str());
-    CHECK(back.record.version == "ISO-1.0");
-    CHECK(back.record.manufacturer == "me");
+    CHECK(back.record.said("form").find("ISO-1.0") != std::string::npos);
+    CHECK(back.record.said("form").ends_with("by me"));
     CHECK(back.map.dx == map.dx);
     CHECK(back.map.dy == map.dy);
-    REQUIRE(back.map.size() == map.size());
+    REQUIRE(back.map.heights.size() == static_cast<std::size_t>(map.size()));
     for (Eigen::Index i = 0; i < map.size(); ++i) {
-        const double old = map.heights.data()[i], now = back.map.heights.data()[i];
+        const double old = map.heights.data()[i], now = back.map.heights[i];
         CHECK(((std::isnan(old) && std::isnan(now)) ||
                std::bit_cast<std::uint64_t>(old) == std::bit_cast<std::uint64_t>(now)));
     }
@@ -63,9 +60,9 @@ TEST_CASE("A profile is written as a file of one profile, a long side as version
     std::ostringstream output;
     io::write_sdf(output, profile);
     const auto back = read(output.str());
-    CHECK(back.record.version == "ISO-2.0");
-    REQUIRE(back.map.columns() == 70000);
-    CHECK(back.map.heights(0, 16) == 16e-9);
+    CHECK(back.record.said("form").find("ISO-2.0") != std::string::npos);
+    REQUIRE(back.map.columns == 70000);
+    CHECK(back.map.at(0, 16) == 16e-9);
     CHECK(back.map.dx == 1e-7);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/x3p.hpp>
+#include "io/x3p.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <zip.h>
 #include <cstring>
 #include <sstream>
 
@@ -69,7 +70,7 @@ struct Main {
     }
 };
 
-io::X3pSurface read(const std::string& bytes) { return io::read_x3p(std::string_view(bytes), "file.x3p"); }
+io::Reading read(const std::string& bytes) { return io::read_x3p(bytes, "file.x3p"); }
 std::string refusal(const std::string& bytes) {
     return test::refusal([&] { (void)read(bytes); });
 }
@@ -78,12 +79,12 @@ std::string refusal(const Main& main, const std::string& data = heights<double>(
 }
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-void check_map(const io::X3pSurface& found, double unit = 0.5) {
-    REQUIRE(found.map.rows() == rows);
-    REQUIRE(found.map.columns() == columns);
+void check_map(const io::Reading& found, double unit = 0.5) {
+    REQUIRE(found.map.rows == rows);
+    REQUIRE(found.map.columns == columns);
     CHECK(found.map.dx == 1e-6);
     CHECK(found.map.dy == 2e-6);
-    for (int k = 0; k < columns * rows; ++k) REQUIRE(found.map.heights(k / columns, k % columns) == height(k) * unit);
+    for (int k = 0; k < columns * rows; ++k) REQUIRE(found.map.at(k / columns, k % columns) == height(k) * unit);
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ TEMPLATE_TEST_CASE("Heights of every type are read, deflated and stored", "", st
         const auto found =
             read(packed({{"main.xml", Main{.type = type}.text()}, {"bindata/data.bin", heights<TestType>()}}, deflate));
         check_map(found);
-        CHECK(found.record.data_type == type[0]);
+        CHECK(found.record.said("form").find(std::string("type ") + type[0]) != std::string::npos);
     }
     CHECK(has(refusal(Main{.type = type}, heights<TestType>().substr(1)),
               "must have " + std::to_string(sizeof(TestType))));
@@ -114,7 +115,7 @@ TEST_CASE("A folder in the archive, any namespace or none, and other files do no
                                     {folder + "main.xml", main.text()},
                                     {folder + "bindata/data.bin", heights<double>()}}));
     check_map(found);
-    CHECK(found.record.side_files == 3);
+    CHECK(found.record.said("other files in the archive") == "3, not read");
     CHECK(found.record.sentences().size() == 5);
 }
 
@@ -125,8 +126,8 @@ TEST_CASE("Missing points are NaN, an empty datum, or not set in the mask") {
                                     {"bindata/data.bin", heights<std::int16_t>()},
                                     {"bindata/valid.bin", mask}}));
     CHECK(found.record.missing == 1);
-    CHECK(std::isnan(found.map.heights(1, 4)));
-    CHECK(found.map.heights(1, 3) == height(8) * 0.5);
+    CHECK(std::isnan(found.map.at(1, 4)));
+    CHECK(found.map.at(1, 3) == height(8) * 0.5);
     CHECK(has(refusal(packed({{"main.xml", Main{.type = "I", .data = masked}.text()},
                               {"bindata/data.bin", heights<std::int16_t>()},
                               {"bindata/valid.bin", "\xff"}})),
@@ -136,8 +137,8 @@ TEST_CASE("Missing points are NaN, an empty datum, or not set in the mask") {
     for (int k = 0; k < 19; ++k) list += "<Datum>" + std::to_string(height(k)) + "</Datum>";
     const auto listed = read(packed({{"main.xml", Main{.data = list + "<Datum/></DataList>"}.text()}}));
     CHECK(listed.record.missing == 1);
-    CHECK(std::isnan(listed.map.heights(3, 4)));
-    CHECK(listed.map.heights(3, 3) == height(18) * 0.5);
+    CHECK(std::isnan(listed.map.at(3, 4)));
+    CHECK(listed.map.at(3, 3) == height(18) * 0.5);
     CHECK(has(refusal(Main{.data = list + "</DataList>"}), "DataList holds 19 heights; must hold 5 x 4"));
     CHECK(has(refusal(Main{.data = list + "<Datum>x</Datum></DataList>"}), "height 20 is \"x\""));
 }
@@ -145,15 +146,15 @@ TEST_CASE("Missing points are NaN, an empty datum, or not set in the mask") {
 TEST_CASE("Increment and offset of the heights are applied, a profile needs no CY increment") {
     const auto found = read(packed({{"main.xml", Main{.z = "<Increment>2</Increment><Offset>0.25</Offset>"}.text()},
                                     {"bindata/data.bin", heights<double>()}}));
-    CHECK(found.map.heights(0, 1) == 8.25);
+    CHECK(found.map.at(0, 1) == 8.25);
     check_map(read(packed(
                   {{"main.xml", Main{.z = "<Increment/><Offset/>"}.text()}, {"bindata/data.bin", heights<double>()}})),
               1);
     const auto profile =
         read(packed({{"main.xml", Main{.feature = "PRF", .size = "<ListDimension>20</ListDimension>", .y = ""}.text()},
                      {"bindata/data.bin", heights<double>()}}));
-    CHECK(profile.map.rows() == 1);
-    CHECK(profile.map.columns() == 20);
+    CHECK(profile.map.rows == 1);
+    CHECK(profile.map.columns == 20);
 }
 
 TEST_CASE("Archives that would swell are refused before anything is inflated") {
@@ -164,7 +165,7 @@ TEST_CASE("Archives that would swell are refused before anything is inflated") {
     CHECK(has(refusal(packed({{"main.xml", std::string(zeros.size(), ' ')}})), "would inflate from"));
     const std::string bytes = packed({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}});
     const auto limited = [&](const io::X3pLimits& limits) {
-        return test::refusal([&] { (void)io::read_x3p(std::string_view(bytes), "file.x3p", limits); });
+        return test::refusal([&] { (void)io::read_x3p(bytes, "file.x3p", {.x3p_limits = limits}); });
     };
     CHECK(has(limited({.bytes = 100}), "must be at most 100"));
     CHECK(has(limited({.files = 1}), "holds 2 files; must be at most 1"));
@@ -228,7 +229,7 @@ TEST_CASE("Descriptions that cannot be read are refused with element, value and 
 TEST_CASE("An increment beside heights of floating point is said, and may be ignored") {
     const std::string bytes = packed({{"main.xml", Main().text()}, {"bindata/data.bin", heights<double>()}});
     const auto reading = [&](io::X3pIncrement increment) {
-        return io::read_surface(bytes, "file.x3p", {.x3p_increment = increment, .x3p = io::x3p_reader()});
+        return io::read_surface(bytes, "file.x3p", {.x3p_increment = increment});
     };
     const auto applied = reading(io::X3pIncrement::apply), ignored = reading(io::X3pIncrement::ignore);
     for (int k = 0; k < columns * rows; ++k) {
@@ -242,8 +243,7 @@ TEST_CASE("An increment beside heights of floating point is said, and may be ign
     CHECK(ignored.record.warnings[0].ends_with("x3p_increment = apply"));
     const Main plain{.z = "<Increment>1</Increment>"}, counted{.type = "I"};
     for (const auto& [main, data] : {std::pair{plain, heights<double>()}, {counted, heights<std::int16_t>()}})
-        CHECK(io::read_surface(packed({{"main.xml", main.text()}, {"bindata/data.bin", data}}), "file.x3p",
-                               {.x3p = io::x3p_reader()})
+        CHECK(io::read_surface(packed({{"main.xml", main.text()}, {"bindata/data.bin", data}}), "file.x3p")
                   .record.warnings.empty());
 }
 

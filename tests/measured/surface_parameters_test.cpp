@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/io/map_text.hpp>
+#include <fstiff/io/surface_file.hpp>
 #include <fstiff/measured/surface_parameters.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
@@ -628,7 +628,7 @@ TEST_CASE("A profile of one peak has that peak, and says how little it knows of 
 TEST_CASE("The errors of islands of a real map contain the difference of its halves") {
     const std::filesystem::path file = std::filesystem::path(FSTIFF_SURFACES) / "matrix-3.txt";
     if (!std::filesystem::exists(file)) SKIP_CASE("there is no " + file.string());
-    const auto map = remove_form(io::read_map(file).map, MapForm::plane);
+    const auto map = remove_form(io::read_surface(file).map(), MapForm::plane);
     const auto half = [&](Eigen::Index top, Eigen::Index left, Eigen::Index rows, Eigen::Index columns) {
         return surface_parameters(HeightMap<double>{map.heights.block(top, left, rows, columns), map.dx, map.dy});
     };

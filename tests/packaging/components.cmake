@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 set(all "")
-foreach(component IN ITEMS dev cli c)
+foreach(component IN ITEMS dev io cli c)
     execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/${component} --component ${component}
                     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
     file(GLOB_RECURSE files RELATIVE ${WORK}/${component} ${WORK}/${component}/*)
@@ -29,6 +29,8 @@ function(has component folders)
     endforeach()
 endfunction()
 has(dev "include/fstiff/|share/cmake/fstiff/|share/pkgconfig/|share/doc/fstiff/" include/fstiff/fstiff.hpp share/pkgconfig/fstiff.pc)
+has(io "include/fstiff/io|lib|share/doc/fstiff-io/" include/fstiff/io.hpp include/fstiff/io/surface_file.hpp include/fstiff/io/write.hpp
+    include/fstiff/io/units.hpp include/fstiff/io/quantity.hpp share/doc/fstiff-io/LICENSE)
 has(cli "bin/|share/" bin/fstiff share/fstiff/sand_blasted_fine.toml share/doc/fstiff-cli/LICENSE)
 has(c "include/fstiff.h|lib|share/fstiff/fortran|share/doc/fstiff-c/" include/fstiff.h share/fstiff/fortran/fstiff.f90)
 

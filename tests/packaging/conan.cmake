@@ -14,7 +14,7 @@ endif()
 file(REMOVE_RECURSE ${WORK})
 set(ENV{CONAN_HOME} ${WORK}/home)
 # A copy, because Conan builds the program of test_package beside its recipe.
-foreach(file IN ITEMS CMakeLists.txt LICENSE cmake include packaging/conan/conanfile.py packaging/conan/test_package/CMakeLists.txt
+foreach(file IN ITEMS CMakeLists.txt LICENSE cmake include src/io packaging/conan/conanfile.py packaging/conan/test_package/CMakeLists.txt
                       packaging/conan/test_package/conanfile.py tests/consumer/main.cpp)
     cmake_path(GET file PARENT_PATH folder)
     file(COPY ${SOURCE}/${file} DESTINATION ${WORK}/clone/${folder})

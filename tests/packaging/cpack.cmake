@@ -20,7 +20,7 @@ execute_process(COMMAND ${COMMAND} run OUTPUT_VARIABLE built ERROR_QUIET COMMAND
 # works(prefix): the command, and a program in C by the header and library there.
 function(works prefix)
     foreach(file IN ITEMS bin/fstiff share/fstiff/sand_blasted_fine.toml include/fstiff/fstiff.hpp include/fstiff.h
-                          share/cmake/fstiff/fstiff-config.cmake share/pkgconfig/fstiff.pc)
+                          share/cmake/fstiff/fstiff-config.cmake share/pkgconfig/fstiff.pc include/fstiff/io/write.hpp)
         if(NOT EXISTS ${prefix}/${file})
             message(FATAL_ERROR "there is no ${prefix}/${file}")
         endif()
@@ -63,6 +63,7 @@ function(fields package depends)
 endfunction()
 fields(fstiff "libc6 \\(>= .*libstdc\\+\\+6 \\(>=")
 fields(libfstiff-dev "^libeigen3-dev \\(>= 3\\.4\\)$")
+fields(libfstiff-io-dev "^libfstiff-dev \\(= ")
 if(SHARED)
     fields(libfstiff-c "libc6 \\(>= .*libstdc\\+\\+6 \\(>=")
 else()

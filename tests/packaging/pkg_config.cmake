@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the consumer of ../consumer with what pkg-config says of fstiff, which was installed elsewhere and moved to PREFIX.
+# Builds the consumers of ../consumer with what pkg-config says of fstiff, which was installed elsewhere and moved to PREFIX.
 cmake_minimum_required(VERSION 3.25)
 if(NOT PKG_CONFIG)
     message("SKIPPED: there is no pkg-config")
     return()
 endif()
 file(MAKE_DIRECTORY ${WORK})
-set(ENV{PKG_CONFIG_PATH} ${PREFIX}/share/pkgconfig)
+file(GLOB_RECURSE of_io ${PREFIX}/lib*/fstiff-io.pc)
+cmake_path(GET of_io PARENT_PATH folder_of_io)
+set(ENV{PKG_CONFIG_PATH} ${PREFIX}/share/pkgconfig:${folder_of_io})
 execute_process(COMMAND ${PKG_CONFIG} --exists eigen3 RESULT_VARIABLE no_eigen)
 if(no_eigen)
     message("SKIPPED: pkg-config does not know eigen3")
@@ -23,3 +25,11 @@ execute_process(
     COMMAND ${COMPILER} -std=c++20 ${CMAKE_CURRENT_LIST_DIR}/../consumer/main.cpp -o ${WORK}/program ${flags}
     COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${WORK}/program COMMAND_ERROR_IS_FATAL ANY)
+
+# The component io, with the libraries of packed files that it was built with.
+execute_process(COMMAND ${PKG_CONFIG} --cflags --libs fstiff-io OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(flags UNIX_COMMAND "${flags} ${FLAGS}")
+execute_process(
+    COMMAND ${COMPILER} -std=c++20 ${CMAKE_CURRENT_LIST_DIR}/../consumer/reads.cpp -o ${WORK}/reads ${flags}
+    COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${WORK}/reads COMMAND_ERROR_IS_FATAL ANY)

@@ -14,3 +14,11 @@ list(LENGTH licences licence_lines)
 if(NOT licence_lines EQUAL 1 OR NOT includes STREQUAL once OR includes MATCHES "fstiff/")
     message(FATAL_ERROR "${HEADER}: ${licence_lines} licence lines, includes ${includes}")
 endif()
+
+# The one source includes the one header, and nothing of fstiff.
+file(STRINGS ${SOURCE_OF_IO} licences REGEX "SPDX-License-Identifier")
+file(STRINGS ${SOURCE_OF_IO} includes REGEX "^ *# *include [^<]")
+list(LENGTH licences licence_lines)
+if(NOT licence_lines EQUAL 1 OR NOT includes STREQUAL "#include \"fstiff.hpp\"")
+    message(FATAL_ERROR "${SOURCE_OF_IO}: ${licence_lines} licence lines, includes ${includes}")
+endif()

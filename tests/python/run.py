@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes a venv, installs the package of this clone into it, and runs the tests of this folder there.
 
-    run.py --work FOLDER --source ROOT [--scene-library FILE] [--compiler CXX]
+    run.py --work FOLDER --source ROOT [--scene-library FILE --io-library FILE] [--compiler CXX]
 
 Where a venv or the packages cannot be had it prints "SKIPPED: " and why. With the scene library of a build the module alone is
 compiled; without it all of it is. What the tests compare with is named by FSTIFF_COMMAND and FSTIFF_NUMBERS.
@@ -59,6 +59,7 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True)
     parser.add_argument("--source", type=pathlib.Path, required=True)
     parser.add_argument("--scene-library")
+    parser.add_argument("--io-library")
     parser.add_argument("--compiler")
     options = parser.parse_args()
     if sys.version_info < (3, 10):
@@ -71,8 +72,9 @@ def main():
         environment["CXX"] = options.compiler
     install = [python, "-m", "pip", "--disable-pip-version-check", "install", "--no-build-isolation", "--no-deps"]
     install += [f"--config-settings=build-dir={options.work / 'build'}", options.source]
-    if options.scene_library:
-        install.append(f"--config-settings=cmake.define.FSTIFF_SCENE_LIBRARY={options.scene_library}")
+    for name, library in (("SCENE", options.scene_library), ("IO", options.io_library)):
+        if library:
+            install.append(f"--config-settings=cmake.define.FSTIFF_{name}_LIBRARY={library}")
     made = subprocess.run(install, env=environment, capture_output=True, text=True)
     if made.returncode != 0:
         print(made.stdout, made.stderr, sep="\n")

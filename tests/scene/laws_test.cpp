@@ -5,7 +5,7 @@
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
-#include <fstiff/io/write_csv.hpp>
+#include <fstiff/io/write.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 

@@ -10,7 +10,7 @@
 #include "scene/shown_unit.hpp"
 #include "scene/truth_of_map.hpp"
 
-#include <fstiff/io/write_csv.hpp>
+#include <fstiff/io/write.hpp>
 #include <fstiff/math/random.hpp>
 
 #include "support/accuracy.hpp"

@@ -7,7 +7,7 @@
 #include "scene/validated_ratio.hpp"
 
 #include <fstiff/core/text.hpp>
-#include <fstiff/io/write_csv.hpp>
+#include <fstiff/io/write.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"

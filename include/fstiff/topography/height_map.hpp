@@ -64,9 +64,9 @@ struct HeightRange {
     Eigen::Index present{};
 };
 
-/// In one pass, in lanes that compilers turn into vectors.
+/// Of \p count heights \p z, in one pass, in lanes that compilers turn into vectors.
 template <Real T>
-HeightRange<T> height_range(const HeightMap<T>& map) {
+HeightRange<T> height_range(const T* z, Eigen::Index count) {
     constexpr std::size_t lanes = 16;
     using Count = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
     constexpr std::size_t run = std::size_t(1) << 24;  // after which the counts are emptied
@@ -74,8 +74,7 @@ HeightRange<T> height_range(const HeightMap<T>& map) {
     HeightRange<T> range;
     low.fill(range.low);
     high.fill(range.high);
-    const T* const z = map.heights.data();
-    const auto size = static_cast<std::size_t>(map.size()), whole = size - size % lanes;
+    const auto size = static_cast<std::size_t>(count), whole = size - size % lanes;
     for (std::size_t begin = 0; begin < whole; begin += run) {
         std::array<Count, lanes> present{};
         for (std::size_t k = begin; k < (std::min)(whole, begin + run); k += lanes)
@@ -95,6 +94,29 @@ HeightRange<T> height_range(const HeightMap<T>& map) {
     range.low = *std::min_element(low.begin(), low.end());
     range.high = *std::max_element(high.begin(), high.end());
     return range;
+}
+
+template <Real T>
+HeightRange<T> height_range(const HeightMap<T>& map) {
+    return height_range(map.heights.data(), map.size());
+}
+
+/// HeightMap::validate() of heights \p z, row after row, wherever they are.
+template <Real T>
+void validate_map(const T* z, Eigen::Index rows, Eigen::Index columns, T dx, T dy, Eigen::Index least) {
+    require_positive("dx", dx);
+    require_positive("dy", dy);
+    if (rows < least || columns < least)
+        throw domain_error("map of " + std::to_string(columns) + " x " + std::to_string(rows) +
+                           " points: must have at least " + std::to_string(least) + " a side");
+    const HeightRange<T> range = height_range(z, rows * columns);
+    if (range.present > 0 &&
+        (range.low < std::numeric_limits<T>::lowest() || (std::numeric_limits<T>::max)() < range.high))
+        throw domain_error("map with an infinite height: must be finite, or NaN where missing");
+    if (range.present < least)
+        throw domain_error("map of which " + std::to_string(range.present) + " points exist: must be at least " +
+                           std::to_string(least));
+    require(range.high > range.low, "map of constant height", range.low, "of varying height");
 }
 
 /// Power of two near the range of the heights: squares of scaled heights stay in range, and scaling is exact.
@@ -163,19 +185,7 @@ void HeightMap<T>::require_whole(const char* before) const {
 
 template <Real T>
 void HeightMap<T>::validate(Eigen::Index least) const {
-    require_positive("dx", dx);
-    require_positive("dy", dy);
-    if (rows() < least || columns() < least)
-        throw domain_error("map of " + std::to_string(columns()) + " x " + std::to_string(rows()) +
-                           " points: must have at least " + std::to_string(least) + " a side");
-    const detail::HeightRange<T> range = detail::height_range(*this);
-    if (range.present > 0 &&
-        (range.low < std::numeric_limits<T>::lowest() || (std::numeric_limits<T>::max)() < range.high))
-        throw domain_error("map with an infinite height: must be finite, or NaN where missing");
-    if (range.present < least)
-        throw domain_error("map of which " + std::to_string(range.present) + " points exist: must be at least " +
-                           std::to_string(least));
-    require(range.high > range.low, "map of constant height", range.low, "of varying height");
+    detail::validate_map(heights.data(), rows(), columns(), dx, dy, least);
 }
 
 }  // namespace fstiff

@@ -7,8 +7,7 @@
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantity.hpp>
-#include <fstiff/io/write_csv.hpp>
-#include <fstiff/io/write_sdf.hpp>
+#include <fstiff/io/write.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 

@@ -3,12 +3,12 @@
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "input/scene_options.hpp"
+#include "io/number.hpp"
 #include "picture/panels.hpp"
 #include "scene/documents.hpp"
 #include "scene/identification.hpp"
 
 #include <fstiff/core/version.hpp>
-#include <fstiff/io/number_table.hpp>
 
 #include <algorithm>
 #include <array>

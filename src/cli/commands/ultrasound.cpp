@@ -2,6 +2,7 @@
 // fstiff ultrasound: reflection of an interface from its stiffness, or the stiffness from measured reflections.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "io/number.hpp"
 #include "scene/measured_curve.hpp"
 
 #include <fstiff/core/version.hpp>

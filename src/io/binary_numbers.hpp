@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Numbers in the bytes of a file, of either byte order on every host.
+///
+/// Valid       1 to 8 bytes; of numbers of floating point (IEEE 754) 4 or 8
+
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+namespace fstiff::io::detail {
+
+/// The unsigned integer that \p bytes are, the most significant first when \p big.
+std::uint64_t unsigned_at(std::string_view bytes, bool big);
+
+/// The same of two's complement.
+std::int64_t signed_at(std::string_view bytes, bool big);
+
+/// The number of floating point that the 4 or 8 \p bytes are.
+double real_at(std::string_view bytes, bool big);
+
+/// The unsigned integer in the first sizeof(T) bytes, the least significant first.
+template <class T>
+T little_endian(std::string_view bytes) {
+    return static_cast<T>(unsigned_at(bytes.substr(0, sizeof(T)), false));
+}
+double double_at(std::string_view bytes);
+float float_at(std::string_view bytes);
+
+}  // namespace fstiff::io::detail

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/column_titles.hpp"
+
+#include "io/unit_table.hpp"
+
+namespace fstiff::io::detail {
+
+std::string_view title_unit(std::string_view title) {
+    title = unquoted(title);
+    const auto known = [](std::string_view text) { return is_unit(text, Dimension::length); };
+    for (const auto& [open, close] : {std::pair{'[', ']'}, {'(', ')'}, {'{', '}'}, {'<', '>'}}) {
+        const std::size_t end = title.rfind(close);
+        const std::size_t begin = title.substr(0, end).rfind(open);
+        if (end == std::string_view::npos || begin == std::string_view::npos) continue;
+        if (const auto inside = trimmed(title.substr(begin + 1, end - begin - 1)); known(inside)) return inside;
+    }
+    const std::size_t last = title.find_last_of(" \t/_:=");
+    const std::string_view word = last == std::string_view::npos ? title : title.substr(last + 1);
+    if (!known(word)) return {};
+    if (word == "A" && (last == std::string_view::npos || title[last] != '/'))
+        return {};  // the name of a column, or a channel
+    if (last == std::string_view::npos) return word;
+    const std::string_view before = trimmed(title.substr(0, last));
+    // "0.0 um" is a length, no title; a bare "in" after a word is a preposition that lost its unit
+    if (before.empty() || is_digit(before.back()) || word == "in") return {};
+    return word;
+}
+
+std::string_view without_comment_sign(std::string_view line, char separator) {
+    line = trimmed(line);
+    const bool signed_line = is_comment(line);
+    while (!line.empty() && (line.front() == '#' || line.front() == '%' || line.front() == '!' || line.front() == '/'))
+        line.remove_prefix(1);
+    if (signed_line && line.starts_with(separator) && separator != ' ') line.remove_prefix(1);  // "#;x [um];z [nm]"
+    return line;
+}
+
+namespace {
+
+/// Whether \p line is a key and a number, as "Pitch [um]: 0.5" is, and no title of one column.
+bool is_key_and_number(std::string_view line) {
+    const std::size_t sign = line.find_first_of(",;\t:=");
+    return sign != std::string_view::npos &&
+           leading_number(trimmed(line.substr(sign + 1))).status != NumberStatus::no_number;
+}
+
+}  // namespace
+
+std::vector<std::string_view> units_in(std::string_view line, std::size_t columns, char separator,
+                                       const FreeColumns& free) {
+    const auto is_free = [&](std::size_t c) { return !free.empty() && free[c]; };
+    const auto needed =
+        static_cast<std::size_t>(std::count_if(free.begin(), free.end(), [](bool one) { return !one; }));
+    std::vector<std::string_view> cells, found;
+    const auto in_cells = [&](char candidate) {
+        split_line(line, candidate, cells);
+        if (cells.size() != columns || (columns == 1 && is_key_and_number(line))) return false;
+        found.clear();
+        std::size_t stated = 0;
+        for (std::size_t c = 0; c < columns; ++c) {
+            found.push_back(title_unit(cells[c]));
+            stated += !found.back().empty();
+            if (found.back().empty() && !(is_free(c) && candidate == separator)) return false;
+        }
+        return stated > 0;
+    };
+    if (!free.empty() && in_cells(separator)) return found;  // "#;x [um];z [um]": the sign may be a title
+    line = without_comment_sign(line, separator);
+    for (const char candidate : {separator, ';', '\t', ',', ' '})
+        if (in_cells(candidate)) return found;
+    // "x [um] z [nm]": as many bracketed found as columns, in their order
+    found.clear();
+    for (std::string_view rest = line; !rest.empty();) {
+        const std::size_t begin = rest.find_first_of("[(");
+        if (begin == std::string_view::npos) break;
+        const std::size_t end = rest.find(rest[begin] == '[' ? ']' : ')', begin);
+        if (end == std::string_view::npos) break;
+        const auto inside = trimmed(rest.substr(begin + 1, end - begin - 1));
+        if (is_unit(inside, Dimension::length)) found.push_back(inside);
+        rest.remove_prefix(end + 1);
+    }
+    if (columns == 1 && is_key_and_number(line)) return {};
+    if (found.size() == columns) return found;
+    if (free.empty() || found.size() != needed) return {};
+    for (std::size_t c = 0; c < columns; ++c)
+        if (is_free(c)) found.insert(found.begin() + static_cast<std::ptrdiff_t>(c), std::string_view());
+    return found;
+}
+std::vector<std::string_view> given_units(const std::string& text, std::size_t most, const std::string& name,
+                                          std::string_view allowed) {
+    std::vector<std::string_view> given;
+    if (text.empty()) return given;
+    split_line(text, ',', given);
+    if (given.empty() || given.size() > most) refuse_field(name, "units", shown_cell(text), allowed);
+    for (const std::string_view unit : given) require_unit(unit, Dimension::length);
+    return given;
+}
+
+TitleUnits title_units(const NumberTable& table, std::size_t columns, const FreeColumns& free) {
+    for (std::size_t i = table.first; i-- > 0;)
+        if (auto found = units_in(table.lines[i].text, columns, table.dialect.separator, free); !found.empty())
+            return {std::move(found), "line " + std::to_string(table.lines[i].number)};
+    return {};
+}
+
+ColumnTitle title_of(std::string_view cell) {
+    cell = unquoted(cell);
+    std::string name = lower_case(trimmed(cell.substr(0, (std::min)(cell.find_first_of("[({<"), cell.size()))));
+    while (name.size() > 1 && (name.back() == '.' || name.back() == ':' || name.back() == ' ')) name.pop_back();
+    while (name.size() > 1 && (name.front() == '#' || name.front() == ' ')) name.erase(0, 1);
+    return {std::move(name), !title_unit(cell).empty()};
+}
+
+namespace {
+
+/// The titles in \p line; between blanks a unit in brackets belongs to the word before it.
+void split_titles(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    if (separator != ' ') return split_row(line, separator, cells);
+    std::vector<std::string_view> words;
+    split_line(line, separator, words);
+    cells.clear();
+    for (const std::string_view word : words)
+        if (!cells.empty() && !word.empty() && (word.front() == '[' || word.front() == '('))
+            cells.back() = {cells.back().data(),
+                            static_cast<std::size_t>(word.data() + word.size() - cells.back().data())};
+        else
+            cells.push_back(word);
+}
+
+}  // namespace
+
+std::vector<ColumnTitle> titles_above(const NumberTable& table) {
+    std::vector<ColumnTitle> titles;
+    std::vector<std::string_view> cells;
+    const char separator = table.dialect.separator;
+    const auto is_number = [&](std::string_view cell) {
+        return number_in(cell, table.dialect.decimal_comma).has_value();
+    };
+    int lines = 0;
+    for (std::size_t i = table.first; i-- > 0 && lines < 2;) {
+        const std::string_view raw = table.lines[i].text;
+        for (const std::string_view line : {raw, without_comment_sign(raw, separator)}) {
+            split_titles(line, separator, cells);
+            if (cells.size() != table.columns || std::any_of(cells.begin(), cells.end(), is_number)) continue;
+            ++lines;
+            titles.resize(table.columns);
+            for (std::size_t c = 0; c < cells.size(); ++c) {
+                ColumnTitle title = title_of(cells[c]);
+                titles[c].has_unit = titles[c].has_unit || title.has_unit;
+                if (lines == 1 || title_unit(titles[c].name) == titles[c].name) titles[c].name = std::move(title.name);
+            }
+            break;
+        }
+    }
+    return titles;
+}
+
+namespace {
+
+/// Whether \p name is one of \p words, or one of them and what follows its end.
+template <std::size_t N>
+bool begins_with_word(std::string_view name, const std::array<std::string_view, N>& words) {
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+        return name.starts_with(word) &&
+               (name.size() == word.size() || name.substr(word.size()).find_first_of(" -_/,.;:") == 0);
+    });
+}
+
+/// Whether a column called \p name numbers the points.
+bool names_index(std::string_view name) {
+    static constexpr std::array<std::string_view, 34> words{
+        "#",          "nr",     "no",     "n\xC2\xB0",     "n\xC2\xBA",     "n\xB0",     "n\xBA",      "num",
+        "number",     "nummer", "numero", "num\xC3\xA9ro", "n\xC3\xBAmero", "index",     "indice",     "idx",
+        "id",         "i",      "n",      "lfd",           "lfd. nr",       "point",     "point no",   "point number",
+        "data point", "pt",     "punkt",  "punkt nr",      "punktnummer",   "messpunkt", "datenpunkt", "sample no",
+        "zeile",      "row"};
+    return std::find(words.begin(), words.end(), name) != words.end() ||
+           (name.size() > 3 &&
+            begins_with_word(name,
+                             std::array<std::string_view, 5>{"index", "point", "punkt", "messpunkt", "datenpunkt"}) &&
+            (name.ends_with("nr") || name.ends_with("no") || name.ends_with("number") || name.ends_with("nummer")));
+}
+
+/// Whether a column called \p name holds positions along x.
+bool names_position(std::string_view name) {
+    static constexpr std::array<std::string_view, 20> words{
+        "x",        "position", "pos",     "distance", "dist",    "lateral",    "length", "l\xC3\xA4nge",
+        "l\xE4nge", "laenge",   "abstand", "weg",      "strecke", "horizontal", "scan",   "travel",
+        "longueur", "abscissa", "xpos",    "x-achse"};
+    return begins_with_word(name, words);
+}
+
+}  // namespace
+
+bool names_height(std::string_view name) {
+    static constexpr std::array<std::string_view, 13> words{"z",        "height",   "h\xC3\xB6he", "h\xF6he", "hoehe",
+                                                            "vertical", "vertikal", "profile",     "profil",  "hauteur",
+                                                            "altura",   "altezza",  "depth"};
+    return begins_with_word(name, words);
+}
+
+bool counts_points(const NumberTable& table, std::size_t c, bool from_start) {
+    for (std::size_t r = 0; r < table.rows(); ++r) {
+        const double value = table.at(r, c);
+        if (!(value == std::floor(value))) return false;  // NaN too
+        if (r > 0 && !(from_start ? value == table.at(r - 1, c) + 1 : value > table.at(r - 1, c))) return false;
+    }
+    return table.rows() > 1 && (!from_start || table.at(0, c) == 0 || table.at(0, c) == 1);
+}
+
+std::vector<bool> index_columns(const NumberTable& table) {
+    if (table.columns < 2) return {};
+    const std::vector<ColumnTitle> titles = titles_above(table);
+    if (titles.empty()) return {};
+    std::vector<bool> index(table.columns);
+    bool any = false;
+    for (std::size_t c = 0; c < table.columns; ++c)
+        index[c] = !titles[c].has_unit && names_index(titles[c].name) && counts_points(table, c, false);
+    const bool length_beside = std::any_of(titles.begin() + 1, titles.end(), [](const ColumnTitle& title) {
+        return title.has_unit || names_position(title.name) || names_height(title.name);
+    });
+    if (!titles[0].has_unit && !names_position(titles[0].name) && !names_height(titles[0].name) && length_beside &&
+        counts_points(table, 0, true))
+        index[0] = true;
+    for (const bool one : index) any = any || one;
+    return any ? index : std::vector<bool>();
+}
+
+}  // namespace fstiff::io::detail

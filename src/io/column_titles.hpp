@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Titles above the columns of a text: the units they state, and which column numbers the points.
+///
+/// A column numbers the points where its title says so ("Nr.", "No.", "#", "Index", "Point") and its numbers are whole
+/// and rise; or where it is the first, counts 0, 1, 2 ... or 1, 2, 3 ... under a title that names no length, and
+/// another column states a unit of length or names a length. One that states a unit of length is none.
+///
+/// Units       lengths by the names of their units
+/// Accuracy    none: words (tests/io/column_titles_test.cpp)
+
+#include "io/number_table.hpp"
+
+#include <fstiff/io/quantity.hpp>
+
+namespace fstiff::io::detail {
+
+/// The length unit that a column title states, as in "x [um]", "x (um)", "x/um", "height in um", "um"; "" for none.
+std::string_view title_unit(std::string_view title);
+
+/// Whether each column may do without a unit; empty: none may.
+using FreeColumns = std::vector<bool>;
+
+/// \p line without the signs of a comment before it.
+std::string_view without_comment_sign(std::string_view line, char separator);
+
+/// The units of \p columns columns that \p line states, empty for \p free ones without; none when it does not state
+/// them all. Free columns need titles that the separator of the table separates.
+std::vector<std::string_view> units_in(std::string_view line, std::size_t columns, char separator,
+                                       const FreeColumns& free = {});
+/// The units of the options: "um,nm" or "um". \throws domain_error for more than \p most of them, or another unit.
+std::vector<std::string_view> given_units(const std::string& text, std::size_t most, const std::string& name,
+                                          std::string_view allowed);
+
+/// Titles above the columns, from the first row upwards, that state the units of all of them but \p free ones.
+struct TitleUnits {
+    std::vector<std::string_view> units;  // empty when there are none
+    std::string from;                     // "line 3"
+};
+TitleUnits title_units(const NumberTable& table, std::size_t columns, const FreeColumns& free = {});
+
+/// What stands above one column.
+struct ColumnTitle {
+    std::string name;  // lower case, without unit and punctuation; "#" stays
+    bool has_unit{};   // of length
+};
+
+ColumnTitle title_of(std::string_view cell);
+
+/// The titles above the columns of \p table, of the nearest two lines of the header with a word for some and no number
+/// for any; none where there are none.
+std::vector<ColumnTitle> titles_above(const NumberTable& table);
+
+/// Whether a column called \p name holds heights.
+bool names_height(std::string_view name);
+
+/// Whether column \p c of the rows counts: whole numbers that rise, and \p from_start, by one from 0 or 1.
+bool counts_points(const NumberTable& table, std::size_t c, bool from_start);
+
+/// Which columns of \p table, whose rows are read, number its points; empty where none does.
+std::vector<bool> index_columns(const NumberTable& table);
+
+}  // namespace fstiff::io::detail

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gsf.hpp"
+
+namespace fstiff::io {
+
+bool is_gsf(std::string_view bytes) { return bytes.starts_with("Gwyddion Simple Field 1."); }
+
+namespace detail {
+
+namespace {
+
+/// What the file states.
+struct GsfHeader {
+    std::string title;  // printable characters only
+    std::string lateral_unit, height_unit;
+    std::size_t columns{}, rows{};
+    std::size_t trailer{};  // bytes after the heights
+};
+
+Record record_of(const GsfHeader& file, const RawMap& map) {
+    Record record;
+    record.say("form", "Gwyddion simple field" + (file.title.empty() ? "" : " \"" + file.title + "\""));
+    record.say("units",
+               "x and y in " + file.lateral_unit + ", heights in " + file.height_unit + ", from XYUnits and ZUnits");
+    record.say("spacing", "from XReal / XRes and YReal / YRes");
+    record.say_points(map);
+    record.say_trailer(file.trailer);
+    return record;
+}
+
+class GsfReader {
+public:
+    GsfReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
+
+    Reading read() {
+        if (!is_gsf(bytes_))
+            refuse_file(name_, {"does not begin as a simple field; must begin with \"Gwyddion Simple Field 1.0\""});
+        const std::string_view heights = split();
+        header_.columns = count("XRes");
+        header_.rows = count("YRes");
+        header_.lateral_unit = unit("XYUnits");
+        header_.height_unit = unit("ZUnits");
+        header_.title = printable(find("Title").value_or(""), 80);
+        const double lateral = unit_factor(header_.lateral_unit, Dimension::length);
+        const double dx = length("XReal") * lateral / static_cast<double>(header_.columns);
+        const double dy = length("YReal") * lateral / static_cast<double>(header_.rows);
+        RawMap map;
+        read_heights(map, heights);
+        set_spacings(map, dx, dy, name_);
+        Record record = record_of(header_, map);
+        return {std::move(map), std::move(record)};
+    }
+
+private:
+    /// Finds the fields; returns the bytes behind the header.
+    std::string_view split() {
+        const std::size_t end = bytes_.find('\0');
+        if (end == std::string_view::npos)
+            refuse_file(name_, {"has no NUL byte that ends its header; must have one to four"});
+        const std::size_t start = (end / 4 + 1) * 4;
+        if (start > bytes_.size() || bytes_.substr(end, start - end).find_first_not_of('\0') != std::string_view::npos)
+            refuse_file(name_, {"has a header of ", end, " bytes; must have NUL bytes behind it up to byte ", start});
+        std::string_view text = bytes_.substr(0, end);
+        for (std::size_t line = 1; !text.empty(); ++line) {
+            const std::size_t length = (std::min)(text.find('\n'), text.size());
+            const std::string_view one = trimmed(text.substr(0, length));
+            text.remove_prefix((std::min)(length + 1, text.size()));
+            if (line == 1 || one.empty()) continue;
+            const std::size_t equal = one.find('=');
+            if (equal == std::string_view::npos)
+                refuse_line(name_, line, {shown_cell(one), " has no equals sign; must be such as XRes = 256"});
+            const std::string_view key = trimmed(one.substr(0, equal));
+            if (find(key)) refuse_line(name_, line, {"states ", shown_cell(key), " again; must be stated once"});
+            fields_.emplace_back(key, trimmed(one.substr(equal + 1)));
+        }
+        return bytes_.substr(start);
+    }
+
+    std::optional<std::string_view> find(std::string_view field) const {
+        for (const auto& [key, value] : fields_)
+            if (key == field) return value;
+        return std::nullopt;
+    }
+    std::string_view stated(const std::string& field) const {
+        if (const auto value = find(field)) return *value;
+        refuse_file(name_, {"states no ", field, "; must state it in its header"});
+    }
+    double number(const std::string& field) const {
+        const std::string value = printable(stated(field), 64);
+        return located({.file = name_}, [&] { return parse_number(value, field); });
+    }
+    std::size_t count(const std::string& field) const {
+        const double value = number(field);
+        if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
+            refuse_field(name_, field, number_text(value), "a whole number from 1 to 4294967295");
+        return static_cast<std::size_t>(value);
+    }
+    double length(const std::string& field) const {
+        const double value = number(field);
+        located({.file = name_}, [&] { require_positive(field, value); });
+        return value;
+    }
+    std::string unit(const std::string& field) const {
+        const std::string_view value = stated(field);
+        if (!is_unit(value, Dimension::length))
+            refuse_field(name_, field, shown_cell(value), "a unit of length: " + accepted_units(Dimension::length));
+        return std::string(value);
+    }
+
+    void read_heights(RawMap& map, std::string_view bytes) {
+        // both below 2^32: the product fits into 64 bits
+        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
+        if (points > bytes.size() / 4)
+            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of 4 bytes, but holds ",
+                                bytes.size(), " bytes of them; must hold all"});
+        header_.trailer = bytes.size() - static_cast<std::size_t>(points) * 4;
+        const double factor = unit_factor(header_.height_unit, Dimension::length);
+        allocate(map, header_.rows, header_.columns);
+        for (std::size_t i = 0; i < points; ++i) {
+            const double z = real_at(bytes.substr(4 * i, 4), false);
+            if (std::isinf(z))
+                refuse_file(name_, {"holds infinity in row ", i / header_.columns + 1, ", column ",
+                                    i % header_.columns + 1, "; must hold finite numbers, or NaN for missing points"});
+            map.heights[i] = z * factor;
+        }
+    }
+
+    std::string_view bytes_;
+    std::string name_;
+    std::vector<std::pair<std::string_view, std::string_view>> fields_;
+    GsfHeader header_;
+};
+
+}  // namespace
+
+}  // namespace detail
+
+Reading read_gsf(std::string_view bytes, std::string_view name) { return detail::GsfReader(bytes, name).read(); }
+
+}  // namespace fstiff::io

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/header.hpp"
+
+namespace fstiff::io::detail {
+
+namespace {
+
+std::string header_key(std::string_view text) {
+    // French sets a blank that does not break before the colon; alone, its second byte is a letter's too
+    text = trimmed(text);
+    const auto last = text.size();
+    if (text.ends_with("\xC2\xA0"))
+        text.remove_suffix(2);
+    else if (last > 1 && text.back() == '\xA0' && static_cast<unsigned char>(text[last - 2]) < 0x80)
+        text.remove_suffix(1);
+    std::string key = lower_case(trimmed(text));
+    std::replace(key.begin(), key.end(), '_', ' ');
+    return key;
+}
+
+/// The words of the header of an ESRI grid, which have a blank behind them.
+bool is_grid_word(std::string_view word) {
+    const std::string key = lower_case(word);
+    return key == "ncols" || key == "nrows" || key == "cellsize" || key == "nodata_value";
+}
+
+/// "10,5 um" as "10.5 um" where its comma is decimal: the table's is, or other than three digits follow or a zero
+/// leads, as of no thousands.
+std::string with_decimal_point(std::string_view value, bool decimal_comma) {
+    std::string text(value);
+    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+    const std::size_t comma = text.find_first_not_of("0123456789", sign);
+    if (comma == std::string::npos || comma == sign || text[comma] != ',') return text;
+    const std::size_t end = (std::min)(text.find_first_not_of("0123456789", comma + 1), text.size());
+    const std::size_t digits = end - comma - 1;
+    if (digits > 0 && (decimal_comma || digits != 3 || text[sign] == '0') &&
+        (end == text.size() || (text[end] != ',' && text[end] != '.')))
+        text[comma] = '.';
+    return text;
+}
+
+constexpr std::string_view wide_colon = "\xEF\xBC\x9A";  // of Chinese and Japanese
+
+/// "XY Calibration","277.8","nm", as Keyence exports it, or Pitch,0.5,um, as Mitutoyo does: the cells, of which there
+/// are two or three; none of other lines.
+std::vector<std::string_view> entry_cells(std::string_view line) {
+    std::vector<std::string_view> cells;
+    const bool quoted = line.starts_with('"');
+    const std::size_t end = quoted ? line.find('"', 1) : 0;
+    const std::size_t next = end == std::string_view::npos ? end : line.find_first_of(",;\t", end);
+    if (next == std::string_view::npos) return cells;
+    if (!quoted && (line.find_first_of(":=") < line.size() || line.find(wide_colon) < line.size())) return cells;
+    split_line(line, line[next], cells);
+    if (cells.size() < 2 || cells.size() > 3 || cells[0].empty()) cells.clear();
+    return cells;
+}
+
+}  // namespace
+
+std::vector<HeaderEntry> header_entries(const NumberTable& table) {
+    std::vector<HeaderEntry> entries;
+    std::vector<std::string_view> words;
+    const auto add = [&](std::string_view text, std::size_t sign, std::size_t length, std::size_t line) {
+        std::string_view value = trimmed(text.substr(sign + length));
+        while (!value.empty() && (value.back() == ',' || value.back() == ';' || is_blank(value.back())))
+            value.remove_suffix(1);
+        entries.push_back(
+            {header_key(text.substr(0, sign)), with_decimal_point(value, table.dialect.decimal_comma), line});
+    };
+    for (std::size_t i = 0; i < table.first; ++i) {
+        std::string_view line = table.lines[i].text;
+        while (!line.empty() && (is_blank(line.front()) || line.front() == '#' || line.front() == '%' ||
+                                 line.front() == '!' || line.front() == '/' || line.front() == ';'))
+            line.remove_prefix(1);
+        if (const auto cells = entry_cells(line); !cells.empty()) {
+            entries.push_back({header_key(cells[0]),
+                               with_decimal_point(cells[1], table.dialect.decimal_comma) +
+                                   (cells.size() == 3 ? " " + std::string(cells[2]) : std::string()),
+                               table.lines[i].number});
+            continue;
+        }
+        const std::size_t wide = line.find(wide_colon), narrow = line.find_first_of(":=");
+        const std::size_t sign = (std::min)(wide, narrow);
+        // "NODATA_value -9999" of an ESRI grid
+        if (split_line(line, ' ', words); words.size() == 2 && is_grid_word(words[0])) {
+            const auto at = static_cast<std::size_t>(words[0].data() - line.data());
+            add(line, at + words[0].size(), 1, table.lines[i].number);
+            continue;
+        }
+        if (sign == std::string_view::npos || sign == 0) continue;
+        // "h=305 w=75": every word an entry
+        split_line(line, ' ', words);
+        const bool every_word = std::all_of(words.begin(), words.end(), [](std::string_view word) {
+            const std::size_t equal = word.find('=');
+            return equal != std::string_view::npos && equal > 0 && equal + 1 < word.size();
+        });
+        if (words.size() > 1 && every_word)
+            for (const std::string_view word : words) add(word, word.find('='), 1, table.lines[i].number);
+        else
+            add(line, sign, sign == wide ? wide_colon.size() : 1, table.lines[i].number);
+    }
+    return entries;
+}
+
+const HeaderEntry* find_entry(const std::vector<HeaderEntry>& entries, std::string_view key) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const HeaderEntry& entry) { return entry.key == key; });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+std::optional<StatedSpacing> stated_spacing(const std::vector<HeaderEntry>& entries) {
+    for (const HeaderEntry& entry : entries) {
+        const std::string_view key = entry.key;
+        if (!is_one_of_words(trimmed(key.substr(0, (std::min)(key.find_first_of("[("), key.size()))), spacing_words))
+            continue;
+        std::string_view text = trimmed(std::string_view(entry.value).substr(0, entry.value.find_first_of(",;\t")));
+        const std::size_t per = text.find('/');
+        const LeadingNumber number = leading_number(text);
+        if (number.status != NumberStatus::ok || !(number.value > 0)) continue;
+        if (per != std::string_view::npos && per < number.length) continue;
+        std::string_view unit =
+            trimmed(text.substr(number.length, per == std::string_view::npos ? per : per - number.length));
+        if (unit.empty()) unit = title_unit(key);
+        if (!is_unit(unit, Dimension::length)) continue;
+        const double factor = unit_factor(unit, Dimension::length);
+        return StatedSpacing{number.value * factor,
+                             std::pow(10.0, last_digit_of(text.substr(0, number.length))) * factor, entry.line,
+                             std::string(text)};
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+/// Whether the header is one of SPIP, whose x-length and y-length are in nm.
+bool is_spip(const std::vector<HeaderEntry>& entries) {
+    const HeaderEntry* const form = find_entry(entries, "file format");
+    return form && form->value == "ASCII";
+}
+
+}  // namespace
+
+StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit, const std::string& name) {
+    StatedGrid grid;
+    const bool spip = is_spip(entries);
+    const auto is_one_of = [](const std::string& key, std::initializer_list<std::string_view> keys) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    const auto set = [&](auto& slot, auto value, const HeaderEntry& entry, auto old) {
+        if (slot && old != value)
+            refuse_line(name, entry.line,
+                        {shown_cell(entry.key), " is stated twice, with two values; must be one value"});
+        slot = value;
+    };
+    for (const HeaderEntry& entry : entries) {
+        const bool width =
+            is_one_of(entry.key, {"width", "w", "x size", "size x", "x range", "scan size x", "x-length"}) ||
+            is_one_of_words(entry.key, width_words);
+        const bool height =
+            is_one_of(entry.key, {"height", "h", "y size", "size y", "y range", "scan size y", "y-length"}) ||
+            is_one_of_words(entry.key, height_words);
+        const bool both =
+            is_one_of(entry.key, {"pixel size", "pixel pitch", "pixel spacing", "lateral spacing", "cellsize"}) ||
+            is_one_of_words(entry.key, pitch_words);
+        const bool dx = both || is_one_of(entry.key, {"dx", "pixel width", "x pixel size", "pixel size x", "x spacing",
+                                                      "spacing x", "x step", "x increment"});
+        const bool dy = both || is_one_of(entry.key, {"dy", "pixel height", "y pixel size", "pixel size y", "y spacing",
+                                                      "spacing y", "y step", "y increment"});
+        const bool columns = is_one_of(entry.key, {"columns", "cols", "x pixels", "x-pixels", "xres", "nx", "ncols"}) ||
+                             is_one_of_words(entry.key, columns_words);
+        const bool rows = is_one_of(entry.key, {"rows", "lines", "y pixels", "y-pixels", "yres", "ny", "nrows"}) ||
+                          is_one_of_words(entry.key, rows_words);
+        if (!(width || height || dx || dy || columns || rows)) continue;
+        const LeadingNumber number = leading_number(entry.value);
+        if (number.status != NumberStatus::ok) continue;
+        std::string_view written = trimmed(std::string_view(entry.value).substr(number.length));
+        for (const std::string_view per : {"/pixel", "/px", "/point"})  // "277.8 nm/pixel"
+            if (both && written.ends_with(per)) written.remove_suffix(per.size());
+        std::string unit_from;
+        if (written.empty() && unit.empty() && spip && (width || height)) {
+            const HeaderEntry* const axis = find_entry(entries, width ? "x-unit" : "y-unit");
+            written = axis ? std::string_view(axis->value) : "nm";
+            unit_from = axis ? "" : " (in nm, as SPIP writes it)";
+        }
+        const std::string word = lower_case(written);
+        const bool counted = word == "px" || word == "pixel" || word == "pixels" || word == "points";
+        const bool whole = number.value >= 1 && number.value < 4294967296.0 && number.value == std::floor(number.value);
+        const bool short_count = (entry.key == "w" || entry.key == "h") && written.empty();
+        if (columns || rows || counted || (short_count && whole)) {
+            if (!whole || dx || dy || !(written.empty() || counted)) continue;
+            const auto count = static_cast<std::size_t>(number.value);
+            auto& slot = columns || width ? grid.columns : grid.rows;
+            set(slot, count, entry, slot.value_or(0));
+            (columns || width ? grid.columns_line : grid.rows_line) = entry.line;
+            continue;
+        }
+        if (written.empty() && unit.empty()) {
+            if (grid.without_unit.empty()) grid.without_unit_line = entry.line;
+            if (grid.without_unit.empty()) grid.without_unit = entry.key;
+            continue;
+        }
+        if (!written.empty() && !is_unit(written, Dimension::length)) continue;
+        const std::string quantity =
+            std::string(entry.value.substr(0, number.length)) + " " + (written.empty() ? unit : std::string(written));
+        const double value =
+            located({.file = name}, [&] { return parse_quantity(quantity, Dimension::length, entry.key); });
+        if (!(value > 0))
+            located({.file = name, .line = entry.line}, [&] {
+                fstiff::detail::refuse(shown_cell(entry.key), number_text(value) + " m", "greater than 0");
+            });
+        const auto store = [&](std::optional<StatedGrid::Length>& slot) {
+            if (slot && slot->value != value)
+                refuse_line(name, entry.line,
+                            {shown_cell(entry.key), " disagrees with line ", slot->line, "; must be one value"});
+            slot = StatedGrid::Length{value, entry.line, unit_from, std::string(unit_from.empty() ? written : "")};
+        };
+        if (width) store(grid.width);
+        if (height) store(grid.height);
+        if (dx) store(grid.dx);
+        if (dy) store(grid.dy);
+    }
+    return grid;
+}
+
+bool is_height_unit_key(const std::string& key) {
+    static constexpr std::string_view keys[] = {"value units", "value unit",   "data unit", "data units",
+                                                "z unit",      "z-unit",       "z units",   "height unit",
+                                                "unit",        "height units", "units"};
+    return std::find(std::begin(keys), std::end(keys), key) != std::end(keys) ||
+           is_one_of_words(key, height_unit_words);
+}
+
+StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, const std::string& name) {
+    const HeaderEntry* unit = nullptr;
+    const HeaderEntry* factor = nullptr;
+    for (const HeaderEntry& entry : entries) {
+        if (is_height_unit_key(entry.key)) {
+            if (unit && unit->value != entry.value)
+                refuse_line(name, entry.line,
+                            {"states another unit of the heights than line ", unit->line, "; must be one unit"});
+            unit = &entry;
+        }
+        if (entry.key.starts_with("height conversion factor")) factor = &entry;
+    }
+    return {unit, factor};
+}
+
+MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::string_view given, const std::string& name) {
+    MissingValues missing = given_missing(given, name);
+    if (!missing.from.empty()) return missing;
+    for (const HeaderEntry& entry : entries)
+        for (const char* key : {"nodata value", "nodata", "no data", "no data value", "missing", "missing value",
+                                "missing values", "missing data", "bad value", "bad data", "invalid value",
+                                "invalid data", "undefined value", "fill value", "fillvalue", "null value"})
+            if (const auto number = number_in(unquoted(entry.value), false); entry.key == key && number) {
+                missing.numbers.push_back(*number);
+                missing.from = "line " + std::to_string(entry.line);
+            }
+    return missing;
+}
+
+std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries) {
+    for (const HeaderEntry& entry : entries)
+        if (const auto form = find_named<MapForm>(entry.value);
+            entry.key == "form" && form && *form != MapForm::automatic)
+            return form;
+    return std::nullopt;
+}
+
+}  // namespace fstiff::io::detail

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// What the header of a text states: units of columns, spacings, and the size and form of a map.
+///
+/// Units       lengths in m, once their unit is read
+
+#include "io/column_titles.hpp"
+#include "io/header_words.hpp"
+
+#include <fstiff/io/write.hpp>
+
+namespace fstiff::io::detail {
+
+/// "key: value" or "key = value" of a header.
+struct HeaderEntry {
+    std::string key;    // lower case, blanks for underscores
+    std::string value;  // with a decimal point
+    std::size_t line;
+};
+
+std::vector<HeaderEntry> header_entries(const NumberTable& table);
+
+/// What a header says about the grid of a matrix: lengths [m], counts.
+struct StatedGrid {
+    struct Length {
+        double value{};
+        std::size_t line{};
+        std::string unit_from{};  // why it is in nm where no unit stands behind it; for a record
+        std::string unit{};       // as it is written; empty where there is none
+        std::string from{};       // where it is no line of the header; for a record
+    };
+    std::optional<Length> width, height, dx, dy;
+    std::optional<std::size_t> columns, rows;
+    std::size_t columns_line{}, rows_line{};
+    std::string without_unit;  // the first length that lacks its unit, for messages
+    std::size_t without_unit_line{};
+
+    bool has_size() const { return (width || dx) && (height || dy); }
+};
+
+/// The entry called \p key; nullptr where there is none.
+const HeaderEntry* find_entry(const std::vector<HeaderEntry>& entries, std::string_view key);
+
+/// A spacing that the header of a profile states, such as "Resolution,0.156 um/sample" or "Punktabstand [um]: 0,5";
+/// with the weight of its last digit [m].
+struct StatedSpacing {
+    double value{}, resolution{};
+    std::size_t line{};
+    std::string text;
+};
+std::optional<StatedSpacing> stated_spacing(const std::vector<HeaderEntry>& entries);
+
+/// \p unit stands where a length has none; "" for refusing to guess.
+StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit, const std::string& name);
+
+/// Whether \p key of a header names the unit of the heights.
+bool is_height_unit_key(const std::string& key);
+
+/// What a header says of one unit of the heights; nullptr where it says nothing.
+struct StatedHeightUnit {
+    const HeaderEntry* unit = nullptr;
+    const HeaderEntry* factor = nullptr;
+};
+StatedHeightUnit stated_height_unit(const std::vector<HeaderEntry>& entries, const std::string& name);
+
+/// What stands for missing points: \p given, or the number that a header states.
+MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::string_view given, const std::string& name);
+
+/// "Form: triples" or "Form: matrix" of a header, as write_csv writes it.
+std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries);
+
+}  // namespace fstiff::io::detail

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Binary files by their first bytes: what a reader of text calls a file that it cannot read, and what to do about it.
+///
+/// Reference   the public descriptions of the formats
+/// Valid       any bytes; the first 4096 decide
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace fstiff::io::detail {
+
+/// What fstiff reads, for messages.
+inline constexpr std::string_view readable_forms =
+    "text (a profile, a matrix, or x, y, z), SDF (ISO 25178-71), X3P, .npy, .gsf, .gwy, .sur or .smd";
+
+/// "is binary: a PNG picture, which is not read; must be ..."; empty when the first bytes are of no format that is
+/// known here.
+std::string known_binary_refusal(std::string_view bytes);
+
+/// Whether a reader may want bytes that begin so, NUL bytes and all: of a binary form, or of text in UTF-16.
+bool may_hold_nul_bytes(std::string_view bytes);
+
+}  // namespace fstiff::io::detail

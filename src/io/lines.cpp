@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/lines.hpp"
+
+namespace fstiff::io::detail {
+
+void refuse_line(const std::string& name, std::size_t line, std::initializer_list<Part> parts) {
+    std::string reason;
+    for (const Part& part : parts) reason += part.text;
+    throw domain_error(reason).with_place({.file = name, .line = line});
+}
+void refuse_file(const std::string& name, std::initializer_list<Part> parts) { refuse_line(name, 0, parts); }
+void refuse_field(const std::string& name, std::string_view field, const std::string& value, std::string_view allowed) {
+    throw domain_error({.parameter = field, .value = value, .allowed = allowed}).with_place({.file = name});
+}
+
+namespace {
+
+/// Says what \p bytes are that are no text.
+[[noreturn]] FSTIFF_COLD void refuse_binary(const std::string& name, std::string_view bytes) {
+    const std::string known = known_binary_refusal(bytes);
+    if (!known.empty()) refuse_file(name, {known});
+    refuse_file(name, {"is binary, or UTF-16 without its byte order mark (it holds NUL bytes); must be ",
+                       readable_forms, "; text in UTF-8, UTF-16 with a byte order mark, or an 8-bit code page"});
+}
+
+}  // namespace
+
+void append_bytes(std::istream& input, const std::string& name, std::string& bytes) {
+    std::vector<char> chunk(std::size_t(1) << 16);
+    while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), input.gcount() > 0) {
+        const std::string_view block(chunk.data(), static_cast<std::size_t>(input.gcount()));
+        bytes += block;
+        if (block.find('\0') != std::string_view::npos && !may_hold_nul_bytes(bytes)) return;
+        if (bytes.size() > most_bytes) refuse_file(name, {"is longer than 2^31 bytes (2 GiB); must be shorter"});
+    }
+    if (input.bad()) throw file_error(name, "cannot be read to its end; must be a readable file");
+}
+
+NamedBytes read_bytes(std::istream& input, std::string_view name) {
+    NamedBytes file{std::string(name), {}};
+    append_bytes(input, file.name, file.bytes);
+    return file;
+}
+
+NamedBytes read_bytes(const std::filesystem::path& path, std::string_view what) {
+    const std::string name = path.string();
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw file_error(name, "is a folder; must be a file of " + std::string(what));
+    std::ifstream input(path, std::ios::binary);
+    if (!input) throw file_error(name, "cannot be opened; must be an existing, readable file");
+    return read_bytes(input, name);
+}
+
+std::string text_of(std::string bytes, const std::string& name, std::string_view what) {
+    if (is_utf16(bytes)) {
+        std::size_t wrong = 0;
+        auto text = utf8_of_utf16(bytes, wrong);
+        if (!text)
+            refuse_file(name, {"begins as UTF-16, but byte ", wrong + 1,
+                               " begins no whole character of it; must be UTF-16 throughout, or UTF-8"});
+        bytes = std::move(*text);
+    }
+    if (bytes.find('\0') != std::string::npos || !known_binary_refusal(bytes).empty()) refuse_binary(name, bytes);
+    if (bytes.empty()) refuse_file(name, {"is empty; must be delimited text with " + std::string(what)});
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+    return bytes;
+}
+
+std::vector<Line> lines_of(std::string_view text, const std::string& name, std::size_t& count) {
+    constexpr std::size_t longest = std::size_t(1) << 20;
+    const char end_of_line = text.find('\n') == std::string_view::npos ? '\r' : '\n';
+    std::vector<Line> lines;
+    count = 0;
+    while (!text.empty()) {
+        const std::size_t end = (std::min)(text.find(end_of_line), text.size());
+        ++count;
+        if (end > longest) refuse_line(name, count, {"is longer than 2^20 characters; must be shorter"});
+        // a tab at the end of a line may be an empty cell: only blanks and carriage returns go
+        std::string_view line = text.substr(0, end);
+        while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+        while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+        if (!trimmed(line).empty()) lines.push_back({line, count});
+        text.remove_prefix((std::min)(end + 1, text.size()));
+    }
+    return lines;
+}
+
+}  // namespace fstiff::io::detail

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/map_text.hpp"
+
+#include "io/matrix_unit.hpp"
+
+namespace fstiff::io {
+
+namespace detail {
+
+namespace {
+
+/// What was decided, for the record.
+struct MapNotes {
+    std::string units, units_from;  // of x and y (where the file needs them) and of the heights
+    std::string size_from;          // where dx and dy come from
+    std::string columns;  // which columns are used, or what the axes are; empty where all are heights or triples
+    std::string columns_key = "columns";
+};
+
+/// Everything that reading one map needs to pass between its steps. The text must outlive it.
+class MapTextReader : public MapTable {
+public:
+    MapTextReader(MapTable table, SurfaceFormat form, const SurfaceOptions& options)
+        : MapTable(std::move(table)), triples_(form == SurfaceFormat::triples), options_(options) {}
+
+    Reading read() {
+        table(options_.missing);
+        given_units_ =
+            given_units(options_.units, 3, name_, "one unit, or \"um,nm\" (x and y, heights), or \"um,um,nm\"");
+        if (given_units_.size() > 1) lateral_unit_ = given_units_.front();
+        stated_ = stated_grid(entries_, lateral_unit_, name_);
+        warn_of_lengths();
+        RawMap map = triples_ ? triples() : matrix();
+        located({.file = name_}, [&] { validate_map(map, 2); });
+        describe(map);
+        return {std::move(map), std::move(record_)};
+    }
+
+private:
+    void describe(const RawMap& map) {
+        table_.say_layout(record_);
+        record_.say("units", notes_.units + ", from " + notes_.units_from);
+        record_.say("spacing", "from " + notes_.size_from);
+        record_.say_points(map, table_.missing.note());
+        if (!notes_.columns.empty()) record_.say(notes_.columns_key, notes_.columns);
+    }
+
+    static constexpr std::array<const char*, 3> axis_names{"x", "y", "the heights"};
+
+    /// Puts on record which columns of the file are used, unless all are.
+    void note_columns() {
+        std::string used, left;
+        for (std::size_t c = 1; c <= titles_.size(); ++c) {
+            std::string& list = std::count(columns_.begin(), columns_.end(), c) > 0 ? used : left;
+            list += (list.empty() ? "" : ", ") + std::to_string(c);
+        }
+        if (!left.empty() && triples_) used = "x, y and heights in " + used;
+        if (!left.empty()) notes_.columns = used + "; left out: " + left;
+    }
+
+    bool size_given() const { return options_.dx || options_.dy || options_.width || options_.height; }
+
+    RawMap triples() {
+        if (begins_with_triples()) keep_columns({0, 1, height_column()});
+        note_columns();
+        if (table_.columns != 3) refuse_file(name_, {"has ", table_.columns, " columns; triples must have 3: x, y, z"});
+        if (size_given())
+            refuse_file(name_, {"holds x, y, z triples, whose size is in the file; dx, dy, width and height must not "
+                                "be given"});
+        for (std::size_t r = 0; r < table_.rows(); ++r)
+            if (std::isnan(table_.at(r, 0)) || std::isnan(table_.at(r, 1)))
+                refuse_line(name_, table_.row_lines[r], {"has no position; x and y must be finite decimal numbers"});
+        if (!grid())
+            refuse_file(name_, {"has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
+                                "y, of which a tenth of the points at least is there"});
+        const GridAxis &x = grid()->x, &y = grid()->y;
+        const auto [x_unit, y_unit, z_unit] = is_zygo() ? units_of_zygo() : units_of_triples();
+        RawMap map;
+        std::vector<double> z(table_.rows());
+        for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
+        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, height_unit_,
+                     [&](std::size_t r) { return table_.row_lines[r]; });
+        for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
+        record_.resolution = table_.printed[2].resolution() * z_unit;
+        map.rows = y.count;
+        map.columns = x.count;
+        map.heights = heights_on(*grid(), table_, name_);
+        for (double& height : map.heights) height *= z_unit;
+        notes_.size_from = "steps of x and y";
+        map.dx = step_of(x, x_unit, stated_.dx);
+        map.dy = step_of(y, y_unit, stated_.dy);
+        return map;
+    }
+
+    /// The step of an axis [m]; as stated in the header when both agree, without the rounding of the positions.
+    double step_of(const GridAxis& axis, double unit, const std::optional<StatedGrid::Length>& stated) {
+        const double step = axis.step * unit;
+        if (!stated) return step;
+        if (!(std::abs(step - stated->value) <= 0.01 * step))
+            refuse_line(name_, stated->line,
+                        {stated->value, " m disagrees with the positions, whose step is ", step, " m; must agree"});
+        if (!(std::abs(step - stated->value) <= 1e-9 * step)) return step;
+        notes_.size_from = "line " + std::to_string(stated->line) + ", with which the steps of x and y agree";
+        return stated->value;
+    }
+
+    /// The units of x, y and the heights [m].
+    std::array<double, 3> units_of_triples() {
+        FreeColumns free(titles_.size(), true);
+        for (std::size_t k = 0; k < 3; ++k) free[columns_[k] - 1] = false;
+        if (titles_.size() == 3) free.clear();
+        const TitleUnits found = title_units(table_, titles_.size(), free);
+        std::array<std::string, 3> used, stated;
+        if (!found.units.empty())
+            for (std::size_t k = 0; k < 3; ++k) stated[k] = found.units[columns_[k] - 1];
+        if (!given_units_.empty()) {
+            used = {std::string(given_units_.front()), std::string(given_units_.front()),
+                    std::string(given_units_.back())};
+            if (given_units_.size() == 3) used[1] = given_units_[1];
+            notes_.units_from = "options";
+            for (std::size_t k = 0; k < 3 && !stated[k].empty(); ++k)
+                if (unit_factor(used[k], Dimension::length) != unit_factor(stated[k], Dimension::length))
+                    record_.warnings.push_back(contradiction(
+                        options_.names, "units", shown_cell(options_.units),
+                        found.from + ", which states " + printable(stated[k], 16) + " for " + axis_names[k]));
+        } else {
+            used = stated;
+            notes_.units_from = found.from;
+        }
+        if (used[0].empty())
+            refuse_file(name_,
+                        {"states no units and none are given; must be ", given_as(options_.names, "units", "\"um,nm\""),
+                         " (x and y, heights), each one of ", accepted_units(Dimension::length)});
+        height_unit_ = printable(used[2], 16);
+        notes_.units =
+            "x in " + printable(used[0], 16) + ", y in " + printable(used[1], 16) + ", heights in " + height_unit_;
+        return {unit_factor(used[0], Dimension::length), unit_factor(used[1], Dimension::length),
+                unit_factor(used[2], Dimension::length)};
+    }
+
+    /// Zygo's x and y are pixels, whose size [m] is the seventh number of line 8; its heights are in um unless a
+    /// program was told otherwise.
+    std::array<double, 3> units_of_zygo() {
+        double pixel = 0;
+        for (const Line& line : table_.lines)
+            if (std::vector<std::string_view> cells; line.number == 8) {
+                split_line(line.text, ' ', cells);
+                if (cells.size() > 6) pixel = number_in(cells[6], false).value_or(0);
+            }
+        if (!(pixel > 0) || !std::isfinite(pixel))
+            refuse_line(name_, 8,
+                        {"states no size of a pixel; must hold it as its seventh number [m], greater than 0"});
+        height_unit_ = given_units_.empty() ? "um" : printable(given_units_.back(), 16);
+        notes_.units = "x and y in pixels of " + number_text(pixel) + " m, heights in " + height_unit_;
+        notes_.units_from = given_units_.empty() ? "line 8" : "line 8 and options";
+        if (given_units_.empty())
+            record_.warnings.push_back(
+                "Zygo XYZ states no unit of its heights, which are taken for um; another must be " +
+                given_as(options_.names, "units", "\"nm\""));
+        return {pixel, pixel, unit_factor(height_unit_, Dimension::length)};
+    }
+
+    RawMap matrix() {
+        RawMap map;
+        note_columns();
+        if (axes_) take_axes();
+        const std::size_t columns = table_.columns, rows = table_.rows();
+        if (columns < 2 || rows < 2)
+            refuse_file(name_, {"is a matrix of ", columns, " x ", rows, " points; must have at least 2 a side"});
+        check_count("columns", stated_.columns, stated_.columns_line, columns);
+        check_count("rows", stated_.rows, stated_.rows_line, rows);
+        map.dx = spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns);
+        map.dy = spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows);
+        const double unit = value_unit();
+        mark_missing(table_.values.data(), table_.values.size(), table_.missing, name_, options_.names, height_unit_,
+                     [&](std::size_t i) { return table_.row_lines[i / columns]; });
+        for (std::size_t c = 0; c < std::min<std::size_t>(table_.printed.size(), 3); ++c)
+            record_.resolution = (std::max)(record_.resolution, table_.printed[c].resolution() * unit);
+        map.rows = rows;
+        map.columns = columns;
+        map.heights = std::move(table_.values);
+        for (double& z : map.heights) z *= unit;
+        return map;
+    }
+
+    /// Gives the steps of the axes to what the header states, and takes them out of the table.
+    void take_axes() {
+        const bool numbers = lateral_unit_.empty() && axes_->stated.empty() && axes_->counted;  // of the points
+        std::string unit = lateral_unit_;
+        if (unit.empty() && axes_->stated.size() == 1) unit = axes_->stated.front();
+        if (unit.empty() && !given_units_.empty()) unit = given_units_.front();
+        if (axes_->stated.size() == 1 &&
+            unit_factor(unit, Dimension::length) != unit_factor(axes_->stated.front(), Dimension::length))
+            record_.warnings.push_back(contradiction(options_.names, "units", shown_cell(options_.units),
+                                                     "line " + std::to_string(axes_->line) + ", which states " +
+                                                         printable(axes_->stated.front(), 16) + " for the axes"));
+        if (!numbers && unit.empty() && !size_given() && !stated_.has_size())
+            refuse_line(name_, axes_->line,
+                        {"holds positions, whose unit is ",
+                         axes_->stated.empty() ? "not stated" : "stated twice, with two values", "; must be ",
+                         given_as(options_.names, "units", "\"um,nm\""), " (positions, heights)"});
+        if (!numbers && !unit.empty()) {
+            const double factor = unit_factor(unit, Dimension::length);
+            set_step(stated_.dx, axes_->dx * factor, "dx of the positions in line " + std::to_string(axes_->line));
+            set_step(stated_.dy, axes_->dy * factor, "dy of those in column 1");
+        }
+        notes_.columns_key = "axes";
+        notes_.columns = "the first row and the first column are " +
+                         (numbers ? std::string("numbers of the points")
+                                  : "positions" + (unit.empty() ? std::string() : " in " + printable(unit, 16)));
+        drop_axes(table_, *axes_);
+    }
+
+    void set_step(std::optional<StatedGrid::Length>& slot, double step, const std::string& from) {
+        if (slot && !(std::abs(slot->value - step) <= 0.01 * step) && !size_given())
+            refuse_line(name_, slot->line,
+                        {slot->value, " m disagrees with the axes, whose step is ", step, " m; must agree"});
+        if (!slot) slot = StatedGrid::Length{.value = step, .line = axes_->line, .from = from};
+    }
+
+    /// Warns where the step \p value of the option is another than the \p stated length over \p points.
+    void warn_of_step(const std::string& option, double given, double value,
+                      const std::optional<StatedGrid::Length>& stated, double points) {
+        if (!stated || std::abs(stated->value / points - value) <= 0.01 * value) return;
+        const std::string length = number_text(stated->value) + " m";
+        record_.warnings.push_back(
+            contradiction(options_.names, option, number_text(given) + " m",
+                          stated->from.empty() ? "line " + std::to_string(stated->line) + ", which states " + length
+                                               : stated->from + ", " + length));
+    }
+
+    /// Lengths of the header keep their own units, whatever the options say.
+    void warn_of_lengths() {
+        for (const auto* length : {&stated_.width, &stated_.height, &stated_.dx, &stated_.dy})
+            if (!lateral_unit_.empty() && *length && !(*length)->unit.empty() &&
+                unit_factor((*length)->unit, Dimension::length) != unit_factor(lateral_unit_, Dimension::length)) {
+                record_.warnings.push_back(options_.names.prefix + "units" + options_.names.equals +
+                                           shown_cell(options_.units) + " contradicts line " +
+                                           std::to_string((*length)->line) + ", which states a length in " +
+                                           printable((*length)->unit, 16) + "; that length is used");
+                return;
+            }
+    }
+
+    void check_count(const char* what, const std::optional<std::size_t>& stated, std::size_t line,
+                     std::size_t there) const {
+        if (stated && *stated != there)
+            refuse_line(name_, line, {"states ", *stated, " ", what, " where there are ", there, "; must agree"});
+    }
+
+    double spacing(const std::string& step, const std::string& whole, const std::optional<double>& given_step,
+                   const std::optional<double>& given_whole, const std::optional<StatedGrid::Length>& stated_step,
+                   const std::optional<StatedGrid::Length>& stated_whole, std::size_t count) {
+        const auto points = static_cast<double>(count);
+        const auto note = [&](const std::string& from) {
+            notes_.size_from += (notes_.size_from.empty() ? "" : ", ") + from;
+        };
+        if (given_step && given_whole)
+            refuse_file(name_, {step, " and ", whole, " are both given; must be one of them"});
+        if (given_step || given_whole) {
+            located({.file = name_},
+                    [&] { require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole)); });
+            note((given_step ? step : whole) + " of the options");
+            const double value = given_step ? *given_step : *given_whole / points;
+            warn_of_step(given_step ? step : whole, given_step ? value : *given_whole, value, stated_step, 1);
+            if (!stated_step)
+                warn_of_step(given_step ? step : whole, given_step ? value : *given_whole, value, stated_whole, points);
+            return value;
+        }
+        if (stated_step) {
+            // also with points - 1 steps, which some programs take for the width
+            if (stated_whole && std::abs(stated_whole->value - stated_step->value * (points - 0.5)) >
+                                    0.51 * stated_step->value + 0.01 * stated_whole->value)
+                refuse_line(name_, stated_whole->line,
+                            {"states a ", whole, " that disagrees with the spacing of line ", stated_step->line,
+                             "; must agree, or ", step, " be given"});
+            note(stated_step->from.empty() ? step + " of line " + std::to_string(stated_step->line)
+                                           : stated_step->from);
+            return stated_step->value;
+        }
+        if (stated_whole) {
+            note(whole + " of line " + std::to_string(stated_whole->line) + stated_whole->unit_from);
+            return stated_whole->value / points;
+        }
+        if (!stated_.without_unit.empty())
+            refuse_line(name_, stated_.without_unit_line,
+                        {shown_cell(stated_.without_unit), " has no unit; must be ",
+                         given_as(options_.names, "units", "\"um,nm\""), " (lengths, heights), or dx and dy be given"});
+        refuse_file(name_, {"is a matrix that states no physical size, and none is given; must be ",
+                            given_steps(options_.names), " (between points) or width and height (of the map)"});
+    }
+
+    /// One unit of the heights [m].
+    double value_unit() {
+        const std::string_view given = given_units_.empty() ? std::string_view() : given_units_.back();
+        MatrixUnit unit = matrix_unit(entries_, given, name_, options_.names);
+        if (!unit.contradicted.empty())
+            record_.warnings.push_back(
+                contradiction(options_.names, "units", shown_cell(options_.units), unit.contradicted));
+        height_unit_ = std::move(unit.shown);
+        notes_.units = "heights in " + unit.text;
+        notes_.units_from = std::move(unit.from);
+        return unit.factor;
+    }
+
+    bool triples_;  // else a matrix
+    const SurfaceOptions& options_;
+    MapNotes notes_;
+    Record record_;
+    std::vector<std::string_view> given_units_;
+    std::string lateral_unit_, height_unit_;
+    StatedGrid stated_;
+};
+
+}  // namespace
+
+}  // namespace detail
+
+Reading read_map(detail::MapTable table, SurfaceFormat form, const SurfaceOptions& options) {
+    return detail::MapTextReader(std::move(table), form, options).read();
+}
+
+}  // namespace fstiff::io

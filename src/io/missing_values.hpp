@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Numbers that stand for missing points, such as -9999 or 1e20: told by an option or by the header, else noticed and
+/// refused, for as heights they would be measured.
+///
+/// A number is suspected that is the highest or the lowest of all, and lies beyond the range of the rest by
+///     10 times that range, where it stands there twice or more;
+///     a quarter of that range, where it is besides one that instruments and programs use so (-9999, -32768, 1e20).
+/// A plateau, such as that of heights beyond the range of an instrument, adjoins the rest and is not suspected.
+///
+/// Units       those of the file
+/// Valid       heights finite or NaN (missing)
+
+#include "io/lines.hpp"
+#include "io/option_names.hpp"
+
+namespace fstiff::io::detail {
+
+/// What stands for a missing point beside an empty cell and the words of is_missing_word().
+struct MissingValues {
+    std::vector<double> numbers;
+    std::vector<std::string> words;  // lower case
+    std::string from;                // "options" or "line 6"; empty when nothing is said
+
+    bool has(double value) const {
+        return std::any_of(numbers.begin(), numbers.end(), [&](double number) {
+            // a number of single precision may be printed with fewer digits here than there
+            return std::abs(value - number) <= 1e-7 * std::abs(number);
+        });
+    }
+    bool has_word(std::string_view cell) const {
+        return !words.empty() && std::find(words.begin(), words.end(), lower_case(cell)) != words.end();
+    }
+    /// The numbers and words, for a record.
+    std::string text() const {
+        std::string all;
+        const auto add = [&](const std::string& one) { all += (all.empty() ? "" : ", ") + one; };
+        for (const double number : numbers) add(number_text(number));
+        for (const std::string& word : words) add(shown_cell(word));
+        return all.empty() ? "no number" : all;
+    }
+    /// " (-9999, from line 6)" behind a count of missing points; empty when nothing is said.
+    std::string note() const { return from.empty() ? "" : " (" + text() + ", from " + from + ")"; }
+};
+
+/// "-9999", "-32768,void" or "none". \throws domain_error for an empty one.
+MissingValues given_missing(std::string_view text, const std::string& name);
+
+/// A number that may stand for missing points.
+struct Suspect {
+    double value{};
+    std::size_t times{}, first{};  // how often, and where first
+    double low{}, high{};          // the range of the rest
+};
+
+/// The number among the \p count heights that may stand for missing points; none when all look like heights.
+std::optional<Suspect> suspected_missing(const double* heights, std::size_t count);
+
+/// Makes NaN of the heights that \p missing names; when it says nothing, \throws domain_error for a suspected one.
+/// \p line_of(i) is the line of height i, \p unit what their numbers are in.
+template <class LineOf>
+void mark_missing(double* heights, std::size_t count, const MissingValues& missing, const std::string& name,
+                  const OptionNames& names, const std::string& unit, const LineOf& line_of) {
+    if (!missing.numbers.empty())
+        for (std::size_t i = 0; i < count; ++i)
+            if (missing.has(heights[i])) heights[i] = std::numeric_limits<double>::quiet_NaN();
+    if (missing.from == "options") return;
+    const auto found = suspected_missing(heights, count);
+    if (!found) return;
+    const std::string value = number_text(found->value);
+    refuse_line(name, line_of(found->first),
+                {"height ", value, " ", unit, " stands here",
+                 (found->times == 1 ? std::string() : " and " + std::to_string(found->times - 1) + " times more"),
+                 ", far outside the others, which are ", found->low, " to ", found->high, " ", unit,
+                 "; a number that stands for missing points must be ", given_as(names, "missing", "\"" + value + "\""),
+                 ", and true heights confirmed by ", names.prefix, "missing", names.equals, "none"});
+}
+
+}  // namespace fstiff::io::detail

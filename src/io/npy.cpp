@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/npy.hpp"
+
+namespace fstiff::io {
+
+bool is_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
+
+namespace detail {
+
+namespace {
+
+/// What the file states.
+struct NpyHeader {
+    std::string type;  // as NumPy writes it: "<f8"
+    bool fortran_order{};
+    std::size_t columns{}, rows{};
+    std::string missing_note;  // of the numbers that stand for missing points
+    std::string unit;          // of the heights
+    std::string size_from;     // where the spacings come from
+    std::size_t trailer{};     // bytes after the heights
+    double resolution{};       // step in which integers count [m]; 0 of numbers of floating point
+};
+
+Record record_of(const NpyHeader& file, const RawMap& map) {
+    Record record;
+    record.say("form", "NumPy array of " + file.type + ", in the order of " + (file.fortran_order ? "Fortran" : "C"));
+    record.say("units", "heights in " + file.unit + ", from options");
+    record.say("spacing", "from " + file.size_from);
+    record.say_points(map, file.missing_note);
+    record.say_trailer(file.trailer);
+    record.resolution = file.resolution;
+    return record;
+}
+
+class NpyReader {
+public:
+    NpyReader(std::string_view bytes, std::string_view name, const SurfaceOptions& options)
+        : rest_(bytes), name_(name), options_(options) {}
+
+    Reading read() {
+        if (!is_npy(rest_)) refuse_file(name_, {"does not begin as an array of NumPy; must begin with \\x93NUMPY"});
+        read_header(header());
+        check_type();
+        check_shape();
+        RawMap map;
+        set_steps(map);
+        const double unit = height_unit();
+        read_heights(map);
+        missing_points(map);
+        for (double& z : map.heights) z *= unit;
+        set_spacings(map, map.dx, map.dy, name_);
+        if (type_ != 'f') header_.resolution = unit;
+        Record record = record_of(header_, map);
+        return {std::move(map), std::move(record)};
+    }
+
+private:
+    /// The text of the header; the numbers are the rest.
+    std::string_view header() {
+        const auto cut_short = [&] { refuse_file(name_, {"ends in its header; must have all of it"}); };
+        if (rest_.size() < 8) cut_short();
+        const int version = static_cast<unsigned char>(rest_[6]);
+        if (version < 1 || version > 3) refuse_field(name_, "version", std::to_string(version), "1, 2 or 3");
+        const std::size_t width = version == 1 ? 2 : 4;
+        if (rest_.size() < 8 + width) cut_short();
+        const auto length = static_cast<std::size_t>(unsigned_at(rest_.substr(8, width), false));
+        if (rest_.size() - 8 - width < length) cut_short();
+        const std::string_view text = rest_.substr(8 + width, length);
+        rest_.remove_prefix(8 + width + length);
+        return text;
+    }
+
+    [[noreturn]] void refuse_header(std::string_view at) const {
+        refuse_file(name_, {"has a header that goes wrong at ", shown_cell(at),
+                            "; must be such as {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }, of plain "
+                            "numbers and not of records"});
+    }
+
+    /// The dictionary of Python, in any order of its keys.
+    void read_header(std::string_view text) {
+        const auto next = [&] { return (text = trimmed(text)).empty() ? '\0' : text.front(); };
+        const auto expect = [&](char sign) {
+            if (next() != sign) refuse_header(text);
+            text.remove_prefix(1);
+        };
+        const auto quoted = [&] {
+            const char quote = next();
+            const std::size_t end = quote == '\'' || quote == '"' ? text.find(quote, 1) : std::string_view::npos;
+            if (end == std::string_view::npos) refuse_header(text);
+            const std::string_view inner = text.substr(1, end - 1);
+            text.remove_prefix(end + 1);
+            return inner;
+        };
+        bool ordered = false, shaped = false;
+        expect('{');
+        while (next() != '}') {
+            const std::string_view key = quoted();
+            expect(':');
+            if (key == "descr") {
+                header_.type = printable(quoted(), 20);
+            } else if (key == "fortran_order") {
+                next();
+                header_.fortran_order = text.starts_with("True");
+                if (!header_.fortran_order && !text.starts_with("False")) refuse_header(text);
+                text.remove_prefix(header_.fortran_order ? 4 : 5);
+                ordered = true;
+            } else if (key == "shape") {
+                expect('(');
+                shape_.clear();
+                for (; next() != ')'; next() == ',' ? text.remove_prefix(1) : void()) shape_.push_back(count(text));
+                expect(')');
+                shaped = true;
+            } else {
+                refuse_header(key);
+            }
+            if (next() == ',') text.remove_prefix(1);
+        }
+        if (header_.type.empty() || !ordered || !shaped)
+            refuse_file(name_, {"has a header without descr, fortran_order or shape; must have all three"});
+    }
+
+    /// The whole number that \p text begins with, which is taken from it; below 2^32.
+    std::size_t count(std::string_view& text) const {
+        std::uint64_t value = 0;
+        std::size_t digits = 0;
+        for (; digits < text.size() && is_digit(text[digits]) && value < std::uint64_t(1) << 32; ++digits)
+            value = 10 * value + static_cast<std::uint64_t>(text[digits] - '0');
+        if (digits == 0 || value >= std::uint64_t(1) << 32) refuse_header(text);
+        text.remove_prefix(digits);
+        if (text.starts_with('L')) text.remove_prefix(1);  // Python 2
+        return static_cast<std::size_t>(value);
+    }
+
+    void check_type() {
+        const std::string_view type = header_.type;
+        const bool known =
+            type.size() == 3 && std::string_view("<>|").find(type[0]) != std::string_view::npos &&
+            (type.substr(1) == "f4" || type.substr(1) == "f8" ||
+             ((type[1] == 'i' || type[1] == 'u') && std::string_view("1248").find(type[2]) != std::string_view::npos));
+        if (!known || (type[0] == '|' && type[2] != '1'))
+            refuse_field(name_, "descr", shown_cell(type),
+                         "f4, f8, i1, i2, i4, i8, u1, u2, u4 or u8 behind < or > (or | before i1 and u1)");
+        big_ = type[0] == '>';
+        type_ = type[1];
+        size_ = static_cast<std::size_t>(type[2] - '0');
+    }
+
+    void check_shape() {
+        if (shape_.empty() || shape_.size() > 2)
+            refuse_file(name_, {"has ", shape_.size(), " dimensions; must have 1 (a profile) or 2 (a map)"});
+        header_.rows = shape_.size() == 1 ? 1 : shape_[0];
+        header_.columns = shape_.back();
+        if (header_.columns == 1) std::swap(header_.rows, header_.columns);  // one column is a profile too
+        if (header_.rows == 0 || header_.columns < 2)
+            refuse_field(name_, "shape", std::to_string(header_.rows) + " x " + std::to_string(header_.columns),
+                         "at least 2 numbers");
+        // both below 2^32: the product fits into 64 bits
+        const std::uint64_t points = std::uint64_t(header_.rows) * header_.columns;
+        if (points > rest_.size() / size_)
+            refuse_file(name_, {"declares ", header_.rows, " x ", header_.columns, " numbers of ", size_,
+                                " bytes, but holds ", rest_.size(), " bytes of them; must hold all"});
+        header_.trailer = rest_.size() - static_cast<std::size_t>(points) * size_;
+    }
+
+    void set_steps(RawMap& map) {
+        if (header_.rows == 1) {
+            if (options_.dx || options_.dy || options_.width || options_.height)
+                refuse_file(name_, {"holds a profile; must be given spacing, and not dx, dy, width or height"});
+            if (!options_.spacing)
+                refuse_file(name_, {"states no steps and none are given; must be ",
+                                    given_as(options_.names, "spacing", "\"0.5 um\"")});
+            map.dx = map.dy = step("spacing", options_.spacing, "", std::nullopt, 1);
+        } else {
+            if (options_.spacing)
+                refuse_file(name_, {"holds a map; must be given dx and dy, or width and height, and not spacing"});
+            map.dx = step("dx", options_.dx, "width", options_.width, header_.columns);
+            map.dy = step("dy", options_.dy, "height", options_.height, header_.rows);
+        }
+    }
+
+    double step(const char* each, const std::optional<double>& given, const char* whole,
+                const std::optional<double>& given_whole, std::size_t points) {
+        if (given && given_whole) refuse_file(name_, {each, " and ", whole, " are both given; must be one of them"});
+        if (!given && !given_whole)
+            refuse_file(name_, {"states no steps; must be ", given_steps(options_.names),
+                                " (between points), or width and height (of the map)"});
+        const char* const what = given ? each : whole;
+        located({.file = name_}, [&] { require_positive(what, given ? *given : *given_whole); });
+        header_.size_from += std::string(header_.size_from.empty() ? "" : ", ") + what + " of the options";
+        return given ? *given : *given_whole / static_cast<double>(points);
+    }
+
+    double height_unit() {
+        const auto given = given_units(options_.units, 3, name_, "one unit, or \"um,nm\" (x and y, heights)");
+        if (given.empty())
+            refuse_file(name_,
+                        {"states no unit of the heights and none is given; must be ",
+                         given_as(options_.names, "units", "\"um\""), ", one of ", accepted_units(Dimension::length)});
+        header_.unit = std::string(given.back());
+        return unit_factor(given.back(), Dimension::length);
+    }
+
+    double number(std::size_t index) const {
+        const std::string_view bytes = rest_.substr(index * size_, size_);
+        return type_ == 'f'   ? real_at(bytes, big_)
+               : type_ == 'i' ? static_cast<double>(signed_at(bytes, big_))
+                              : static_cast<double>(unsigned_at(bytes, big_));
+    }
+
+    void read_heights(RawMap& map) {
+        const std::size_t rows = header_.rows, columns = header_.columns;
+        allocate(map, rows, columns);
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::size_t column = 0; column < columns; ++column) {
+                const double z = number(header_.fortran_order ? column * rows + row : row * columns + column);
+                if (std::isinf(z))
+                    refuse_file(name_, {"holds infinity in row ", row + 1, ", column ", column + 1,
+                                        "; must hold finite numbers, or NaN for missing points"});
+                map.heights[row * columns + column] = z;
+            }
+    }
+
+    void missing_points(RawMap& map) {
+        const MissingValues missing = given_missing(options_.missing, name_);
+        header_.missing_note = missing.note();
+        mark_missing(map.heights.data(), map.heights.size(), missing, name_, options_.names, header_.unit,
+                     [](std::size_t) { return std::size_t(0); });
+    }
+
+    std::string_view rest_;
+    std::string name_;
+    const SurfaceOptions& options_;
+    NpyHeader header_;
+    std::vector<std::size_t> shape_;
+    bool big_ = false;
+    char type_ = 'f';
+    std::size_t size_ = 8;
+};
+
+}  // namespace
+
+}  // namespace detail
+
+Reading read_npy(std::string_view bytes, std::string_view name, const SurfaceOptions& options) {
+    return detail::NpyReader(bytes, name, options).read();
+}
+
+}  // namespace fstiff::io

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// The numbers of text: what the readers of fstiff share of blanks, cells and decimal numbers.
+///
+/// Valid       finite decimal numbers; the decimal sign is the point in every locale, or the comma where a file says so
+/// Accuracy    correctly rounded (tests/io/quantity_test.cpp)
+
+#include <fstiff/core/text.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace fstiff::io::detail {
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+constexpr std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+/// ASCII only: the locale has no say.
+std::string lower_case(std::string_view text);
+
+/// How many bytes the UTF-8 character takes that \p text begins with; 0 where there is none.
+constexpr std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (text.empty()) return 0;
+    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xC2 ? 0 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 0;
+    if (length == 0 || length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    if (byte(0) == 0xE0 && byte(1) < 0xA0) return 0;  // two bytes would do
+    if (byte(0) == 0xED && byte(1) > 0x9F) return 0;  // half a character of UTF-16
+    return length;
+}
+
+/// \p text as a message may show it: printable whatever the file holds, no longer than \p longest characters. Letters
+/// and signs of UTF-8 stay, those of an 8-bit code page (\xB5 is the micro sign) become UTF-8, all else becomes "?".
+std::string printable(std::string_view text, std::size_t longest);
+
+/// A cell for a message: short, and printable.
+std::string shown_cell(std::string_view cell);
+
+/// A number for a message, whatever the locale.
+std::string number_text(double value);
+
+enum class NumberStatus { ok, no_number, out_of_range };
+
+struct LeadingNumber {
+    double value{};
+    std::size_t length{};  // characters taken
+    NumberStatus status = NumberStatus::no_number;
+};
+
+/// The decimal number that \p text begins with, times 10^\p exponent, correctly rounded. No blanks, no "inf", no "nan".
+LeadingNumber leading_number(std::string_view text, int exponent = 0);
+
+/// The power of ten of the last digit of the number that fills \p cell.
+double last_digit_of(std::string_view cell);
+
+/// The number that fills \p cell, which may have a Fortran exponent as 1.0D-02 has; none when something else does, as
+/// where a point is in a number whose decimal sign is the comma: it may separate thousands. What is too small for a
+/// double counts as zero; what is too large is infinite, to be refused by the caller.
+std::optional<double> number_in(std::string_view cell, bool decimal_comma);
+
+/// The words that stand for a missing point, for messages.
+inline constexpr std::string_view missing_words_text = "nan, NA, N/A, BAD, No Data or ***";
+
+/// Whether \p cell is a word that stands for a missing point: those above in any case, and their like.
+bool is_missing_word(std::string_view cell);
+
+/// To how many digits the numbers of a column are printed, trailing zeros dropped or not.
+class PrintedDigits {
+public:
+    /// \p value is what fills \p cell.
+    void add(std::string_view cell, double value) {
+        const double last_digit = last_digit_of(cell);
+        finest_ = (std::min)(finest_, last_digit);
+        if (value == 0) return;
+        const double first_digit = std::floor(std::log10(std::abs(value)));
+        largest_ = (std::max)(largest_, first_digit);
+        significant_ = (std::max)(significant_, first_digit - last_digit + 1);
+    }
+    /// Weight of the last digit of the largest number: as many decimals, or as many significant digits, as any other.
+    /// 0 where there is no number.
+    [[nodiscard]] double resolution() const {
+        return finest_ < infinite ? std::pow(10.0, (std::max)(finest_, largest_ - significant_ + 1)) : 0;
+    }
+
+private:
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
+    double finest_ = infinite, largest_ = -infinite, significant_ = 0;
+};
+
+}  // namespace fstiff::io::detail

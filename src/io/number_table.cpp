@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/number_table.hpp"
+
+namespace fstiff::io {
+
+namespace detail {
+
+std::string_view unquoted(std::string_view cell) {
+    cell = trimmed(cell);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
+    return cell;
+}
+
+void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    cells.clear();
+    if (separator == ' ') {
+        for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+            std::size_t end = (std::min)(line.find_first_of(" \t"), line.size());
+            if ((line[0] == 'N' || line[0] == 'n') && lower_case(line.substr(0, 7)) == "no data") end = 7;  // one cell
+            cells.push_back(unquoted(line.substr(0, end)));
+            line.remove_prefix(end);
+        }
+    } else {
+        while (true) {
+            const std::size_t end = (std::min)(line.find(separator), line.size());
+            cells.push_back(unquoted(line.substr(0, end)));
+            if (end == line.size()) break;
+            line.remove_prefix(end + 1);
+        }
+    }
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+}
+
+void split_row(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    split_line(line, separator, cells);
+    if (separator != ' ') cells.resize(static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1);
+}
+
+namespace {
+
+/// Whether the cells are numbers, each with one decimal sign or the other, or words for missing points; words alone
+/// need to be several, or letters, since a line of asterisks or dashes may be an ornament.
+bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma) {
+    std::size_t numbers = 0, words = 0, ornaments = 0;
+    for (const std::string_view cell : cells) {
+        if (cell.empty()) continue;
+        if (number_in(cell, decimal_comma) || number_in(cell, false)) {
+            ++numbers;
+            continue;
+        }
+        if (!is_missing_word(cell)) return false;
+        ++words;
+        ornaments += cell.front() == '-' || (cell.front() == '*' && cells.size() == 1);
+    }
+    return numbers > 0 || (words > 0 && ornaments == 0);
+}
+
+/// How the line reads as a row of numbers and missing points; none when it does not.
+std::optional<Dialect> dialect_of(std::string_view line) {
+    std::vector<std::string_view> cells;
+    std::vector<Dialect> candidates;
+    if (line.find(';') != std::string_view::npos)
+        candidates = {{';', false}, {';', true}};
+    else if (line.find('\t') != std::string_view::npos && line.find(',') == std::string_view::npos)
+        candidates = {{'\t', false}, {' ', false}};
+    else if (line.find('\t') != std::string_view::npos)
+        candidates = {{'\t', true}, {',', false}};
+    else if (line.find(',') != std::string_view::npos)
+        candidates = {{',', false}, {' ', true}};
+    else
+        candidates = {{' ', false}};
+    // "1,5 2,5": commas inside what blanks separate are decimal; "1, 5" is not
+    if (candidates.front().separator == ',' && line.find(' ') != std::string_view::npos) {
+        split_line(line, ' ', cells);
+        if (cells.size() > 1 && all_numbers(cells, true)) return Dialect{' ', true};
+    }
+    for (const Dialect& dialect : candidates) {
+        split_line(line, dialect.separator, cells);
+        if (all_numbers(cells, dialect.decimal_comma)) return dialect;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
+
+bool is_comment(std::string_view line) {
+    line = trimmed(line);
+    if (line.starts_with('#') || line.starts_with('%') || line.starts_with('!') || line.starts_with("//")) return true;
+    return line.starts_with(';') && !dialect_of(line);
+}
+
+namespace {
+
+/// Whether \p cell is a number with points and commas, as 1.000,5 or 1,000.5 is.
+bool is_grouped(std::string_view cell) {
+    return cell.find_first_of(".,") != cell.find_last_of(".,") &&
+           cell.find_first_not_of("+-0123456789.,") == std::string_view::npos;
+}
+
+[[noreturn]] void refuse_sign(const std::string& name, std::size_t line, std::string_view cell, bool comma) {
+    refuse_line(name, line,
+                {shown_cell(cell), " is no number where the decimal sign is the ", comma ? "comma" : "point",
+                 "; allowed are numbers with one decimal sign, without separators of thousands"});
+}
+
+/// Refuses a row that would be one of numbers but for separators of thousands.
+void refuse_grouped_rows(const NumberTable& table, const std::string& name) {
+    std::vector<std::string_view> cells;
+    for (const Line& line : table.lines)
+        for (const char separator : {';', '\t', ' '}) {
+            split_line(line.text, separator, cells);
+            const auto grouped = std::find_if(cells.begin(), cells.end(), is_grouped);
+            if (cells.size() > 1 && grouped != cells.end() && std::all_of(cells.begin(), cells.end(), [](auto cell) {
+                    return number_in(cell, true) || number_in(cell, false) || is_grouped(cell);
+                }))
+                refuse_sign(name, line.number, *grouped, grouped->rfind(',') > grouped->rfind('.'));
+        }
+}
+
+/// The first of \p lines that may be a row of numbers.
+std::size_t first_candidate(const std::vector<Line>& lines) {
+    if (!lines.front().text.starts_with(zygo_xyz_begin)) return 0;
+    const auto end = std::find_if(lines.begin(), lines.end(), [](const Line& line) { return line.text == "#"; });
+    return static_cast<std::size_t>(end - lines.begin());
+}
+
+}  // namespace
+
+void NumberTable::say_layout(Record& record, bool may_be_one) const {
+    const char sign = dialect.separator;
+    const std::string separator = may_be_one && columns == 1 && sign == ' ' ? "none"
+                                  : sign == ','                             ? "comma"
+                                  : sign == ';'                             ? "semicolon"
+                                  : sign == '\t'                            ? "tab"
+                                                                            : "blanks";
+    record.say("separator", separator + ", decimal " + (dialect.decimal_comma ? "comma" : "point"));
+    const std::size_t header = lines[first].number - 1;  // blank lines and comments included
+    record.say("header", std::to_string(header) + (header == 1 ? " line" : " lines"));
+}
+
+void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules) {
+    const std::string wanted = "; must hold " + std::string(rules.holds);
+    if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
+    for (table.first = first_candidate(table.lines); table.first < table.lines.size(); ++table.first) {
+        const std::string_view line = table.lines[table.first].text;
+        if (is_comment(line)) continue;
+        if (const auto dialect = dialect_of(without_comment(line))) {
+            table.dialect = *dialect;
+            break;
+        }
+    }
+    if (table.first == table.lines.size()) refuse_grouped_rows(table, name);
+    if (table.first == table.lines.size())
+        refuse_line(name, table.lines.front().number,
+                    {shown_cell(table.lines.front().text), " is no row of numbers, nor is any line after it", wanted});
+    // the first row alone may hide the decimal commas of "0 1,5" or "0;1,5"
+    for (std::size_t i = table.first; i < table.lines.size() && table.dialect.separator != ','; ++i) {
+        if (is_comment(table.lines[i].text)) continue;
+        const std::size_t sign = without_comment(table.lines[i].text).find_first_of(".,");
+        if (sign == std::string_view::npos) continue;
+        table.dialect.decimal_comma = table.lines[i].text[sign] == ',';
+        break;
+    }
+    std::vector<std::string_view> cells;
+    split_line(without_comment(table.lines[table.first].text), table.dialect.separator, cells);
+    table.columns = cells.size();
+}
+
+NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules) {
+    NumberTable table;
+    table.lines = lines_of(text, name, table.line_count);
+    find_first_row(table, name, rules);
+    return table;
+}
+
+namespace {
+
+/// How many columns a table has whose rows may be short: the first one shows some, others may show more, at most as
+/// many as the first one has separators for.
+std::size_t widest_row(const NumberTable& table) {
+    std::vector<std::string_view> cells;
+    split_row(without_comment(table.lines[table.first].text), table.dialect.separator, cells);
+    const std::size_t written = cells.size();
+    std::size_t columns = table.columns;
+    for (std::size_t i = table.first + 1; i < table.lines.size() && columns < written; ++i) {
+        if (is_comment(table.lines[i].text)) continue;
+        split_line(without_comment(table.lines[i].text), table.dialect.separator, cells);
+        if (cells.size() <= written) columns = (std::max)(columns, cells.size());
+    }
+    return columns;
+}
+
+/// The number in a cell that is not empty. \throws domain_error naming the line.
+double require_number(std::string_view cell, const NumberTable& table, std::size_t line, const std::string& name) {
+    const bool comma = table.dialect.decimal_comma;
+    const auto number = number_in(cell, comma);
+    if (!number && (number_in(cell, !comma) || is_grouped(cell))) refuse_sign(name, line, cell, comma);
+    if (!number)
+        refuse_line(name, line,
+                    {shown_cell(cell), " is no number; allowed are finite decimal numbers (an empty cell, ",
+                     missing_words_text, " is a missing point)"});
+    if (!std::isfinite(*number))
+        refuse_line(name, line,
+                    {shown_cell(cell), " is beyond the range of double precision; allowed are finite numbers"});
+    return *number;
+}
+
+/// A separator at the end of every line makes no column.
+void drop_last_column(NumberTable& table) {
+    const std::size_t old = table.columns--;
+    for (std::size_t r = 1; r < table.rows(); ++r)
+        std::copy_n(table.values.data() + r * old, table.columns, table.values.data() + r * table.columns);
+    table.values.resize(table.rows() * table.columns);
+}
+
+/// What to say of columns between commas where no row holds a point: the comma may be decimal too.
+std::string without_points(const NumberTable& table) {
+    for (std::size_t i = table.first; i < table.lines.size(); ++i)
+        if (!is_comment(table.lines[i].text) && table.lines[i].text.find('.') != std::string_view::npos) return "";
+    return " (a comma cannot be the decimal sign and separate the columns)";
+}
+
+/// Refuses rows such as "0,5,-9,8351", whose comma separates columns and is decimal: every second cell has digits
+/// alone, some with a zero before others, as fractions have and whole numbers do not; or the first two cells of 16 rows
+/// and more, as one number, rise in equal steps.
+void refuse_double_comma(const NumberTable& table, const std::string& name) {
+    if (table.dialect.separator != ',' || table.columns < 4 || table.columns % 2 != 0) return;
+    std::vector<std::string_view> cells;
+    bool zero_before = false;
+    std::vector<double> first;  // of the first two cells as one number
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        const std::string_view line = without_comment(table.lines[i].text);
+        if (is_comment(table.lines[i].text)) continue;
+        if (line.find_first_of(".eE") != std::string_view::npos) return;
+        split_line(line, ',', cells);
+        for (std::size_t c = 1; c < cells.size(); c += 2) {
+            if (cells[c].find_first_not_of("0123456789") != std::string_view::npos) return;
+            zero_before = zero_before || (cells[c].size() > 1 && cells[c].front() == '0');
+        }
+        if (cells.size() < 2 || cells[0].empty() || cells[1].empty()) return;
+        first.push_back(number_in(std::string(cells[0]) + "." + std::string(cells[1]), false).value_or(0));
+    }
+    const double step = first.size() < 16 ? 0 : (first.back() - first.front()) / static_cast<double>(first.size() - 1);
+    bool even = step != 0;
+    for (std::size_t r = 0; r < first.size(); ++r)
+        even = even && std::abs(first[r] - first.front() - static_cast<double>(r) * step) <= 0.01 * std::abs(step);
+    if (zero_before || even)
+        refuse_line(name, table.lines[table.first].number,
+                    {shown_cell(table.lines[table.first].text),
+                     " has commas between its columns and in its numbers; must have another separator, or points for "
+                     "its decimal signs"});
+}
+
+}  // namespace
+
+void read_rows(NumberTable& table, const std::string& name, const TableRules& rules) {
+    const char separator = table.dialect.separator;
+    const auto split = rules.short_rows ? split_line : split_row;
+    std::vector<std::string_view> cells;
+    split(without_comment(table.lines[table.first].text), separator, cells);
+    const std::size_t shown = table.columns;
+    table.columns = rules.short_rows ? widest_row(table) : cells.size();
+    if (rules.short_rows && table.columns > max_short_row_columns)
+        refuse_line(name, table.lines[table.first].number,
+                    {"has ", table.columns, " columns; must be at most ", max_short_row_columns});
+    table.printed.resize(rules.short_rows ? table.columns : std::min<std::size_t>(table.columns, 16));
+    const std::string_view last = table.lines.back().text;
+    const auto bytes = static_cast<std::size_t>(last.data() + last.size() - table.lines[table.first].text.data());
+    const std::size_t most_rows = table.lines.size() - table.first;
+    table.values.reserve(
+        (std::min)(most_rows * table.columns, bytes + most_rows));  // a cell, or its separator, is a byte
+    std::size_t last_cells = 0;                                     // rows with something in their last cell
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        if (i != table.first && is_comment(table.lines[i].text)) continue;
+        const std::size_t line = table.lines[i].number;
+        split(without_comment(table.lines[i].text), separator, cells);
+        if (cells.empty()) continue;
+        // with blanks between them, an empty cell cannot be seen
+        const bool padded = rules.short_rows && separator != ' ' && cells.size() < table.columns;
+        const bool whole = padded || cells.size() == table.columns;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            double value = std::numeric_limits<double>::quiet_NaN();
+            if (!cells[c].empty() && !is_missing_word(cells[c]) && !table.missing.has_word(cells[c])) {
+                value = require_number(cells[c], table, line, name);
+                if (whole && c < table.printed.size() && !table.missing.has(value))
+                    table.printed[c].add(cells[c], value);
+            }
+            if (whole) table.values.push_back(value);
+        }
+        if (!whole)
+            refuse_line(
+                name, line,
+                {"has ", cells.size(), " columns; must be ", table.columns, " as in line ",
+                 table.lines[table.first].number, separator == ',' && cells.size() > 1 ? without_points(table) : ""});
+        if (!cells.back().empty()) ++last_cells;
+        table.row_lines.push_back(line);
+        table.values.resize(table.rows() * table.columns, std::numeric_limits<double>::quiet_NaN());
+    }
+    refuse_double_comma(table, name);
+    if (!rules.short_rows && last_cells == 0 && shown < table.columns && table.columns > 1) drop_last_column(table);
+}
+
+}  // namespace detail
+
+}  // namespace fstiff::io

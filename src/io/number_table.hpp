@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Rows of numbers below a header: separators, cells, and the table that the readers of
+/// text share.
+///
+/// A text is cut into lines once (lines_of), its table opened once (open_table: where the header ends, which
+/// separators), and its numbers parsed once (read_rows).
+///
+/// Valid       lines up to 2^20 characters, files up to 2^31 bytes
+/// Accuracy    numbers are correctly rounded
+
+#include "io/missing_values.hpp"
+#include "io/reading.hpp"
+
+namespace fstiff::io::detail {
+
+struct Dialect {
+    char separator = ' ';  // ' ' stands for any run of blanks and tabs
+    bool decimal_comma = false;
+};
+
+std::string_view unquoted(std::string_view cell);
+
+/// The cells of a line, empty ones included except at its end.
+void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells);
+
+/// The cells of a line, empty ones at its end included.
+void split_row(std::string_view line, char separator, std::vector<std::string_view>& cells);
+
+std::string_view without_comment(std::string_view line);
+
+bool is_comment(std::string_view line);
+
+/// What the rows of a table may look like.
+struct TableRules {
+    std::string_view holds;   ///< what must be there, for messages
+    bool short_rows = false;  ///< empty cells at the end of a row may be left out, with their separators
+};
+
+/// Columns of a table with short rows, which would take memory that the text does not.
+inline constexpr std::size_t max_short_row_columns = max_profile_columns;
+
+/// Rows of numbers below a header. Views point into the text, which must outlive them.
+struct NumberTable {
+    std::vector<Line> lines;
+    std::size_t line_count{};
+    std::size_t first{};  // of `lines`: the first row
+    Dialect dialect;
+    std::size_t columns{};
+    std::vector<double> values;  // by row; NaN where missing
+    std::vector<std::size_t> row_lines;
+    std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first 16
+    MissingValues missing;               // beside the words that are always missing
+
+    std::size_t rows() const { return row_lines.size(); }
+    double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
+
+    /// Says its separators, which one column has none of where \p may_be_one, and its header.
+    void say_layout(Record& record, bool may_be_one = false) const;
+};
+
+/// The first words of Zygo's XYZ text, whose header holds rows of numbers and ends with a line "#".
+inline constexpr std::string_view zygo_xyz_begin = "Zygo XYZ Data File";
+
+/// Finds the end of the header and the separators. \throws domain_error when no line is a row of numbers.
+void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules);
+
+NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules);
+
+/// Reads the rows of a table that open_table has opened.
+void read_rows(NumberTable& table, const std::string& name, const TableRules& rules);
+
+}  // namespace fstiff::io::detail

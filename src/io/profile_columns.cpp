@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/profile_columns.hpp"
+
+namespace fstiff::io::detail {
+
+namespace {
+
+/// Whether column \p c of \p table rises, or falls, in equal steps, as positions do.
+bool rises_evenly(const NumberTable& table, std::size_t c) {
+    const std::size_t last = table.rows() - 1;
+    const double first = table.at(0, c), step = (table.at(last, c) - first) / static_cast<double>(last);
+    for (std::size_t r = 0; r < table.rows(); ++r)
+        if (!(std::abs(table.at(r, c) - first - static_cast<double>(r) * step) <= 0.6 * std::abs(step))) return false;
+    return step != 0;
+}
+
+/// Without titles, a first column that counts next to one of equal steps may be either. \throws domain_error then.
+void require_no_count(const NumberTable& table, const std::string& name, std::size_t heights,
+                      const std::string& x_option) {
+    if (table.columns < 3 || !titles_above(table).empty() || !counts_points(table, 0, true)) return;
+    for (std::size_t c = 1; c < table.columns; ++c)
+        if (c + 1 != heights && rises_evenly(table, c))
+            refuse_file(name, {"counts the points in column 1, and column ", c + 1,
+                               " rises in equal steps: either may hold the positions; must be told by ", x_option});
+}
+
+}  // namespace
+
+ProfileColumns profile_columns(const NumberTable& table, const std::string& name, const ColumnChoice& choice) {
+    const std::size_t columns = table.columns;
+    const std::string x_option = of_words(choice.names, "x_column");
+    for (const auto& [option, column] : {std::pair<std::string, std::size_t>{"column", choice.column},
+                                         std::pair<std::string, std::size_t>{x_option, choice.x_column}})
+        if (column > columns)
+            refuse_field(name, option, std::to_string(column), "between 1 and " + std::to_string(columns));
+    if (choice.x_column != 0 && choice.x_column == choice.column)
+        refuse_field(name, x_option, std::to_string(choice.x_column), "another column than that of the heights");
+    if (choice.x_column != 0 && choice.spacing)
+        refuse_file(name, {"spacing and ", x_option, " are both given; must be one of them"});
+    ProfileColumns found{.index = index_columns(table)};
+    found.index.resize(columns);
+    if (choice.x_column != 0) found.index[choice.x_column - 1] = false;
+    if (choice.column != 0) found.index[choice.column - 1] = false;
+    std::vector<std::size_t> rest;  // may be positions and heights
+    for (std::size_t c = 1; c <= columns; ++c)
+        if (c != choice.x_column && !found.index[c - 1]) rest.push_back(c);
+    const std::size_t most = choice.x_column != 0 ? 1 : 2;
+    if (choice.column == 0 && (rest.empty() || rest.size() > most))
+        refuse_file(name, {"has ", columns,
+                           " columns; must be one of heights or two of positions and heights, or say which "
+                           "column holds the heights"});
+    found.heights = choice.column != 0 ? choice.column : rest.back();
+    if (choice.x_column != 0)
+        found.positions = choice.x_column;
+    else if (rest.front() != found.heights)
+        found.positions = rest.front();
+    if (choice.x_column == 0 && found.positions == 1 && !choice.spacing)
+        require_no_count(table, name, found.heights, x_option);
+    return found;
+}
+
+}  // namespace fstiff::io::detail

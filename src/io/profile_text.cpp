@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/profile_text.hpp"
+
+namespace fstiff::io {
+
+namespace detail {
+
+namespace {
+
+/// What was decided, for the record.
+struct ProfileNotes {
+    std::size_t height_column{};    // counted from 1
+    std::size_t position_column{};  // counted from 1; 0: none used
+    std::size_t index_column{};     // the first that numbers the points, counted from 1; 0: none
+    std::string position_unit;      // as written; empty when no positions are used
+    std::string height_unit;        // as written
+    std::string units_from;         // "line 28" or "options"
+    std::string spacing_from;
+    bool reversed{};  // positions fell: the heights were turned round
+};
+
+/// Everything that reading one profile needs to pass between its steps. The text must outlive it.
+class ProfileTextReader {
+public:
+    ProfileTextReader(NumberTable table, std::string name, const SurfaceOptions& options)
+        : name_(std::move(name)), options_(options), table_(std::move(table)) {}
+
+    Reading read() {
+        settle_lone_commas();
+        entries_ = header_entries(table_);
+        table_.missing = stated_missing(entries_, options_.missing, name_);
+        read_rows(table_, name_, profile_rules);
+        choose_columns();
+        choose_units();
+        RawMap row;
+        row.rows = 1;
+        row.heights = column(notes_.height_column);
+        mark_missing(row.heights.data(), row.heights.size(), table_.missing, name_, options_.names, notes_.height_unit,
+                     [&](std::size_t i) { return table_.row_lines[i]; });
+        const double unit = unit_factor(notes_.height_unit, Dimension::length);
+        record_.resolution = table_.printed[notes_.height_column - 1].resolution() * unit;
+        for (double& z : row.heights) z *= unit;
+        row.dx = row.dy = spacing();
+        if (resampled_) resample(row.heights);
+        if (notes_.reversed) std::reverse(row.heights.begin(), row.heights.end());
+        row.columns = row.heights.size();
+        if (present(row) < 16) refuse_file(name_, {"holds ", present(row), " points; must be at least 16"});
+        located({.file = name_}, [&] { validate_map(row, 16); });
+        describe(row);
+        return {std::move(row), std::move(record_)};
+    }
+
+private:
+    void describe(const RawMap& row) {
+        table_.say_layout(record_, true);
+        std::string columns =
+            std::to_string(table_.columns) + ", heights in column " + std::to_string(notes_.height_column);
+        if (notes_.position_column != 0) columns += ", positions in column " + std::to_string(notes_.position_column);
+        if (notes_.index_column != 0)
+            columns += ", column " + std::to_string(notes_.index_column) + " numbers the points";
+        record_.say("columns", columns + (notes_.reversed ? ", falling: turned round" : ""));
+        const std::string positions =
+            notes_.position_unit.empty() ? "" : ", positions in " + printable(notes_.position_unit, 16);
+        record_.say("units",
+                    "heights in " + printable(notes_.height_unit, 16) + positions + ", from " + notes_.units_from);
+        record_.say("spacing", "from " + notes_.spacing_from);
+        record_.say_points_of_profile(row, table_.missing.note());
+    }
+
+    /// \p number counted from 1.
+    std::vector<double> column(std::size_t number) const {
+        std::vector<double> values(table_.rows());
+        for (std::size_t r = 0; r < values.size(); ++r) values[r] = table_.at(r, number - 1);
+        return values;
+    }
+
+    /// In "0,12" the comma may separate two columns or be decimal. It separates, unless no row holds a point and the
+    /// columns that it would separate could not be equally spaced positions and heights.
+    void settle_lone_commas() {
+        const std::vector<Line>& lines = table_.lines;
+        if (table_.dialect.separator != ',') return;
+        // titles that the comma separates, each with its unit, settle it
+        if (table_.first > 0 && !units_in(lines[table_.first - 1].text, 2, ',').empty()) return;
+        std::optional<double> before, step;
+        bool positions = true;
+        for (std::size_t i = table_.first; i < lines.size(); ++i) {
+            if (is_comment(lines[i].text)) continue;
+            const std::string_view line = without_comment(lines[i].text);
+            if (line.find_first_of(".eE \t") != std::string_view::npos ||
+                std::count(line.begin(), line.end(), ',') != 1)
+                return;
+            const LeadingNumber number = leading_number(line);
+            if (number.status != NumberStatus::ok || line[number.length] != ',' || number.length + 1 == line.size() ||
+                !is_digit(line[number.length + 1]))
+                return;
+            if (before) {
+                const double next = number.value - *before;
+                positions = positions && next != 0 && (!step || next == *step);
+                step = next;
+            }
+            before = number.value;
+        }
+        if (positions) return;
+        table_.dialect = {' ', true};
+        table_.columns = 1;
+    }
+
+    void choose_columns() {
+        columns_ = profile_columns(table_, name_,
+                                   {.column = options_.column,
+                                    .x_column = options_.x_column,
+                                    .spacing = options_.spacing.has_value(),
+                                    .names = options_.names});
+        notes_.height_column = columns_.heights;
+        notes_.position_column = options_.spacing ? 0 : columns_.positions;
+        notes_.index_column = columns_.first_index();
+    }
+
+    void choose_units() {
+        const std::size_t position = notes_.position_column;
+        const auto given =
+            given_units(options_.units, 2, name_, "one unit, or two such as \"um,nm\" (positions, heights)");
+        const TitleUnits found = columns_.units(table_, position != 0);
+        const auto above = [&](std::size_t column) {
+            return column == 0 ? std::string_view() : found.units[column - 1];
+        };
+        if (!given.empty()) {
+            notes_.height_unit = given.back();
+            if (position != 0) notes_.position_unit = given.front();
+            notes_.units_from = "options";
+            if (!found.units.empty()) {
+                warn_of_unit(above(notes_.height_column), notes_.height_unit, found.from, "the heights");
+                warn_of_unit(above(position), notes_.position_unit, found.from, "the positions");
+            } else if (const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                                       [](const HeaderEntry& one) {
+                                                           return is_height_unit_key(one.key) &&
+                                                                  is_unit(one.value, Dimension::length);
+                                                       });
+                       entry != entries_.end())
+                warn_of_unit(entry->value, notes_.height_unit, "line " + std::to_string(entry->line), "the heights");
+            if (given.size() == 2) unit_of_positions_ = given.front();
+            return;
+        }
+        if (!found.units.empty()) {
+            notes_.height_unit = above(notes_.height_column);
+            notes_.position_unit = above(position);
+            unit_of_positions_ = above(columns_.positions);
+            notes_.units_from = found.from;
+            return;
+        }
+        if (const HeaderEntry* unit = stated_height_unit(entries_, name_).unit;
+            position == 0 && unit && is_unit(unit->value, Dimension::length)) {
+            notes_.height_unit = unit->value;
+            notes_.units_from = "line " + std::to_string(unit->line);
+            return;
+        }
+        refuse_file(name_,
+                    {"states no unit and none is given; must be ", given_as(options_.names, "units", "\"um,nm\""),
+                     " (positions, heights), each one of ", accepted_units(Dimension::length)});
+    }
+
+    /// Warns where \p used is another unit than the \p stated one, where there are both.
+    void warn_of_unit(std::string_view stated, std::string_view used, const std::string& from,
+                      const std::string& what) {
+        if (stated.empty() || used.empty() ||
+            unit_factor(stated, Dimension::length) == unit_factor(used, Dimension::length))
+            return;
+        record_.warnings.push_back(contradiction(options_.names, "units", shown_cell(options_.units),
+                                                 from + ", which states " + printable(stated, 16) + " for " + what));
+    }
+
+    /// Warns where the \p given spacing is another than that of the header, or of the positions.
+    void warn_of_spacing(double given, const std::optional<StatedSpacing>& stated) {
+        const auto warn = [&](const std::string& what) {
+            record_.warnings.push_back(contradiction(options_.names, "spacing", number_text(given) + " m", what));
+        };
+        if (stated) {
+            if (std::abs(given - stated->value) > 0.01 * given + 0.6 * stated->resolution)
+                warn("line " + std::to_string(stated->line) + ", which states " + stated->text);
+            return;
+        }
+        if (columns_.positions == 0 || unit_of_positions_.empty() || table_.rows() < 2) return;
+        const std::size_t last = table_.rows() - 1, c = columns_.positions - 1;
+        const double step = std::abs(table_.at(last, c) - table_.at(0, c)) / static_cast<double>(last) *
+                            unit_factor(unit_of_positions_, Dimension::length);
+        if (std::isfinite(step) && std::abs(given - step) > 0.01 * given + 0.01 * step)
+            warn("column " + std::to_string(columns_.positions) + ", whose mean step is " + number_text(step) + " m");
+    }
+
+    double spacing() {
+        const auto stated = stated_spacing(entries_);
+        if (options_.spacing) {
+            require_positive("spacing", *options_.spacing);
+            warn_of_spacing(*options_.spacing, stated);
+            notes_.spacing_from = "options";
+            return *options_.spacing;
+        }
+        if (notes_.position_column == 0) {
+            if (!stated)
+                refuse_file(name_, {"has no column of positions", numbering(), " and no spacing is given; must be ",
+                                    given_as(options_.names, "spacing", "\"0.5 um\"")});
+            notes_.spacing_from = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
+            return stated->value;
+        }
+        const double unit = unit_factor(notes_.position_unit, Dimension::length);
+        const double step = mean_step() * unit;
+        notes_.spacing_from = "mean step of the positions";
+        if (stated) {
+            const bool same = std::abs(step - stated->value) <= 1e-9 * step;
+            // else rounded to its last digit
+            const bool agrees = same || std::abs(step - stated->value) <= 0.6 * stated->resolution;
+            if (!agrees)
+                refuse_line(name_, stated->line,
+                            {shown_cell(stated->text), " disagrees with the positions, whose mean step is ", step,
+                             " m; must agree, or the spacing be given"});
+            if (same) {
+                // the same number, without the rounding of the positions
+                notes_.spacing_from =
+                    "line " + std::to_string(stated->line) + " (" + stated->text + "), with which the positions agree";
+                return stated->value;
+            }
+            notes_.spacing_from +=
+                ", which agrees with line " + std::to_string(stated->line) + " (" + stated->text + ")";
+        }
+        return step;
+    }
+
+    /// Why a column is not the positions, for messages; empty without one that numbers the points.
+    std::string numbering() const {
+        if (notes_.index_column == 0) return "";
+        const std::string column = std::to_string(notes_.index_column);
+        return " (column " + column + " numbers the points; as positions it must be told by " +
+               of_words(options_.names, "x_column") + options_.names.equals + column + ")";
+    }
+
+    /// Of the positions, in the file's unit, always positive.
+    double mean_step() {
+        const std::vector<double> x = column(notes_.position_column);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            if (std::isnan(x[i]))
+                refuse_line(name_, table_.row_lines[i], {"has no position; allowed are finite decimal numbers"});
+        if (x.size() < 2) refuse_file(name_, {"holds ", x.size(), " points; must be at least 16"});
+        const double mean = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+        const double printed = table_.printed[notes_.position_column - 1].resolution();
+        if (!std::isfinite(mean))
+            refuse_file(name_, {"holds positions beyond the range of double precision; must be finite lengths"});
+        // printed too coarsely, neighbours may share a position; otherwise every step goes the same way
+        const double direction = mean < 0 ? -1 : 1;
+        for (std::size_t i = 1; i < x.size(); ++i) {
+            const double next = (x[i] - x[i - 1]) * direction;
+            // 1 30 3: without the 30, the positions go on as they should
+            if (next < 0 && i > 1 && (x[i] - x[i - 2]) * direction > 0)
+                refuse_line(name_, table_.row_lines[i - 1],
+                            {"position ", x[i - 1], " ", notes_.position_unit, " stands between ", x[i - 2], " and ",
+                             x[i], " ", notes_.position_unit, "; positions must rise, or fall, throughout"});
+            if (next < 0 || (next == 0 && printed < std::abs(mean)))
+                refuse_line(name_, table_.row_lines[i],
+                            {"position ", x[i], " ", notes_.position_unit, " follows ", x[i - 1], " ",
+                             notes_.position_unit, "; positions must rise, or fall, throughout"});
+        }
+        if (mean == 0)
+            refuse_file(name_, {"has all its positions at ", x.front(), " ", notes_.position_unit,
+                                "; positions must rise, or fall, throughout"});
+        // both ends of a step and both ends of the whole are rounded, or cut, to the printed digits
+        const double allowed = 1.01 * printed + 0.01 * std::abs(mean);
+        double worst = 0;
+        for (std::size_t i = 0; i < x.size(); ++i)
+            worst = (std::max)(worst, std::abs(x[i] - (x.front() + static_cast<double>(i) * mean)));
+        if (worst > allowed || is_interrupted(x, printed)) {
+            if (!options_.resample) refuse_spacing(x);
+            resampled_ = true;
+        }
+        notes_.reversed = mean < 0;
+        return std::abs(mean);
+    }
+
+    static std::vector<double> steps_of(const std::vector<double>& x) {
+        std::vector<double> steps(x.size() - 1);
+        for (std::size_t i = 0; i + 1 < x.size(); ++i) steps[i] = x[i + 1] - x[i];
+        return steps;
+    }
+
+    static double median(std::vector<double> values) {
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    }
+
+    /// 0 1 2 4 5 ...: positions printed to whole steps, of which one or two are odd, have lost a row rather than
+    /// digits.
+    static bool is_interrupted(const std::vector<double>& x, double printed) {
+        const std::vector<double> steps = steps_of(x);
+        const double usual = median(steps);
+        if (printed < 0.1 * std::abs(usual) || usual == 0) return false;
+        const auto odd = std::count_if(steps.begin(), steps.end(),
+                                       [&](double step) { return std::abs(step - usual) > 0.5 * printed; });
+        return odd == 1 || odd == 2;
+    }
+
+    /// Names the step that is furthest from the usual one.
+    [[noreturn]] void refuse_spacing(const std::vector<double>& x) const {
+        const std::vector<double> steps = steps_of(x);
+        const double usual = median(steps);
+        const auto odd = std::max_element(
+            steps.begin(), steps.end(), [&](double a, double b) { return std::abs(a - usual) < std::abs(b - usual); });
+        const auto row = static_cast<std::size_t>(odd - steps.begin()) + 1;
+        refuse_line(name_, table_.row_lines[row],
+                    {"position ", x[row], " ", notes_.position_unit, " is a step of ", *odd, " ", notes_.position_unit,
+                     " where the usual one is ", usual, " ", notes_.position_unit,
+                     "; positions must be equally spaced to their printed digits, or be resampled by ",
+                     switched_on(options_.names, "resample")});
+    }
+
+    /// Heights at equal steps from the first position to the last, by straight lines between neighbours; missing where
+    /// one of them is.
+    void resample(std::vector<double>& heights) {
+        const std::vector<double> x = column(notes_.position_column);
+        const std::vector<double> steps = steps_of(x);
+        const auto [least, most] = std::minmax_element(steps.begin(), steps.end(),
+                                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
+        notes_.spacing_from = "interpolation: unequal steps of " + number_text(std::abs(*least)) + " to " +
+                              number_text(std::abs(*most)) + " " + notes_.position_unit + " resampled to " +
+                              std::to_string(x.size()) + " equal ones by straight lines, which lowers the finest waves";
+        const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+        std::vector<double> even(heights.size());
+        for (std::size_t i = 0, k = 0; i < even.size(); ++i) {
+            const double at = i + 1 == even.size() ? x.back() : x.front() + static_cast<double>(i) * step;
+            while (k + 2 < x.size() && (x[k + 1] - at) * step < 0) ++k;
+            const double share = x[k + 1] == x[k] ? 0 : (at - x[k]) / (x[k + 1] - x[k]);
+            even[i] = share <= 0   ? heights[k]
+                      : share >= 1 ? heights[k + 1]
+                                   : heights[k] + share * (heights[k + 1] - heights[k]);
+        }
+        heights = std::move(even);
+    }
+
+    std::string name_;
+    const SurfaceOptions& options_;
+    NumberTable table_;
+    ProfileNotes notes_;
+    Record record_;
+    std::vector<HeaderEntry> entries_;
+    ProfileColumns columns_;
+    std::string unit_of_positions_{};  // where it is known
+    bool resampled_ = false;
+};
+
+}  // namespace
+
+}  // namespace detail
+
+Reading read_profile(detail::NumberTable table, const std::string& name, const SurfaceOptions& options) {
+    return detail::ProfileTextReader(std::move(table), name, options).read();
+}
+
+}  // namespace fstiff::io

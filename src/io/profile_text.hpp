@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Reads a profile from delimited text, and records every decision it took about the file.
+///
+/// Rows are separated by line ends (LF, CR LF, CR CR LF, CR), columns by comma, semicolon, tab or blanks. The decimal
+/// sign is the point, or the comma where the comma does not separate columns. One column holds heights; two hold
+/// positions and heights; more need SurfaceOptions::column. A column that numbers the points, by its title or by
+/// counting 1, 2, 3 ... next to one that names a length, is neither (io/column_titles.hpp); SurfaceOptions::x_column
+/// names the positions where that is wrong. Lines before the first row of numbers are the header,
+/// lines that begin with "#", "%", "!", "//" or ";" comments; both are searched for units, from the first row upwards:
+/// "x [um]; z [nm]", "Lateral um,Raw Micrometer", "x (µm)", or the bare units. Missing points are empty
+/// cells, "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header or the options name.
+/// Positions may fall (the profile is turned round) but must be equally spaced, as far as the digits they are printed
+/// with can tell; where all steps but one or two are the same, a row is missing.
+/// SurfaceOptions::resample puts as many points at equal steps from the first position to the last, by straight lines
+/// between neighbours; that lowers the finest waves, as the record says.
+///
+/// Nothing is guessed: without a unit, without a spacing, or with a cell that is no number, the file is refused.
+///
+/// Units       profile in m; SurfaceOptions::units are the file's
+/// Valid       16 points at least, of heights that vary; lines up to 2^20 characters, files up to 2^31
+/// Accuracy    heights within 1 ulp of the printed number (tests/io/profile_text_test.cpp)
+
+#include "io/header.hpp"
+#include "io/profile_columns.hpp"
+
+namespace fstiff::io {
+
+namespace detail {
+
+inline constexpr TableRules profile_rules{.holds = "one or two columns of numbers", .short_rows = true};
+
+}  // namespace detail
+
+/// Reads a table that open_table() has opened by profile_rules; the text must outlive the call. \p name stands for it
+/// in messages. \throws domain_error naming file, line, value and what is allowed.
+[[nodiscard]] Reading read_profile(detail::NumberTable table, const std::string& name, const SurfaceOptions& options);
+
+}  // namespace fstiff::io

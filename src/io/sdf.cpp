@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/sdf.hpp"
+
+#include "io/binary_numbers.hpp"
+#include "io/number_table.hpp"
+
+namespace fstiff::io {
+
+namespace detail {
+
+namespace {
+
+/// What the file states.
+struct SdfHeader {
+    std::string version;       // "ISO-1.0"
+    std::string manufacturer;  // printable characters only
+    bool binary{};
+    int data_type{};  // 0 to 7: uint8, uint16, uint32, float32, int8, int16, int32, float64
+    double z_scale{};
+    bool check_sum{};  // there is one, which was not verified
+    std::size_t columns{}, rows{};
+    std::size_t trailer{};  // bytes after the heights
+};
+
+Record record_of(const SdfHeader& file, const RawMap& map) {
+    static constexpr const char* types[8] = {"uint8", "uint16", "uint32", "float32",
+                                             "int8",  "int16",  "int32",  "float64"};
+    Record record;
+    record.say("form", "surface data file " + file.version + ", " + (file.binary ? "binary" : "text") + ", " +
+                           types[file.data_type & 7] + (file.manufacturer.empty() ? "" : ", by " + file.manufacturer));
+    record.say("units", "m, heights in units of " + number_text(file.z_scale) + " m, from Zscale");
+    record.say("spacing", "from Xscale and Yscale");
+    record.say_points(map);
+    record.say_trailer(file.trailer);
+    if (file.check_sum) record.say("check sum", "not verified");
+    const bool counted = file.binary && file.data_type != 3 && file.data_type != 7;
+    record.resolution = counted ? file.z_scale : 0;
+    return record;
+}
+
+class SdfReader {
+public:
+    SdfReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
+
+    Reading read() {
+        if (!is_sdf(bytes_))
+            refuse_file(name_, {"begins with ", shown_cell(bytes_.substr(0, 8)),
+                                "; a surface data file must begin with aISO-1.0, aISO-2.0, aBCR-1.0, or b for a"});
+        header_.binary = bytes_[0] == 'b' || bytes_[0] == 'B';
+        header_.version = std::string(bytes_.substr(1, 7));
+        bcr_ = header_.version == "BCR-1.0";
+        if (header_.binary)
+            read_binary();
+        else
+            read_text();
+        set_spacings(map_, x_scale_, y_scale_, name_);
+        Record record = record_of(header_, map_);
+        return {std::move(map_), std::move(record)};
+    }
+
+private:
+    static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+    static constexpr std::size_t type_bytes[8] = {1, 2, 4, 4, 1, 2, 4, 8};
+    static constexpr double largest[8] = {255, 65535, 4294967295.0, static_cast<double>(3.4e38F),
+                                          127, 32767, 2147483647,   1.7e308};
+
+    void check_header(int compression, int check_type) {
+        if (header_.columns == 0 || header_.rows == 0)
+            refuse_field(name_, "NumPoints x NumProfiles",
+                         std::to_string(header_.columns) + " x " + std::to_string(header_.rows), "at least 2 x 1");
+        require_scale("Xscale", x_scale_, false);
+        require_scale("Yscale", y_scale_, header_.rows == 1);
+        require_scale("Zscale", header_.z_scale, false);
+        if (compression != 0) refuse_field(name_, "Compression", std::to_string(compression), "0 (none)");
+        if (header_.data_type < 0 || header_.data_type > 7)
+            refuse_field(name_, "DataType", std::to_string(header_.data_type), "between 0 and 7");
+        header_.check_sum = check_type != 0;
+    }
+
+    void require_scale(const std::string& field, double value, bool zero_too) {
+        if (zero_too && value == 0) return;
+        if (!(value > 0 && value <= (std::numeric_limits<double>::max)()))
+            refuse_field(name_, field, number_text(value), "finite and greater than 0");
+    }
+
+    /// Height \p index of the file is \p number, in units of Zscale.
+    void set(std::size_t index, double number) {
+        if (std::isinf(number) || std::isinf(number * header_.z_scale))
+            refuse_file(name_, {"height ", index + 1,
+                                " is beyond the range of double precision; "
+                                "allowed are finite numbers"});
+        map_.heights[index] = number * header_.z_scale;
+    }
+
+    void read_binary() {
+        const std::size_t count_bytes = header_.version == "ISO-2.0" ? 4 : 2;
+        const std::size_t header = 42 + 2 * count_bytes + 35;
+        if (bytes_.size() < header)
+            refuse_file(name_, {"ends after ", bytes_.size(), " bytes; its header must have ", header});
+        std::string manufacturer(trimmed(bytes_.substr(8, 10)));
+        std::erase(manufacturer, '\0');
+        header_.manufacturer = printable(manufacturer, 10);
+        std::string_view rest = bytes_.substr(42);
+        const auto count = [&] {
+            const std::size_t value =
+                count_bytes == 2 ? little_endian<std::uint16_t>(rest) : little_endian<std::uint32_t>(rest);
+            rest.remove_prefix(count_bytes);
+            return value;
+        };
+        header_.columns = count();
+        header_.rows = count();
+        x_scale_ = double_at(rest);
+        y_scale_ = double_at(rest.substr(8));
+        header_.z_scale = double_at(rest.substr(16));
+        header_.data_type = static_cast<unsigned char>(rest[33]);
+        check_header(static_cast<unsigned char>(rest[32]), static_cast<unsigned char>(rest[34]));
+        rest.remove_prefix(35);
+
+        const std::size_t size = type_bytes[header_.data_type];
+        // both below 2^32: the product fits into 64 bits, and the division below needs no more
+        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
+        if (points > rest.size() / size)
+            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of ", size,
+                                " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
+        allocate(map_, header_.rows, header_.columns);
+        for (std::size_t i = 0; i < points; ++i) set(i, number_at(rest.substr(i * size, size)));
+        header_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
+    }
+
+    double number_at(std::string_view bytes) const {
+        switch (header_.data_type) {
+            case 0:
+                return height(little_endian<std::uint8_t>(bytes));
+            case 1:
+                return height(little_endian<std::uint16_t>(bytes));
+            case 2:
+                return height(little_endian<std::uint32_t>(bytes));
+            case 3:
+                return height(float_at(bytes));
+            case 4:
+                return height(static_cast<std::int8_t>(little_endian<std::uint8_t>(bytes)));
+            case 5:
+                return height(static_cast<std::int16_t>(little_endian<std::uint16_t>(bytes)));
+            case 6:
+                return height(static_cast<std::int32_t>(little_endian<std::uint32_t>(bytes)));
+            default:
+                return height(double_at(bytes));
+        }
+    }
+
+    /// \p number, unless it is the one that the version reserves for missing points.
+    template <class Number>
+    double height(Number number) const {
+        using Limits = std::numeric_limits<Number>;
+        bool reserved = number == (bcr_ || !Limits::is_signed ? (Limits::max)() : Limits::lowest());
+        if constexpr (!Limits::is_integer)
+            reserved = std::isnan(number) ||
+                       (bcr_ ? static_cast<double>(number) >= largest[sizeof(Number) == 4 ? 3 : 7] : reserved);
+        return reserved ? missing : static_cast<double>(number);
+    }
+
+    /// The next line, without its end; LF, CR and CR LF end one.
+    static std::string_view next_line(std::string_view& rest) {
+        const std::size_t end = (std::min)(rest.find_first_of("\r\n"), rest.size());
+        const std::string_view line = rest.substr(0, end);
+        const bool both = rest.substr(end).starts_with("\r\n");
+        rest.remove_prefix((std::min)(end + (both ? 2 : 1), rest.size()));
+        return line;
+    }
+
+    /// BCR allows comments behind a semicolon.
+    std::string_view content(std::string_view line) const {
+        return trimmed(bcr_ ? line.substr(0, line.find(';')) : line);
+    }
+
+    void read_text() {
+        std::string_view rest = bytes_.substr(8);
+        next_line(rest);
+        std::vector<std::pair<std::string, std::string_view>> fields;
+        bool ended = false;
+        while (!rest.empty() && !ended) {
+            const std::string_view line = content(next_line(rest));
+            ended = line == "*";
+            const std::size_t equal = line.find('=');
+            if (ended || equal == std::string_view::npos) continue;
+            fields.emplace_back(lower_case(trimmed(line.substr(0, equal))), trimmed(line.substr(equal + 1)));
+        }
+        if (!ended) refuse_file(name_, {"has no line \"*\" that ends its header; must have one"});
+        const auto field = [&](const std::string& name) {
+            for (const auto& [key, value] : fields)
+                if (key == lower_case(name)) return value;
+            refuse_file(name_, {"states no ", name, "; must state it in its header"});
+        };
+        const auto number = [&](const std::string& name) {
+            const std::string value = printable(field(name), 64);
+            return located({.file = name_}, [&] { return parse_number(value, name); });
+        };
+        const auto code = [&](const std::string& name, std::initializer_list<std::string_view> names) {
+            const std::string word = lower_case(field(name));
+            int index = 0;
+            for (const std::string_view candidate : names) {
+                if (bcr_ && word == candidate) return index;
+                ++index;
+            }
+            const double value = bcr_ && (word == "null" || word == "none") ? 0 : number(name);
+            return value >= 0 && value <= 255 && value == std::floor(value) ? static_cast<int>(value) : 255;
+        };
+        const auto count = [&](const std::string& name) {
+            const double value = number(name);
+            if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
+                refuse_field(name_, name, number_text(value), "a whole number from 1 to 4294967295");
+            return static_cast<std::size_t>(value);
+        };
+        for (const auto& [key, value] : fields)
+            if (key == "manufacid") header_.manufacturer += printable(value, 80);
+        header_.columns = count("NumPoints");
+        header_.rows = count("NumProfiles");
+        x_scale_ = number("Xscale");
+        y_scale_ = number("Yscale");
+        header_.z_scale = number("Zscale");
+        header_.data_type =
+            code("DataType", {"uchar", "uinteger", "ulongint", "float", "char", "integer", "longint", "double"});
+        check_header(code("Compression", {}), code("CheckType", {}));
+        read_text_heights(rest);
+    }
+
+    /// The heights of a text, \p rest being what stands behind its header.
+    void read_text_heights(std::string_view rest) {
+        // every height needs two characters, the last one needs one
+        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
+        if (points > rest.size() / 2 + 1)
+            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights, but has ", rest.size(),
+                                " bytes of them; must hold all"});
+        allocate(map_, header_.rows, header_.columns);
+        std::size_t found = 0;
+        std::vector<std::string_view> cells;
+        bool ended = false;
+        while (!rest.empty()) {
+            const std::string_view line = content(next_line(rest));
+            ended = line == "*";
+            if (ended) break;
+            split_line(line, ' ', cells);
+            for (const std::string_view cell : cells) {
+                if (found == points)
+                    refuse_file(name_,
+                                {"holds more heights than the ", points, " that it declares; must hold as many"});
+                set(found, text_number(cell, found));
+                ++found;
+            }
+        }
+        if (found < points)
+            refuse_file(name_, {"holds ", found, " heights; must hold the ", points, " that it declares"});
+        if (!ended) refuse_file(name_, {"has no line \"*\" after its heights; must have one"});
+        header_.trailer = rest.size();
+    }
+
+    double text_number(std::string_view cell, std::size_t index) {
+        if (is_missing_word(cell)) return missing;
+        const auto number = number_in(cell, false);
+        if (!number)
+            refuse_file(name_, {"height ", index + 1, " is ", shown_cell(cell), "; must be a decimal number or BAD"});
+        return bcr_ ? reserved(*number) : *number;
+    }
+
+    /// BCR writes missing points of a text as the largest number of their type.
+    double reserved(double number) const {
+        const bool real = header_.data_type == 3 || header_.data_type == 7;
+        const double limit = largest[header_.data_type];
+        return number == limit || (real && number > limit) ? missing : number;
+    }
+
+    std::string_view bytes_;
+    std::string name_;
+    bool bcr_ = false;
+    double x_scale_{}, y_scale_{};
+    RawMap map_;
+    SdfHeader header_;
+};
+
+}  // namespace
+
+}  // namespace detail
+
+bool is_sdf(std::string_view bytes) {
+    if (bytes.size() < 8 || std::string_view("aAbB").find(bytes[0]) == std::string_view::npos) return false;
+    const std::string_view version = bytes.substr(1, 7);
+    return version == "ISO-1.0" || version == "ISO-2.0" || version == "BCR-1.0";
+}
+
+Reading read_sdf(std::string_view bytes, std::string_view name) {
+    return detail::SdfReader(bytes, std::string(name)).read();
+}
+
+}  // namespace fstiff::io

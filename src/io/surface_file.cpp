@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/surface_file.hpp>
+
+#include "io/gsf.hpp"
+#include "io/gwy.hpp"
+#include "io/map_text.hpp"
+#include "io/npy.hpp"
+#include "io/profile_text.hpp"
+#include "io/sdf.hpp"
+#include "io/smd.hpp"
+#include "io/sur.hpp"
+#include "io/x3p.hpp"
+
+#include <tuple>
+
+namespace fstiff::io {
+
+namespace detail {
+
+namespace {
+
+/// Refuses the options that \p format has no use for.
+void check_options(SurfaceFormat format, const SurfaceOptions& options, const std::string& name) {
+    const bool profile = format == SurfaceFormat::profile;
+    const bool matrix = format == SurfaceFormat::matrix;
+    const bool text = profile || matrix || format == SurfaceFormat::triples;
+    const bool bare = format == SurfaceFormat::npy;  // states neither units nor steps
+    const std::pair<const char*, bool> useless[] = {
+        {"units", !options.units.empty() && !text && !bare},
+        {"spacing", options.spacing && !profile && !bare},
+        {"column", options.column != 0 && !profile},
+        {"x-column", options.x_column != 0 && !profile},
+        {"dx", options.dx && !matrix && !bare},
+        {"dy", options.dy && !matrix && !bare},
+        {"width", options.width && !matrix && !bare},
+        {"height", options.height && !matrix && !bare},
+        {"missing", !options.missing.empty() && !text && !bare},
+        {"resample", options.resample && !profile},
+        {"channel", !options.channel.empty() && format != SurfaceFormat::gwy},
+        {"x3p-increment", options.x3p_increment != X3pIncrement::apply && format != SurfaceFormat::x3p}};
+    for (const auto& [option, refused] : useless)
+        if (refused)
+            refuse_file(name, {"is read as ", surface_format_name(format), ", which has no use for ", option,
+                               "; must not be given, or ", options.names.format, " must be another"});
+}
+
+/// The form of a text, and why.
+std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::string& name,
+                                                const SurfaceOptions& options) {
+    const std::size_t written = reader.opened().columns;  // in the first row
+    const auto named = [](std::size_t columns) {
+        return columns == 1 ? std::string("one column") : std::to_string(columns) + " columns";
+    };
+    const std::string found = named(written);
+    const bool sized = options.dx || options.dy || options.width || options.height ||
+                       stated_grid(reader.entries(), "m", name).has_size();
+    const auto as = [&](const char* form) { return format_as(options.names, form); };
+    const auto ambiguous = [&](const std::string& what, const std::string& choice) {
+        refuse_file(name, {"has ", found, what, "; must be told by ", choice});
+    };
+    if (options.column != 0 || options.x_column != 0 || options.spacing)
+        return {SurfaceFormat::profile, "options that only a profile has"};
+    if (const auto form = stated_form(reader.entries()); form && written > 1)
+        return {*form == MapForm::triples ? SurfaceFormat::triples : SurfaceFormat::matrix, "the header"};
+    if (written <= 2) {
+        if (sized && written == 2)
+            ambiguous(" and the size of a map: may be a profile or a matrix", as("profile") + " or " + as("matrix"));
+        return {SurfaceFormat::profile, found};
+    }
+    const std::size_t columns = reader.table(options.missing).columns;  // without those that number the points
+    if (reader.is_zygo()) return {SurfaceFormat::triples, "the header"};
+    if (reader.axes()) return {SurfaceFormat::matrix, MapTable::axes_from};
+    if (columns <= 2) return {SurfaceFormat::profile, named(columns) + " next to one that numbers the points"};
+    if (columns == 3) {
+        const bool grid = reader.grid().has_value();
+        if (grid && sized)
+            ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
+                      as("triples") + " or " + as("matrix"));
+        if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
+        if (sized || written != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
+        ambiguous(
+            ", of which the first two form no regular grid, and no stated size: may be scattered triples, a matrix "
+            "or a profile with a column to choose",
+            as("triples") + ", " + as("matrix") + ", or " + as("profile") + " with column");
+    }
+    if (reader.begins_with_triples()) {
+        if (sized)
+            ambiguous(", which begin with x, y and z, and a stated size: may be triples or a matrix",
+                      as("triples") + " or " + as("matrix"));
+        return {SurfaceFormat::triples, reader.triples_from()};
+    }
+    const NumberTable& opened = reader.opened();
+    const bool titled =
+        opened.first > 0 && !units_in(opened.lines[opened.first - 1].text, written, opened.dialect.separator).empty();
+    if (titled && !sized)
+        ambiguous(" with a unit above each: may be columns of a profile or a matrix",
+                  as("profile") + " with column, or " + as("matrix"));
+    reader.require_no_lone_axis(options.names);
+    return {SurfaceFormat::matrix, found};
+}
+
+}  // namespace
+
+}  // namespace detail
+
+SurfaceFormat form_of_first_bytes(std::string_view bytes) {
+    if (is_sdf(bytes)) return SurfaceFormat::sdf;
+    if (bytes.starts_with("PK\3\4")) return SurfaceFormat::x3p;
+    if (is_npy(bytes)) return SurfaceFormat::npy;
+    if (is_gsf(bytes)) return SurfaceFormat::gsf;
+    if (is_gwy(bytes)) return SurfaceFormat::gwy;
+    if (is_smd(bytes)) return SurfaceFormat::smd;
+    return is_sur(bytes) ? SurfaceFormat::sur : SurfaceFormat::automatic;
+}
+
+bool reads_x3p() {
+#ifdef FSTIFF_HAS_X3P
+    return true;
+#else
+    return false;
+#endif
+}
+
+bool reads_compressed_sur() {
+#ifdef FSTIFF_HAS_ZLIB
+    return true;
+#else
+    return false;
+#endif
+}
+
+SurfaceFormat surface_format(std::string_view name) {
+    if (const auto format = find_named<SurfaceFormat>(name)) return *format;
+    fstiff::detail::refuse("format", detail::shown_cell(name), "one of " + choices_text<SurfaceFormat>());
+}
+
+std::string_view surface_format_name(SurfaceFormat format) { return name_of(format); }
+
+std::vector<std::string> SurfaceRecord::sentences() const {
+    std::vector<std::string> all{"format: " + std::string(surface_format_name(format)) + ", from " + format_from};
+    all.insert(all.end(), details.begin(), details.end());
+    return all;
+}
+
+namespace detail {
+
+namespace {
+
+/// Reads a text of the form record.format, which is chosen here where it is automatic.
+Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceOptions& options) {
+    std::optional<MapTable> map;
+    if (record.format != SurfaceFormat::profile) map.emplace(text, record.name);
+    if (record.format == SurfaceFormat::automatic)
+        std::tie(record.format, record.format_from) = text_form(*map, record.name, options);
+    check_options(record.format, options, record.name);
+    if (record.format != SurfaceFormat::profile) return read_map(std::move(*map), record.format, options);
+    NumberTable table = map ? std::move(*map).reopened(profile_rules) : open_table(text, record.name, profile_rules);
+    return read_profile(std::move(table), record.name, options);
+}
+
+/// Reads bytes of the form \p format, which is no table of numbers.
+Reading read_binary(SurfaceFormat format, std::string_view bytes, const std::string& name,
+                    const SurfaceOptions& options) {
+    switch (format) {
+        case SurfaceFormat::sdf:
+            return read_sdf(bytes, name);
+        case SurfaceFormat::npy:
+            return read_npy(bytes, name, options);
+        case SurfaceFormat::gsf:
+            return read_gsf(bytes, name);
+        case SurfaceFormat::gwy:
+            return read_gwy(bytes, name, options.channel);
+        case SurfaceFormat::smd:
+            return read_smd(bytes, name);
+        case SurfaceFormat::sur:
+            return read_sur(bytes, name, inflate_where_built());
+        default:
+#ifdef FSTIFF_HAS_X3P
+            return read_x3p(bytes, name, options);
+#else
+            refuse_file(name, {"is X3P, which this program was built without; must be another form"});
+#endif
+    }
+}
+
+}  // namespace
+
+ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions& options) {
+    SurfaceRecord record{.name = std::string(name), .format = options.format, .format_from = "options"};
+    if (record.format == SurfaceFormat::automatic) {
+        record.format = form_of_first_bytes(bytes);
+        if (record.format != SurfaceFormat::automatic) record.format_from = "the first bytes";
+    }
+    Reading found;
+    switch (record.format) {
+        case SurfaceFormat::automatic:
+        case SurfaceFormat::profile:
+        case SurfaceFormat::triples:
+        case SurfaceFormat::matrix: {
+            const bool utf16 = is_utf16(bytes);
+            const std::string text =
+                text_of(std::move(bytes), record.name, "numbers, or SDF, X3P, .npy, .gsf, .gwy, .sur or .smd");
+            found = read_text(record, text, options);
+            if (utf16) found.record.say("encoding", "UTF-16, from its byte order mark");
+            break;
+        }
+        default:
+            check_options(record.format, options, record.name);
+            found = read_binary(record.format, bytes, record.name, options);
+            if (found.map.rows == 1) located({.file = record.name}, [&] { validate_map(found.map, 16); });
+    }
+    record.details = found.record.sentences();
+    record.warnings = std::move(found.record.warnings);
+    record.resolution = found.record.resolution;
+    return {std::move(found.map), std::move(record)};
+}
+
+ReadSurface read(std::istream& input, std::string_view name, const SurfaceOptions& options) {
+    NamedBytes file = read_bytes(input, name);
+    return read(std::move(file.bytes), file.name, options);
+}
+
+ReadSurface read(const std::filesystem::path& path, const SurfaceOptions& options) {
+    NamedBytes file = read_bytes(path, "a profile or a map");
+    return read(std::move(file.bytes), file.name, options);
+}
+
+}  // namespace detail
+
+}  // namespace fstiff::io

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/unit_table.hpp"
+
+#include <fstiff/core/error.hpp>
+
+namespace fstiff::io {
+
+namespace detail {
+
+namespace {
+
+/// One spelling for all: micro signs to "u", superscripts to digits, products to ".", no "^", no brackets, no "1/".
+std::string canonical_unit(std::string_view unit) {
+    struct Spelling {
+        std::string_view from, to;
+    };
+    static constexpr std::array spellings{Spelling{"\xC2\xB5", "u"},
+                                          Spelling{"\xCE\xBC", "u"},
+                                          Spelling{"\xB5", "u"},
+                                          Spelling{"\xE6", "u"},  // the micro sign of MS-DOS (CP437, CP850)
+                                          Spelling{"\xC2\xB2", "2"},
+                                          Spelling{"\xB2", "2"},
+                                          Spelling{"\xC2\xB3", "3"},
+                                          Spelling{"\xB3", "3"},
+                                          Spelling{"\xE2\x81\xBB", "-"},
+                                          Spelling{"\xC2\xB9", "1"},
+                                          Spelling{"\xC2\xB7", "."},
+                                          Spelling{"\xE2\x8B\x85", "."},
+                                          Spelling{"*", "."},
+                                          Spelling{" ", "."},
+                                          Spelling{"\t", "."},
+                                          Spelling{"^", ""},
+                                          Spelling{"(", ""},
+                                          Spelling{")", ""}};
+    unit = without_blanks(unit);
+    std::string spelt;
+    while (!unit.empty()) {
+        std::string_view next = unit.substr(0, 1);
+        std::size_t taken = 1;
+        for (const Spelling& s : spellings)
+            if (unit.starts_with(s.from)) {
+                next = s.to;
+                taken = s.from.size();
+                break;
+            }
+        const bool product = next == ".";
+        if (product && (spelt.empty() || spelt.back() == '.' || spelt.back() == '/')) next = "";
+        if (next == "/" && !spelt.empty() && spelt.back() == '.') spelt.pop_back();
+        spelt += next;
+        unit.remove_prefix(taken);
+    }
+    if (spelt.starts_with("1/")) spelt.erase(0, 1);
+    return spelt;
+}
+
+}  // namespace
+
+const Unit* find_unit(std::string_view text, Dimension dimension) {
+    const std::string wanted = canonical_unit(text);
+    if (wanted.empty()) return nullptr;
+    const std::string lower = wanted.size() > 3 ? lower_case(wanted) : std::string();
+    std::string word = lower;
+    if (word.size() > 4 && word.back() == 's') word.pop_back();  // plural
+    for (const Unit& unit : units)
+        if (unit.dimension == dimension) {
+            const std::string name = canonical_unit(unit.name);
+            if (name == wanted || (name.size() > 3 && name == lower_case(name) && (name == word || name == lower)))
+                return &unit;
+        }
+    return nullptr;
+}
+
+const Unit& require_unit(std::string_view text, Dimension dimension) {
+    if (const Unit* unit = find_unit(text, dimension)) return *unit;
+    throw domain_error("unit \"" + std::string(text) + "\": is no unit of " + std::string(name_of(dimension)) +
+                       "; allowed are " + accepted_units(dimension));
+}
+
+}  // namespace detail
+
+double unit_factor(std::string_view unit, Dimension dimension) {
+    const detail::Unit& found = detail::require_unit(unit, dimension);
+    return detail::leading_number("1", found.exponent).value * found.factor;
+}
+
+bool is_unit(std::string_view unit, Dimension dimension) { return detail::find_unit(unit, dimension) != nullptr; }
+
+std::string accepted_units(Dimension dimension) {
+    std::string list;
+    for (const detail::Unit& unit : detail::units)
+        if (unit.dimension == dimension && unit.listed) {
+            if (!list.empty()) list += ", ";
+            list += unit.name;
+        }
+    return list;
+}
+
+}  // namespace fstiff::io
