@@ -8,7 +8,7 @@
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 
-#include <fstiff/io/write_csv.hpp>
+#include <fstiff/io/write.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include <algorithm>
