@@ -128,6 +128,21 @@ TEST_CASE("The neighbours are the surface with a shorter and a longer lambda_s, 
     CHECK(map.neighbours[0].size == map.size);
 }
 
+TEST_CASE("A neighbour keeps lambda_c where its own Ra would choose another") {
+    auto profile = trace(0.3e-6, 9000);  // 4.5 mm hold five of 0.8 mm
+    const double shorter = 2.5e-6 / std::sqrt(2.0);
+    const auto ra = [&](double lambda_s) {
+        return mean_deviation(prepare(profile, {.lambda_s = lambda_s, .lambda_c = 0.25e-3}).profile);
+    };
+    const double scale = 0.1e-6 / std::sqrt(ra(2.5e-6) * ra(shorter));  // the limit of Ra for 0.25 mm lies between both
+    for (double& z : profile.heights) z *= scale;
+    CHECK(prepare(profile, {.lambda_s = shorter}).cut_offs.lambda_c == 0.8e-3);
+    const Surface<double> surface = measure(profile);
+    CHECK(surface.cut_offs.lambda_c == 0.25e-3);
+    REQUIRE(surface.neighbours.size() == 2);
+    CHECK(surface.neighbours[0].cut_offs.lambda_c == 0.25e-3);
+}
+
 TEST_CASE("Concerns are told, and each by what it is about") {
     CHECK_FALSE(has(measure(trace(), {.neighbours = false}), MeasuredConcern::implausible_gradient));
     CHECK(has(measure(trace(30e-6), {.neighbours = false}), MeasuredConcern::implausible_gradient));

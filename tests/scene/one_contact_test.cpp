@@ -95,7 +95,7 @@ TEST_CASE("what was measured of heights stands in place of the surface of a scen
     const SurfaceInput input = surface_of_heights(options, some_map(), "a test");
     CHECK(input.sha256.size() == 64);
     CHECK(input.surface.record.sentences().front() == "format: npy, from a test");
-    MeasureOptions how;
+    scene::MeasureOptions how;
     how.input = options;
     const MeasuredSurface measured = measure_surface(how, input);
     const Scene scene = read_scene(bodies, {.name = "scene", .measured = &measured});
