@@ -66,7 +66,7 @@ static double* numbers_of(const char* key, size_t* count) {
 }
 
 static fstiff_roughness fine_surface(void) {
-    fstiff_roughness fine = {sizeof fine, 0.832e-6, 40e-6, 500e6, 5.3e-6, 0.5, 1.0, 1.62, 0};
+    fstiff_roughness fine = {sizeof fine, 0.832e-6, 40e-6, 500e6, 5.3e-6, 0.5, 1.0, 1.62, 0, 0, 0};
     return fine;
 }
 static fstiff_body steel(void) {

@@ -62,7 +62,7 @@ std::string measured_file(const std::string& name) {
         leave_out("there is no " + path);
         return {};
     }
-    if (name.ends_with(".x3p") && !io::reads_x3p()) {
+    if (name.ends_with(".x3p") && !fstiff::io::reads_x3p()) {
         leave_out("built without X3P: " + path);
         return {};
     }
