@@ -130,7 +130,7 @@ TEST_CASE("bash completes every command, option and word") {
     ask("mea", 1, {"measure"});
     ask("--v", 1, {"--version"});
     ask("help ''", 2, commands());
-    ask("help --completion f", 3, {"fish"});
+    ask("help --completion b", 3, {"bash"});
     ask("generate ''", 2, {"wm", "profile", "map"});
     ask("run --full ''", 3, {});
     ask("run --formt ''", 3, {});

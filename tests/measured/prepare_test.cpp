@@ -103,7 +103,7 @@ TEST_CASE("The form with its own cut-off, the robust filter, and none") {
     CHECK(same(bow.profile, detrend(profile, Form::parabola)));
 }
 
-TEST_CASE("A map loses its form, then lambda_s, then a given lambda_c; every way to it gives the same map") {
+TEST_CASE("A map loses its form, then lambda_s, then a given lambda_c, and every way to it gives the same map") {
     const auto map = tilted_map();
     const MeasureOptions<double> options{.lambda_c = 15e-6};
     const auto prepared = prepare(map, options);

@@ -111,7 +111,7 @@ private:
     };
     struct Window {
         Eigen::Index first;  ///< column of the margined grid
-        std::array<Eigen::Index, window> row;
+        std::array<Eigen::Index, static_cast<std::size_t>(window)> row;
         Eigen::Array<T, 1, window> along_x, along_y;
     };
 

@@ -135,11 +135,11 @@ template <Real T>
 template <Real T>
 [[nodiscard]] FittedJohnson<T> fitted_johnson(bool bounded, T skewness, T kurtosis) {
     const T excess = kurtosis - 3, square = skewness * skewness, least = T(1e-7);
-    const T small = std::sqrt((std::max)(bounded ? square - excess / 2 : excess / 4 - square / 3, least * least));
+    const T leading = std::sqrt((std::max)(bounded ? square - excess / 2 : excess / 4 - square / 3, least * least));
     FittedJohnson<T> best{0, 0, (std::numeric_limits<T>::max)()};
-    for (const T steepness : {(std::min)(small, T(1.4)), bounded ? T(1) : T(0.5), bounded ? T(4) : T(0.25)}) {
+    for (const T steepness : {(std::min)(leading, T(1.4)), bounded ? T(1) : T(0.5), bounded ? T(4) : T(0.25)}) {
         const T bend =
-            steepness == small ? skewness / (3 * steepness) : std::tanh(skewness / (bounded ? 2 : 1) * steepness);
+            steepness == leading ? skewness / (3 * steepness) : std::tanh(skewness / (bounded ? 2 : 1) * steepness);
         const auto found = fitted_johnson(bounded, skewness, kurtosis, steepness, std::clamp(bend, T(0), T(0.999)));
         if (found.off < best.off) best = found;
         if (best.off < T(1e-9)) break;
