@@ -14,7 +14,7 @@ import re
 import statistics
 import sys
 
-COMMAND = ("fstiff_instances", "fstiff_scene", "fstiff_scene_computing", "fstiff_sweep", "fstiff_cli")
+COMMAND = ("fstiff_io", "fstiff_instances", "fstiff_scene", "fstiff_scene_computing", "fstiff_sweep", "fstiff_cli")
 YARDSTICK = "fstiff_eigen_alone_"  # and what it was compiled after
 
 
