@@ -77,7 +77,7 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
     Json inputs = Json::object();
     for (const bool always : {true, false})
         for (const SurfaceOptionRow& row : surface_option_table()) {
-            if (row.group == OptionGroup::estimate || row.always_in_json != always) continue;
+            if (row.group == OptionGroup::estimate || (row.echo == Echo::always) != always) continue;
             if (always || !row.has_same(options, defaults)) inputs[row.json_name()] = json_of_option(row, options);
         }
     inputs["detrend"] = form;

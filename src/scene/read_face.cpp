@@ -63,14 +63,14 @@ struct OptionReader {
     const SurfaceOptionRow& row;
 
     void operator()(std::string& to) const {
-        if (row.form == TextForm::or_number && node.is_number()) {
+        if (row.more.form == TextForm::or_number && node.is_number()) {
             source.record(key, to = written(node));
             return;
         }
-        if (row.form == TextForm::or_number && !node.is_string())
+        if (row.more.form == TextForm::or_number && !node.is_string())
             source.refuse(node, key, "must be a number or a text");
         to = source.text(node, key);
-        if (row.form == TextForm::file) to = beside_scene(source, to);
+        if (row.more.form == TextForm::file) to = beside_scene(source, to);
     }
     void operator()(Lengths& to) const { to = source.text(node, key); }
     void operator()(bool& to) const {
@@ -80,13 +80,13 @@ struct OptionReader {
     }
     void operator()(double& to) const {
         const auto number = node.value<double>();
-        if (!number || !(*number >= row.low && *number <= row.high))
+        if (!number || !(*number >= row.more.low && *number <= row.more.high))
             source.refuse(node, key, "must be a number " + row.range());
         source.record(key, written(node), to = *number);
     }
     void operator()(int& to) const {
         const auto* number = node.as_integer();
-        if (!number || number->get() < row.low || number->get() > row.high)
+        if (!number || number->get() < row.more.low || number->get() > row.more.high)
             source.refuse(node, key, "must be a whole number " + row.range());
         to = static_cast<int>(number->get());
         source.record(key, written(node), static_cast<double>(to));

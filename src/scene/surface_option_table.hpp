@@ -42,21 +42,26 @@ using SurfaceField =
 /// What a text may be written as in a scene, where it is no plain text.
 enum class TextForm { plain, or_number, file };
 
+/// When an option is in a JSON document.
+enum class Echo { always, if_not_default };
+
 /// One option.
 struct SurfaceOptionRow {
     std::string_view key;  ///< of a scene and of Python; with dashes, of the command line
     OptionGroup group;
     SurfaceField field;
+    Echo echo;
     std::string_view help;
-    std::string_view help_of_profile{}, help_of_map{};  ///< where only these are read, and it is another
-    int low = 0, high = 0;                              ///< of a number, both allowed
-    bool always_in_json = false;                        ///< else only where it is not the default
-    TextForm form = TextForm::plain;
-    std::vector<std::string_view> (*words)(SurfaceKind) = nullptr;  ///< of a text: those of the command line
-    std::string_view flag{}, json{};  ///< its names on the command line and in documents, where they are others
+    struct More {
+        std::string_view help_of_profile{}, help_of_map{};  ///< where only these are read, and it is another
+        int low = 0, high = 0;                              ///< of a number, both allowed
+        TextForm form = TextForm::plain;
+        std::vector<std::string_view> (*words)(SurfaceKind) = nullptr;  ///< of a text: those of the command line
+        std::string_view flag{}, json{};  ///< its names on the command line and in documents, where they are others
+    } more{};
 
     [[nodiscard]] std::string flag_name() const;
-    [[nodiscard]] std::string_view json_name() const { return json.empty() ? key : json; }
+    [[nodiscard]] std::string_view json_name() const { return more.json.empty() ? key : more.json; }
     [[nodiscard]] std::string_view help_for(SurfaceKind kind) const;
     /// Whether a command that reads \p kind has a use for it.
     [[nodiscard]] bool is_for(SurfaceKind kind) const;

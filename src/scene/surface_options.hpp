@@ -36,8 +36,7 @@ private:
     std::vector<double> metres_;
 };
 
-/// How a file is read, cleaned and measured; a file name alone will do. What is left empty is taken from the file, or by
-/// default.
+/// How a file is read, cleaned and measured. What is left empty is taken from the file, or by default.
 struct SurfaceOptions {
     std::string file;  ///< "-" is standard input
     io::SurfaceFormat format = io::SurfaceFormat::automatic;
@@ -48,7 +47,7 @@ struct SurfaceOptions {
     int x_column = 0;                               ///< of its positions
     std::string missing;                            ///< stands for missing points of a text: "-9999", or "none"
     bool resample = false;                          ///< unequally spaced positions of a profile are interpolated
-    std::optional<io::X3pIncrement> x3p_increment;  ///< none: it is applied
+    std::optional<io::X3pIncrement> x3p_increment;  ///< none: apply
     std::string channel;                            ///< of gwy: its number or its title
     Lengths crop;                                   ///< a part of the surface: x0, x1, and y0, y1 of a map
     std::string mask;                               ///< a file of 0 and 1

@@ -279,7 +279,7 @@ def test_reprs_frames_and_plots(rough_map, trace):
     "call, sentence",
     [
         (lambda z: fstiff.measure(z), "spacing: is missing"),
-        (lambda z: fstiff.measure(z, spacing=0), 'spacing = "0.0 m": must be greater than 0'),
+        (lambda z: fstiff.measure(z, spacing=0), 'spacing = "0 m": must be greater than 0'),
         (lambda z: fstiff.measure(z, spacing="1 apple"), "spacing"),
         (lambda z: fstiff.measure(z, spacing=[1e-6]), "spacing: must be one length, or (dx, dy)"),
         (lambda z: fstiff.measure(z[0, :9], spacing=1e-6), "profile has 9 points: must be at least 16"),

@@ -16,12 +16,12 @@ struct OptionAdder {
 
     void operator()(std::string& to) const {
         Option option = arguments.option(name, to, help);
-        if (row.words) option.one_of(row.words(kind));
+        if (row.more.words) option.one_of(row.more.words(kind));
     }
     void operator()(Lengths& to) const { take<Lengths>(to, [](const std::string& text) { return text; }); }
-    void operator()(int& to) const { arguments.option(name, to, help).between(row.low, row.high); }
+    void operator()(int& to) const { arguments.option(name, to, help).between(row.more.low, row.more.high); }
     void operator()(double& to) const {
-        arguments.option(name, to, help).between(static_cast<double>(row.low), static_cast<double>(row.high));
+        arguments.option(name, to, help).between(static_cast<double>(row.more.low), static_cast<double>(row.more.high));
     }
     void operator()(bool& to) const { arguments.flag(name, to, help); }
     template <NamedEnum Enum>
