@@ -236,7 +236,7 @@ def _options(options: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
             continue
         if name == "mask":
             made[name] = named(value, name)
-        elif name == "channel":
+        elif name == "channel" and isinstance(value, int):
             made[name] = str(value)
         else:
             made[name] = value

@@ -275,6 +275,14 @@ def test_reprs_frames_and_plots(rough_map, trace):
         assert one.plot().get_xlabel()
 
 
+@pytest.mark.parametrize("key", fstiff._core.surface_options())
+def test_every_option_of_the_table_is_a_keyword(key):
+    keywords = {*fstiff._surfaces.SurfaceOptions.__annotations__, "peaks", "window"}
+    assert keywords == set(fstiff._core.surface_options())
+    with pytest.raises((TypeError, ValueError), match=f"{key} = <object|expected str"):
+        fstiff.measure("no such file", **{key: object()})
+
+
 @pytest.mark.parametrize(
     "call, sentence",
     [
