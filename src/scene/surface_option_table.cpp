@@ -24,12 +24,14 @@ std::vector<std::string_view> words_of_form(SurfaceKind kind) {
     return words;
 }
 
+namespace of_surface {
+
 using enum OptionGroup;
 using enum Echo;
 using Of = SurfaceOptions;
 
 // clang-format off
-constexpr SurfaceOptionRow option_rows[] = {
+constexpr SurfaceOptionRow rows[] = {
     {"format", file, &Of::format, always,
      "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd",
      {.flag = "input-format", .json = "input_format"}},
@@ -102,6 +104,7 @@ constexpr SurfaceOptionRow option_rows[] = {
 };
 // clang-format on
 
+}  // namespace of_surface
 }  // namespace
 
 std::string SurfaceOptionRow::flag_name() const {
@@ -114,12 +117,14 @@ std::string_view SurfaceOptionRow::help_for(SurfaceKind kind) const {
 }
 
 bool SurfaceOptionRow::is_for(SurfaceKind kind) const {
+    using enum OptionGroup;
     const bool profile = group == step_of_profile || group == file_of_profile || group == form_of_profile;
     const bool map = group == step_of_map || group == file_of_map;
     return !(profile && kind == SurfaceKind::map) && !(map && kind == SurfaceKind::profile);
 }
 
 bool SurfaceOptionRow::is_of_file() const {
+    using enum OptionGroup;
     return group == file || group == file_of_profile || group == file_of_map;
 }
 
@@ -127,10 +132,10 @@ std::string SurfaceOptionRow::range() const {
     return "from " + std::to_string(more.low) + " to " + std::to_string(more.high);
 }
 
-std::span<const SurfaceOptionRow> surface_option_table() { return option_rows; }
+std::span<const SurfaceOptionRow> surface_option_table() { return of_surface::rows; }
 
 const SurfaceOptionRow& surface_option(std::string_view key) {
-    for (const SurfaceOptionRow& row : option_rows)
+    for (const SurfaceOptionRow& row : of_surface::rows)
         if (row.key == key) return row;
     throw std::logic_error("no option of a surface is called " + std::string(key));
 }

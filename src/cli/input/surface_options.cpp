@@ -55,7 +55,7 @@ void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceK
     std::vector<const SurfaceOptionRow*> rows;
     for (const SurfaceOptionRow& row : surface_option_table())
         if (row.group != OptionGroup::estimate && row.is_for(kind)) rows.push_back(&row);
-    std::ranges::stable_sort(rows, {}, [](const auto* row) { return row->group; });
+    std::stable_sort(rows.begin(), rows.end(), [](const auto* a, const auto* b) { return a->group < b->group; });
     for (const SurfaceOptionRow* row : rows)
         row->visit(options, OptionAdder{arguments, row->flag_name(), std::string(row->help_for(kind)), *row, kind});
 }
