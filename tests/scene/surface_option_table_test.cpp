@@ -11,9 +11,11 @@
 #include "support/accuracy.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <set>
 
 namespace surface_option_table_test {
