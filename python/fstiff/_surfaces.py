@@ -67,25 +67,16 @@ class SurfaceOptions(TypedDict, total=False):
     height: Length
 
 
-LENGTHS = {"spacing", "dx", "dy", "cutoff", "lambda_s", "lambda_c", "tip_radius", "resolution", "width", "height"}
-OF_FILES = {"format", "units", "column", "x_column", "missing", "resample", "x3p_increment", "channel", "width", "height"}
+#: Options that have no meaning for an array.
+OF_FILES = {key for key, of_files in _core.surface_options().items() if of_files}
 
 #: Units of lengths, to m; SurfaceTopography writes them so.
 METRES = {"km": 1e3, "m": 1.0, "mm": 1e-3, "µm": 1e-6, "μm": 1e-6, "um": 1e-6, "nm": 1e-9, "Å": 1e-10, "pm": 1e-12}
 
 
-def length(value: Any, name: str) -> str:
-    """A length as the text that the library reads."""
-    if isinstance(value, str):
-        return value
-    try:
-        return f"{float(value)!r} m"
-    except (TypeError, ValueError):
-        raise ValueError(f'{name} = {value!r}: must be a length in m, or a text such as "0.5 um"') from None
-
-
 def metres(value: Any, name: str) -> float:
-    return _core.parse_length(length(value, name), name)
+    """A length, or a text of one, in m."""
+    return _core.parse_length(value, name)
 
 
 class Surface:
@@ -243,16 +234,10 @@ def _options(options: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
     for name, value in options.items():
         if value is None:
             continue
-        if name in LENGTHS:
-            made[name] = length(value, name)
-        elif name in ("crop", "window") and not isinstance(value, str):
-            made[name] = ",".join(length(one, name) for one in value)
-        elif name == "mask":
+        if name == "mask":
             made[name] = named(value, name)
-        elif name == "channel":
+        elif name == "channel" and isinstance(value, int):
             made[name] = str(value)
-        elif name in ("spikes", "hardness"):
-            made[name] = float(value)
         else:
             made[name] = value
     return made

@@ -6,6 +6,7 @@
 #include "scene/fractal.hpp"
 #include "scene/islands_of_map.hpp"
 #include "scene/measured_surface.hpp"
+#include "scene/surface_option_table.hpp"
 #include "scene/truth_of_map.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -26,7 +27,29 @@ struct Heights {
     std::string origin;
 };
 
-/// The options that the package has put into strings, numbers and truth values.
+/// The lengths of the option \p key: of a number [m], a text, or a sequence of them.
+/// \throws domain_error for any other \p value.
+Lengths lengths_of(const nb::handle& value, const std::string& key) {
+    std::string text;
+    double metres = 0;
+    if (nb::try_cast(value, text)) return text;
+    if (nb::try_cast(value, metres)) return metres;
+    const bool sequence = nb::isinstance<nb::sequence>(value) && nb::len(value) > 0;
+    if (!sequence)
+        throw domain_error(key + " = " + nb::cast<std::string>(nb::repr(value)).substr(0, 40) +
+                           ": must be a length in m, or a text such as \"0.5 um\"");
+    std::vector<double> numbers;
+    bool texts = true;
+    for (const nb::handle one : value) {
+        const Lengths part = lengths_of(one, key);
+        texts = texts && part.metres().empty();
+        text += (text.empty() ? "" : ",") + part.text();
+        for (const double length : parse_lengths(part, key)) numbers.push_back(length);
+    }
+    return texts ? Lengths(text) : Lengths(numbers);
+}
+
+/// The options as the package was given them.
 class Given {
 public:
     explicit Given(const nb::dict& options) : options_(options) {}
@@ -50,6 +73,26 @@ public:
         to = static_cast<T>(given);
     }
 
+    /// One option of a surface.
+    void read(const SurfaceOptionRow& row, Lengths& to) const {
+        if (options_.contains(row.key.data())) to = lengths_of(options_[row.key.data()], row.key.data());
+    }
+    void read(const SurfaceOptionRow& row, int& to) const {
+        whole(row.key.data(), to, row.more.low, row.more.high, row.range().c_str());
+    }
+    template <NamedEnum Enum>
+    void read(const SurfaceOptionRow& row, Enum& to) const {
+        word(row.key.data(), to);
+    }
+    template <NamedEnum Enum>
+    void read(const SurfaceOptionRow& row, std::optional<Enum>& to) const {
+        if (options_.contains(row.key.data())) word(row.key.data(), to.emplace());
+    }
+    template <class Plain>
+    void read(const SurfaceOptionRow& row, Plain& to) const {
+        take(row.key.data(), to);
+    }
+
 private:
     [[noreturn]] void refuse(const char* key) const {
         throw domain_error(std::string(key) + " = " + nb::cast<std::string>(nb::repr(options_[key])).substr(0, 40) +
@@ -64,30 +107,8 @@ constexpr long long most_seed = (1LL << 53) - 1;
 SurfaceOptions surface_options(const Given& given) {
     SurfaceOptions to;
     given.take("file", to.file);
-    given.take("format", to.format);
-    given.take("units", to.units);
-    given.take("spacing", to.spacing);
-    given.take("dx", to.dx);
-    given.take("dy", to.dy);
-    given.take("width", to.width);
-    given.take("height", to.height);
-    given.whole("column", to.column, 1, most_columns, "from 1 to 4096");
-    given.whole("x_column", to.x_column, 1, most_columns, "from 1 to 4096");
-    given.take("missing", to.missing);
-    given.take("resample", to.resample);
-    given.take("x3p_increment", to.x3p_increment);
-    given.take("channel", to.channel);
-    given.take("crop", to.crop);
-    given.take("mask", to.mask);
-    given.take("spikes", to.spikes);
-    given.take("fill", to.fill);
-    given.take("detrend", to.detrend);
-    given.take("cutoff", to.cutoff);
-    given.take("lambda_s", to.lambda_s);
-    given.take("lambda_c", to.lambda_c);
-    given.word("filter", to.filter);
-    given.take("tip_radius", to.tip_radius);
-    given.take("resolution", to.resolution);
+    for (const SurfaceOptionRow& row : surface_option_table())
+        row.visit(to, [&](auto& value) { given.read(row, value); });
     return to;
 }
 
@@ -129,8 +150,6 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
     const Given given(options);
     scene::MeasureOptions how;
     how.input = surface_options(given);
-    given.word("peaks", how.peaks);
-    given.take("window", how.window);
     given.whole("resamples", how.resamples, 2, 100000, "from 2 to 100000");
     given.whole("seed", how.seed, 0, most_seed, "from 0 to 2^53 - 1");
     const nb::gil_scoped_release free;
@@ -144,7 +163,6 @@ Found fit(const nb::dict& options, const Heights& heights) {
     const Given given(options);
     FractalOptions how;
     how.surface = surface_options(given);
-    given.take("window", how.window);
     given.word("convention", how.convention);
     given.whole("seed", how.seed, 0, most_seed, "from 0 to 2^53 - 1");
     given.whole("resamples", how.resamples, 0, 100000, "from 0 to 100000");
@@ -233,8 +251,14 @@ void add_surfaces(nb::module_& m) {
     m.def("islands", &islands, nb::arg("options"), nb::arg("heights"));
     m.def("truth", &truth, nb::arg("options"), nb::arg("heights"), nb::arg("pressures"), nb::arg("modulus"));
     m.def(
-        "parse_length", [](const std::string& text, const std::string& name) { return parse_length(text, name); },
-        nb::arg("text"), nb::arg("name"));
+        "parse_length",
+        [](const nb::handle& value, const std::string& name) { return parse_length(lengths_of(value, name), name); },
+        nb::arg("value"), nb::arg("name"));
+    m.def("surface_options", [] {  // the keys of the table, and whether they are of files alone
+        nb::dict keys;
+        for (const SurfaceOptionRow& row : surface_option_table()) keys[row.key.data()] = row.is_of_file();
+        return keys;
+    });
     m.def("read", &read, nb::arg("options"));
 }
 

@@ -13,20 +13,17 @@
 namespace fstiff::c {
 namespace {
 
+using scene::Lengths;
 using scene::MeasuredSurface;
 using scene::MeasureOptions;
 
-/// A cut-off in the words of a scene.
-std::string cut_off(const char* name, double value) {
-    if (value == 0) return "auto";
-    if (value == FSTIFF_NO_CUT_OFF) return "none";
+Lengths length(const char* name, double value) {
+    if (value == 0) return {};
     require_positive(name, value);
-    return scene::exact(value) + " m";
+    return value;
 }
-std::string length(const char* name, double value) {
-    if (value == 0) return "";
-    require_positive(name, value);
-    return scene::exact(value) + " m";
+Lengths cut_off(const char* name, double value) {
+    return value == FSTIFF_NO_CUT_OFF ? Lengths("none") : length(name, value);
 }
 
 MeasureOptions options_of(const fstiff_measure_options* given) {
@@ -43,7 +40,7 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
     if (from.shortest_lag != 0 || from.longest_lag != 0) {
         require_positive("shortest_lag", from.shortest_lag);
         require_positive("longest_lag", from.longest_lag);
-        options.window = length("shortest_lag", from.shortest_lag) + "," + length("longest_lag", from.longest_lag);
+        options.input.window = std::vector<double>{from.shortest_lag, from.longest_lag};
     }
     if (from.filter != FSTIFF_FILTER_GAUSSIAN && from.filter != FSTIFF_FILTER_ROBUST)
         refuse_argument("filter", from.filter, "FSTIFF_FILTER_GAUSSIAN or FSTIFF_FILTER_ROBUST");
@@ -51,7 +48,7 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
         from.filter == FSTIFF_FILTER_ROBUST ? CutOffFilter::robust : CutOffFilter::gaussian;
     if (from.peaks != FSTIFF_PEAKS_ISLANDS && from.peaks != FSTIFF_PEAKS_SUMMITS)
         refuse_argument("peaks", from.peaks, "FSTIFF_PEAKS_ISLANDS or FSTIFF_PEAKS_SUMMITS");
-    options.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? PeakSource::summits : PeakSource::islands;
+    options.input.peaks = from.peaks == FSTIFF_PEAKS_SUMMITS ? PeakSource::summits : PeakSource::islands;
     if (from.resamples != 0) {
         require(from.resamples >= 2 && from.resamples <= 100000, "resamples", from.resamples, "2 to 100000");
         options.resamples = from.resamples;

@@ -15,25 +15,8 @@
 namespace fstiff::scene {
 namespace {
 
-std::string named(const SurfaceOptions& options, const char* name) { return std::string(options.prefix) + name; }
-
 std::string of(std::size_t count, std::size_t all) {
     return std::to_string(count) + " of " + std::to_string(all) + " points";
-}
-
-/// The lengths of "a,b" or "a,b,c,d", which may be 0.
-std::vector<double> lengths(const std::string& text, const std::string& name) {
-    std::vector<double> values;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string part = text.substr(begin, end - begin);
-        const auto first = part.find_first_not_of(' ');
-        const bool zero = first != std::string::npos && part.find_first_not_of("0. ", first) == std::string::npos &&
-                          part.find('0') != std::string::npos;
-        values.push_back(zero ? 0 : io::parse_quantity(part, io::Dimension::length, name));
-        begin = end + 1;
-    }
-    return values;
 }
 
 /// \throws domain_error with the name of the option unless points from \p from to \p to lie on a line of \p points at
@@ -61,12 +44,12 @@ Extent extent_of(const io::Surface& surface) {
 
 /// The crop of \p options, and into \p extent what it leaves. \throws option_error, domain_error as above.
 Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, Extent& extent) {
-    const std::string name = named(options, "crop");
-    const std::vector<double> box = lengths(options.crop, name);
+    const std::string name = options.name("crop");
+    const std::vector<double> box = parse_lengths(options.crop, name);
     const std::size_t wanted = surface.is_profile() ? 2 : 4;
     if (box.size() != wanted)
         throw option_error(
-            name + " = \"" + options.crop + "\": must be " +
+            name + " = \"" + options.crop.text() + "\": must be " +
             (wanted == 2 ? "two lengths of a profile, \"x0,x1\"" : "four lengths of a map, \"x0,x1,y0,y1\""));
     const double dx = surface.is_profile() ? surface.profile().spacing : surface.map().dx;
     extent.columns = points_of(box[0], box[1], extent.columns, dx, name);
@@ -135,7 +118,7 @@ void describe(const SurfaceOptions& options, const CleaningReport& report, bool 
                                    : std::to_string(report.columns) + " x " + std::to_string(report.rows) + " of " +
                                          std::to_string(report.columns_read) + " x " +
                                          std::to_string(report.rows_read) + " points") +
-                          " kept (" + options.crop + ")");
+                          " kept (" + options.crop.text() + ")");
     if (!options.mask.empty())
         details.push_back("mask: " + of(report.masked, points) + " became missing (" + display_name(options.mask) +
                           ")");
@@ -159,7 +142,7 @@ void clean(const SurfaceOptions& options, io::Surface& surface) {
     if (!options.mask.empty()) how.mask = mask_of(options, profile, extent);
     if (options.spikes != 0)
         require(options.spikes >= min_spike_limit && options.spikes <= max_spike_limit,
-                named(options, "spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
+                options.name("spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
     how.spikes = options.spikes;
     how.fill = options.fill;
     const CleaningReport report = std::visit([&](auto& heights) { return fstiff::clean(heights, how); }, surface.data);
@@ -187,7 +170,7 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
         hints.push_back((found == 1 ? "1 point stands" : std::to_string(found) + " points stand") +
                         " more than 30 standard deviations from the neighbours, as "
                         "spikes do; " +
-                        named(options, "spikes") + (options.prefix.empty() ? " = 20" : " 20") +
+                        options.name("spikes") + (options.prefix.empty() ? " = 20" : " 20") +
                         " takes such points out");
     return hints;
 }

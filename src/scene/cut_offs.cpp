@@ -8,17 +8,6 @@
 namespace fstiff::scene {
 namespace {
 
-std::string named(const SurfaceOptions& options, const char* before, const char* after) {
-    const std::string prefix(options.prefix);
-    return prefix + before + (prefix.empty() ? "_" : "-") + after;
-}
-
-CutOff<double> cut_off(const std::string& text, const std::string& name) {
-    if (is_automatic(text)) return {};
-    if (text == "none") return no_cut_off;
-    return parse_length(text, name);
-}
-
 /// Where the index of lambda_s comes from.
 std::string source_of_index(const CutOffs<double>& cut_offs) {
     switch (cut_offs.index_source) {
@@ -83,20 +72,17 @@ std::string left_out(const std::optional<RobustOutcome>& robust) {
 
 }  // namespace
 
-bool is_automatic(const std::string& cut_off) { return cut_off.empty() || cut_off == "auto"; }
-
 Instrument instrument_of(const SurfaceOptions& options) {
-    const auto length = [](const std::string& text, const std::string& name) {
-        return text.empty() ? 0. : parse_length(text, name);
+    const auto length = [&](const Lengths& given, const char* key) {
+        return given.empty() ? 0. : parse_length(given, options.name(key));
     };
-    return {length(options.tip_radius, named(options, "tip", "radius")),
-            length(options.resolution, std::string(options.prefix) + "resolution")};
+    return {length(options.tip_radius, "tip_radius"), length(options.resolution, "resolution")};
 }
 
 fstiff::MeasureOptions<double> library_options(const SurfaceOptions& options) {
     fstiff::MeasureOptions<double> how;
-    how.lambda_s = cut_off(options.lambda_s, named(options, "lambda", "s"));
-    how.lambda_c = cut_off(options.lambda_c, named(options, "lambda", "c"));
+    how.lambda_s = parse_cut_off(options.lambda_s, options.name("lambda_s"));
+    how.lambda_c = parse_cut_off(options.lambda_c, options.name("lambda_c"));
     how.filter = options.filter;
     const Instrument instrument = instrument_of(options);
     how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
@@ -107,9 +93,9 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
                       double length) {
     const auto refused = refused_cut_off(given, step, length);
     if (!refused) return;
-    const std::string short_name = named(options, "lambda", "s"), long_name = named(options, "lambda", "c");
+    const std::string short_name = options.name("lambda_s"), long_name = options.name("lambda_c");
     const std::string& name = refused->long_waves ? long_name : short_name;
-    const std::string quoted = name + " = \"" + (refused->long_waves ? options.lambda_c : options.lambda_s) + "\"";
+    const std::string quoted = name + " = \"" + (refused->long_waves ? options.lambda_c : options.lambda_s).text() + "\"";
     const int steps = refused->long_waves ? min_steps_of_lambda_c : min_steps_of_lambda_s;
     switch (refused->why) {
         case CutOffRefusal::below_steps:

@@ -10,9 +10,6 @@ namespace fstiff::scene {
 
 struct SurfaceOptions;
 
-/// Whether \p cut_off leaves the choice to the table.
-[[nodiscard]] bool is_automatic(const std::string& cut_off);
-
 /// What is known of the instrument [m]; 0: not known.
 struct Instrument {
     double tip_radius = 0, resolution = 0;

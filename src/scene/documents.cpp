@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/documents.hpp"
 
+#include "scene/surface_option_table.hpp"
+
 #include <cmath>
 
 namespace fstiff::scene {
@@ -48,23 +50,37 @@ Json json_source(const SurfaceOptions& options, const SurfaceInput& input) {
             {"decisions", input.surface.record.sentences()}};
 }
 
+namespace {
+
+Json json_of(bool value) { return value; }
+Json json_of(int value) { return value; }
+Json json_of(double value) { return value; }
+Json json_of(const std::string& text) { return text; }
+Json json_of(const Lengths& given) { return given.text(); }
+template <NamedEnum Enum>
+Json json_of(Enum value) {
+    return name_of(value);
+}
+template <NamedEnum Enum>
+Json json_of(const std::optional<Enum>& value) {
+    return value ? Json(name_of(*value)) : Json("");
+}
+
+Json json_of_option(const SurfaceOptionRow& row, const SurfaceOptions& options) {
+    return row.visit(options, [](const auto& value) { return json_of(value); });
+}
+
+}  // namespace
+
 Json json_inputs(const SurfaceOptions& options, const std::string& form) {
-    Json inputs = {{"input_format", options.format}, {"units", options.units},   {"spacing", options.spacing},
-                   {"column", options.column},       {"dx", options.dx},         {"dy", options.dy},
-                   {"width", options.width},         {"height", options.height}, {"detrend", form},
-                   {"cutoff", options.cutoff}};
-    if (options.x_column != 0) inputs["x_column"] = options.x_column;
-    if (!options.lambda_s.empty()) inputs["lambda_s"] = options.lambda_s;
-    if (!options.lambda_c.empty()) inputs["lambda_c"] = options.lambda_c;
-    if (!options.crop.empty()) inputs["crop"] = options.crop;
-    if (!options.mask.empty()) inputs["mask"] = options.mask;
-    if (options.spikes != 0) inputs["spikes"] = options.spikes;
-    if (options.fill) inputs["fill"] = true;
-    if (options.filter != CutOffFilter::gaussian) inputs["filter"] = name_of(options.filter);
-    if (!options.missing.empty()) inputs["missing"] = options.missing;
-    if (options.resample) inputs["resample"] = true;
-    if (!options.x3p_increment.empty()) inputs["x3p_increment"] = options.x3p_increment;
-    if (!options.channel.empty()) inputs["channel"] = options.channel;
+    const SurfaceOptions defaults;
+    Json inputs = Json::object();
+    for (const bool always : {true, false})
+        for (const SurfaceOptionRow& row : surface_option_table()) {
+            if (row.group == OptionGroup::estimate || (row.echo == Echo::always) != always) continue;
+            if (always || !row.has_same(options, defaults)) inputs[row.json_name()] = json_of_option(row, options);
+        }
+    inputs["detrend"] = form;
     return inputs;
 }
 
@@ -140,12 +156,10 @@ Json measure_json(const MeasureOptions& options, const MeasuredSurface& surface)
                                      {"warnings", one["warnings"]}});
     }
     document["inputs"] = json_inputs(options.input, options.input.detrend);
-    document["inputs"].update({{"peaks", name_of(options.peaks)},
-                               {"tip_radius", options.input.tip_radius},
-                               {"resolution", options.input.resolution},
-                               {"window", options.window},
-                               {"resamples", options.resamples},
-                               {"seed", options.seed}});
+    for (const SurfaceOptionRow& row : surface_option_table())
+        if (row.group == OptionGroup::estimate)
+            document["inputs"][row.json_name()] = json_of_option(row, options.input);
+    document["inputs"].update({{"resamples", options.resamples}, {"seed", options.seed}});
     document["roughness"] = json_of(roughness_of(surface));
     return document;
 }

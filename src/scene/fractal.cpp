@@ -100,9 +100,9 @@ Json json_start(const FractalOptions& options, const SurfaceInput& input, const 
     Json document = json_document("fit");
     document["source"] = json_source(options.surface, input);
     Json inputs = json_inputs(options.surface, form);
-    inputs.update({{"window", options.window},
-                   {"tip_radius", options.surface.tip_radius},
-                   {"resolution", options.surface.resolution},
+    inputs.update({{"window", options.surface.window.text()},
+                   {"tip_radius", options.surface.tip_radius.text()},
+                   {"resolution", options.surface.resolution.text()},
                    {"seed", options.seed},
                    {"resamples", options.resamples},
                    {"convention", name_of(options.convention)}});
@@ -118,12 +118,12 @@ Json json_start(const FractalOptions& options, const SurfaceInput& input, const 
 
 FractalFitOptions<double> fit_options(const FractalOptions& options) {
     FractalFitOptions<double> how;
-    const std::string prefix(options.surface.prefix);
-    if (!options.window.empty()) how.window = parse_window(options.window, prefix + "window");
+    const SurfaceOptions& surface = options.surface;
+    if (!surface.window.empty()) how.window = parse_window(surface.window, surface.name("window"));
     how.convention = options.convention;
     how.seed = options.seed;
     how.resamples = options.resamples;
-    const Instrument instrument = instrument_of(options.surface);
+    const Instrument instrument = instrument_of(surface);
     how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
     return how;
 }
@@ -155,8 +155,7 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
 
 MapFractal fractal_of_map(const FractalOptions& options, SurfaceInput& input) {
     if (options.all_lags)
-        throw option_error(std::string(options.surface.prefix) +
-                           (options.surface.prefix.empty() ? "all_lags" : "all-lags") +
+        throw option_error(options.surface.name("all_lags") +
                            " is for profiles; must not be given for a map");
     FractalFitOptions<double> how = fit_options(options);
     how.progress = options.progress;

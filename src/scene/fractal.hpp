@@ -23,7 +23,6 @@ namespace fstiff::scene {
 /// How a file is read, and how D and G are found.
 struct FractalOptions {
     SurfaceOptions surface;
-    std::string window;  ///< of lags
     StructureConvention convention = StructureConvention::exact;
     std::uint64_t seed = FractalFitOptions<double>{}.seed;
     int resamples = FractalFitOptions<double>{}.resamples;

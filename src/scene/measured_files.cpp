@@ -44,11 +44,11 @@ std::pair<double, double> steps(const MeasuredSurface& one) {
 bool differ(double a, double b) { return std::abs(a - b) > 1e-6 * std::abs(a); }
 
 /// \throws domain_error unless \p one can be pooled with \p first.
-void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, std::string_view prefix) {
+void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, const SurfaceOptions& options) {
     if (one.kind != first.kind)
         throw domain_error(one.file + ": is a " + one.kind + ", and " + first.file + " a " + first.kind +
                            "; files of one surface must be of one kind");
-    const std::string dash = prefix.empty() ? "_" : "-", short_name = std::string(prefix) + "lambda" + dash + "s";
+    const std::string short_name = options.name("lambda_s");
     const auto alike = [](const std::optional<double>& a, const std::optional<double>& b) {
         return a.has_value() == b.has_value() && (!a || !differ(*a, *b));
     };
@@ -59,7 +59,7 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, std
     if (!alike(one.cut_offs.lambda_c, first.cut_offs.lambda_c))
         throw domain_error(one.file + ": lambda_c " + shown(one.cut_offs.lambda_c) + ", that of " + first.file + " " +
                            shown(first.cut_offs.lambda_c) + "; files of one surface must have one " +
-                           std::string(prefix) + "lambda" + dash + "c");
+                           options.name("lambda_c"));
     if (!one.cut_offs.lambda_s &&
         (differ(steps(one).first, steps(first).first) || differ(steps(one).second, steps(first).second)))
         throw domain_error(one.file + ": has points " + shown_length(steps(one).first) + " apart, and " + first.file +
@@ -70,15 +70,15 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, std
 /// Cut-offs that the table chose differently for \p parts become the longest of them in \p options, or none where one part
 /// has none. Returns whether there are such.
 bool share_cut_offs(SurfaceOptions& options, const std::vector<MeasuredSurface>& parts) {
-    const auto share = [&](std::string& option, std::optional<double> CutOffs<double>::*of) {
-        if (!is_automatic(option)) return false;
+    const auto share = [&](Lengths& option, std::optional<double> CutOffs<double>::*of) {
+        if (!parse_cut_off(option, "").automatic()) return false;
         const auto shorter = [&](const MeasuredSurface& a, const MeasuredSurface& b) {
             return (a.cut_offs.*of).value_or(0) < (b.cut_offs.*of).value_or(0);
         };
         const auto [low, high] = std::minmax_element(parts.begin(), parts.end(), shorter);
         const std::optional<double> least = low->cut_offs.*of, most = high->cut_offs.*of;
         if (!most || (least && !differ(*least, *most))) return false;
-        option = least ? exact(*most) + " m" : "none";
+        option = least ? Lengths(*most) : Lengths("none");
         return true;
     };
     const bool short_waves = share(options.lambda_s, &CutOffs<double>::lambda_s);
@@ -267,7 +267,7 @@ MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::str
     measure();
     const bool once = std::count(files.begin(), files.end(), "-") > 0;  // standard input is read once
     if (!once && share_cut_offs(options.input, parts)) measure();
-    for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input.prefix);
+    for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input);
     MeasuredSurface whole = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts));
     whole.warnings.insert(whole.warnings.begin(), copies.begin(), copies.end());
     return whole;

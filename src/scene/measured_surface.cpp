@@ -39,10 +39,10 @@ void describe(MeasuredSurface& surface, const Surface<double>& found, const Prep
     else
         said.push_back(
             "R and D_p from " + std::to_string(found.peaks_counted) +
-            (options.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
+            (options.input.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
     if (found.fractal_dimension)
         said.push_back("D and G from lags of " + shown_length(found.window.from) + " to " +
-                       shown_length(found.window.to) + (options.window.empty() ? " (automatic)" : " (given)"));
+                       shown_length(found.window.to) + (options.input.window.empty() ? " (automatic)" : " (given)"));
     said.push_back(
         "errors by " + std::to_string(options.resamples) + " resamples of " +
         (profile ? "blocks of " + shown_length(found.block_length) : std::to_string(found.blocks) + " tiles") +
@@ -142,8 +142,8 @@ namespace {
 /// \throws option_error, domain_error for options that do not fit the kind of the surface.
 void refuse_options(const MeasureOptions& options, const Instrument& instrument, bool profile) {
     const std::string file = display_name(options.input.file);
-    if (profile && options.peaks == PeakSource::summits)
-        throw option_error(std::string(options.input.prefix) + "peaks = \"summits\" is for a map; " + file +
+    if (profile && options.input.peaks == PeakSource::summits)
+        throw option_error(options.input.name("peaks") + " = \"summits\" is for a map; " + file +
                            " holds a profile, whose R and D_p come from its curvature and its peaks");
     if (!profile && instrument.tip_radius > 0)
         throw domain_error(file +
@@ -156,12 +156,12 @@ fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, co
     const bool profile = input.surface.is_profile();
     const Instrument instrument = instrument_of(options.input);
     std::optional<LagWindow<double>> window;
-    if (!options.window.empty()) window = parse_window(options.window, std::string(options.input.prefix) + "window");
+    if (!options.input.window.empty()) window = parse_window(options.input.window, options.input.name("window"));
     refuse_options(options, instrument, profile);
     fstiff::MeasureOptions<double> how =
         profile ? options_for_profile(options.input, input) : options_for_map(options.input, input);
     how.window = window;
-    how.peaks = options.peaks;
+    how.peaks = options.input.peaks;
     how.resamples = static_cast<std::size_t>(options.resamples);
     how.seed = options.seed;
     how.neighbours = options.neighbours;

@@ -20,8 +20,6 @@ namespace fstiff::scene {
 /// How a file is read, and how its parameters are found.
 struct MeasureOptions {
     SurfaceOptions input;
-    PeakSource peaks = PeakSource::islands;  ///< of a map
-    std::string window;                      ///< of lags that give D
     int resamples = 400;
     std::uint64_t seed = 2014;
     bool neighbours = true;  ///< measures behind a smaller and a greater lambda_s too

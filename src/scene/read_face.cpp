@@ -2,6 +2,7 @@
 #include "scene/read_face.hpp"
 
 #include "scene/file.hpp"
+#include "scene/surface_option_table.hpp"
 
 #include <array>
 #include <cmath>
@@ -54,82 +55,51 @@ std::vector<std::string> files_of(Source& source, const toml::node& from, const 
     return files;
 }
 
-/// A key beside surface.from, and how it is read.
-struct ReadingKey {
-    std::string_view name;
-    void (*read)(Source&, const toml::node&, const std::string& key, MeasureOptions&);
+/// Reads one option of the surface, whose key messages call \p key.
+struct OptionReader {
+    Source& source;
+    const toml::node& node;
+    const std::string& key;
+    const SurfaceOptionRow& row;
+
+    void operator()(std::string& to) const {
+        if (row.more.form == TextForm::or_number && node.is_number()) {
+            source.record(key, to = written(node));
+            return;
+        }
+        if (row.more.form == TextForm::or_number && !node.is_string())
+            source.refuse(node, key, "must be a number or a text");
+        to = source.text(node, key);
+        if (row.more.form == TextForm::file) to = beside_scene(source, to);
+    }
+    void operator()(Lengths& to) const { to = source.text(node, key); }
+    void operator()(bool& to) const {
+        if (!node.is_boolean()) source.refuse(node, key, "must be true or false");
+        to = node.as_boolean()->get();
+        source.record(key, written(node));
+    }
+    void operator()(double& to) const {
+        const auto number = node.value<double>();
+        if (!number || !(*number >= row.more.low && *number <= row.more.high))
+            source.refuse(node, key, "must be a number " + row.range());
+        source.record(key, written(node), to = *number);
+    }
+    void operator()(int& to) const {
+        const auto* number = node.as_integer();
+        if (!number || number->get() < row.more.low || number->get() > row.more.high)
+            source.refuse(node, key, "must be a whole number " + row.range());
+        to = static_cast<int>(number->get());
+        source.record(key, written(node), static_cast<double>(to));
+    }
+    template <NamedEnum Enum>
+    void operator()(Enum& to) const {
+        to = source.choice<Enum>(node, key);
+    }
+    template <NamedEnum Enum>
+    void operator()(std::optional<Enum>& to) const {
+        to = source.choice<Enum>(node, key);
+    }
 };
-
-template <std::string SurfaceOptions::*member>
-void read_text(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
-    options.input.*member = source.text(node, key);
-}
-
-template <bool SurfaceOptions::*member>
-void flag(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
-    if (!node.is_boolean()) source.refuse(node, key, "must be true or false");
-    options.input.*member = node.as_boolean()->get();
-    source.record(key, written(node));
-}
-
-/// missing = -9999 or missing = "-9999".
-void read_missing(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
-    if (!node.is_number() && !node.is_string()) source.refuse(node, key, "must be a number or a text");
-    options.input.missing = written(node);
-    source.record(key, written(node));
-}
-
-void read_mask(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
-    options.input.mask = beside_scene(source, source.text(node, key));
-}
-
-void read_spikes(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
-    const auto number = node.value<double>();
-    if (!number || !(*number >= 3 && *number <= 1000)) source.refuse(node, key, "must be a number from 3 to 1000");
-    options.input.spikes = *number;
-    source.record(key, written(node), *number);
-}
-
-template <int SurfaceOptions::*member>
-void read_column(Source& source, const toml::node& node, const std::string& key, MeasureOptions& options) {
-    const auto* column = node.as_integer();
-    if (!column || column->get() < 1 || column->get() > most_columns)
-        source.refuse(node, key, "must be a whole number from 1 to " + std::to_string(most_columns));
-    options.input.*member = static_cast<int>(column->get());
-    source.record(key, written(node), static_cast<double>(column->get()));
-}
-
-constexpr std::array<ReadingKey, 26> reading_keys{{
-    {"format", read_text<&SurfaceOptions::format>},
-    {"units", read_text<&SurfaceOptions::units>},
-    {"spacing", read_text<&SurfaceOptions::spacing>},
-    {"column", read_column<&SurfaceOptions::column>},
-    {"x_column", read_column<&SurfaceOptions::x_column>},
-    {"dx", read_text<&SurfaceOptions::dx>},
-    {"dy", read_text<&SurfaceOptions::dy>},
-    {"width", read_text<&SurfaceOptions::width>},
-    {"height", read_text<&SurfaceOptions::height>},
-    {"detrend", read_text<&SurfaceOptions::detrend>},
-    {"cutoff", read_text<&SurfaceOptions::cutoff>},
-    {"peaks", [](Source& source, const toml::node& node, const std::string& key,
-                 MeasureOptions& options) { options.peaks = source.choice<PeakSource>(node, key); }},
-    {"tip_radius", read_text<&SurfaceOptions::tip_radius>},
-    {"resolution", read_text<&SurfaceOptions::resolution>},
-    {"window", [](Source& source, const toml::node& node, const std::string& key,
-                  MeasureOptions& options) { options.window = source.text(node, key); }},
-    {"missing", read_missing},
-    {"resample", flag<&SurfaceOptions::resample>},
-    {"x3p_increment", read_text<&SurfaceOptions::x3p_increment>},
-    {"lambda_s", read_text<&SurfaceOptions::lambda_s>},
-    {"lambda_c", read_text<&SurfaceOptions::lambda_c>},
-    {"filter", [](Source& source, const toml::node& node, const std::string& key,
-                  MeasureOptions& options) { options.input.filter = source.choice<CutOffFilter>(node, key); }},
-    {"crop", read_text<&SurfaceOptions::crop>},
-    {"mask", read_mask},
-    {"spikes", read_spikes},
-    {"fill", flag<&SurfaceOptions::fill>},
-    {"channel", read_text<&SurfaceOptions::channel>},
-}};
 
 MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
@@ -137,9 +107,9 @@ MeasuredSurface read_from(Source& source, const Section& surface, const Progress
     options.neighbours = source.has_band;
     const std::vector<std::string> files = files_of(source, from, surface.key("from"));
     bool defaults = true;
-    for (const ReadingKey& key : reading_keys)
-        if (const toml::node* node = surface.find(key.name)) {
-            key.read(source, *node, surface.key(key.name), options);
+    for (const SurfaceOptionRow& row : surface_option_table())
+        if (const toml::node* node = surface.find(row.key)) {
+            row.visit(options.input, OptionReader{source, *node, surface.key(row.key), row});
             defaults = false;
         }
     return measured_from(options, files, defaults, source.place(from, surface.key("from")), progress);
@@ -252,7 +222,7 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     std::vector<std::string_view> valid(written_keys);
     for (const std::string_view key : bearing_keys()) valid.push_back(key);
     if (table.contains("from"))
-        for (const ReadingKey& key : reading_keys) valid.push_back(key.name);
+        for (const SurfaceOptionRow& row : surface_option_table()) valid.push_back(row.key);
     const Section surface(source, table, path, valid);
     if (surface.find("from")) {
         face = face_of(read_from(source, surface, progress));

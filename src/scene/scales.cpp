@@ -44,7 +44,7 @@ const Law& law_for(const MeasuredSurface& surface) {
     return *find_law(face.r ? "hertz" : "greenwood_williamson");
 }
 
-std::string text_of(const std::optional<double>& cut_off) { return cut_off ? exact(*cut_off) + " m" : "none"; }
+Lengths option_of(const std::optional<double>& cut_off) { return cut_off ? Lengths(*cut_off) : Lengths("none"); }
 
 /// The row of the cut-offs that \p surface has.
 Scale scale_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {
@@ -59,8 +59,8 @@ Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs<
                const ScalesOptions& how) {
     options.neighbours = false;
     options.resamples = 2;  // errors are not asked
-    options.input.lambda_s = text_of(cut_offs.lambda_s);
-    options.input.lambda_c = text_of(cut_offs.lambda_c);
+    options.input.lambda_s = option_of(cut_offs.lambda_s);
+    options.input.lambda_c = option_of(cut_offs.lambda_c);
     Scale scale{.cut_offs = cut_offs};
     try {
         scale = scale_of(measure_surface(options, input), law, how);

@@ -21,35 +21,17 @@ template <NamedEnum FormOf>
 FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string_view what,
                const std::string& more = "") {
     if (const auto form = find_named<FormOf>(name)) return *form;
-    throw option_error(std::string(options.prefix) + "detrend = \"" + std::string(name) + "\": of a " +
+    throw option_error(options.name("detrend") + " = \"" + std::string(name) + "\": of a " +
                        std::string(what) + " must be one of " + choices_text<FormOf>() + more);
 }
 
 void refuse_cutoff(const SurfaceOptions& options) {
     if (!options.cutoff.empty())
-        throw option_error(std::string(options.prefix) + "cutoff belongs to " + std::string(options.prefix) +
-                           "detrend gaussian, of a profile; must not be given without it");
+        throw option_error(options.name("cutoff") + " belongs to " + options.name("detrend") +
+                           " gaussian, of a profile; must not be given without it");
 }
 
 }  // namespace
-
-double parse_length(const std::string& text, std::string_view name) {
-    return parse_positive(text, io::Dimension::length, name);
-}
-
-LagWindow<double> parse_window(const std::string& text, std::string_view name) {
-    const auto comma = text.find(',');
-    if (comma == std::string::npos)
-        throw option_error(std::string(name) + " = \"" + text + "\": must be two lengths, such as \"1 um,100 um\"");
-    if (text.find(',', comma + 1) != std::string::npos)
-        throw option_error(std::string(name) + " = \"" + text +
-                           "\": must be two lengths with one comma between them; the decimal mark is the point");
-    const LagWindow<double> window{parse_length(text.substr(0, comma), name),
-                                   parse_length(text.substr(comma + 1), name)};
-    if (!(window.from < window.to))
-        throw option_error(std::string(name) + " = \"" + text + "\": the first length must be less than the second");
-    return window;
-}
 
 std::size_t SurfaceInput::points() const {
     if (dropped) return dropped->points;
@@ -110,13 +92,13 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
                            ": is JSON that fstiff printed; must be a profile or a map (run --surface and surface.from "
                            "read the JSON of fstiff measure)");
     io::SurfaceOptions how;
-    how.format = io::surface_format(options.format);
+    how.format = options.format;
     how.units = options.units;
     if (!options.prefix.empty()) how.names = {std::string(options.prefix), std::string(options.format_name), " "};
     how.column = static_cast<std::size_t>(options.column);
     how.x_column = static_cast<std::size_t>(options.x_column);
-    const auto length = [&](const std::string& text, const char* name) {
-        return text.empty() ? std::optional<double>() : parse_length(text, std::string(options.prefix) + name);
+    const auto length = [&](const Lengths& given, const char* key) {
+        return given.empty() ? std::optional<double>() : parse_length(given, options.name(key));
     };
     how.spacing = length(options.spacing, "spacing");
     how.dx = length(options.dx, "dx");
@@ -125,10 +107,7 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     how.height = length(options.height, "height");
     how.missing = options.missing;
     how.resample = options.resample;
-    if (!options.x3p_increment.empty())
-        how.x3p_increment = parse<io::X3pIncrement>(
-            options.x3p_increment,
-            std::string(options.prefix) + (options.prefix.empty() ? "x3p_increment" : "x3p-increment"));
+    how.x3p_increment = options.x3p_increment.value_or(io::X3pIncrement::apply);
     how.channel = options.channel;
     SurfaceInput input;
     input.sha256 = sha256(bytes);
@@ -148,11 +127,10 @@ void read_form(const SurfaceOptions& options, fstiff::MeasureOptions<double>& ho
         refuse_cutoff(options);
         return;
     }
-    const std::string name = std::string(options.prefix) + "cutoff";
-    if (options.cutoff.empty())
-        throw option_error(std::string(options.prefix) + "detrend gaussian needs " + name + ", such as \"0.8 mm\"");
-    if (!options.lambda_c.empty() && options.lambda_c != "none")
-        throw option_error(std::string(options.prefix) + "detrend gaussian has the cut-off " + name +
+    const std::string name = options.name("cutoff"), form = options.name("detrend") + " gaussian ";
+    if (options.cutoff.empty()) throw option_error(form + "needs " + name + ", such as \"0.8 mm\"");
+    if (!options.lambda_c.empty() && options.lambda_c != Lengths("none"))
+        throw option_error(form + "has the cut-off " + name +
                            " already; must not stand beside another cut-off of long waves");
 }
 
@@ -170,7 +148,7 @@ fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options
         fstiff::MeasureOptions<double> how = library_options(options);
         how.form = form.form;
         if (options.detrend == gaussian_form)
-            how.form_cut_off = parse_length(options.cutoff, std::string(options.prefix) + "cutoff");
+            how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
         how.height_step = input.surface.record.resolution;
         require_cut_offs(options, how, read.spacing, read.length());
         return how;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A measured surface: the options that say how a file is read, the reading, and the removal of the form.
+// A measured surface: the reading of its file, and the removal of the form.
 
 #include "scene/cut_offs.hpp"
 #include "scene/file.hpp"
+#include "scene/surface_options.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/io/surface_file.hpp>
 #include <fstiff/measured/prepare.hpp>
-#include <fstiff/profile/fractal_fit.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -17,38 +16,6 @@
 #include <vector>
 
 namespace fstiff::scene {
-
-/// Columns of a profile of text, as io/number_table.hpp bounds them.
-inline constexpr int most_columns = static_cast<int>(io::max_profile_columns);
-
-/// How a file is read; a file name alone will do. What is left empty is taken from the file, or by default.
-struct SurfaceOptions {
-    std::string file;                   ///< "-" is standard input
-    std::string format = "auto";        ///< auto, profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd
-    std::string units;                  ///< "um,nm" (lengths, heights) or "um" (both)
-    std::string spacing;                ///< of a profile
-    std::string dx, dy, width, height;  ///< of a matrix
-    int column = 0;                     ///< of the heights of a profile, counted from 1
-    int x_column = 0;                   ///< of its positions
-    std::string missing;                ///< stands for missing points of a text: "-9999", or "none"
-    bool resample = false;              ///< unequally spaced positions of a profile are interpolated
-    std::string x3p_increment;          ///< apply (or empty) or ignore
-    std::string channel;                ///< of gwy: its number or its title
-    std::string crop, mask;             ///< a part of the surface, "x0,x1" or "x0,x1,y0,y1"; a file of 0 and 1
-    double spikes = 0;                  ///< become missing beyond so many standard deviations; 0: none
-    bool fill = false;                  ///< missing points are filled
-    std::string detrend;                ///< see remove_form(); empty: "line" of a profile, "plane" of a map
-    std::string cutoff;                 ///< of detrend = "gaussian"
-    std::string lambda_s, lambda_c;     ///< cut-offs of short and of long waves: a length, "none", or "auto" (or empty)
-    CutOffFilter filter = CutOffFilter::gaussian;  ///< of lambda_c
-    std::string tip_radius, resolution;  ///< of the instrument: they bound lambda_s = "auto" and the lags of D
-    /// How messages call the options above: of a command line "--spacing", of a scene's key "spacing".
-    std::string_view prefix{};
-    std::string_view format_name = "format";
-};
-
-/// SurfaceOptions::detrend of a profile beside the forms: the line, then the filter of ISO 16610-21.
-inline constexpr std::string_view gaussian_form = "gaussian";
 
 struct SurfaceInput {
     io::Surface surface;
@@ -99,11 +66,5 @@ struct SurfaceInput {
 /// reader; and gradient_warning() of the \p rms_gradient that was measured, where it is known yet.
 [[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
                                                         std::optional<double> rms_gradient = {});
-
-/// A length with its unit, greater than 0, of the option called \p name in messages. \throws as parse_positive().
-[[nodiscard]] double parse_length(const std::string& text, std::string_view name);
-/// Two such lengths with a comma between them, each greater than 0, the first the shorter.
-/// \throws option_error unless they are two and rise, domain_error as above.
-[[nodiscard]] LagWindow<double> parse_window(const std::string& text, std::string_view name);
 
 }  // namespace fstiff::scene

@@ -275,11 +275,19 @@ def test_reprs_frames_and_plots(rough_map, trace):
         assert one.plot().get_xlabel()
 
 
+@pytest.mark.parametrize("key", fstiff._core.surface_options())
+def test_every_option_of_the_table_is_a_keyword(key):
+    keywords = {*fstiff._surfaces.SurfaceOptions.__annotations__, "peaks", "window"}
+    assert keywords == set(fstiff._core.surface_options())
+    with pytest.raises((TypeError, ValueError), match=f"{key} = <object|expected str"):
+        fstiff.measure("no such file", **{key: object()})
+
+
 @pytest.mark.parametrize(
     "call, sentence",
     [
         (lambda z: fstiff.measure(z), "spacing: is missing"),
-        (lambda z: fstiff.measure(z, spacing=0), 'spacing = "0.0 m": must be greater than 0'),
+        (lambda z: fstiff.measure(z, spacing=0), 'spacing = "0 m": must be greater than 0'),
         (lambda z: fstiff.measure(z, spacing="1 apple"), "spacing"),
         (lambda z: fstiff.measure(z, spacing=[1e-6]), "spacing: must be one length, or (dx, dy)"),
         (lambda z: fstiff.measure(z[0, :9], spacing=1e-6), "profile has 9 points: must be at least 16"),

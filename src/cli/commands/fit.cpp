@@ -175,12 +175,14 @@ Command add_fit(CLI::App& app) {
                 "profile or map, as fstiff formats lists them; - is standard input")
         .required();
     add_surface_options(command, options->fractal.surface);
-    command.option("--window", options->fractal.window,
-                   "shortest and longest lag of the fit, such as \"1 um,100 um\"; the default is chosen automatically");
-    command.option("--tip-radius", options->fractal.surface.tip_radius,
-                   "radius of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
-    command.option("--resolution", options->fractal.surface.resolution,
-                   "lateral resolution of the instrument; shorter lags are left out of the fit");
+    SurfaceOptions& surface = options->fractal.surface;
+    add_surface_option(
+        command, surface, "window",
+        "shortest and longest lag of the fit, such as \"1 um,100 um\"; the default is chosen automatically");
+    add_surface_option(command, surface, "tip_radius",
+                       "radius of the stylus, such as \"2 um\": lags that may show it are left out (profiles)");
+    add_surface_option(command, surface, "resolution",
+                       "lateral resolution of the instrument; shorter lags are left out of the fit");
     command.option("--convention", options->fractal.convention,
                    "constant C of eq. (2.4) that gives G: exact (default), paper or majumdar_tien");
     command.option("--seed", options->fractal.seed, "seed of the random numbers of the bootstrap; the default is 2014");

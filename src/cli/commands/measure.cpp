@@ -170,16 +170,8 @@ Command add_measure(CLI::App& app) {
                 "are pooled")
         .required();
     add_surface_options(command, measure.input);
-    command.option("--peaks", measure.peaks,
-                   "what counts as a peak of a map, for R and D_p: its islands (default) or its summits");
-    command.option(
-        "--tip-radius", measure.input.tip_radius,
-        "radius of the stylus, such as \"2 um\": shorter lags of a profile, which may show it, are not used for D");
-    command.option("--resolution", measure.input.resolution,
-                   "lateral resolution of the instrument; shorter lags are not used for D");
-    command.option(
-        "--window", measure.window,
-        "shortest and longest lag that give D, such as \"1 um,100 um\"; the default is chosen automatically");
+    for (const char* key : {"peaks", "tip_radius", "resolution", "window"})
+        add_surface_option(command, measure.input, key);
     command
         .option("--resamples", measure.resamples,
                 "number of resamples that the standard errors are computed from; the default is 400")

@@ -5,92 +5,59 @@
 
 namespace fstiff::cli {
 
+namespace {
+
+/// Adds one option of the surface.
+struct OptionAdder {
+    Arguments& arguments;
+    const std::string name, help;
+    const SurfaceOptionRow& row;
+    SurfaceKind kind;
+
+    void operator()(std::string& to) const {
+        Option option = arguments.option(name, to, help);
+        if (row.more.words) option.one_of(row.more.words(kind));
+    }
+    void operator()(Lengths& to) const { take<Lengths>(to, [](const std::string& text) { return text; }); }
+    void operator()(int& to) const { arguments.option(name, to, help).between(row.more.low, row.more.high); }
+    void operator()(double& to) const {
+        arguments.option(name, to, help).between(static_cast<double>(row.more.low), static_cast<double>(row.more.high));
+    }
+    void operator()(bool& to) const { arguments.flag(name, to, help); }
+    template <NamedEnum Enum>
+    void operator()(Enum& to) const {
+        arguments.option(name, to, help);
+    }
+    template <NamedEnum Enum>
+    void operator()(std::optional<Enum>& to) const {
+        take<std::optional<Enum>>(to, find_named<Enum>).one_of(choices<Enum>());
+    }
+
+private:
+    template <class To, class Read>
+    Option take(To& to, const Read& read) const {
+        const std::function<void(const std::string&)> put = [&to, read](const std::string& text) { to = read(text); };
+        return arguments.option(name, put, help);
+    }
+};
+
+}  // namespace
+
+void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::string_view key, std::string_view help) {
+    const SurfaceOptionRow& row = surface_option(key);
+    const std::string text(help.empty() ? row.help : help);
+    row.visit(options, OptionAdder{arguments, row.flag_name(), text, row, SurfaceKind::any});
+}
+
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind) {
     options.prefix = "--";
     options.format_name = "--input-format";
-    const bool profiles = kind != SurfaceKind::map, maps = kind != SurfaceKind::profile;
-    arguments
-        .option("--input-format", options.format,
-                "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd")
-        .one_of(choices<io::SurfaceFormat>());
-    arguments.option(
-        "--units", options.units,
-        "units of lengths and heights of a text or .npy, such as um,nm, or one for both; replace those of the file");
-    arguments.option(
-        "--missing", options.missing,
-        "number or word that stands for missing points of a text or .npy, such as -9999; none: every number is a "
-        "height");
-    arguments
-        .option("--x3p-increment", options.x3p_increment,
-                "of X3P with heights of floating point: apply the increment of z (default) or ignore it")
-        .one_of(choices<io::X3pIncrement>());
-    arguments.option("--channel", options.channel,
-                     "of a Gwyddion file (.gwy): number or title of the channel; default the lowest in lengths");
-    std::vector<std::string_view> words;
-    const auto allow = [&](std::span<const std::string_view> more) {
-        for (const std::string_view word : more)
-            if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
-    };
-    std::string forms;
-    if (profiles) {
-        allow(choices<Form>());
-        words.push_back(gaussian_form);
-        forms = "; of a profile none, mean, line (default), parabola or gaussian";
-        arguments.option("--spacing", options.spacing,
-                         "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file");
-        arguments
-            .option("--column", options.column,
-                    "column of the heights of a profile, counted from 1; default the last of one or two")
-            .between(1, most_columns);
-        arguments
-            .option("--x-column", options.x_column,
-                    "column of the positions of a profile, counted from 1; default the first that does not number the "
-                    "points")
-            .between(1, most_columns);
-        arguments.flag("--resample", options.resample,
-                       "a profile of unequal steps is interpolated at as many equal ones");
-        arguments.option("--cutoff", options.cutoff,
-                         "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\"");
-    }
-    if (maps) {
-        allow(choices<MapForm>());
-        forms += "; of a map none, mean, plane (default), quadratic or cubic";
-        arguments.option("--dx", options.dx,
-                         "distance of neighbouring columns of a matrix or .npy; replaces the one in the file");
-        arguments.option("--dy", options.dy, "distance of neighbouring rows of a matrix or .npy");
-        arguments.option("--width", options.width,
-                         "width of a matrix or .npy (number of columns times dx), instead of --dx");
-        arguments.option("--height", options.height,
-                         "height of a matrix or .npy (number of rows times dy), instead of --dy");
-    }
-    arguments.option(
-        "--crop", options.crop,
-        maps ? "part that is kept: \"x0,x1\" of a profile, \"x0,x1,y0,y1\" of a map, such as \"0,1 mm,0,1 mm\""
-             : "part that is kept: \"x0,x1\", such as \"0,1 mm\"");
-    arguments.option("--mask", options.mask,
-                     "file of 0 and 1 with the shape of the surface, text or .npy: points of 0 become missing");
-    arguments
-        .option(
-            "--spikes", options.spikes,
-            "points farther than so many robust standard deviations, such as 5, from the median of their neighbours "
-            "become missing")
-        .between(3.0, 1000.0);
-    arguments.flag("--fill", options.fill,
-                   "missing points are filled: by straight lines in a profile, by Laplace's equation in a map");
-    arguments.option("--detrend", options.detrend, "form that is removed before anything is computed" + forms)
-        .one_of(words);
-    arguments.option(
-        "--lambda-s", options.lambda_s,
-        "shortest waves that are kept, such as \"1 um\": the Gaussian filter (ISO 16610-21 and -61) halves "
-        "them once the form is removed; auto (default) takes the standards' index of five steps; none keeps all");
-    arguments.option(
-        "--lambda-c", options.lambda_c,
-        "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) takes that of the "
-        "standards' table for a profile of five of them, and none for a map; none keeps all");
-    arguments.option(
-        "--filter", options.filter,
-        "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line grooves and "
-        "spikes do not draw towards them");
+    std::vector<const SurfaceOptionRow*> rows;
+    for (const SurfaceOptionRow& row : surface_option_table())
+        if (row.group != OptionGroup::estimate && row.is_for(kind)) rows.push_back(&row);
+    std::stable_sort(rows.begin(), rows.end(), [](const auto* a, const auto* b) { return a->group < b->group; });
+    for (const SurfaceOptionRow* row : rows)
+        row->visit(options, OptionAdder{arguments, row->flag_name(), std::string(row->help_for(kind)), *row, kind});
 }
 
 std::string source_lines(const SurfaceInput& input, std::string_view indent) {

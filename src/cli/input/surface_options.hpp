@@ -5,17 +5,17 @@
 #include "document/output.hpp"
 #include "input/arguments.hpp"
 #include "scene/surface_file.hpp"
+#include "scene/surface_option_table.hpp"
 
 #include <string>
 #include <string_view>
 
 namespace fstiff::cli {
 
-/// What a subcommand reads.
-enum class SurfaceKind { profile, map, any };
-
-/// Adds --input-format, --units, --missing, --x3p-increment, --channel, --detrend, --spacing, --column, --x-column, --resample and --cutoff of profiles, --lambda-s and --lambda-c, --dx, --dy, --width and --height
-/// of maps. Not the file itself.
+/// Adds the option of \p key, whose help is that of the table where \p help is empty.
+void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::string_view key,
+                        std::string_view help = {});
+/// Adds every option of the table but those of an estimate. Not the file itself.
 void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
 
 /// What was decided about the file as lines of a table, each behind \p indent.

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/surface_option_table.hpp"
+
+#include <fstiff/measured/prepare.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace fstiff::scene {
+namespace {
+
+/// The forms that may be removed of \p kind.
+std::vector<std::string_view> words_of_form(SurfaceKind kind) {
+    std::vector<std::string_view> words;
+    const auto add = [&](std::span<const std::string_view> more) {
+        for (const std::string_view word : more)
+            if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    };
+    if (kind != SurfaceKind::map) {
+        add(choices<Form>());
+        words.push_back(gaussian_form);
+    }
+    if (kind != SurfaceKind::profile) add(choices<MapForm>());
+    return words;
+}
+
+namespace of_surface {
+
+using enum OptionGroup;
+using enum Echo;
+using Of = SurfaceOptions;
+
+// clang-format off
+constexpr SurfaceOptionRow rows[] = {
+    {"format", file, &Of::format, always,
+     "form of the file: auto (default), profile, triples, matrix, sdf, x3p, npy, gsf, gwy, sur or smd",
+     {.flag = "input-format", .json = "input_format"}},
+    {"units", file, &Of::units, always,
+     "units of lengths and heights of a text or .npy, such as um,nm, or one for both; replace those of the file"},
+    {"spacing", step_of_profile, &Of::spacing, always,
+     "distance of neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file"},
+    {"column", file_of_profile, &Of::column, always,
+     "column of the heights of a profile, counted from 1; default the last of one or two",
+     {.low = 1, .high = most_columns}},
+    {"x_column", file_of_profile, &Of::x_column, if_not_default,
+     "column of the positions of a profile, counted from 1; default the first that does not number the points",
+     {.low = 1, .high = most_columns}},
+    {"dx", step_of_map, &Of::dx, always,
+     "distance of neighbouring columns of a matrix or .npy; replaces the one in the file"},
+    {"dy", step_of_map, &Of::dy, always, "distance of neighbouring rows of a matrix or .npy"},
+    {"width", file_of_map, &Of::width, always,
+     "width of a matrix or .npy (number of columns times dx), instead of --dx"},
+    {"height", file_of_map, &Of::height, always,
+     "height of a matrix or .npy (number of rows times dy), instead of --dy"},
+    {"detrend", form, &Of::detrend, always,
+     "form that is removed before anything is computed; of a profile none, mean, line (default), parabola or "
+     "gaussian; of a map none, mean, plane (default), quadratic or cubic",
+     {.help_of_profile = "form that is removed before anything is computed; of a profile none, mean, line (default), "
+                         "parabola or gaussian",
+      .help_of_map = "form that is removed before anything is computed; of a map none, mean, plane (default), "
+                     "quadratic or cubic",
+      .words = words_of_form}},
+    {"cutoff", form_of_profile, &Of::cutoff, always,
+     "wavelength that the Gaussian filter (ISO 16610-21) halves, such as \"0.8 mm\""},
+    {"peaks", estimate, &Of::peaks, always,
+     "what counts as a peak of a map, for R and D_p: its islands (default) or its summits"},
+    {"tip_radius", estimate, &Of::tip_radius, always,
+     "radius of the stylus, such as \"2 um\": shorter lags of a profile, which may show it, are not used for D"},
+    {"resolution", estimate, &Of::resolution, always,
+     "lateral resolution of the instrument; shorter lags are not used for D"},
+    {"window", estimate, &Of::window, always,
+     "shortest and longest lag that give D, such as \"1 um,100 um\"; the default is chosen automatically"},
+    {"missing", file, &Of::missing, if_not_default,
+     "number or word that stands for missing points of a text or .npy, such as -9999; none: every number is a "
+     "height",
+     {.form = TextForm::or_number}},
+    {"resample", file_of_profile, &Of::resample, if_not_default,
+     "a profile of unequal steps is interpolated at as many equal ones"},
+    {"x3p_increment", file, &Of::x3p_increment, if_not_default,
+     "of X3P with heights of floating point: apply the increment of z (default) or ignore it"},
+    {"lambda_s", filter, &Of::lambda_s, if_not_default,
+     "shortest waves that are kept, such as \"1 um\": the Gaussian filter (ISO 16610-21 and -61) halves "
+     "them once the form is removed; auto (default) takes the standards' index of five steps; none keeps all"},
+    {"lambda_c", filter, &Of::lambda_c, if_not_default,
+     "longest waves that are kept, such as \"0.8 mm\", after --lambda-s; auto (default) takes that of the "
+     "standards' table for a profile of five of them, and none for a map; none keeps all"},
+    {"filter", filter, &Of::filter, if_not_default,
+     "filter of --lambda-c: gaussian (default), or robust (ISO 16610-31 and -71), whose mean line grooves and "
+     "spikes do not draw towards them"},
+    {"crop", cleaning, &Of::crop, if_not_default,
+     "part that is kept: \"x0,x1\" of a profile, \"x0,x1,y0,y1\" of a map, such as \"0,1 mm,0,1 mm\"",
+     {.help_of_profile = "part that is kept: \"x0,x1\", such as \"0,1 mm\""}},
+    {"mask", cleaning, &Of::mask, if_not_default,
+     "file of 0 and 1 with the shape of the surface, text or .npy: points of 0 become missing",
+     {.form = TextForm::file}},
+    {"spikes", cleaning, &Of::spikes, if_not_default,
+     "points farther than so many robust standard deviations, such as 5, from the median of their neighbours "
+     "become missing",
+     {.low = min_spike_limit, .high = max_spike_limit}},
+    {"fill", cleaning, &Of::fill, if_not_default,
+     "missing points are filled: by straight lines in a profile, by Laplace's equation in a map"},
+    {"channel", file, &Of::channel, if_not_default,
+     "of a Gwyddion file (.gwy): number or title of the channel; default the lowest in lengths"},
+};
+// clang-format on
+
+}  // namespace of_surface
+}  // namespace
+
+std::string SurfaceOptionRow::flag_name() const {
+    return "--" + (more.flag.empty() ? with_dashes(key) : std::string(more.flag));
+}
+
+std::string_view SurfaceOptionRow::help_for(SurfaceKind kind) const {
+    if (kind == SurfaceKind::profile && !more.help_of_profile.empty()) return more.help_of_profile;
+    return kind == SurfaceKind::map && !more.help_of_map.empty() ? more.help_of_map : help;
+}
+
+bool SurfaceOptionRow::is_for(SurfaceKind kind) const {
+    using enum OptionGroup;
+    const bool profile = group == step_of_profile || group == file_of_profile || group == form_of_profile;
+    const bool map = group == step_of_map || group == file_of_map;
+    return !(profile && kind == SurfaceKind::map) && !(map && kind == SurfaceKind::profile);
+}
+
+bool SurfaceOptionRow::is_of_file() const {
+    using enum OptionGroup;
+    return group == file || group == file_of_profile || group == file_of_map;
+}
+
+std::string SurfaceOptionRow::range() const {
+    return "from " + std::to_string(more.low) + " to " + std::to_string(more.high);
+}
+
+std::span<const SurfaceOptionRow> surface_option_table() { return of_surface::rows; }
+
+const SurfaceOptionRow& surface_option(std::string_view key) {
+    for (const SurfaceOptionRow& row : of_surface::rows)
+        if (row.key == key) return row;
+    throw std::logic_error("no option of a surface is called " + std::string(key));
+}
+
+std::string with_dashes(std::string_view key) {
+    std::string text(key);
+    std::replace(text.begin(), text.end(), '_', '-');
+    return text;
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The table of the options of a measured surface: from its rows come the keys of a scene, the options of the command
+// line, the inputs of JSON documents, the keywords of Python and the table of docs/scene.md.
+
+#include "scene/surface_options.hpp"
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// What is read.
+enum class SurfaceKind { profile, map, any };
+
+/// What an option is for; the command line lists them in this order.
+enum class OptionGroup {
+    file,              ///< any file
+    step_of_profile,   ///< of a file or of an array
+    file_of_profile,
+    form_of_profile,
+    step_of_map,       ///< of a file or of an array
+    file_of_map,
+    cleaning,
+    form,
+    filter,
+    estimate,          ///< of the parameters: of the commands that estimate them
+};
+
+/// The field of an option, whose type is the kind of its value.
+using SurfaceField =
+    std::variant<std::string SurfaceOptions::*, Lengths SurfaceOptions::*, int SurfaceOptions::*,
+                 double SurfaceOptions::*, bool SurfaceOptions::*, io::SurfaceFormat SurfaceOptions::*,
+                 std::optional<io::X3pIncrement> SurfaceOptions::*, CutOffFilter SurfaceOptions::*,
+                 PeakSource SurfaceOptions::*>;
+
+/// What a text may be written as in a scene, where it is no plain text.
+enum class TextForm { plain, or_number, file };
+
+/// When an option is in a JSON document.
+enum class Echo { always, if_not_default };
+
+/// One option.
+struct SurfaceOptionRow {
+    std::string_view key;  ///< of a scene and of Python; with dashes, of the command line
+    OptionGroup group;
+    SurfaceField field;
+    Echo echo;
+    std::string_view help;
+    struct More {
+        std::string_view help_of_profile{}, help_of_map{};  ///< where only these are read, and it is another
+        int low = 0, high = 0;                              ///< of a number, both allowed
+        TextForm form = TextForm::plain;
+        std::vector<std::string_view> (*words)(SurfaceKind) = nullptr;  ///< of a text: those of the command line
+        std::string_view flag{}, json{};  ///< its names on the command line and in documents, where they are others
+    } more{};
+
+    [[nodiscard]] std::string flag_name() const;
+    [[nodiscard]] std::string_view json_name() const { return more.json.empty() ? key : more.json; }
+    [[nodiscard]] std::string_view help_for(SurfaceKind kind) const;
+    /// Whether a command that reads \p kind has a use for it.
+    [[nodiscard]] bool is_for(SurfaceKind kind) const;
+    /// Whether it has no meaning for heights in memory.
+    [[nodiscard]] bool is_of_file() const;
+    /// "from 3 to 1000".
+    [[nodiscard]] std::string range() const;
+    /// \p call(options.*field), with the type of the field.
+    template <class Options, class Call>
+    decltype(auto) visit(Options& options, const Call& call) const {
+        return std::visit([&](auto member) -> decltype(auto) { return call(options.*member); }, field);
+    }
+    /// Whether \p a and \p b hold the same of it.
+    [[nodiscard]] bool has_same(const SurfaceOptions& a, const SurfaceOptions& b) const {
+        return std::visit([&](auto member) { return a.*member == b.*member; }, field);
+    }
+};
+
+/// All options, in the order of a scene's keys.
+[[nodiscard]] std::span<const SurfaceOptionRow> surface_option_table();
+/// The row of \p key. \throws std::logic_error for a key that is none.
+[[nodiscard]] const SurfaceOptionRow& surface_option(std::string_view key);
+
+/// Columns of a profile of text, as io/number_table.hpp bounds them.
+inline constexpr int most_columns = static_cast<int>(io::max_profile_columns);
+
+/// \p key with dashes in place of underscores.
+[[nodiscard]] std::string with_dashes(std::string_view key);
+
+}  // namespace fstiff::scene
