@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks of sources and documents that no compiler makes. Each prints what is wrong, a fault a line, and then ends with 1.
+"""Checks of sources and documents that no compiler makes. Each prints its complaints, and then ends with 1.
 
-    tools/lint.py layers             who includes whom, the umbrella headers, the tables of docs/architecture.md, names of files
+    tools/lint.py layers             who includes whom, umbrella headers, tables of docs/architecture.md, names of files
     tools/lint.py layers --update    writes the umbrella headers and the tables
     tools/lint.py glossary           the names and rows of docs/glossary.md
     tools/lint.py sizes              lines of files, of functions and of folders
@@ -21,8 +21,8 @@ import subprocess
 import sys
 
 # layers: a folder includes itself and the levels before its own; folders on one level never include each other.
-PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact", "ultrasound",
-          "measured", "fit", "io")
+PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
+          "ultrasound", "measured", "fit", "io")
 PRIVATE = ("io", "scene", "sweep c", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
 UPWARD = {  # includes of src that go upward all the same, and why
     ("src/cli/document/output.hpp", "input/arguments.hpp"): "--format and --output are declared with what they fill",
@@ -124,7 +124,7 @@ def public_headers(root, problems):
             used[folder].add(other)
             problems += [f"{name}: {problem}"] if problem else []
         code = re.sub("//.*", "", text)
-        if line := re.search(r".*[^\n\t -~].*", code):
+        if line := re.search(r"^.*[^\n\t -~].*", code, re.M):
             problems.append(f"{name}: '{line[0]}': must be ASCII, which no compiler reads in a code page")
         if (found := re.search("(gnu|clang|msvc)::", code)) and name != "core/config.hpp":
             problems.append(f"{name}: {found[0]}: attributes of one compiler must stand in core/config.hpp")
@@ -165,8 +165,8 @@ def listed(used, folder):
 def umbrellas(headers):
     """fstiff.hpp and io.hpp as they should be."""
     head = "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n/// \\file\n/// "
-    texts = {"fstiff.hpp": "Everything above the readers and writers of files (io.hpp) and the opt-in adapters, layer by layer.\n"
-                           "/// Written by tools/lint.py.\n\n",
+    texts = {"fstiff.hpp": "Everything above the readers and writers of files (io.hpp) and the opt-in adapters, "
+                           "layer by layer.\n/// Written by tools/lint.py.\n\n",
              "io.hpp": "The readers and writers of files: all of io. They are compiled: link fstiff::io. "
                        "Written by tools/lint.py.\n\n"}
     for folder, names in headers.items():
@@ -189,14 +189,14 @@ def layers(root, update=False):
     text = read(document)
     wanted = {root / "include/fstiff" / name: text for name, text in umbrellas(headers).items()} | {document: text}
     for name, table in tables.items():
-        wanted[document], count = re.subn(rf"(<!-- {name} -->\n).*?(?=<!-- /{name} -->)", lambda found: found[1] + table,
-                                          wanted[document], flags=re.S)
+        wanted[document], count = re.subn(rf"(?s)(<!-- {name} -->\n).*?(?=<!-- /{name} -->)",
+                                          lambda found: found[1] + table, wanted[document])
         if count != 1:
             problems.append(f"docs/architecture.md: must hold the lines <!-- {name} --> and <!-- /{name} -->")
     for path, new in wanted.items():
         if update:
             path.write_text(new, encoding="utf-8", newline="\n")
-        elif not path.exists() or read(path) != new:
+        elif read(path) != new:
             what = "a table of what includes what is old" if path == document else "does not list the public headers"
             problems.append(f"{path.relative_to(root).as_posix()}: {what}: run tools/lint.py layers --update")
     for name in (name[:-len(".hpp")] for names in headers.values() for name in names):
@@ -206,7 +206,7 @@ def layers(root, update=False):
 
 
 def of_document(name):
-    """Where a file is that a document names so, from the root on, as patterns; None of what is no file of the project."""
+    """Patterns of the places of a file that a document names so; None of what names no file of the project."""
     if rooted := re.match(r"(?:\.\.?/)?((?:include/fstiff|src|tests|bench|data|docs|tools)/.*)", name):
         return [rooted[1]]
     if layer := re.fullmatch(rf"(?:fstiff/)?((?:{'|'.join(above(PUBLIC))})/[a-z0-9_]+)(?:\.[hc]pp)?", name):
@@ -216,6 +216,8 @@ def of_document(name):
 
 def of_code(name):
     """The same of a comment or a docstring, whose names have an ending."""
+    if not name.endswith((".md", ".hpp", ".h", ".cpp", ".csv", ".cmake", ".c", ".py", ".f90", ".toml", ".f32")):
+        return None
     if rooted := re.match(r"(?:\./)?((?:include/fstiff|src|tests|bench|docs|tools)/.*)", name):
         return [rooted[1], f"python/{rooted[1]}"]
     if layer := re.fullmatch(rf"(?:fstiff/)?((?:{'|'.join(above(PUBLIC))})/[a-z0-9_]+\.[hc]pp)", name):
@@ -229,27 +231,27 @@ def missing_files(root):
                  for path in root.glob(pattern)]
     code = [path for folder in "include src python bench examples tests tools fortran".split()
             for path in (root / folder).rglob("*")
-            if path.suffix in (".hpp", ".h", ".cpp", ".in", ".c", ".py", ".pyi", ".f90") and path.name != "lint_refuse.py"]
-    ending = r"\.(?:md|hpp|h|cpp|csv|cmake|c|py|f90|toml|f32)"
-    problems = {}
-    for paths, pattern, places in ((documents, r"[\w.*/-]*[\w*]/[\w.*/-]*[\w*]", of_document),
-                                   (code, r"[\w./-]*\w/[\w.-]*\w" + ending, of_code)):
+            if path.suffix in (".hpp", ".h", ".cpp", ".in", ".c", ".py", ".pyi", ".f90")
+            and path.name != "lint_refuse.py"]  # which invents names
+    problems = []
+    for paths, letters, places in ((documents, "[\\w.*/-]", of_document), (code, "[\\w./-]", of_code)):
         for path in sorted(paths):
-            for name in re.findall(pattern, read(path), re.A):
+            for name in {name.rstrip("./-"): None for name in re.findall(f"{letters}*/{letters}*", read(path), re.A)}:
                 if (patterns := places(name)) and not any(glob.glob(str(root / where)) for where in patterns):
-                    problems[f"{path.relative_to(root).as_posix()}: '{name}' does not exist"] = True
-    return list(problems)
+                    problems.append(f"{path.relative_to(root).as_posix()}: '{name}' does not exist")
+    return problems
 
 
 def glossary(root):
-    """Every row has a word and a sentence, and every name stands in the code of a header; Owner::name in the type Owner."""
+    """Every row has a word and a sentence; every name stands in the code of a header, Owner::name in the type Owner."""
     code = "\n".join(re.sub(r'"[^"\n]*"', "", re.sub("//.*", "", read(path)))
                      for path in sorted((root / "include/fstiff").rglob("*.hpp")))
 
+    names_of_code = set(re.findall(r"\w+", code))
+
     def exists(owner, member):
         body = rf"^(?:struct|class|enum class|enum) {owner}(?: [^;\n]*)?{{(?:.*}}.*$|(?s:.*?)^}})"
-        where = "\n".join(re.findall(body, code, re.M)) if owner else code
-        return re.search(rf"\b{member}\b", where)
+        return member in (re.findall(r"\w+", "\n".join(re.findall(body, code, re.M))) if owner else names_of_code)
 
     problems, words, count, table = [], [], 0, False
     for line in read(root / "docs/glossary.md").splitlines():
@@ -276,15 +278,15 @@ def glossary(root):
     return [f"docs/glossary.md: {problem}" for problem in problems + ["holds no table of words"] * (not words)]
 
 
-NO_CODE = re.compile(r'''//[^\n]* | /\*.*?\*/ | R"([^(\s]*)\(.*?\)\1" | "(?:\\.|[^"\\\n])*" | (?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'
-                         | ^[ \t]*\#(?:[^\n]*\\\n)*[^\n]* | \b(?:alignas|requires|noexcept|explicit)\s*\([^()]*\)''',
-                     re.S | re.M | re.X)
+NO_CODE = re.compile(r'''//[^\n]* | /\*.*?\*/ | R"([^(\s]*)\(.*?\)\1" | "(?:\\.|[^"\\\n])*"
+                         | (?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+' | ^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*
+                         | \b(?:alignas|requires|noexcept|explicit)\s*\([^()]*\)''', re.S | re.M | re.X)
 SCOPE = re.compile(r"\b(namespace|struct|class|union|enum|extern)\b[^()=]*$")  # before its brace
 
 
 def functions(code):
-    """Name and lines of each function, from the first of its declaration to its last brace. Outside of functions a brace opens
-    a namespace or a type, a function, or an initialiser, behind which the declaration goes on."""
+    """Name and lines of each function, from its declaration to its last brace. Outside of functions a brace
+    opens a namespace or a type, a function, or an initialiser, after which the declaration goes on."""
     start = depth = 0
     for mark in re.finditer("[{};]", code):
         head = code[start:mark.end()]
@@ -320,16 +322,17 @@ def sizes(root):
             long[key] = max(size, long.get(key, 0))
     problems += shrinking(lines, FILE_LINES, LONG_FILES, "LONG_FILES")
     problems += shrinking(long, FUNCTION_LINES, LONG_FUNCTIONS, "LONG_FUNCTIONS")
-    tools = [read(path).count("\n") for path in (root / "tools").rglob("*") if path.is_file() and path.suffix != ".pyc"]
+    scripts = (path for path in (root / "tools").rglob("*") if path.is_file() and path.suffix != ".pyc")
     totals = {"include": sum(size for name, size in lines.items() if name.startswith("include/")),
-              "src without io": sum(size for name, size in lines.items() if re.match("src/(?!io/)", name)), "tools": sum(tools)}
+              "src without io": sum(size for name, size in lines.items() if re.match("src/(?!io/)", name)),
+              "tools": sum(read(path).count("\n") for path in scripts)}
     print(f"{len(lines)} files, {len(long)} functions; lines: {totals}, at most {TOTALS}")
     return problems + [f"{name}: has {size} lines, more than {TOTALS[name]}" for name, size in totals.items()
                        if size > TOTALS[name]]
 
 
 def same(expected, actual):
-    """Whether actual is what a document shows: there a line "..." stands for any lines, " ..." for the rest of a line."""
+    """Whether actual is what a document shows; a line "..." stands for any lines, " ..." for the rest of a line."""
     def lines(text):
         return [line.rstrip() for line in text.strip().split("\n")]
     pattern = "".join(r"(?:.*\n)*?" if line == "..." else
@@ -356,11 +359,11 @@ def blocks(text):
 class Snippets:
     """The blocks of one document, run from root:
 
-        ```cpp              a program, compiled and run (without a main(): compiled); the ```text block after it, if any, is
+        ```cpp              a program, compiled and run (without a main(): compiled); the ```text block after it is
                             what it prints
-        ```console check    lines "$ command" run by sh, each followed by what it prints; "check fails": the commands must fail
+        ```console check    lines "$ command" run by sh, each followed by what it prints; "check fails": they must fail
 
-    A command that reads ../shared is passed over where that folder is absent. PREFIX is an empty folder to install into."""
+    A command that reads ../shared is passed over where that folder is absent. PREFIX names a folder to install into."""
 
     def __init__(self, root, document, options):
         self.root, self.document, self.problems = root, document, []
@@ -369,7 +372,8 @@ class Snippets:
         self.work.mkdir(parents=True)
         self.environment = os.environ | {"PREFIX": str(self.work / "prefix")}
         if options.command:
-            self.environment["PATH"] = f"{pathlib.Path(options.command).resolve().parent}{os.pathsep}{os.environ['PATH']}"
+            folder = pathlib.Path(options.command).resolve().parent
+            self.environment["PATH"] = f"{folder}{os.pathsep}{os.environ['PATH']}"
         self.compiler = [options.compiler, "-std=c++20", *shlex.split(options.flags), f"-I{root / 'include'}"]
         self.compiler += [flag for folder in options.eigen.split(";") for flag in ("-isystem", folder)]
 
@@ -441,14 +445,14 @@ def main():
     snippet.add_argument("--command", help="bin/fstiff")
     snippet.add_argument("--work", default="build/snippets", help="folder for what is compiled")
     options = parser.parse_args()
+    root = options.root.resolve()
     try:
         if options.check == "layers":
-            problems = layers(options.root, options.update)
+            problems = layers(root, options.update)
         elif options.check == "snippets":
-            problems = [problem for document in options.documents
-                        for problem in Snippets(options.root, document, options).check()]
+            problems = [problem for document in options.documents for problem in Snippets(root, document, options).check()]
         else:
-            problems = {"glossary": glossary, "sizes": sizes}[options.check](options.root)
+            problems = {"glossary": glossary, "sizes": sizes}[options.check](root)
     except (OSError, ValueError) as error:
         problems = [str(error)]
     if problems:

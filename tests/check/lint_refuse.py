@@ -22,11 +22,17 @@ lint.LONG_FUNCTIONS = {"src/io/long.cpp Long": 62}
 lint.TOTALS = {"include": 500, "src without io": 500, "tools": 10}
 
 TABLES = "<!-- layers -->\n<!-- /layers -->\n<!-- folders of src -->\n<!-- /folders of src -->\n"
-ROWS = "| core/error | errors |\n| math/root | roots; and brackets |\n| io/text | text |\n"
-LONG = "// long {\nclass Long {\n    Long(int i)\n        : a_{i}, b_{\"}\"} {\n" + 59 * "        f('}');\n" + "    }\n};\n" + 337 * "\n"
+ROWS = ("| core/config | attributes |\n| core/error | errors |\n| math/root | roots; and brackets |\n"
+        "| io/text | text |\n| math/gaussian_moment_table_extended | opt-in |\n")
+LONG = ('// long {\nclass Long {\n    Long(int i)\n        : a_{i}, b_{"}"} {\n' + 59 * "        f('}');\n"
+        + "    }\n};\n" + 337 * "\n")
 TREE = {
     "tools/lint.py": "# which fstiff.hpp names\n",
-    "include/fstiff/core/error.hpp": "#include <string>\n",
+    "tools/of_python.pyc": 20 * "\n",
+    "tests/check/lint_refuse.py": "# docs/none.md\n",
+    "include/fstiff/core/config.hpp": "[[gnu::cold]] void refuse();\n",
+    "include/fstiff/core/error.hpp": "#include <string>\n#include <fstiff/core/config.hpp>\n",
+    "include/fstiff/math/gaussian_moment_table_extended.hpp": "",
     "include/fstiff/math/root.hpp": "#include <Eigen/Core>\n#include <fstiff/core/error.hpp>\n",
     "include/fstiff/io/text.hpp": "#include <fstiff/math/root.hpp>\n",
     "src/io/long.cpp": LONG,
@@ -35,6 +41,34 @@ TREE = {
     "src/cli/input/a.hpp": "#include \"document/a.hpp\"\n",
     "src/cli/document/a.hpp": "#include \"input/a.hpp\"\n",
     "docs/architecture.md": "before\n" + TABLES + "after; with a semicolon\n" + ROWS,
+}
+WRITTEN = {  # by --update, in its order
+    "docs/architecture.md": """before
+<!-- layers -->
+| layer | headers | includes from |
+|---|---|---|
+| core | [config](../include/fstiff/core/config.hpp), [error](../include/fstiff/core/error.hpp) |  |
+| math | [gaussian_moment_table_extended](MATH/gaussian_moment_table_extended.hpp), [root](MATH/root.hpp) | core |
+| io | [text](../include/fstiff/io/text.hpp) | math |
+<!-- /layers -->
+<!-- folders of src -->
+| folder of src | includes from |
+|---|---|
+| io |  |
+| scene |  |
+| sweep | io |
+| c |  |
+| cli/document |  |
+| cli/input | cli/document |
+| cli/picture |  |
+| cli/commands |  |
+| cli |  |
+<!-- /folders of src -->
+after; with a semicolon
+""".replace("MATH", "../include/fstiff/math") + ROWS,
+    "include/fstiff/fstiff.hpp": "#include <fstiff/core/config.hpp>\n#include <fstiff/core/error.hpp>\n"
+                                 "#include <fstiff/math/root.hpp>\n",
+    "include/fstiff/io.hpp": "#include <fstiff/io/text.hpp>\n",
 }
 GLOSSARY = "# Glossary\n\n| word | meaning | symbol, unit | in the code | source |\n|---|---|---|---|---|\n"
 LOAD = "| load | What presses. | p, \\|Pa\\| | `State::load`, `State` | book; page 3 |\n"
@@ -51,7 +85,7 @@ int free_standing(int);
 """
 PROGRAM = '```cpp\n#include <cstdio>\nint main() { int a[] = {1, 2}; std::puts(a[1] == 2 ? "[2];" : ""); }\n```\n'
 
-# By check: what is expected of the complaint, "" where there is to be none; then names and texts of files that are put into the tree.
+# What is expected of the complaint, "" where there is to be none; then names and texts of files put into the tree.
 LAYERS = [
     ("", "notes.txt", "nothing that matters\n"),
     ("core may include only core", "include/fstiff/core/error.hpp", "#include <fstiff/math/root.hpp>\n"),
@@ -78,13 +112,13 @@ LAYERS = [
     ("src/io may include only io", "src/io/text.hpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
     ("src/io may include only io", "src/io/text.hpp", "#  include <sweep/a.hpp>\n", "src/sweep/a.hpp", ""),
     ("src/c may include only io, scene, c", "src/c/a.cpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
-    ("src/cli/input may include only", "src/cli/input/a.hpp", '#include "picture/a.hpp"\n', "src/cli/picture/a.hpp", ""),
+    ("src/cli/input may include", "src/cli/input/a.hpp", '#include "picture/a.hpp"\n', "src/cli/picture/a.hpp", ""),
     ("none.hpp is neither in src nor in src/cli", "src/io/text.hpp", '#include "io/none.hpp"\n'),
     ("must stand in one of src/io", "src/other/a.cpp", "\n"),
     ("input/a.hpp is no longer included", "src/cli/document/a.hpp", "\n"),
-    ("", "docs/more.md", "[root](../include/fstiff/math/root.hpp), math/root `f`, io/text.hpp; docs/*.md, and/or, 1/2\n"),
+    ("", "docs/more.md", "[](../include/fstiff/math/root.hpp), math/root `f`, io/text.hpp; docs/*.md, and/or, 1/2\n"),
     ("'math/none' does not exist", "docs/more.md", "| math/none | nothing |\n"),
-    ("'docs/none.md' does not exist", "include/fstiff/math/root.hpp", "/// docs/none.md says why.\n#include <Eigen/Core>\n"),
+    ("'docs/none.md' does not exist", "include/fstiff/math/root.hpp", "/// docs/none.md\n#include <Eigen/Core>\n"),
     ("'docs/none' does not exist", "python/fstiff/more.py", '"""docs/none says why."""\n'),
     ("'tests/math/root_test.cpp' does not exist", "docs/more.md", "Test: tests/math/root_test.cpp.\n"),
     ("python/fstiff/a.py: 'docs/none.md' does not exist", "python/fstiff/a.py", '"""See docs/none.md; [1]."""\n'),
@@ -109,7 +143,14 @@ WORDS = [
     ("'load' has two rows", GLOSSARY + LOAD + LOAD),
     ("holds no table", "# Glossary\n"),
 ]
-SIXTY = "struct A {\n    template <class T>\n    requires (N<T> > 2)\n    T operator()(T x) const noexcept(true) {\n" + 56 * "//\n" + "{}}\n};\n"
+SIXTY = """namespace a {
+int f();
+}
+struct A {
+    template <class T>
+    requires (N<T> > 2)
+    T operator()(T x) const noexcept(true) {
+""" + 56 * "//\n" + "{}}\n};\n"
 SIZES = [
     ("", "src/io/a.cpp", 400 * "\n"),
     ("src/io/a.cpp: has 401 lines, more than 400", "src/io/a.cpp", 401 * "\n"),
@@ -119,18 +160,21 @@ SIZES = [
     ("src/io/long.cpp: has 400 lines: take it out of LONG_FILES", "src/io/long.cpp", LONG[:-2]),
     ("long.cpp Long: has 0 lines: take it out of LONG_FUNCTIONS", "src/io/long.cpp", 402 * "\n"),
     ("", "src/io/a.cpp", SIXTY),
-    ("", "src/io/a.cpp", "const int table[] = {\n" + 100 * "    1,\n" + "};\nextern \"C\" {\n" + 100 * "int f(int);\n" + "}\n"),
-    ("", "src/io/a.cpp", "enum class A : int {\n" + 100 * "\n" + "};\nnamespace {\nint f(A a = {}) { return {}; }\n" + 100 * "\n" + "}\n"),
+    ("", "src/io/a.cpp", "alignas(64) const int table[] = {\n" + 100 * "    1,\n" + "};\n"),
+    ("", "src/io/a.cpp", 'extern "C" {\n' + 100 * "int f(int);\n" + "}\n"),
+    ("", "src/io/a.cpp", "enum class A : int {\n" + 100 * "\n" + "};\nint f(A a = {}) { return {}; }\n"),
+    ("", "src/io/a.cpp", "namespace {\n" + 100 * "\n" + "int f(A a) { return {}; }\n}\n"),
     ("src/io/a.cpp operator(): has 61 lines, more than 60", "src/io/a.cpp", SIXTY.replace("//", "//\n//", 1)),
     ("src/io/a.cpp f: has 61 lines, more than 60", "src/io/a.cpp",
-     "#define B {\nstatic void f(char c = '{') {\n  const auto g = R\"x(}\")x\";\n" + 57 * "/* {\n" + "*/ g({1});\n}\n"),
+     "#define B {\nvoid f(char c = '{') {\n  const auto g = R\"x(}\")x\";\n" + 57 * "/* {\n" + "*/ g({1});\n}\n"),
     ("its braces do not match", "src/io/a.cpp", "namespace a {\n"),
-    ("include: has 501 lines, more than 500", "include/a.h", 241 * "\n", "include/b.h", 242 * "\n"),
+    ("include: has 501 lines, more than 500", "include/a.h", 239 * "\n", "include/b.h", 241 * "\n"),
     ("src without io: has 501 lines, more than 500", "src/scene/a.cpp", 249 * "\n", "src/scene/b.cpp", 249 * "\n"),
     ("tools: has 11 lines, more than 10", "tools/a", 10 * "\n"),
 ]
 SNIPPETS = [
     ("", f"Words.\n\n{PROGRAM}It prints\n```text\n[2];\n```\n"),
+    ("", f"{PROGRAM}```toml\n[3]\n```\n```text\n[2];\n```\n"),
     ("the document shows\n[3];", f"{PROGRAM}```text\n[3];\n```\n"),
     ("", f"{PROGRAM}```text\n[2];\n```\nof\n```text\nanother\n```\n"),
     ("snippet_1' ends with 1", "```cpp\nint main() { return 1; }\n```\n"),
@@ -151,8 +195,9 @@ SNIPPETS = [
     ("", "```console check fails\n$ echo a; echo b >&2; false\na\nb\n```\n"),
     ("'true' ends with 0", "```console check fails\n$ true\n```\n"),
     ("must begin with '$ '", "```console check\necho a\n```\n"),
-    ("", "```console check\n$ test -n \"$PREFIX\" && ! test -e \"$PREFIX\" && mkdir \"$PREFIX\"\n$ from_the_path\nfound\n```\n"),
-    ("", "```console check\n$ cat ../shared/none\n```\n"),
+    ("", '```console check\n$ test -n "$PREFIX" && ! test -e "$PREFIX" && mkdir "$PREFIX"\n```\n'),
+    ("", "```console check\n$ from_the_path\nfound\n```\n"),
+    ("", "```cpp\n#include <only_here>\n```\n"),
     ("a block is not closed", "```cpp\nint main() {}\n"),
 ]
 
@@ -183,6 +228,9 @@ def on_trees(check, cases):
             root = pathlib.Path(folder, "project")
             write(root, TREE)
             complaints(lambda: lint.layers(root, update=True))
+            for name, text in WRITTEN.items():
+                written = (root / name).read_text(encoding="utf-8")
+                expect(text, written if text.startswith("before") else written.split("\n\n")[1], name)
             write(root, dict(zip(files[::2], files[1::2])))
             expect(expected, complaints(lambda: check(root)), f"{check.__name__} of {files}")
 
@@ -190,19 +238,28 @@ def on_trees(check, cases):
 def on_documents(compiler, flags, eigen):
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder, "project")
-        write(root, {"bin/from_the_path": "#!/bin/sh\necho found\n", "include/fstiff/core/version.hpp":
-                     (TOOLS.parent / "include/fstiff/core/version.hpp").read_text(encoding="utf-8")})
+        write(root, {"bin/from_the_path": "#!/bin/sh\necho found\n", "eigen/only_here": ""})
+        version = pathlib.Path("include/fstiff/core/version.hpp")
+        write(root, {version: (TOOLS.parent / version).read_text(encoding="utf-8")})
         (root / "bin/from_the_path").chmod(0o755)
-        options = argparse.Namespace(compiler=compiler, flags=flags, eigen=eigen, work=root / "work", command=root / "bin/fstiff")
-        for expected, text in SNIPPETS:
+        options = argparse.Namespace(compiler=compiler, flags=flags, eigen=f"{eigen};{root / 'eigen'}",
+                                     work=root / "work", command=root / "bin/fstiff")
+
+        def on(text, expected):
             write(root, {"document.md": text})
             expect(expected, complaints(lambda: lint.Snippets(root, root / "document.md", options).check()), text)
+        for expected, text in SNIPPETS:
+            on(text, expected)
+        on("```console check\n$ cat ../shared/none\n```\n", "")
+        write(root, {"../shared/some": "words\n"})
+        on("```console check\n$ cat ../shared/some\nwords\n```\n", "")
+        on("```console check\n$ cat ../shared/none\n```\n", "'cat ../shared/none' ends with 1")
 
 
 def as_command(expected_code, expected, *arguments):
     done = subprocess.run([sys.executable, TOOLS / "lint.py", *arguments], capture_output=True, encoding="utf-8")
     if done.returncode != expected_code or expected not in done.stdout + done.stderr:
-        sys.exit(f"{arguments}: {expected_code} and '{expected}' expected: {done.returncode}\n{done.stdout}{done.stderr}")
+        sys.exit(f"{arguments}: {expected_code} and '{expected}' expected: {done}")
 
 
 def main():
@@ -212,7 +269,8 @@ def main():
     parser.add_argument("--eigen", default="/usr/include/eigen3")
     options = parser.parse_args()
     on_trees(lint.layers, LAYERS)
-    on_trees(lint.glossary, [(expected, "docs/glossary.md", text, "include/fstiff/state.hpp", STATE) for expected, text in WORDS])
+    on_trees(lint.glossary, [(expected, "docs/glossary.md", text, "include/fstiff/state.hpp", STATE)
+                             for expected, text in WORDS])
     on_trees(lint.sizes, SIZES)
     on_documents(options.compiler, options.flags, options.eigen)
     with tempfile.TemporaryDirectory() as folder:
@@ -222,6 +280,11 @@ def main():
         write(root, {"docs/glossary.md": GLOSSARY})
         as_command(1, "holds no table", "--root", root, "glossary")
         as_command(1, "architecture.md", "--root", root, "layers")
+        snippets = ("--root", root, "snippets", root / "README.md", "--work", root / "work")
+        write(root, {"README.md": "```text\nwords\n```\n```console check\n$ true\n```\n"})
+        as_command(0, "1 of 2 blocks", *snippets)
+        write(root, {"README.md": "```console check\n$ false\n```\n"})
+        as_command(1, "'false' ends with 1", *snippets)
 
 
 if __name__ == "__main__":
