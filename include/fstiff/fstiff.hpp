@@ -2,7 +2,7 @@
 #pragma once
 /// \file
 /// Everything above the readers and writers of files (io.hpp) and the opt-in adapters, layer by layer.
-/// Written by tools/check_layers.cmake.
+/// Written by tools/lint.py.
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/config.hpp>

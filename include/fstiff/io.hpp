@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The readers and writers of files: all of io. They are compiled: link fstiff::io. Written by tools/check_layers.cmake.
+/// The readers and writers of files: all of io. They are compiled: link fstiff::io. Written by tools/lint.py.
 
 #include <fstiff/io/quantity.hpp>
 #include <fstiff/io/surface_file.hpp>

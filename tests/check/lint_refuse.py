@@ -1,0 +1,291 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""tools/lint.py on small trees: it accepts a good one, and names what is wrong with each bad one.
+
+    tests/check/lint_refuse.py --compiler g++"""
+import argparse
+import contextlib
+import io
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
+sys.path.insert(0, str(TOOLS))
+import lint  # noqa: E402
+
+lint.UPWARD = {("src/cli/document/a.hpp", "input/a.hpp"): "known"}
+lint.LONG_FILES = {"src/io/long.cpp": 402}
+lint.LONG_FUNCTIONS = {"src/io/long.cpp Long": 62}
+lint.TOTALS = {"include": 500, "src without io": 500, "tools": 10}
+
+TABLES = "<!-- layers -->\n<!-- /layers -->\n<!-- folders of src -->\n<!-- /folders of src -->\n"
+ROWS = ("| core/config | attributes |\n| core/error | errors |\n| math/root | roots; and brackets |\n"
+        "| io/text | text |\n| math/gaussian_moment_table_extended | opt-in |\n")
+LONG = ('// long {\nclass Long {\n    Long(int i)\n        : a_{i}, b_{"}"} {\n' + 59 * "        f('}');\n"
+        + "    }\n};\n" + 337 * "\n")
+TREE = {
+    "tools/lint.py": "# which fstiff.hpp names\n",
+    "tools/of_python.pyc": 20 * "\n",
+    "tests/check/lint_refuse.py": "# docs/none.md\n",
+    "include/fstiff/core/config.hpp": "[[gnu::cold]] void refuse();\n",
+    "include/fstiff/core/error.hpp": "#include <string>\n#include <fstiff/core/config.hpp>\n",
+    "include/fstiff/math/gaussian_moment_table_extended.hpp": "",
+    "include/fstiff/math/root.hpp": "#include <Eigen/Core>\n#include <fstiff/core/error.hpp>\n",
+    "include/fstiff/io/text.hpp": "#include <fstiff/math/root.hpp>\n",
+    "src/io/long.cpp": LONG,
+    "src/io/text.hpp": "#include <fstiff/io/text.hpp>\n#include <zlib.h>\n",
+    "src/sweep/a.cpp": "#include \"io/text.hpp\"\n",
+    "src/cli/input/a.hpp": "#include \"document/a.hpp\"\n",
+    "src/cli/document/a.hpp": "#include \"input/a.hpp\"\n",
+    "docs/architecture.md": "before\n" + TABLES + "after; with a semicolon\n" + ROWS,
+}
+WRITTEN = {  # by --update, in its order
+    "docs/architecture.md": """before
+<!-- layers -->
+| layer | headers | includes from |
+|---|---|---|
+| core | [config](../include/fstiff/core/config.hpp), [error](../include/fstiff/core/error.hpp) |  |
+| math | [gaussian_moment_table_extended](MATH/gaussian_moment_table_extended.hpp), [root](MATH/root.hpp) | core |
+| io | [text](../include/fstiff/io/text.hpp) | math |
+<!-- /layers -->
+<!-- folders of src -->
+| folder of src | includes from |
+|---|---|
+| io |  |
+| scene |  |
+| sweep | io |
+| c |  |
+| cli/document |  |
+| cli/input | cli/document |
+| cli/picture |  |
+| cli/commands |  |
+| cli |  |
+<!-- /folders of src -->
+after; with a semicolon
+""".replace("MATH", "../include/fstiff/math") + ROWS,
+    "include/fstiff/fstiff.hpp": "#include <fstiff/core/config.hpp>\n#include <fstiff/core/error.hpp>\n"
+                                 "#include <fstiff/math/root.hpp>\n",
+    "include/fstiff/io.hpp": "#include <fstiff/io/text.hpp>\n",
+}
+GLOSSARY = "# Glossary\n\n| word | meaning | symbol, unit | in the code | source |\n|---|---|---|---|---|\n"
+LOAD = "| load | What presses. | p, \\|Pa\\| | `State::load`, `State` | book; page 3 |\n"
+STATE = """// depth
+struct State : Base {
+    double load;  ///< area
+    const char* text = "volume";
+};
+struct Other {
+    double moment[2];
+};
+struct Short { int one; };
+int free_standing(int);
+"""
+PROGRAM = '```cpp\n#include <cstdio>\nint main() { int a[] = {1, 2}; std::puts(a[1] == 2 ? "[2];" : ""); }\n```\n'
+
+# What is expected of the complaint, "" where there is to be none; then names and texts of files put into the tree.
+LAYERS = [
+    ("", "notes.txt", "nothing that matters\n"),
+    ("core may include only core", "include/fstiff/core/error.hpp", "#include <fstiff/math/root.hpp>\n"),
+    ("profile may include only", "include/fstiff/profile/a.hpp", "#include <fstiff/topography/b.hpp>\n#include <x>\n"),
+    ("<fstiff/core/none.hpp> does not exist", "include/fstiff/math/root.hpp", "#include <fstiff/core/none.hpp>\n"),
+    ("must name the header in angle brackets", "include/fstiff/math/root.hpp", '#include "../core/error.hpp"\n'),
+    ("only the standard library and Eigen", "include/fstiff/math/root.hpp", "#  include <gsl/gsl_math.h>\n"),
+    ("only the standard library and Eigen", "include/fstiff/math/root.hpp", "#include <math.h>\n"),
+    ("only the standard library and Eigen", "include/fstiff/math/root.hpp", "#include <scene/scene.hpp>\n"),
+    ("needs a threads library", "include/fstiff/math/root.hpp", "#include <mutex>\n"),
+    ("must be ASCII", "include/fstiff/math/root.hpp", '// µm\n#include <Eigen/Core>\nauto unit = "µm";\n'),
+    ("attributes of one compiler", "include/fstiff/math/root.hpp", "[[gnu::cold]] void refuse();\n"),
+    ("must be <layer>/<name>.hpp", "include/fstiff/misc/thing.hpp", "\n"),
+    ("must be <layer>/<name>.hpp", "include/fstiff/math/thing.h", "\n"),
+    ("fstiff.hpp: does not list", "include/fstiff/core/more.hpp", "\n"),
+    ("io.hpp: does not list", "include/fstiff/io/more.hpp", "\n"),
+    ("a table of what includes what is old", "include/fstiff/math/root.hpp", "#include <vector>\n"),
+    ("a table of what includes what is old", "src/sweep/a.cpp", "\n"),
+    ("has no row '| core/more | what it is for |'", "include/fstiff/core/more.hpp", "\n"),
+    ("has no row '| math/root | what it is for |'", "docs/architecture.md",
+     TABLES + "| core/error | errors |\n| math/root |  |\n| core/error | math/root | x |\n"),
+    ("must hold the lines <!-- layers -->", "docs/architecture.md", "no table\n"),
+    ("must hold the lines <!-- folders of src -->", "docs/architecture.md", "<!-- layers -->\n<!-- /layers -->\n"),
+    ("src/io may include only io", "src/io/text.hpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
+    ("src/io may include only io", "src/io/text.hpp", "#  include <sweep/a.hpp>\n", "src/sweep/a.hpp", ""),
+    ("src/c may include only io, scene, c", "src/c/a.cpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
+    ("src/cli/input may include", "src/cli/input/a.hpp", '#include "picture/a.hpp"\n', "src/cli/picture/a.hpp", ""),
+    ("none.hpp is neither in src nor in src/cli", "src/io/text.hpp", '#include "io/none.hpp"\n'),
+    ("must stand in one of src/io", "src/other/a.cpp", "\n"),
+    ("input/a.hpp is no longer included", "src/cli/document/a.hpp", "\n"),
+    ("", "docs/more.md", "[](../include/fstiff/math/root.hpp), math/root `f`, io/text.hpp; docs/*.md, and/or, 1/2\n"),
+    ("'math/none' does not exist", "docs/more.md", "| math/none | nothing |\n"),
+    ("'docs/none.md' does not exist", "include/fstiff/math/root.hpp", "/// docs/none.md\n#include <Eigen/Core>\n"),
+    ("'docs/none' does not exist", "python/fstiff/more.py", '"""docs/none says why."""\n'),
+    ("'tests/math/root_test.cpp' does not exist", "docs/more.md", "Test: tests/math/root_test.cpp.\n"),
+    ("python/fstiff/a.py: 'docs/none.md' does not exist", "python/fstiff/a.py", '"""See docs/none.md; [1]."""\n'),
+    ("'tests/math/root_test.cpp' does not exist", "src/scene/a.cpp", "// (tests/math/root_test.cpp)\n"),
+    ("'math/none.hpp' does not exist", "src/scene/a.cpp", "// see math/none.hpp\n"),
+    ("", "src/scene/a.cpp", "// docs/architecture.md, math/root.hpp, include/fstiff/io/text.hpp, scene/none.hpp\n"),
+    ("'include/fstiff/core/none.hpp' does not exist", "README.md", "in include/fstiff/core/none.hpp\n"),
+]
+WORDS = [
+    ("", f"{GLOSSARY}{LOAD}| moment | What turns. | | `Other::moment`, `Short::one`, `free_standing` | |\n\n"
+         "| not | but |\n| a | `b` |\n"),
+    ("`depth` does not exist", f"{GLOSSARY}| depth | In a comment. | | `depth` | |\n"),
+    ("`volume` does not exist", f"{GLOSSARY}| volume | In a text. | | `volume` | |\n"),
+    ("`loa` does not exist", f"{GLOSSARY}| part | Of a word. | | `loa` | |\n"),
+    ("`Other::load` does not exist", f"{GLOSSARY}| load | Of another. | | `Other::load` | |\n"),
+    ("`Short::load` does not exist", f"{GLOSSARY}| load | Of another. | | `Short::load` | |\n"),
+    ("`None::load` does not exist", f"{GLOSSARY}| load | Of none. | | `None::load` | |\n"),
+    ("`at(x)` is no name", f"{GLOSSARY}| load | A call. | | `at(x)` | |\n"),
+    ("must have five cells", f"{GLOSSARY}| load | Four cells. | | `State` |\n"),
+    ("must have a word and a sentence", f"{GLOSSARY}| load | no sentence | | `State` | |\n"),
+    ("must have a word and a sentence", f"{GLOSSARY}| | No word. | | `State` | |\n"),
+    ("'load' has two rows", GLOSSARY + LOAD + LOAD),
+    ("holds no table", "# Glossary\n"),
+]
+SIXTY = """namespace a {
+int f();
+}
+struct A {
+    template <class T>
+    requires (N<T> > 2)
+    T operator()(T x) const noexcept(true) {
+""" + 56 * "//\n" + "{}}\n};\n"
+SIZES = [
+    ("", "src/io/a.cpp", 400 * "\n"),
+    ("src/io/a.cpp: has 401 lines, more than 400", "src/io/a.cpp", 401 * "\n"),
+    ("include/a.h: has 401 lines, more than 400", "include/a.h", 401 * "\n"),
+    ("src/io/long.cpp: has 403 lines, more than 402", "src/io/long.cpp", LONG + "\n"),
+    ("src/io/long.cpp: has 401 lines: write that in LONG_FILES", "src/io/long.cpp", LONG[:-1]),
+    ("src/io/long.cpp: has 400 lines: take it out of LONG_FILES", "src/io/long.cpp", LONG[:-2]),
+    ("long.cpp Long: has 0 lines: take it out of LONG_FUNCTIONS", "src/io/long.cpp", 402 * "\n"),
+    ("", "src/io/a.cpp", SIXTY),
+    ("", "src/io/a.cpp", "alignas(64) const int table[] = {\n" + 100 * "    1,\n" + "};\n"),
+    ("", "src/io/a.cpp", 'extern "C" {\n' + 100 * "int f(int);\n" + "}\n"),
+    ("", "src/io/a.cpp", "enum class A : int {\n" + 100 * "\n" + "};\nint f(A a = {}) { return {}; }\n"),
+    ("", "src/io/a.cpp", "namespace {\n" + 100 * "\n" + "int f(A a) { return {}; }\n}\n"),
+    ("src/io/a.cpp operator(): has 61 lines, more than 60", "src/io/a.cpp", SIXTY.replace("//", "//\n//", 1)),
+    ("src/io/a.cpp f: has 61 lines, more than 60", "src/io/a.cpp",
+     "#define B {\nvoid f(char c = '{') {\n  const auto g = R\"x(}\")x\";\n" + 57 * "/* {\n" + "*/ g({1});\n}\n"),
+    ("its braces do not match", "src/io/a.cpp", "namespace a {\n"),
+    ("include: has 501 lines, more than 500", "include/a.h", 239 * "\n", "include/b.h", 241 * "\n"),
+    ("src without io: has 501 lines, more than 500", "src/scene/a.cpp", 249 * "\n", "src/scene/b.cpp", 249 * "\n"),
+    ("tools: has 11 lines, more than 10", "tools/a", 10 * "\n"),
+]
+SNIPPETS = [
+    ("", f"Words.\n\n{PROGRAM}It prints\n```text\n[2];\n```\n"),
+    ("", f"{PROGRAM}```toml\n[3]\n```\n```text\n[2];\n```\n"),
+    ("the document shows\n[3];", f"{PROGRAM}```text\n[3];\n```\n"),
+    ("", f"{PROGRAM}```text\n[2];\n```\nof\n```text\nanother\n```\n"),
+    ("snippet_1' ends with 1", "```cpp\nint main() { return 1; }\n```\n"),
+    ("snippet_1' ends with 1", "```cpp\nint main( { return 0; }\n```\n"),
+    ("", "```cpp\n#include <fstiff/core/version.hpp>\nconst int v = FSTIFF_VERSION_MAJOR;\n```\n"),
+    ("snippet_1' ends with 1", "```cpp\nconst int v = FSTIFF_VERSION_MAJOR;\n```\n"),
+    ("", "```console check\n$ echo a; echo b\na\nb\n$ printf '1\\n2\\n3\\n4\\n'\n1\n...\n4\n```\n"),
+    ("'echo a' prints", "```console check\n$ echo a\nb\n```\n"),
+    ("'echo a' prints", "```console check\n$ echo a\n```\n"),
+    ("prints", "```console check\n$ printf '1\\n2\\n3\\n'\n1\n...\n4\n```\n"),
+    ("prints", "```console check\n$ printf '1\\n2\\n3\\n'\n2\n...\n3\n```\n"),
+    ("", "```console check\n$ printf 'a 1\\na 2 [;]\\n\\nb 3\\n'\n...\na 2 ...\n\nb ...\n```\n"),
+    ("prints", "```console check\n$ printf 'a 1\\na 2\\n'\na 1 ...\na 3 ...\n```\n"),
+    ("prints", "```console check\n$ printf 'a\\nb\\n'\na\n```\n"),
+    ("prints", "```console check\n$ printf 'a\\n'\na\n...\nb\n```\n"),
+    ("'false' ends with 1", "```console check\n$ false\n```\n"),
+    ("", "```console check fails\n$ false\n```\n"),
+    ("", "```console check fails\n$ echo a; echo b >&2; false\na\nb\n```\n"),
+    ("'true' ends with 0", "```console check fails\n$ true\n```\n"),
+    ("must begin with '$ '", "```console check\necho a\n```\n"),
+    ("", '```console check\n$ test -n "$PREFIX" && ! test -e "$PREFIX" && mkdir "$PREFIX"\n```\n'),
+    ("", "```console check\n$ from_the_path\nfound\n```\n"),
+    ("", "```cpp\n#include <only_here>\n```\n"),
+    ("a block is not closed", "```cpp\nint main() {}\n"),
+]
+
+
+def complaints(run):
+    """What a check complains of, as one text."""
+    with contextlib.redirect_stdout(io.StringIO()):
+        try:
+            return "\n".join(run())
+        except ValueError as error:
+            return str(error)
+
+
+def expect(expected, complaint, case):
+    if (expected not in complaint) if expected else complaint:
+        sys.exit(f"{case[:300]}:\n'{expected or 'no complaint'}' expected, and this came:\n{complaint}")
+
+
+def write(root, files):
+    for name, text in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text, encoding="utf-8", newline="\n")
+
+
+def on_trees(check, cases):
+    for expected, *files in cases:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder, "project")
+            write(root, TREE)
+            complaints(lambda: lint.layers(root, update=True))
+            for name, text in WRITTEN.items():
+                written = (root / name).read_text(encoding="utf-8")
+                expect(text, written if text.startswith("before") else written.split("\n\n")[1], name)
+            write(root, dict(zip(files[::2], files[1::2])))
+            expect(expected, complaints(lambda: check(root)), f"{check.__name__} of {files}")
+
+
+def on_documents(compiler, flags, eigen):
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder, "project")
+        write(root, {"bin/from_the_path": "#!/bin/sh\necho found\n", "eigen/only_here": ""})
+        version = pathlib.Path("include/fstiff/core/version.hpp")
+        write(root, {version: (TOOLS.parent / version).read_text(encoding="utf-8")})
+        (root / "bin/from_the_path").chmod(0o755)
+        options = argparse.Namespace(compiler=compiler, flags=flags, eigen=f"{eigen};{root / 'eigen'}",
+                                     work=root / "work", command=root / "bin/fstiff")
+
+        def on(text, expected):
+            write(root, {"document.md": text})
+            expect(expected, complaints(lambda: lint.Snippets(root, root / "document.md", options).check()), text)
+        for expected, text in SNIPPETS:
+            on(text, expected)
+        on("```console check\n$ cat ../shared/none\n```\n", "")
+        write(root, {"../shared/some": "words\n"})
+        on("```console check\n$ cat ../shared/some\nwords\n```\n", "")
+        on("```console check\n$ cat ../shared/none\n```\n", "'cat ../shared/none' ends with 1")
+
+
+def as_command(expected_code, expected, *arguments):
+    done = subprocess.run([sys.executable, TOOLS / "lint.py", *arguments], capture_output=True, encoding="utf-8")
+    if done.returncode != expected_code or expected not in done.stdout + done.stderr:
+        sys.exit(f"{arguments}: {expected_code} and '{expected}' expected: {done}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--compiler", default="g++")
+    parser.add_argument("--flags", default="")
+    parser.add_argument("--eigen", default="/usr/include/eigen3")
+    options = parser.parse_args()
+    on_trees(lint.layers, LAYERS)
+    on_trees(lint.glossary, [(expected, "docs/glossary.md", text, "include/fstiff/state.hpp", STATE)
+                             for expected, text in WORDS])
+    on_trees(lint.sizes, SIZES)
+    on_documents(options.compiler, options.flags, options.eigen)
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        write(root, {"docs/glossary.md": GLOSSARY + LOAD, "include/fstiff/state.hpp": STATE})
+        as_command(0, "1 words, 2 names", "--root", root, "glossary")
+        write(root, {"docs/glossary.md": GLOSSARY})
+        as_command(1, "holds no table", "--root", root, "glossary")
+        as_command(1, "architecture.md", "--root", root, "layers")
+        snippets = ("--root", root, "snippets", root / "README.md", "--work", root / "work")
+        write(root, {"README.md": "```text\nwords\n```\n```console check\n$ true\n```\n"})
+        as_command(0, "1 of 2 blocks", *snippets)
+        write(root, {"README.md": "```console check\n$ false\n```\n"})
+        as_command(1, "'false' ends with 1", *snippets)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,463 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks of sources and documents that no compiler makes. Each prints its complaints, and then ends with 1.
+
+    tools/lint.py layers             who includes whom, umbrella headers, tables of docs/architecture.md, names of files
+    tools/lint.py layers --update    writes the umbrella headers and the tables
+    tools/lint.py glossary           the names and rows of docs/glossary.md
+    tools/lint.py sizes              lines of files, of functions and of folders
+    tools/lint.py snippets README.md --command build/release/bin/fstiff
+                                     what documents show is what comes out
+
+tests/check/lint_refuse.py has a case for every rule."""
+import argparse
+import glob
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+
+# layers: a folder includes itself and the levels before its own; folders on one level never include each other.
+PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
+          "ultrasound", "measured", "fit", "io")
+PRIVATE = ("io", "scene", "sweep c", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
+UPWARD = {  # includes of src that go upward all the same, and why
+    ("src/cli/document/output.hpp", "input/arguments.hpp"): "--format and --output are declared with what they fill",
+}
+OPT_IN = ("math/gaussian_moment_table_extended.hpp",)  # not in fstiff.hpp
+OF_THREADS = "barrier condition_variable future latch mutex semaphore shared_mutex stop_token thread".split()
+INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
+
+# sizes, in lines: at most 400 a file and 60 a function, but for these, which may only shrink; and of folders.
+FILE_LINES, FUNCTION_LINES = 400, 60
+LONG_FILES = {
+    "src/cli/commands/identify.cpp": 437,
+    "src/cli/commands/report.cpp": 635,
+    "src/cli/commands/reproduce.cpp": 621,
+    "src/cli/commands/run.cpp": 421,
+    "src/scene/law.cpp": 575,
+    "src/scene/read_face.cpp": 402,
+    "src/scene/scene.cpp": 590,
+    "src/sweep/grid.cpp": 435,
+}
+LONG_FUNCTIONS = {
+    "include/fstiff/contact/law_text.hpp read_law_text": 80,
+    "include/fstiff/math/least_squares.hpp least_squares": 77,
+    "include/fstiff/math/root.hpp newton_bracketed": 67,
+    "include/fstiff/measured/surface_parameters.hpp map_parameters": 73,
+    "include/fstiff/profile/all_lags.hpp correlate": 68,
+    "include/fstiff/profile/fractal_fit.hpp detail::fit_measured": 85,
+    "include/fstiff/profile/power_spectrum.hpp fit_spectrum": 62,
+    "include/fstiff/synthetic/self_affine.hpp self_affine": 78,
+    "include/fstiff/topography/areal_statistics.hpp areal_statistics": 81,
+    "include/fstiff/topography/form.hpp remove_form": 73,
+    "include/fstiff/topography/islands.hpp sweep_islands": 80,
+    "include/fstiff/topography/repair.hpp fill_missing": 62,
+    "src/cli/commands/integral.cpp execute": 68,
+    "src/cli/commands/reproduce.cpp stiffness_figure": 77,
+    "src/cli/commands/run.cpp introduction": 72,
+    "src/cli/input/surface_options.cpp add_surface_options": 87,
+    "src/cli/picture/plot.cpp gnuplot_script": 67,
+    "src/cli/picture/sweep_figure.cpp sweep_figure": 65,
+    "src/io/header.cpp stated_grid": 81,
+    "src/scene/measured_files.cpp pooled": 65,
+    "src/scene/read_face.cpp read_face": 86,
+    "src/scene/results.cpp columns_of": 66,
+    "src/sweep/merge.cpp merge": 62,
+}
+TOTALS = {"include": 25630, "src without io": 20520, "tools": 4580}
+
+
+def read(path):
+    return path.read_text(encoding="utf-8")
+
+
+def sources(root, *folders):
+    """Headers and sources below the folders, by their names from root on."""
+    found = (path for folder in folders for path in (root / folder).rglob("*") if path.suffix in (".h", ".hpp", ".cpp"))
+    return {path.relative_to(root).as_posix(): path for path in sorted(found)}
+
+
+def above(levels):
+    """By folder, in their order, what it may include."""
+    allowed, before = {}, []
+    for level in levels:
+        allowed |= {folder: [*before, folder] for folder in level.split()}
+        before += level.split()
+    return allowed
+
+
+def public_include(root, line, allowed):
+    """The folder of include/fstiff that a line of a public header includes, and what is wrong with the line."""
+    if not (name := re.search(r"<([^<>]+)>", line)):
+        return None, f"'{line}': must name the header in angle brackets, from fstiff/ on"
+    name = name[1]
+    if inner := re.match(r"fstiff/([^/]+)/", name):
+        if inner[1] not in allowed:
+            return None, f"<{name}>: {allowed[-1]} may include only {', '.join(allowed)}"
+        return inner[1], None if (root / "include" / name).exists() else f"<{name}> does not exist"
+    if not re.fullmatch(r"[a-z_]+|(unsupported/)?Eigen/[A-Za-z]+", name):
+        return None, f"<{name}>: public headers use only the standard library and Eigen"
+    return None, f"<{name}>: needs a threads library, which the target does not link" if name in OF_THREADS else None
+
+
+def public_headers(root, problems):
+    """The headers by folder, and the folders that each folder includes."""
+    allowed = above(PUBLIC)
+    headers, used = {folder: [] for folder in allowed}, {folder: set() for folder in allowed}
+    include = root / "include/fstiff"
+    for path in sorted(path for path in include.rglob("*") if path.is_file()):
+        name = path.relative_to(include).as_posix()
+        folder = name.split("/")[0]
+        if name in ("fstiff.hpp", "io.hpp"):
+            continue
+        if folder not in allowed or not re.fullmatch(r"\w+/[a-z0-9_]+\.hpp", name):
+            problems.append(f"{name}: must be <layer>/<name>.hpp, where <layer> is one of {', '.join(allowed)}")
+            continue
+        headers[folder].append(name)
+        text = read(path)
+        for line in INCLUDE.findall(text):
+            other, problem = public_include(root, line, allowed[folder])
+            used[folder].add(other)
+            problems += [f"{name}: {problem}"] if problem else []
+        code = re.sub("//.*", "", text)
+        if line := re.search(r"^.*[^\n\t -~].*", code, re.M):
+            problems.append(f"{name}: '{line[0]}': must be ASCII, which no compiler reads in a code page")
+        if (found := re.search("(gnu|clang|msvc)::", code)) and name != "core/config.hpp":
+            problems.append(f"{name}: {found[0]}: attributes of one compiler must stand in core/config.hpp")
+    return headers, used
+
+
+def private_sources(root, problems):
+    """The folders of src that each folder of src includes."""
+    allowed, upward = above(PRIVATE), set()
+    used = {folder: set() for folder in allowed}
+    for name, path in sources(root, "src").items():
+        folder = name[len("src/"):].rpartition("/")[0]
+        if folder not in allowed:
+            problems.append(f"{name}: must stand in one of src/{', src/'.join(allowed)}")
+            continue
+        for line in INCLUDE.findall(read(path)):
+            quoted = re.search(r'(["<])([^">]+)[">]', line)
+            places = [base for base in ("src", "src/cli") if (root / base / quoted[2]).is_file()]
+            if not places:
+                problems += [f"{name}: {quoted[2]} is neither in src nor in src/cli"] if quoted[1] == '"' else []
+                continue
+            other = f"{places[0]}/{quoted[2]}"[len("src/"):].rpartition("/")[0]
+            if other in allowed[folder]:
+                used[folder].add(other)
+            elif (name, quoted[2]) in UPWARD:
+                upward.add((name, quoted[2]))
+            else:
+                problems.append(f"{name}: {quoted[2]}: src/{folder} may include only {', '.join(allowed[folder])}")
+    problems += [f"{name}: {other} is no longer included: take it out of UPWARD" for name, other in UPWARD
+                 if (name, other) not in upward]
+    return used
+
+
+def listed(used, folder):
+    return ", ".join(other for other in used if other in used[folder] and other != folder)
+
+
+def umbrellas(headers):
+    """fstiff.hpp and io.hpp as they should be."""
+    head = "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n/// \\file\n/// "
+    texts = {"fstiff.hpp": "Everything above the readers and writers of files (io.hpp) and the opt-in adapters, "
+                           "layer by layer.\n/// Written by tools/lint.py.\n\n",
+             "io.hpp": "The readers and writers of files: all of io. They are compiled: link fstiff::io. "
+                       "Written by tools/lint.py.\n\n"}
+    for folder, names in headers.items():
+        texts["io.hpp" if folder == "io" else "fstiff.hpp"] += "".join(
+            f"#include <fstiff/{name}>\n" for name in names if name not in OPT_IN)
+    return {name: head + text for name, text in texts.items()}
+
+
+def layers(root, update=False):
+    problems = []
+    headers, used = public_headers(root, problems)
+    table = "| layer | headers | includes from |\n|---|---|---|\n"
+    for folder, names in headers.items():
+        cells = ", ".join(f"[{pathlib.Path(name).stem}](../include/fstiff/{name})" for name in names)
+        table += f"| {folder} | {cells} | {listed(used, folder)} |\n" if names else ""
+    used = private_sources(root, problems)
+    tables = {"layers": table, "folders of src": "| folder of src | includes from |\n|---|---|\n" + "".join(
+        f"| {folder} | {listed(used, folder)} |\n" for folder in used)}
+    document = root / "docs/architecture.md"
+    text = read(document)
+    wanted = {root / "include/fstiff" / name: text for name, text in umbrellas(headers).items()} | {document: text}
+    for name, table in tables.items():
+        wanted[document], count = re.subn(rf"(?s)(<!-- {name} -->\n).*?(?=<!-- /{name} -->)",
+                                          lambda found: found[1] + table, wanted[document])
+        if count != 1:
+            problems.append(f"docs/architecture.md: must hold the lines <!-- {name} --> and <!-- /{name} -->")
+    for path, new in wanted.items():
+        if update:
+            path.write_text(new, encoding="utf-8", newline="\n")
+        elif read(path) != new:
+            what = "a table of what includes what is old" if path == document else "does not list the public headers"
+            problems.append(f"{path.relative_to(root).as_posix()}: {what}: run tools/lint.py layers --update")
+    for name in (name[:-len(".hpp")] for names in headers.values() for name in names):
+        if not re.search(rf"^\| {name} \| [^|\n]*[a-zA-Z][^|\n]* \|", text, re.M):
+            problems.append(f"docs/architecture.md: has no row '| {name} | what it is for |'")
+    return problems + missing_files(root)
+
+
+def of_document(name):
+    """Patterns of the places of a file that a document names so; None of what names no file of the project."""
+    if rooted := re.match(r"(?:\.\.?/)?((?:include/fstiff|src|tests|bench|data|docs|tools)/.*)", name):
+        return [rooted[1]]
+    if layer := re.fullmatch(rf"(?:fstiff/)?((?:{'|'.join(above(PUBLIC))})/[a-z0-9_]+)(?:\.[hc]pp)?", name):
+        return [f"include/fstiff/{layer[1]}.hpp", f"src/{layer[1]}.hpp", f"tests/{layer[1]}.cpp"]
+    return None
+
+
+def of_code(name):
+    """The same of a comment or a docstring, whose names have an ending."""
+    if not name.endswith((".md", ".hpp", ".h", ".cpp", ".csv", ".cmake", ".c", ".py", ".f90", ".toml", ".f32")):
+        return None
+    if rooted := re.match(r"(?:\./)?((?:include/fstiff|src|tests|bench|docs|tools)/.*)", name):
+        return [rooted[1], f"python/{rooted[1]}"]
+    if layer := re.fullmatch(rf"(?:fstiff/)?((?:{'|'.join(above(PUBLIC))})/[a-z0-9_]+\.[hc]pp)", name):
+        return [f"{base}/{layer[1]}" for base in ("include/fstiff", "src", "tests", "tests/support")]
+    return None
+
+
+def missing_files(root):
+    """What documents, headers and the Python package name, and comments with an ending, exists."""
+    documents = [path for pattern in ("README.md", "docs/*.md", "include/fstiff/*/*.hpp", "python/fstiff/*.py")
+                 for path in root.glob(pattern)]
+    code = [path for folder in "include src python bench examples tests tools fortran".split()
+            for path in (root / folder).rglob("*")
+            if path.suffix in (".hpp", ".h", ".cpp", ".in", ".c", ".py", ".pyi", ".f90")
+            and path.name != "lint_refuse.py"]  # which invents names
+    problems = []
+    for paths, letters, places in ((documents, "[\\w.*/-]", of_document), (code, "[\\w./-]", of_code)):
+        for path in sorted(paths):
+            for name in {name.rstrip("./-"): None for name in re.findall(f"{letters}*/{letters}*", read(path), re.A)}:
+                if (patterns := places(name)) and not any(glob.glob(str(root / where)) for where in patterns):
+                    problems.append(f"{path.relative_to(root).as_posix()}: '{name}' does not exist")
+    return problems
+
+
+def glossary(root):
+    """Every row has a word and a sentence; every name stands in the code of a header, Owner::name in the type Owner."""
+    code = "\n".join(re.sub(r'"[^"\n]*"', "", re.sub("//.*", "", read(path)))
+                     for path in sorted((root / "include/fstiff").rglob("*.hpp")))
+
+    names_of_code = set(re.findall(r"\w+", code))
+
+    def exists(owner, member):
+        body = rf"^(?:struct|class|enum class|enum) {owner}(?: [^;\n]*)?{{(?:.*}}.*$|(?s:.*?)^}})"
+        return member in (re.findall(r"\w+", "\n".join(re.findall(body, code, re.M))) if owner else names_of_code)
+
+    problems, words, count, table = [], [], 0, False
+    for line in read(root / "docs/glossary.md").splitlines():
+        table = line.startswith("| word | meaning |") or table and line.startswith("|")
+        if not table or line.startswith(("| word | meaning |", "|---")):
+            continue
+        cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+        if len(cells) != 5:
+            problems.append(f"'{line}': must have five cells")
+            continue
+        word, meaning, _, names, _ = cells
+        if not word or not meaning.endswith("."):
+            problems.append(f"'{line}': must have a word and a sentence")
+        if word in words:
+            problems.append(f"'{word}' has two rows")
+        words.append(word)
+        for name in re.findall("`([^`]*)`", names):
+            count += 1
+            if not (parts := re.fullmatch(r"(?:(\w+)::)?(\w+)", name)):
+                problems.append(f"'{word}': `{name}` is no name, nor Owner::name")
+            elif not exists(*parts.groups()):
+                problems.append(f"'{word}': `{name}` does not exist in include/fstiff")
+    print(f"{len(words)} words, {count} names of the code")
+    return [f"docs/glossary.md: {problem}" for problem in problems + ["holds no table of words"] * (not words)]
+
+
+NO_CODE = re.compile(r'''//[^\n]* | /\*.*?\*/ | R"([^(\s]*)\(.*?\)\1" | "(?:\\.|[^"\\\n])*"
+                         | (?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+' | ^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*
+                         | \b(?:alignas|requires|noexcept|explicit)\s*\([^()]*\)''', re.S | re.M | re.X)
+SCOPE = re.compile(r"\b(namespace|struct|class|union|enum|extern)\b[^()=]*$")  # before its brace
+
+
+def functions(code):
+    """Name and lines of each function, from its declaration to its last brace. Outside of functions a brace
+    opens a namespace or a type, a function, or an initialiser, after which the declaration goes on."""
+    start = depth = 0
+    for mark in re.finditer("[{};]", code):
+        head = code[start:mark.end()]
+        if depth or mark[0] == "{" and not SCOPE.search(head[:-1]):
+            depth += {"{": 1, "}": -1, ";": 0}[mark[0]]
+            if depth or re.compile(r"\s*[,{().]").match(code, mark.end()):
+                continue
+            if name := re.match(r"[^{]*?(operator\s*\W+?|[\w:~]+)\s*\(", head):
+                yield name[1], head.strip().count("\n") + 1
+        start = mark.end()
+
+
+def shrinking(sizes, limit, known, name_of_known):
+    """What is larger than the limit or than it is known to be, and what is known to be larger than it is."""
+    for name in dict.fromkeys([*sizes, *known]):
+        size, allowed = sizes.get(name, 0), known.get(name, limit)
+        if size > allowed:
+            yield f"{name}: has {size} lines, more than {allowed}"
+        elif name in known and size < allowed:
+            yield f"{name}: has {size} lines: {'write that in' if size > limit else 'take it out of'} {name_of_known}"
+
+
+def sizes(root):
+    problems, lines, long = [], {}, {}
+    for name, path in sources(root, "include", "src").items():
+        text = read(path)
+        lines[name] = text.count("\n")
+        code = NO_CODE.sub(lambda found: "\n" * found[0].count("\n"), text)
+        if code.count("{") != code.count("}"):
+            problems.append(f"{name}: its braces do not match, so that no function can be counted")
+        for function, size in functions(code):
+            key = f"{name} {function}"
+            long[key] = max(size, long.get(key, 0))
+    problems += shrinking(lines, FILE_LINES, LONG_FILES, "LONG_FILES")
+    problems += shrinking(long, FUNCTION_LINES, LONG_FUNCTIONS, "LONG_FUNCTIONS")
+    scripts = (path for path in (root / "tools").rglob("*") if path.is_file() and path.suffix != ".pyc")
+    totals = {"include": sum(size for name, size in lines.items() if name.startswith("include/")),
+              "src without io": sum(size for name, size in lines.items() if re.match("src/(?!io/)", name)),
+              "tools": sum(read(path).count("\n") for path in scripts)}
+    print(f"{len(lines)} files, {len(long)} functions; lines: {totals}, at most {TOTALS}")
+    return problems + [f"{name}: has {size} lines, more than {TOTALS[name]}" for name, size in totals.items()
+                       if size > TOTALS[name]]
+
+
+def same(expected, actual):
+    """Whether actual is what a document shows; a line "..." stands for any lines, " ..." for the rest of a line."""
+    def lines(text):
+        return [line.rstrip() for line in text.strip().split("\n")]
+    pattern = "".join(r"(?:.*\n)*?" if line == "..." else
+                      re.escape(line[:-4]) + ".*\n" if line.endswith(" ...") else re.escape(line + "\n")
+                      for line in lines(expected))
+    return re.fullmatch(pattern, "".join(line + "\n" for line in lines(actual)))
+
+
+def blocks(text):
+    """Kind and body of each block between lines of ```."""
+    kind = None
+    for line in text.split("\n"):
+        if not line.startswith("```"):
+            body = [] if kind is None else [*body, line]
+        elif kind is None:
+            kind, body = line[3:], []
+        else:
+            yield kind, "\n".join(body)
+            kind = None
+    if kind is not None:
+        raise ValueError("a block is not closed")
+
+
+class Snippets:
+    """The blocks of one document, run from root:
+
+        ```cpp              a program, compiled and run (without a main(): compiled); the ```text block after it is
+                            what it prints
+        ```console check    lines "$ command" run by sh, each followed by what it prints; "check fails": they must fail
+
+    A command that reads ../shared is passed over where that folder is absent. PREFIX names a folder to install into."""
+
+    def __init__(self, root, document, options):
+        self.root, self.document, self.problems = root, document, []
+        self.work = (pathlib.Path(options.work) / re.sub(r"\W", "_", document.name)).resolve()
+        shutil.rmtree(self.work, ignore_errors=True)
+        self.work.mkdir(parents=True)
+        self.environment = os.environ | {"PREFIX": str(self.work / "prefix")}
+        if options.command:
+            folder = pathlib.Path(options.command).resolve().parent
+            self.environment["PATH"] = f"{folder}{os.pathsep}{os.environ['PATH']}"
+        self.compiler = [options.compiler, "-std=c++20", *shlex.split(options.flags), f"-I{root / 'include'}"]
+        self.compiler += [flag for folder in options.eigen.split(";") for flag in ("-isystem", folder)]
+
+    def run(self, command, shown, fails=False):
+        """What the command prints, errors among it; None where it ends as it should not."""
+        done = subprocess.run(command, cwd=self.root, env=self.environment, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", errors="replace")
+        if (done.returncode != 0) == fails:
+            return done.stdout
+        self.problems.append(f"'{shown}' ends with {done.returncode}:\n{done.stdout}")
+        return None
+
+    def compare(self, shown, expected, actual):
+        if actual is not None and not same(expected, actual):
+            self.problems.append(f"'{shown}' prints\n{actual}\nand the document shows\n{expected}")
+
+    def program(self, name, body):
+        """What the program prints; None of what has no main()."""
+        source, program = self.work / f"{name}.cpp", self.work / name
+        source.write_text(body + "\n", encoding="utf-8")
+        if "main(" not in body:
+            self.run([*self.compiler, "-fsyntax-only", source], name)
+        elif self.run([*self.compiler, source, "-o", program], name) is not None:
+            return self.run([program], name)
+        return None
+
+    def console(self, body, fails):
+        if not body.startswith("$ "):
+            self.problems.append(f"a console block must begin with '$ ': {body}")
+        for session in body[2:].split("\n$ "):
+            command, _, expected = session.partition("\n")
+            if "../shared/" in command and not (self.root / "../shared").exists():
+                print(f"passed over, there is no ../shared: {command}")
+            else:
+                self.compare(command, expected, self.run(["sh", "-c", command], command, fails))
+
+    def check(self):
+        checked = count = 0
+        printed = None  # by a program, and shown by no ```text block yet
+        for count, (kind, body) in enumerate(blocks(read(self.document)), 1):
+            if kind == "cpp":
+                printed = self.program(f"snippet_{count}", body)
+            elif kind == "text" and printed is not None:
+                self.compare(f"program {count}", body, printed)
+                printed = None
+            elif kind in ("console check", "console check fails"):
+                self.console(body, kind.endswith("fails"))
+                printed = None
+            else:
+                continue
+            checked += 1
+        print(f"{self.document}: {checked} of {count} blocks checked")
+        return [f"{self.document}: {problem}" for problem in self.problems]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[1],
+                        help="folder of the project")
+    checks = parser.add_subparsers(dest="check", required=True)
+    checks.add_parser("layers").add_argument("--update", action="store_true")
+    checks.add_parser("glossary")
+    checks.add_parser("sizes")
+    snippet = checks.add_parser("snippets")
+    snippet.add_argument("documents", nargs="+", type=pathlib.Path)
+    snippet.add_argument("--compiler", default="g++")
+    snippet.add_argument("--flags", default="", help="of the compiler")
+    snippet.add_argument("--eigen", default="/usr/include/eigen3", help="include folders, divided by semicolons")
+    snippet.add_argument("--command", help="bin/fstiff")
+    snippet.add_argument("--work", default="build/snippets", help="folder for what is compiled")
+    options = parser.parse_args()
+    root = options.root.resolve()
+    try:
+        if options.check == "layers":
+            problems = layers(root, options.update)
+        elif options.check == "snippets":
+            problems = [problem for document in options.documents for problem in Snippets(root, document, options).check()]
+        else:
+            problems = {"glossary": glossary, "sizes": sizes}[options.check](root)
+    except (OSError, ValueError) as error:
+        problems = [str(error)]
+    if problems:
+        sys.exit("\n".join(problems))
+
+
+if __name__ == "__main__":
+    main()
