@@ -15,6 +15,17 @@ def marker(kind, x, y):
     return '<polygon points="' + " ".join(f"{x + dx:.1f},{y + dy:.1f}" for dx, dy in shapes[kind]) + '"/>'
 
 
+def style(colours):
+    """Of pictures that follow the light or dark surroundings; colours: (on light, on dark, marker) of .c0 and .m0, .c1 and .m1 ..."""
+    light = ["text{font:13px system-ui,'DejaVu Sans',sans-serif;fill:#1d1d1f}", ".back{fill:#ffffff}", ".grid{stroke:#d9d9de;stroke-width:1}",
+             ".frame{fill:none;stroke:#6b6b70}", ".title{font-size:15px;font-weight:600}", ".line{fill:none;stroke-width:2}"]
+    dark = ["text{fill:#ececf1}", ".back{fill:#16161a}", ".grid{stroke:#3a3a42}", ".frame{stroke:#9a9aa2}"]
+    for i, (day, night, _) in enumerate(colours):
+        light.append(f".c{i}{{stroke:{day}}}.m{i}{{fill:{day}}}")
+        dark.append(f".c{i}{{stroke:{night}}}.m{i}{{fill:{night}}}")
+    return f"<style>{''.join(light)}@media (prefers-color-scheme:dark){{{''.join(dark)}}}</style>"
+
+
 def between_markers(path, name, text):
     """The text of the file at path, with text between its lines <!-- name --> and <!-- /name -->."""
     new, count = re.subn(rf"(<!-- {name} -->\n).*(<!-- /{name} -->)", lambda m: m[1] + text + "\n" + m[2], path.read_text(), flags=re.S)

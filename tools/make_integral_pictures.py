@@ -151,19 +151,9 @@ def errors():
 # ---------------------------------------------------------------- drawing
 
 
-def style(colours):
-    light = ["text{font:13px system-ui,'DejaVu Sans',sans-serif;fill:#1d1d1f}", ".back{fill:#ffffff}", ".grid{stroke:#d9d9de;stroke-width:1}",
-             ".frame{fill:none;stroke:#6b6b70}", ".title{font-size:15px;font-weight:600}", ".line{fill:none;stroke-width:2}"]
-    dark = ["text{fill:#ececf1}", ".back{fill:#16161a}", ".grid{stroke:#3a3a42}", ".frame{stroke:#9a9aa2}"]
-    for i, (day, night, _) in enumerate(colours):
-        light.append(f".c{i}{{stroke:{day}}}.m{i}{{fill:{day}}}")
-        dark.append(f".c{i}{{stroke:{night}}}.m{i}{{fill:{night}}}")
-    return f"<style>{''.join(light)}@media (prefers-color-scheme:dark){{{''.join(dark)}}}</style>"
-
-
 def begin(width, height, title):
     return [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" aria-labelledby="title">',
-            f'<title id="title">{html.escape(title)}</title>', style(COLOURS), f'<rect class="back" width="{width}" height="{height}"/>']
+            f'<title id="title">{html.escape(title)}</title>', generated.style(COLOURS), f'<rect class="back" width="{width}" height="{height}"/>']
 
 
 def panel(out, left, top, width, height, title, across, low, high, marks):

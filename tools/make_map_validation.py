@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Turns the comparison of the laws with boundary elements of maps of many kinds into the second table of docs/validation.md.
+"""Turns the comparison of the laws with boundary elements of maps of many kinds into the tables of maps of docs/validation.md, and into a picture.
 
     build/release/bin/fstiff_maps truth 1 5 > bench/map_truth.csv                       some ten minutes
     build/release/bin/fstiff_maps laws bench/map_truth.csv > bench/map_validation.csv   half a minute
-    tools/make_map_validation.py            writes the table
-    tools/make_map_validation.py --check    exit code 1 when it is not what bench/map_validation.csv gives
+    tools/make_map_validation.py            writes the tables and docs/map_validation.svg
+    tools/make_map_validation.py --check    exit code 1 when they are not what bench/map_validation.csv gives
     tools/make_map_validation.py --check --program build/release/bin/fstiff_maps
                                             and when that file is not what the program prints, of each 25 maps one
 """
@@ -18,14 +18,20 @@ import subprocess
 import sys
 
 import generated
+import map_picture
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TRUTH = ROOT / "bench" / "map_truth.csv"
 RESULTS = ROOT / "bench" / "map_validation.csv"
 DOCUMENT = ROOT / "docs" / "validation.md"
+PICTURE = ROOT / "docs" / "map_validation.svg"
 
 LAWS = ("hybrid", "summits", "persson", "hybrid of numbers", "p/(0.48 rms height)")
 LIGHT = (0.001, 0.01)  # least and greatest p*; heavy is above
+PANELS = (  # law, what, least and greatest K over that of boundary elements, marks
+    ("hybrid", "hybrid of the map", 0.65, 1.55, (0.7, 0.85, 1, 1.15, 1.3, 1.5)),
+    ("hybrid of numbers", "hybrid of σ, g and alpha alone", 0.12, 4, (0.15, 0.25, 0.5, 1, 2, 3)),
+)
 
 
 def read(text):
@@ -79,6 +85,12 @@ def statistics_alone(rows, groups):
     return lines
 
 
+def by_load(rows, kind, law):
+    """Ratios at light loads, ratios at heavy ones."""
+    mine = [r for r in rows if r["kind"] == kind and r["law"] == law]
+    return [r["ratio"] for r in mine if LIGHT[0] <= r["p_star"] <= LIGHT[1]], [r["ratio"] for r in mine if r["p_star"] > LIGHT[1]]
+
+
 def document(rows):
     kinds = list(dict.fromkeys(r["kind"] for r in rows))
     groups = list(dict.fromkeys(r["group"] for r in rows))
@@ -89,9 +101,7 @@ def document(rows):
     for kind in kinds:
         cells = [kind]
         for law in LAWS:
-            mine = [r for r in rows if r["kind"] == kind and r["law"] == law]
-            light = [r["ratio"] for r in mine if LIGHT[0] <= r["p_star"] <= LIGHT[1]]
-            cells.append(cell(light) + "; " + cell([r["ratio"] for r in mine if r["p_star"] > LIGHT[1]]))
+            cells.append("; ".join(cell(ratios) for ratios in by_load(rows, kind, law)))
         body.append(cells)
     lines += table(["kind", *LAWS], body)
     lines += ["Share of the points of `hybrid`, from the map and from σ, g and alpha alone, within 15 % and 25 % of boundary elements:", ""]
@@ -107,6 +117,15 @@ def document(rows):
     return "\n".join(lines)
 
 
+def picture(rows):
+    kinds = list(dict.fromkeys(r["kind"] for r in rows))
+    panels = []
+    for law, what, *frame in PANELS:
+        good = share([r for r in rows if r["law"] == law], map_picture.GOOD)
+        panels.append((f"{what}: {good} within {100 * map_picture.GOOD:.0f} %", *frame, [by_load(rows, kind, law) for kind in kinds]))
+    return map_picture.draw(kinds, panels)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="write nothing")
@@ -120,8 +139,8 @@ def main():
         if not printed or any(abs(kept.get((r["law"], r["kind"], r["seed"], r["p_star"]), 0) - r["ratio"]) > 2e-3 for r in printed):
             print("bench/map_validation.csv is not what fstiff_maps laws prints: redirect its output there, and run tools/make_map_validation.py")
             return 1
-    return generated.write_or_check({DOCUMENT: generated.between_markers(DOCUMENT, "maps", document(rows))}, "bench/map_validation.csv",
-                                    "make_map_validation.py", options.check)
+    wanted = {DOCUMENT: generated.between_markers(DOCUMENT, "maps", document(rows)), PICTURE: picture(rows)}
+    return generated.write_or_check(wanted, "bench/map_validation.csv", "make_map_validation.py", options.check)
 
 
 if __name__ == "__main__":
