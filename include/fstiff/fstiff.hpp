@@ -137,6 +137,7 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/scaled_contact.hpp>
 #include <fstiff/contact/sensitivity.hpp>
+#include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>

@@ -5,6 +5,7 @@
 #include "scene/file.hpp"
 #include "scene/shown_unit.hpp"
 
+#include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/math/random.hpp>
 
 #include <algorithm>
@@ -142,10 +143,14 @@ std::string dominating(const Scene& scene, const Curve& curve) {
 
 void add_bands(const Scene& scene, Results& results, const ProgressHook& progress) {
     const Scene lean = lean_scene(scene);
+    Scene to_draw_about = lean;
+    to_draw_about.similar = std::make_shared<const SimilarHybrids<double>>(lean.bearing.get(), lean.gamma);
     RandomStates random{scene.seed, ~scene.seed};
     const auto bands =
         sampled_band(scene.uncertain,
-                     [&](const auto& drawn) { return stiffnesses(with_surface(lean, drawn, random), results.modulus); },
+                     [&](const auto& drawn) {
+                         return stiffnesses(with_surface(to_draw_about, drawn, random), results.modulus);
+                     },
                      {static_cast<std::size_t>(scene.samples), scene.seed, progress});
     const std::vector<double> quick = stiffnesses(lean, results.modulus);
     std::vector<std::vector<double>> of_neighbours;

@@ -67,6 +67,7 @@ void for_each_contact(const Scene& scene, double modulus, const ProgressHook& pr
                          .map = scene.map.get(),
                          .spectrum_of_map = scene.spectrum_of_map,
                          .bearing = scene.bearing.get(),
+                         .similar = scene.similar.get(),
                          .material = {.effective_modulus = modulus,
                                       .yield_strength = scene.yield_strength.value_or(0),
                                       .poisson_ratio = scene.softer_poisson,

@@ -3,6 +3,7 @@
 
 #include "scene/file.hpp"
 
+#include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
@@ -117,7 +118,7 @@ std::shared_ptr<const MapOfSurface> map_of_surface(std::vector<std::shared_ptr<c
     double area = 0;
     bool whole = true;
     for (const auto& map : of.maps) {
-        of.summits.push_back(summits_of(*map));
+        of.summits.push_back(with_hertz_factors(summits_of(*map)));
         const double rms = of.summits.back().rms_height;
         of.mean_square_height += map->area() * rms * rms;
         area += map->area();

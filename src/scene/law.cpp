@@ -12,6 +12,7 @@
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
 
@@ -323,9 +324,48 @@ std::unique_ptr<AnyContact> of_hybrid_of_numbers(const ContactInputs& inputs, co
     return held(make(hybrid_of_band(band, *inputs.bearing, inputs.effective_modulus, inputs.gamma)));
 }
 
+std::unique_ptr<AnyContact> hybrid_of_numbers(const ContactInputs& inputs) {
+    return of_hybrid_of_numbers(inputs, [](auto&& contact) { return std::move(contact); });
+}
+
+/// K of hybrid of one of many surfaces that a band is drawn of: from their table, and by the law itself beyond it.
+class SimilarHybrid final : public AnyContact {
+public:
+    explicit SimilarHybrid(const ContactInputs& inputs) : inputs_(inputs) {}
+    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity wanted) const override {
+        std::vector<ContactPoint<double>> points;
+        for (const double& p : pressures) {
+            const auto K = inputs_.similar->stiffness(inputs_.moments, inputs_.hurst, inputs_.effective_modulus, p);
+            if (!K) {
+                points.push_back(itself().at_pressures(std::span(&p, 1), wanted).front());
+                continue;
+            }
+            ContactState<double> state;
+            state.pressure = {p, 0, 0};
+            state.stiffness = {*K, 1.2e-3 * *K, 0};
+            points.push_back(ContactPoint<double>::of(state));
+        }
+        return points;
+    }
+    std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
+                                                     Quantity wanted) const override {
+        return itself().at_separations(separations, wanted);
+    }
+
+private:
+    const AnyContact& itself() const {
+        if (!itself_) itself_ = hybrid_of_numbers(inputs_);
+        return *itself_;
+    }
+    ContactInputs inputs_;
+    mutable std::unique_ptr<AnyContact> itself_;
+};
+
 std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
-    if (!inputs.map || !inputs.spectrum_of_map)
-        return of_hybrid_of_numbers(inputs, [](auto&& contact) { return std::move(contact); });
+    if (!inputs.map || !inputs.spectrum_of_map) {
+        if (inputs.similar) return std::make_unique<SimilarHybrid>(inputs);
+        return hybrid_of_numbers(inputs);
+    }
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t shift) {
         return hybrid_of_map(inputs, of, shift);
     });

@@ -36,6 +36,8 @@ template <ReadableReal T>
 class ContactLaw;
 template <ReadableReal T>
 struct LawRange;
+template <Real T>
+class SimilarHybrids;
 
 }  // namespace fstiff
 
@@ -110,6 +112,7 @@ struct ContactInputs {
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
     const BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
+    const SimilarHybrids<double>* similar = nullptr;  ///< of surfaces drawn for a band: K alone counts, to 1e-3
     PlasticMaterial<double> material{};  ///< of the softer body
     ElementInputs elements{};
     ProgressHook progress{};

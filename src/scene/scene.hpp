@@ -88,6 +88,7 @@ struct Scene : Face {
     ElementInputs elements;  ///< [boundary_elements]
     int samples = 400;       ///< of the band; 0: no band
     std::uint64_t seed = 2014;
+    std::shared_ptr<const SimilarHybrids<double>> similar;  ///< of a scene that a surface was drawn for
     std::vector<std::string> warnings;
     bool has_lay = false;      ///< some face was measured by a profile that repeats itself
     bool implausible = false;  ///< some face has an rms gradient that no surface has: a unit of length is likely wrong

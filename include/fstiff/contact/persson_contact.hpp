@@ -176,7 +176,8 @@ public:
                 sum += weight * detail::persson_distance(root_2 * x / gradient, energy_);
             });
         } else {
-            for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last_x; ++i, evaluations += 32)
+            const S last = last_y(x);
+            for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last; ++i, evaluations += 32)
                 sum += weight_[i] * detail::persson_distance(root_2 * x * inverse_[i], energy_);
         }
         const T d = static_cast<T>(root_2_over_pi() * sum);
@@ -236,11 +237,13 @@ private:
 
     static constexpr std::size_t points = 16;  ///< a panel
     static constexpr int panels = 60;          ///< octaves of G below g
-    static constexpr S last_x = 6;             ///< f(6) = 1e-31
     static constexpr T error_of_K = 64 * std::numeric_limits<T>::epsilon();
 
     static S root_2_over_pi() { return std::sqrt(2 / numbers::pi_v<S>); }
     [[nodiscard]] int nodes() const { return static_cast<int>(inverse_.size()); }
+
+    /// x/G from which on f is 1e-26 of what it is at g.
+    [[nodiscard]] S last_y(S x) const { return std::sqrt(x / gradient_ * (x / gradient_) + 30); }
 
     void require_reach(T pressure) const {
         require_positive("pressure", pressure);
@@ -295,8 +298,9 @@ private:
                 sink(gradient, rule.weight[i] * (to - from) / 2 * piece.inverse_q(gradient));
             }
         };
-        for (auto piece = pieces_.rbegin(); piece != pieces_.rend(); ++piece)
-            for (S to = piece->to; to > piece->from && x / to < x / gradient_ + last_x;) {
+        const S least = x / last_y(x);
+        for (auto piece = pieces_.rbegin(); piece != pieces_.rend() && piece->to > least; ++piece)
+            for (S to = piece->to; to > piece->from && to > least;) {
                 const S ratio = x / to, length = (std::min)(S(0.5), 1 / (1 + ratio * ratio));
                 const S from = (std::max)(piece->from, to * std::exp(-length));
                 if (to - from < length / 10 * to)
@@ -313,35 +317,41 @@ private:
     };
 
     [[nodiscard]] Sums sums(T pressure) const {
+        using V = detail::Lanes<S, 8>;
         const S x = static_cast<S>(pressure) / static_cast<S>(modulus_), root_2 = std::sqrt(S(2));
         const S dP = 2 * root_2 / std::sqrt(numbers::pi_v<S>);  // dP/dx = dP exp(-2 x^2)
-        S value = 0, slope = 0;
-        if (2 * x > gradient_) {
-            directly(x, [&](S gradient, S weight) {
-                const S y = x / gradient, P = std::erf(root_2 * y), fall = std::exp(-2 * y * y);
-                const S bracket = energy_.value(P);
-                value += weight * bracket * fall;
-                slope += weight * y * fall * (energy_.slope(P) * dP * fall - 4 * y * bracket);
-            });
-            return {value, slope / value};
-        }
-        using V = detail::Lanes<S, 8>;
         const auto erf = detail::ErfPolynomials<S>::for_tolerance(0);
         const detail::PerssonEnergy<V> energy{V::all(energy_.gamma), V::all(energy_.square), V::all(energy_.late)};
         V values = V::all(S(0)), slopes = V::all(S(0));
-        for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last_x; i += 8) {
-            const V y = V::all(x) * V::load(&inverse_[i]), weight = V::load(&weight_[i]);
+        const auto add = [&](const V& y, const V& weight, S least, S most) {
             const V fall = exp(V::all(S(-2)) * y * y);
-            const V P =
-                detail::erf_ascending(V::all(root_2) * y, root_2 * x * inverse_[i], root_2 * x * inverse_[i + 7], erf);
+            const V P = detail::erf_ascending(V::all(root_2) * y, root_2 * least, root_2 * most, erf);
             const V bracket = energy.value(P);
             const V change = multiply_add(energy.slope(P) * V::all(dP), fall, V::all(S(-4)) * y * bracket);
             values = multiply_add(weight * fall, bracket, values);
             slopes = multiply_add(weight * fall * y, change, slopes);
+        };
+        if (2 * x > gradient_) {
+            alignas(64) std::array<S, 8> ys, weights;
+            std::size_t count = 0;
+            const auto take = [&](S y, S weight) {
+                ys[count] = y, weights[count] = weight;
+                if (++count < 8) return;
+                const auto [least, most] = std::minmax_element(ys.begin(), ys.end());
+                add(V::load(ys.data()), V::load(weights.data()), *least, *most);
+                count = 0;
+            };
+            directly(x, [&](S gradient, S weight) { take(x / gradient, weight); });
+            while (count > 0) take(ys[0], S(0));
+        } else {
+            const S last = last_y(x);
+            for (std::size_t i = 0; i < inverse_.size() && x * inverse_[i] < last; i += 8)
+                add(V::all(x) * V::load(&inverse_[i]), V::load(&weight_[i]), x * inverse_[i], x * inverse_[i + 7]);
         }
         alignas(64) std::array<S, 8> v, s;
         values.store(v.data());
         slopes.store(s.data());
+        S value = 0, slope = 0;
         for (std::size_t i = 0; i < 8; ++i) value += v[i], slope += s[i];
         return {value, slope / value};
     }

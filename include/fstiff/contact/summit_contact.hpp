@@ -38,6 +38,17 @@
 
 namespace fstiff {
 
+/// The same summits with the factors of their ellipses, so that many contacts of them, and of what is resampled from them,
+/// need not find these again. \throws domain_error for curvatures that are not positive.
+template <Real T>
+[[nodiscard]] Summits<T> with_hertz_factors(Summits<T> of) {
+    for (Summit<T>& one : of.summits) {
+        const EllipticHertz<T> hertz = elliptic_hertz(one.max_curvature, one.min_curvature);
+        one.load_factor = hertz.load_factor, one.area_factor = hertz.area_factor;
+    }
+    return of;
+}
+
 /// The contact of the summits of one map, each by itself: ellipses of Hertz.
 template <Real T = double>
 class SummitContact : public SlopeContact<SummitContact<T>, T> {
@@ -51,8 +62,10 @@ public:
         require_positive("rms_height", of.rms_height);
         require(!of.summits.empty(), "summits", of.summits.size(), "at least 1");
         for (const Summit<T>& one : of.summits) {
-            const EllipticHertz<T> hertz = elliptic_hertz(one.max_curvature, one.min_curvature);
             height_.push_back(one.height);
+            const bool found = one.load_factor > 0;
+            const auto hertz = found ? EllipticHertz<T>{one.load_factor, one.area_factor, T(0)}
+                                     : elliptic_hertz(one.max_curvature, one.min_curvature);
             load_factor_.push_back(hertz.load_factor);
             area_factor_.push_back(hertz.area_factor);
         }

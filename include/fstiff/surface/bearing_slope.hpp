@@ -77,6 +77,12 @@ public:
                 require(knots_[i].score > knots_[i - 1].score && knots_[i].height > knots_[i - 1].height,
                         "height of a bearing curve", knots_[i].height, "more than that of the score below");
         }
+        cells_per_score_ = T(knots_.size() - 1) / (highest() - lowest());
+        first_.reserve(knots_.size());
+        for (std::size_t cell = 0, i = 1; cell < knots_.size(); ++cell) {
+            while (i + 1 < knots_.size() && cell_of(knots_[i].score) < cell) ++i;
+            first_.push_back(i);
+        }
     }
 
     /// The curve of heights \p factor times as high. \throws domain_error unless they rise after rounding, too.
@@ -106,12 +112,12 @@ public:
         const T c = std::clamp(center, lowest(), highest());
         const T from = (std::max)(c - 3 * width, lowest()), to = (std::min)(c + 3 * width, highest());
         T mass = 0, score = 0, rise = 0, square = 0, product = 0;
-        std::size_t i = above(from);
-        const T base = on_line(i, from);
-        for (int k = 0; k < nodes; ++k) {
-            const T x = (to - from) * T(k) / (nodes - 1), zeta = from + x, off = (zeta - c) / width;
-            while (i + 1 < knots_.size() && knots_[i].score < zeta) ++i;
-            const T weight = std::exp(-off * off / 2), y = on_line(i, zeta) - base;
+        const T base = height(from), step = (to - from) / (nodes - 1);
+        // of a Gaussian at even steps each value is the one before times a factor, which falls by the same ratio every time
+        const T first = (from - c) / width, apart = step / width, fall = std::exp(-apart * apart);
+        T weight = std::exp(-first * first / 2), factor = std::exp(-apart * (first + apart / 2));
+        for (int k = 0; k < nodes; ++k, weight *= factor, factor *= fall) {
+            const T x = step * T(k), y = height(from + x) - base;
             mass += weight, score += weight * x, rise += weight * y;
             square += weight * x * x, product += weight * x * y;
         }
@@ -125,11 +131,15 @@ public:
 private:
     static constexpr int nodes = 61;
 
+    /// Of equal cells between the ends of the curve, as many as there are lines: that of \p score.
+    [[nodiscard]] std::size_t cell_of(T score) const {
+        return static_cast<std::size_t>(std::clamp((score - lowest()) * cells_per_score_, T(0), T(knots_.size() - 1)));
+    }
     /// The knot that ends the line on which \p score lies.
     [[nodiscard]] std::size_t above(T score) const {
-        const auto found = std::partition_point(knots_.begin() + 1, knots_.end() - 1,
-                                                [score](const Knot& knot) { return knot.score < score; });
-        return static_cast<std::size_t>(found - knots_.begin());
+        std::size_t i = first_[cell_of(score)];
+        while (i + 1 < knots_.size() && knots_[i].score < score) ++i;
+        return i;
     }
     [[nodiscard]] T on_line(std::size_t end, T score) const {
         const Knot &a = knots_[end - 1], &b = knots_[end];
@@ -137,6 +147,8 @@ private:
     }
 
     std::vector<Knot> knots_;
+    T cells_per_score_{};
+    std::vector<std::size_t> first_;  ///< of each cell, the first knot that can end a line there
 };
 
 }  // namespace fstiff
