@@ -144,17 +144,27 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     return "";
 }
 
+void Face::take_uncertain() {
+    const auto value = [&](Parameter which) {
+        const std::size_t i = index_of(which);
+        return uncertain.known[i] ? std::optional(uncertain.value[i]) : std::nullopt;
+    };
+    surface.rms_height = *value(Parameter::rms_height);
+    surface.peak_radius = *value(Parameter::peak_radius);
+    surface.peak_density = *value(Parameter::peak_density);
+    fractal_dimension = value(Parameter::fractal_dimension);
+    r = value(Parameter::r);
+    theta = value(Parameter::theta);
+}
+
 Face face_of(const MeasuredSurface& measured) {
     Face face;
     face.widest_band = measured.widest_band;
     face.measured = measured;
-    const auto& p = measured.parameters;
-    const auto value = [&](Parameter which) { return p.value[index_of(which)]; };
-    const auto known = [&](Parameter which) { return p.known[index_of(which)]; };
-    face.uncertain = p;
-    face.surface = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
-                    measured.max_peak_height.value};
-    if (known(Parameter::fractal_dimension)) face.fractal_dimension = value(Parameter::fractal_dimension);
+    face.uncertain = measured.parameters;
+    face.take_uncertain();
+    if (!face.r || !face.theta) face.r = face.theta = std::nullopt;
+    face.surface.max_peak_height = measured.max_peak_height.value;
     if (measured.fractal_roughness) face.fractal_roughness = measured.fractal_roughness->value;
     face.dimension_window_error = measured.dimension_window_error;
     face.heights = measured.heights;
@@ -168,10 +178,6 @@ Face face_of(const MeasuredSurface& measured) {
     for (const MeasuredSurface& part : measured.parts)
         if (part.map) maps.emplace_back(part.map, &part.map->map);
     if (!maps.empty()) face.map = map_of_surface(std::move(maps));
-    if (known(Parameter::r) && known(Parameter::theta)) {
-        face.r = value(Parameter::r);
-        face.theta = value(Parameter::theta);
-    }
     for (const MeasuredSurface& neighbour : measured.neighbours) face.neighbours.push_back(face_of(neighbour));
     return face;
 }

@@ -46,6 +46,8 @@ struct Face {
 
     std::vector<Face> neighbours;  ///< behind a smaller and a greater lambda_s, where they were measured
 
+    /// Takes rms height, R, D_p, D, r and theta from `uncertain`, which holds them with their errors.
+    void take_uncertain();
     /// Takes \p of, which bearing_of_moments() takes, with its bearing curve.
     void set_shape(const HeightShape<double>& of);
     /// Whether a band can be given: some parameter that enters has an error.

@@ -189,12 +189,9 @@ void keep_written(const Section& surface, const Face& face, Face& neighbour) {
     for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>())
         if (surface.find(row.key))
             neighbour.uncertain.set(row.parameter, {face.uncertain.value[index_of(row.parameter)], 0});
-    if (surface.find("rms_height")) neighbour.surface.rms_height = face.surface.rms_height;
-    if (surface.find("peak_radius")) neighbour.surface.peak_radius = face.surface.peak_radius;
-    if (surface.find("peak_density")) neighbour.surface.peak_density = face.surface.peak_density;
-    if (surface.find("fractal_dimension")) neighbour.fractal_dimension = face.fractal_dimension;
-    if (surface.find("r") || !neighbour.r) neighbour.r = face.r;
-    if (surface.find("theta") || !neighbour.theta) neighbour.theta = face.theta;
+    neighbour.take_uncertain();
+    if (!neighbour.r) neighbour.r = face.r;
+    if (!neighbour.theta) neighbour.theta = face.theta;
     if (surface.find("rms_gradient")) neighbour.rms_gradient = face.rms_gradient;
     if (surface.find("alpha")) neighbour.alpha = face.alpha;
     if (has_bearing(surface)) neighbour.shape = face.shape, neighbour.bearing = face.bearing;
@@ -267,20 +264,11 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
             uncertain.correlation[i][j] = uncertain.correlation[j][i] = i == j ? 1 : 0;
     }
     if (const auto* errors = surface.find("errors")) read_errors(source, surface, *errors, face);
-    const auto value = [&](Parameter which) -> std::optional<double> {
-        const std::size_t i = index_of(which);
-        return uncertain.known[i] ? std::optional(uncertain.value[i]) : std::nullopt;
-    };
-    face.surface.rms_height = *value(Parameter::rms_height);
-    face.surface.peak_radius = *value(Parameter::peak_radius);
-    face.surface.peak_density = *value(Parameter::peak_density);
+    face.take_uncertain();
     if (const auto highest = surface.optional_positive("max_peak_height", Dimension::length))
         face.surface.max_peak_height = *highest;
-    face.fractal_dimension = value(Parameter::fractal_dimension);
     if (const auto roughness = surface.optional_positive("fractal_roughness", Dimension::length))
         face.fractal_roughness = *roughness;
-    face.r = value(Parameter::r);
-    face.theta = value(Parameter::theta);
     if (face.r.has_value() != face.theta.has_value())
         throw domain_error(source.at(table) + ": " + surface.key(face.r ? "theta" : "r") + ": is missing; " +
                            surface.key("r") + " and " + surface.key("theta") + " stand side by side");

@@ -23,10 +23,7 @@ constexpr std::size_t most_scenes_read = 16;  // of the cache: measured maps are
 template <Parameter parameter>
 void put_parameter(Scene& scene, std::size_t, double value) {
     scene.uncertain.value[index_of(parameter)] = value;
-    if constexpr (parameter == Parameter::rms_height) scene.surface.rms_height = value;
-    if constexpr (parameter == Parameter::peak_radius) scene.surface.peak_radius = value;
-    if constexpr (parameter == Parameter::peak_density) scene.surface.peak_density = value;
-    if constexpr (parameter == Parameter::fractal_dimension) scene.fractal_dimension = value;
+    scene.take_uncertain();
 }
 
 void put_point(Scene& scene, std::size_t place, double value) { scene.points[place] = value; }
