@@ -68,7 +68,7 @@ LONG_FUNCTIONS = {
     "src/scene/results.cpp columns_of": 66,
     "src/sweep/merge.cpp merge": 62,
 }
-TOTALS = {"include": 25630, "src without io": 20520, "tools": 4580}
+TOTALS = {"include": 25630, "src without io": 20520, "tools": 4590}
 
 
 def read(path):

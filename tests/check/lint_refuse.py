@@ -28,7 +28,7 @@ LONG = ('// long {\nclass Long {\n    Long(int i)\n        : a_{i}, b_{"}"} {\n'
         + "    }\n};\n" + 337 * "\n")
 TREE = {
     "tools/lint.py": "# which fstiff.hpp names\n",
-    "tools/of_python.pyc": 20 * "\n",
+    "tools/of_python/a.pyc": 20 * "\n",
     "tests/check/lint_refuse.py": "# docs/none.md\n",
     "include/fstiff/core/config.hpp": "[[gnu::cold]] void refuse();\n",
     "include/fstiff/core/error.hpp": "#include <string>\n#include <fstiff/core/config.hpp>\n",
@@ -166,7 +166,7 @@ SIZES = [
     ("", "src/io/a.cpp", "namespace {\n" + 100 * "\n" + "int f(A a) { return {}; }\n}\n"),
     ("src/io/a.cpp operator(): has 61 lines, more than 60", "src/io/a.cpp", SIXTY.replace("//", "//\n//", 1)),
     ("src/io/a.cpp f: has 61 lines, more than 60", "src/io/a.cpp",
-     "#define B {\nvoid f(char c = '{') {\n  const auto g = R\"x(}\")x\";\n" + 57 * "/* {\n" + "*/ g({1});\n}\n"),
+     "#define B {\nnamespace a {}\nvoid f(char c = '{') {\n  const auto g = R\"x(}\")x\";\n" + 57 * "/* {\n" + "*/ g({1});\n}\n"),
     ("its braces do not match", "src/io/a.cpp", "namespace a {\n"),
     ("include: has 501 lines, more than 500", "include/a.h", 239 * "\n", "include/b.h", 241 * "\n"),
     ("src without io: has 501 lines, more than 500", "src/scene/a.cpp", 249 * "\n", "src/scene/b.cpp", 249 * "\n"),
