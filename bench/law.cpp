@@ -38,8 +38,8 @@ struct Gaps {
     }
 };
 
-/// The table of hybrid of a map, whose K has a kink where each summit touches, and that law under 200 pressures of 1.1e-4
-/// to 0.0187 E.
+/// The table of hybrid of a map, whose K has a kink where each summit touches, and that law under 200 pressures from
+/// 1.1e-4 to 0.0187 E.
 struct LawOfMap {
     fstiff::ContactLaw<double> table;
     std::vector<LawPoint> points;
@@ -68,7 +68,9 @@ const Rows rows_of_law_of_map([] {
         verified_row(name, 1e-3, [=] { return accuracy(value_at); },
                      [=](benchmark::State& state) {
                          time_elements(state, law_of_map().points.size(),
-                                       [&, &law = law_of_map()](std::size_t i) { return look_up(law.table, law.points[i]); });
+                                       [&, &law = law_of_map()](std::size_t i) {
+                                           return look_up(law.table, law.points[i]);
+                                       });
                      });
     };
     const auto stiffness = [](const auto& law, const LawPoint& at) { return law.stiffness(at.pressure); };
