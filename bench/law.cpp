@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A whole contact: the separation for a pressure, and the tabulated law.
+#include "hybrid_of_map.hpp"
 #include "methods.hpp"
 #include "row.hpp"
+
+#include "support/half_space_maps.hpp"
 
 namespace {
 
@@ -34,6 +37,49 @@ struct Gaps {
         }
     }
 };
+
+/// The table of hybrid of a map, whose K has a kink where each summit touches, and that law under 200 pressures from
+/// 1.1e-4 to 0.0187 E.
+struct LawOfMap {
+    fstiff::ContactLaw<double> table;
+    std::vector<LawPoint> points;
+};
+const LawOfMap& law_of_map() {
+    static const LawOfMap kept = [] {
+        const auto hybrid = hybrid_of_map(test::half_space_map("gaussian"));
+        LawOfMap out{fstiff::ContactLaw<double>::tabulate(hybrid, {.min_pressure = 1e-4, .max_pressure = 0.02}), {}};
+        for (int i = 0; i < 200; ++i) {
+            const double p = 1.1e-4 * std::pow(170.0, i / 199.0);
+            const auto at = hybrid.at_pressure(p, Quantity::stiffness | Quantity::separation);
+            out.points.push_back({p, at.separation.value, at.stiffness.value});
+        }
+        return out;
+    }();
+    return kept;
+}
+
+const Rows rows_of_law_of_map([] {
+    const auto accuracy = [](const auto& value_at) {
+        AccuracyCollector collector;
+        for (const LawPoint& at : law_of_map().points) collector.add(value_at(at), at.stiffness);
+        return collector.accuracy();
+    };
+    const auto row = [=](const char* name, const auto& value_at, const auto& look_up) {
+        verified_row(name, 1e-3, [=] { return accuracy(value_at); },
+                     [=](benchmark::State& state) {
+                         time_elements(state, law_of_map().points.size(),
+                                       [&, &law = law_of_map()](std::size_t i) {
+                                           return look_up(law.table, law.points[i]);
+                                       });
+                     });
+    };
+    const auto stiffness = [](const auto& law, const LawPoint& at) { return law.stiffness(at.pressure); };
+    row("law_of_map/stiffness_of_pressure/scalar",
+        [=](const LawPoint& at) { return stiffness(law_of_map().table, at); }, stiffness);
+    const auto of_gap = [](const auto& law, const LawPoint& at) { return law.at_separation(at.separation); };
+    row("law_of_map/pressure_and_stiffness_of_gap/scalar",
+        [=](const LawPoint& at) { return of_gap(law_of_map().table, at).stiffness; }, of_gap);
+});
 
 const Rows rows_of_law([] {
     constexpr double law_bound = 1e-10;

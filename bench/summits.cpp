@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The contact of maps: summits that push each other down, and the hybrid law from the heights on.
+#include "hybrid_of_map.hpp"
 #include "row.hpp"
 
 #include "support/half_space_maps.hpp"
 #include "support/map_kinds.hpp"
 #include "support/table.hpp"
 
-#include <fstiff/contact/hand_over.hpp>
-#include <fstiff/contact/hybrid_contact.hpp>
-#include <fstiff/topography/gaussian_order.hpp>
+#include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/summits.hpp>
 
 namespace {
 
@@ -23,17 +23,6 @@ const fstiff::MutualSummits<double>& crowd() {
         return fstiff::MutualSummits<double>(fstiff::summits_of(map), 1.0);
     }();
     return contact;
-}
-
-double stiffness_of_map(const fstiff::HeightMap<double>& map, double pressure) {
-    const auto order = fstiff::gaussian_order(map);
-    const fstiff::Summits<double> summits = fstiff::summits_of(map);
-    const fstiff::BearingContact<double> crowded(
-        fstiff::PerssonContact<double>(fstiff::map_spectrum(order.map, fstiff::Edges::periodic), 1.0), order.curve,
-        order.rms_height);
-    return fstiff::HybridContact(fstiff::SummitContact<double>(summits, 1.0), crowded,
-                                 fstiff::hand_over_of(summits, crowded, fstiff::Edges::periodic))
-        .stiffness(pressure);
 }
 
 const Rows rows_of_summits([] {
@@ -59,7 +48,7 @@ const Rows rows_of_summits([] {
             AccuracyCollector collector;
             for (std::size_t row = 0; row < table.size(); ++row) {
                 if (table.text(row, "map") != "gaussian" || table.input(row, "p_star") < 0.0009) continue;
-                collector.add(stiffness_of_map(test::half_space_map("gaussian"), table.input(row, "p_over_E")),
+                collector.add(hybrid_of_map(test::half_space_map("gaussian")).stiffness(table.input(row, "p_over_E")),
                               table.input(row, "stiffness_times_L_over_E"));
                 collector.add_cost(256 * 256);
             }
@@ -67,7 +56,7 @@ const Rows rows_of_summits([] {
         },
         [](benchmark::State& state) {
             const auto map = test::half_space_map("gaussian");
-            for (auto _ : state) benchmark::DoNotOptimize(stiffness_of_map(map, 1e-3));
+            for (auto _ : state) benchmark::DoNotOptimize(hybrid_of_map(map).stiffness(1e-3));
         });
 });
 

@@ -218,7 +218,7 @@ class Report:
                 body.append(line)
             head = ["method", "asked for", "time", "largest relative error", "median", "evaluations", "time over fstiff at 1e-12"]
             lines += table(head + (["values off by more than 1e-6"] if grid == "hard" else []), body)
-        for prefix, title in (("kernel", "Kernel in two dimensions, laws of a user"), ("law", "Tabulated law, 1e5 to 1e8 Pa"), ("contact", "A contact at a pressure or a separation"),
+        for prefix, title in (("kernel", "Kernel in two dimensions, laws of a user"), ("law", "Tabulated law, 1e5 to 1e8 Pa"), ("law_of_map", "Tabulated law of a map, with kinks"), ("contact", "A contact at a pressure or a separation"),
                               ("profile", "Profiles"), ("topography", "Maps")):
             found = [(name.split("/", 1)[1], row) for name, row in self.rows.items() if name.startswith(prefix + "/")]
             if not found:
