@@ -165,6 +165,7 @@ fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, co
     how.resamples = static_cast<std::size_t>(options.resamples);
     how.seed = options.seed;
     how.neighbours = options.neighbours;
+    how.neighbour_dimensions = profile || options.neighbour_dimensions;
     how.keep_maps = options.keep_maps;
     how.progress = progress;
     return how;

@@ -23,6 +23,7 @@ struct MeasureOptions {
     int resamples = 400;
     std::uint64_t seed = 2014;
     bool neighbours = true;  ///< measures behind a smaller and a greater lambda_s too
+    bool neighbour_dimensions = true;  ///< finds D of these, of maps
     bool keep_maps = true;   ///< of the neighbours, with what a face takes of them
 };
 

@@ -298,6 +298,7 @@ Face face_of_file(Source& source, const std::string& file, const ProgressHook& p
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
     options.neighbours = source.has_band;
+    options.neighbour_dimensions = source.needs_dimension_of_maps;
     Face face;
     try {
         face = face_of(measured_from(options, {file}, true, {.key = "--surface"}, progress));

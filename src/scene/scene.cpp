@@ -537,9 +537,20 @@ Scene read_scene(const std::string& text, const SceneSource& from) {
     return scene;
 }
 
+/// Whether a law of \p root takes D of a map, or what Persson's theory takes of its numbers.
+static bool needs_dimension_of_maps(const toml::table& root) {
+    const toml::array* names = root["contact"]["laws"].as_array();
+    if (!names || root["persson"]["spectrum"]) return true;
+    return std::any_of(names->begin(), names->end(), [](const toml::node& name) {
+        const Law* law = find_law(name.value_or(std::string_view()));
+        return !law || law->needs_dimension;
+    });
+}
+
 Scene read_table(const toml::table& root, const SceneSource& from, bool builtin) {
     const std::string &file = from.name, &surface = from.surface;
-    Source source{file, {}, builtin, from.has_band && root["uncertainty"]["samples"].value<std::int64_t>() != 0};
+    Source source{file, {}, builtin, from.has_band && root["uncertainty"]["samples"].value<std::int64_t>() != 0,
+                  needs_dimension_of_maps(root)};
     Scene scene;
     scene.file = file;
 

@@ -51,6 +51,7 @@ struct Source {
     std::vector<Input> inputs;
     bool builtin = false;  ///< the scene is the built-in one, whose laws nobody chose
     bool has_band = true;  ///< asked for: a measured surface needs its neighbours
+    bool needs_dimension_of_maps = true;  ///< some law takes D of a map, or a band of its numbers, for which H is
 
     std::string at(const toml::node& node) const {
         const auto line = node.source().begin.line;

@@ -128,6 +128,26 @@ TEST_CASE("The neighbours are the surface with a shorter and a longer lambda_s, 
     CHECK(map.neighbours[0].size == map.size);
 }
 
+TEST_CASE("What is left out leaves all else as it is") {
+    const HeightMap<double> map = some_map();
+    const Surface<double> whole = measure(map, {.lambda_s = 2e-6});
+    const Surface<double> lean = measure(map, {.lambda_s = 2e-6, .neighbour_dimensions = false});
+    require_equal(lean, whole, true);
+    CHECK(lean.texture_aspect_ratio == texture_aspect_ratio(lean.map->map));
+    REQUIRE(lean.neighbours.size() == whole.neighbours.size());
+    for (std::size_t k = 0; k < whole.neighbours.size(); ++k) {
+        SurfaceParameters<double> with_dimension = lean.neighbours[k];
+        CHECK_FALSE(with_dimension.fractal_dimension);
+        CHECK(with_dimension.why_no_dimension == "D was not asked for");
+        with_dimension.fractal_dimension = whole.neighbours[k].fractal_dimension;
+        require_equal(with_dimension, whole.neighbours[k], true);
+    }
+    const Surface<double> flat = measure(trace(), {.dimension = false, .neighbours = false});
+    CHECK_FALSE(flat.fractal_dimension);
+    CHECK(flat.peak_radius.value == measure(trace(), {.neighbours = false}).peak_radius.value);
+    CHECK(measure(map, {.texture = false, .neighbours = false}).texture_aspect_ratio == 1);
+}
+
 TEST_CASE("A neighbour keeps lambda_c where its own Ra would choose another") {
     auto profile = trace(0.3e-6, 9000);  // 4.5 mm hold five of 0.8 mm
     const double shorter = 2.5e-6 / std::sqrt(2.0);

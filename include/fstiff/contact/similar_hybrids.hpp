@@ -18,7 +18,7 @@
 ///
 /// Reference   contact/hybrid_of_band.hpp
 /// Units       SI
-/// Valid       alpha from 2.5 to 130,000, 0.4 <= H <= 1, pressures at which hybrid_of_band has a state also a quarter
+/// Valid       alpha from 2.5 to 130,000, 0.7 <= H <= 1, pressures at which hybrid_of_band has a state also a quarter
 ///             of an e-fold further up; none elsewhere
 /// Accuracy    K 4e-4, of heights with a kurtosis of 75 1.2e-3 (tests/contact/similar_hybrids_test.cpp)
 
@@ -70,7 +70,7 @@ public:
         const T closing = effective_modulus * std::sqrt(2 * moments.m2);
         const T bend = std::log(moments.bandwidth() / alpha_of_hills<T>) * alphas, tenths = hurst * hursts;
         const T place = std::log(pressure / closing) * pressures + highest_pressure;
-        if (!(bend >= T(least_bend) && bend < T(highest_bend) && tenths >= 4 && tenths <= T(hursts) && place >= 0 &&
+        if (!(bend >= T(least_bend) && bend < T(highest_bend) && tenths >= 7 && tenths <= T(hursts) && place >= 0 &&
               place <= T(highest_pressure)))
             return std::nullopt;
         const auto of_alpha = bend < 0 ? Stencil::at(bend, lowest_bend, 0) : Stencil::at(bend, 0, highest_bend);

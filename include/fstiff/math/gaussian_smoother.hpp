@@ -15,8 +15,14 @@
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
+#include <fstiff/math/fft_of_lines.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace fstiff {
 
@@ -30,12 +36,20 @@ public:
     /// Replaces the numbers by their sums. \throws domain_error unless there are as many as were announced.
     void operator()(std::vector<T>& data);
 
+    /// The most lines that are smoothed at once: two to each lane of a vector, the real and the imaginary part of one
+    /// transform, which the weights leave apart since theirs is real.
+    static constexpr std::size_t lines = 2 * detail::FftOfLines<T>::width;
+    /// The same of \p count lines; number i of line l is \p data[i step + l jump].
+    void of_lines(T* data, std::size_t step, std::size_t jump, std::size_t count);
+
 private:
     static std::size_t reach(std::size_t size, T width);  ///< of the weights, to 1e-17
 
     std::size_t size_;
     RealFft<T> fft_;
     std::vector<std::complex<T>> shape_, spectrum_;
+    std::optional<detail::FftOfLines<T>> together_;
+    std::vector<T> re_, im_;
 };
 
 template <Real T>
@@ -68,6 +82,26 @@ void GaussianSmoother<T>::operator()(std::vector<T>& data) {
     for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= shape_[k].real();  // the kernel is even
     fft_.inverse(spectrum_, data);
     data.resize(size_);
+}
+
+template <Real T>
+void GaussianSmoother<T>::of_lines(T* data, std::size_t step, std::size_t jump, std::size_t count) {
+    constexpr std::size_t width = lines / 2;
+    const std::size_t whole = fft_.size();
+    if (!together_) together_.emplace(whole);
+    re_.assign(whole * width, T(0));
+    im_.assign(whole * width, T(0));
+    const auto part = [&](std::size_t l) { return l < width ? re_.data() + l : im_.data() + (l - width); };
+    for (std::size_t l = 0; l < count; ++l)
+        for (std::size_t i = 0; i < size_; ++i) part(l)[i * width] = data[i * step + l * jump];
+    together_->transform(re_.data(), im_.data());
+    for (std::size_t k = 0; k < whole; ++k) {
+        const T share = shape_[(std::min)(k, whole - k)].real() / static_cast<T>(whole);
+        for (std::size_t l = k * width; l < (k + 1) * width; ++l) re_[l] *= share, im_[l] *= share;
+    }
+    together_->transform(im_.data(), re_.data());
+    for (std::size_t l = 0; l < count; ++l)
+        for (std::size_t i = 0; i < size_; ++i) data[i * step + l * jump] = part(l)[i * width];
 }
 
 }  // namespace fstiff

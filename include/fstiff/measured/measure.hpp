@@ -79,6 +79,8 @@ template <Real T>
     how.resamples = options.resamples;
     how.progress = how.fit.progress = how.islands.progress = options.progress;
     how.peaks = options.peaks;
+    how.texture = options.texture;
+    how.dimension = options.dimension;
     return how;
 }
 
@@ -116,6 +118,8 @@ template <Real T, class MeasureOne>
                                                     const MeasureOne& measure_one) {
     options.neighbours = false;
     options.resamples = 2;  // their errors are not asked for
+    options.texture = false;  // nor is their lay, which is that of the surface
+    options.dimension = options.dimension && options.neighbour_dimensions;
     options.progress = {};
     if (!options.form_cut_off) options.lambda_c = CutOff<T>::of(cut_offs.lambda_c);  // whatever chose it, it stays
     std::vector<Surface<T>> all;

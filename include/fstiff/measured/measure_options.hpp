@@ -85,7 +85,10 @@ struct MeasureOptions {
     std::optional<LagWindow<T>> window{};           ///< of the lags that give D; none: found by itself
     std::size_t resamples = 400;                    ///< for the standard errors
     std::uint64_t seed = 2014;                      ///< of the resamples
+    bool texture = true;                            ///< whether Str of a map is found, by which a lay is told
+    bool dimension = true;                          ///< whether D and G are
     bool neighbours = true;                         ///< whether the surface is measured with other lambda_s too
+    bool neighbour_dimensions = true;               ///< whether D and G of these are found
     bool keep_maps = true;                          ///< whether the neighbours keep their filtered maps
     ProgressHook progress{};                        ///< of the resamples
 };

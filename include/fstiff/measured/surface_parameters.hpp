@@ -70,6 +70,8 @@ struct SurfaceParameterOptions {
     PeakSource peaks = PeakSource::islands;  ///< of a map
     IslandOptions<T> islands{};
     FractalFitOptions<T> fit{};
+    bool texture = true;      ///< of a map: find Str, which costs two transforms of it
+    bool dimension = true;    ///< find D and G
     std::size_t tiles = 4;  ///< of a map, a side
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
@@ -275,7 +277,9 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
     result.block_length = static_cast<T>(block * length) * profile.spacing;
     result.seed = options.seed;
     result.why_no_dimension =
-        detail::fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); });
+        options.dimension
+            ? detail::fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); })
+            : "D was not asked for";
     if (result.profile_fit) detail::store_fit(result, *result.profile_fit);
     return result;
 }
@@ -334,7 +338,7 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     const auto waves = detail::long_waves<S>(map.rows(), map.columns(), whole[0] * whole[0], height);
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, whole, waves);
-    result.texture_aspect_ratio = texture_aspect_ratio(map);
+    if (options.texture) result.texture_aspect_ratio = texture_aspect_ratio(map);
     detail::store_sums(result, whole, spread, unit, static_cast<S>(map.dx), static_cast<S>(map.dy));
     result.peaks_counted = static_cast<std::size_t>(all.summits);
     if (!summits) {
@@ -352,7 +356,8 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     }
     detail::require_numbers(result);
     result.seed = options.seed;
-    result.why_no_dimension = detail::fit_or_reason(result.map_fit, [&] { return directions(); });
+    result.why_no_dimension =
+        options.dimension ? detail::fit_or_reason(result.map_fit, [&] { return directions(); }) : "D was not asked for";
     if (result.map_fit) detail::store_mean_of_directions(result, *result.map_fit);
     return result;
 }

@@ -44,24 +44,13 @@ using FilteredHeights = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 /// The weighted sums of every row of \p z, then of every column.
 template <Real F>
 void smooth_both_ways(FilteredHeights<F>& z, GaussianSmoother<F>& along_x, GaussianSmoother<F>& along_y) {
-    std::vector<F> line;
-    for (Eigen::Index j = 0; j < z.rows(); ++j) {
-        line.assign(z.row(j).begin(), z.row(j).end());
-        along_x(line);
-        std::copy(line.begin(), line.end(), z.row(j).begin());
-    }
-    constexpr Eigen::Index together = 16;  // columns are fetched by so many, which share lines of the cache
-    FilteredHeights<F> columns;
-    for (Eigen::Index i = 0; i < z.cols(); i += together) {
-        const Eigen::Index many = (std::min)(together, z.cols() - i);
-        columns = z.middleCols(i, many).transpose();
-        for (Eigen::Index k = 0; k < many; ++k) {
-            line.assign(columns.row(k).begin(), columns.row(k).end());
-            along_y(line);
-            std::copy(line.begin(), line.end(), columns.row(k).begin());
-        }
-        z.middleCols(i, many) = columns.transpose();
-    }
+    constexpr auto lines = static_cast<Eigen::Index>(GaussianSmoother<F>::lines);
+    const auto many = [&](Eigen::Index from, Eigen::Index all) {
+        return static_cast<std::size_t>((std::min)(lines, all - from));
+    };
+    const auto row = static_cast<std::size_t>(z.cols());
+    for (Eigen::Index j = 0; j < z.rows(); j += lines) along_x.of_lines(&z(j, 0), 1, row, many(j, z.rows()));
+    for (Eigen::Index i = 0; i < z.cols(); i += lines) along_y.of_lines(&z(0, i), row, 1, many(i, z.cols()));
 }
 
 /// \throws domain_error for a map out of range, or a cut-off that it cannot hold.

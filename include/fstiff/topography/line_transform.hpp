@@ -55,6 +55,13 @@ template <Real T>
     return T(wave);
 }
 
+/// What coefficient \p k of a line of \p points adds to the mean square of the line, over (c_k/N)^2: 1 of the mean and of
+/// the zigzag, else 2.
+template <Real T>
+[[nodiscard]] T wave_weight(std::size_t k, std::size_t points, Edges edges) {
+    return k == 0 || (edges == Edges::periodic && k + 1 == points && points % 2 == 0) ? T(1) : T(2);
+}
+
 /// N real numbers into N coefficients c_k of an orthogonal basis and back.
 template <Real T>
 class LineTransform {
@@ -69,10 +76,8 @@ public:
     /// Wave number of coefficient \p k, in units of 2 pi/L.
     [[nodiscard]] T wave_number(std::size_t k) const { return detail::wave_number<T>(k, edges_); }
 
-    /// What coefficient \p k adds to the mean square of the line, over (c_k/N)^2: 1 of the mean and of the zigzag, else 2.
-    [[nodiscard]] T weight(std::size_t k) const {
-        return k == 0 || (edges_ == Edges::periodic && k + 1 == points_ && points_ % 2 == 0) ? T(1) : T(2);
-    }
+    /// wave_weight() of coefficient \p k.
+    [[nodiscard]] T weight(std::size_t k) const { return wave_weight<T>(k, points_, edges_); }
 
     void forward(T* line) {
         if (edges_ == Edges::periodic) {

@@ -37,21 +37,34 @@ namespace detail {
 /// side. A cosine and a sine are a wave each.
 template <Real T, class Use>
 void visit_waves(GridField<T> heights, Edges edges, const Use& use) {
-    using Index = Eigen::Index;
     const auto columns = static_cast<std::size_t>(heights.cols()), rows = static_cast<std::size_t>(heights.rows());
     const T scale = heights.abs().maxCoeff();
     heights /= scale;
-    LineTransform<T> along_x(columns, edges), along_y(rows, edges);
-    for (Index j = 0; j < heights.rows(); ++j) along_x.forward(&heights(j, 0));
-    GridField<T> turned = heights.transpose();
+    constexpr std::size_t lines = LinesTransform<T>::lines;
+    LinesTransform<T> along_x(columns, edges), along_y(rows, edges);
+    GridField<T> turned(heights.cols(), heights.rows());
+    for (std::size_t j = 0; j < rows; j += lines) {
+        const std::size_t count = (std::min)(lines, rows - j);
+        along_x.load(heights.data() + j * columns, 1, columns, count);
+        along_x.forward();
+        along_x.store(turned.data() + j, rows, 1, count);
+    }
     const T unit = scale / T(heights.size());
+    std::vector<T> number_y(rows), weight_y(rows);
+    for (std::size_t j = 0; j < rows; ++j)
+        number_y[j] = wave_number<T>(j, edges), weight_y[j] = wave_weight<T>(j, rows, edges);
     for (std::size_t i = 0; i < columns; ++i) {
-        T* const line = &turned(static_cast<Index>(i), 0);
-        along_y.forward(line);
+        T* const line = turned.data() + i * rows;
+        if (i % lines == 0) {
+            const std::size_t count = (std::min)(lines, columns - i);
+            along_y.load(line, 1, rows, count);
+            along_y.forward();
+            along_y.store(line, 1, rows, count);
+        }
+        const T k = wave_number<T>(i, edges), weight = wave_weight<T>(i, columns, edges);
         for (std::size_t j = 0; j < rows; ++j) {
             const T h = line[j] * unit;
-            if (i + j > 0)
-                use(along_x.wave_number(i), along_y.wave_number(j), along_x.weight(i) * along_y.weight(j) * h * h);
+            if (i + j > 0) use(k, number_y[j], weight * weight_y[j] * h * h);
         }
     }
 }
