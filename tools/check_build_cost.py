@@ -35,8 +35,8 @@ def tests_before():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("log", type=pathlib.Path)
-    parser.add_argument("--command", type=float, default=190, help="greatest multiple of the command")
-    parser.add_argument("--all", type=float, default=1900, help="greatest multiple of everything, tests run")
+    parser.add_argument("--command", type=float, default=140, help="greatest multiple of the command")
+    parser.add_argument("--all", type=float, default=1400, help="greatest multiple of everything, tests run")
     options = parser.parse_args()
     last = {}  # of each object the last compilation
     for line in options.log.read_text(encoding="utf-8").splitlines() if options.log.exists() else []:

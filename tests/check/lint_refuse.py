@@ -126,6 +126,8 @@ LAYERS = [
     ("'math/none.hpp' does not exist", "src/scene/a.cpp", "// see math/none.hpp\n"),
     ("", "src/scene/a.cpp", "// docs/architecture.md, math/root.hpp, include/fstiff/io/text.hpp, scene/none.hpp\n"),
     ("'include/fstiff/core/none.hpp' does not exist", "README.md", "in include/fstiff/core/none.hpp\n"),
+    ("", "README.md", "docs/../../shared/some.txt\n"),  # a clone alone has none of these
+    ("'docs/../../shared/some.txt' does not exist", "README.md", "docs/../../shared/some.txt\n", "../shared/a", "\n"),
 ]
 WORDS = [
     ("", f"{GLOSSARY}{LOAD}| moment | What turns. | | `Other::moment`, `Short::one`, `free_standing` | |\n\n"
