@@ -342,7 +342,7 @@ public:
             }
             ContactState<double> state;
             state.pressure = {p, 0, 0};
-            state.stiffness = {*K, 1.2e-3 * *K, 0};
+            state.stiffness = {*K, SimilarHybrids<double>::accuracy * *K, 0};
             points.push_back(ContactPoint<double>::of(state));
         }
         return points;

@@ -206,8 +206,7 @@ MeasuredSurface with_sentences(const MeasuredSurface& read, Surface<double>&& fo
     surface.profile_fit = std::move(found.profile_fit);
     surface.map_fit = std::move(found.map_fit);
     if (found.islands) surface.islands = std::move(found.islands->curve);
-    options.neighbours = false;
-    options.resamples = 2;
+    options.resamples = 2;  // as measure() takes of them
     for (Surface<double>& neighbour : found.neighbours)
         surface.neighbours.push_back(with_sentences(read, std::move(neighbour), options));
     return surface;

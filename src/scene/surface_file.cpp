@@ -118,20 +118,21 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
 
 namespace {
 
-/// The form that \p options name, into \p how.
-void read_form(const SurfaceOptions& options, fstiff::MeasureOptions<double>& how) {
-    const bool filter = options.detrend == gaussian_form;
-    if (!options.detrend.empty() && !filter)
-        how.form = form_of<Form>(options, options.detrend, "profile", ", " + std::string(gaussian_form));
-    if (!filter) {
+/// The form of a profile that \p options name; the line before the Gaussian filter.
+Form form_of_profile(const SurfaceOptions& options) {
+    if (options.detrend != gaussian_form) {
+        const Form form = options.detrend.empty() ? Form::line
+                                                  : form_of<Form>(options, options.detrend, "profile",
+                                                                  ", " + std::string(gaussian_form));
         refuse_cutoff(options);
-        return;
+        return form;
     }
     const std::string name = options.name("cutoff"), form = options.name("detrend") + " gaussian ";
     if (options.cutoff.empty()) throw option_error(form + "needs " + name + ", such as \"0.8 mm\"");
     if (!options.lambda_c.empty() && options.lambda_c != Lengths("none"))
         throw option_error(form + "has the cut-off " + name +
                            " already; must not stand beside another cut-off of long waves");
+    return Form::line;
 }
 
 }  // namespace
@@ -141,12 +142,11 @@ fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options
         throw domain_error(display_name(options.file) + ": holds a map (" +
                            std::to_string(input.surface.map().columns()) + " x " +
                            std::to_string(input.surface.map().rows()) + " points); must be a profile");
-    fstiff::MeasureOptions<double> form;
-    read_form(options, form);
+    const Form form = form_of_profile(options);
     const Profile<double>& read = input.surface.profile();
     return about_file(options.file, [&] {
         fstiff::MeasureOptions<double> how = library_options(options);
-        how.form = form.form;
+        how.form = form;
         if (options.detrend == gaussian_form)
             how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
         how.height_step = input.surface.record.resolution;

@@ -61,6 +61,8 @@ struct CubicStencil {
 template <Real T = double>
 class SimilarHybrids {
 public:
+    static constexpr T accuracy = T(1.2e-3);  ///< relative, of K
+
     /// \p curve: of heights over their rms, null of Gaussian ones; it must outlive the table.
     explicit SimilarHybrids(const BearingSlope<T>* curve, T gamma = T(0.45)) : curve_(curve), gamma_(gamma) {}
 

@@ -206,6 +206,15 @@ template <Real T>
     return prepared;
 }
 
+/// The same with the cut-offs of \p options, which are refused before anything is computed.
+template <Real T>
+[[nodiscard]] PreparedMap<T> levelled_for_cut_offs(const HeightMap<T>& map, const MeasureOptions<T>& options) {
+    CutOffs<T> cut_offs = choose_cut_offs(map, options);
+    PreparedMap<T> prepared = levelled_map(map, options);
+    prepared.cut_offs = std::move(cut_offs);
+    return prepared;
+}
+
 /// Takes out the waves beyond the cut-offs of \p prepared, and finds its statistics.
 template <Real T>
 void finish(PreparedMap<T>& prepared) {
@@ -278,19 +287,15 @@ PreparedProfile<T> prepare(const Profile<T>& profile, const MeasureOptions<T>& o
 
 template <Real T>
 PreparedMap<T> prepare(const HeightMap<T>& map, const MeasureOptions<T>& options) {
-    CutOffs<T> cut_offs = choose_cut_offs(map, options);
-    PreparedMap<T> prepared = detail::levelled_map(map, options);
-    prepared.cut_offs = std::move(cut_offs);
+    PreparedMap<T> prepared = detail::levelled_for_cut_offs(map, options);
     detail::finish(prepared);
     return prepared;
 }
 
 template <Real T>
 PreparedMap<T> prepare(HeightMap<T>&& map, const MeasureOptions<T>& options) {
-    CutOffs<T> cut_offs = choose_cut_offs(std::as_const(map), options);
-    PreparedMap<T> prepared = detail::levelled_map(std::as_const(map), options);
+    PreparedMap<T> prepared = detail::levelled_for_cut_offs(std::as_const(map), options);
     map.heights.resize(0, 0);
-    prepared.cut_offs = std::move(cut_offs);
     detail::finish(prepared);
     return prepared;
 }
