@@ -23,7 +23,7 @@ import sys
 # layers: a folder includes itself and the levels before its own; folders on one level never include each other.
 PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
           "ultrasound", "measured", "fit", "io")
-PRIVATE = ("io", "scene", "sweep c", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
+PRIVATE = ("io", "document", "instances", "surface", "scene", "sweep c", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
 UPWARD = {  # includes of src that go upward all the same, and why
     ("src/cli/document/output.hpp", "input/arguments.hpp"): "--format and --output are declared with what they fill",
 }
@@ -61,7 +61,7 @@ LONG_FUNCTIONS = {
     "src/cli/picture/plot.cpp gnuplot_script": 67,
     "src/cli/picture/sweep_figure.cpp sweep_figure": 65,
     "src/io/header.cpp stated_grid": 81,
-    "src/scene/measured_files.cpp pooled": 65,
+    "src/surface/measured_files.cpp pooled": 65,
     "src/scene/read_face.cpp read_face": 77,
     "src/scene/results.cpp columns_of": 66,
     "src/sweep/merge.cpp merge": 62,

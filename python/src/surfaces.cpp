@@ -2,12 +2,12 @@
 // Measured surfaces, from files and from arrays, and what is found of them: the JSON documents of the command.
 #include "module.hpp"
 
-#include "scene/documents.hpp"
-#include "scene/fractal.hpp"
-#include "scene/islands_of_map.hpp"
-#include "scene/measured_surface.hpp"
-#include "scene/surface_option_table.hpp"
-#include "scene/truth_of_map.hpp"
+#include "surface/documents.hpp"
+#include "surface/fractal.hpp"
+#include "surface/islands_of_map.hpp"
+#include "surface/measured_surface.hpp"
+#include "surface/surface_option_table.hpp"
+#include "surface/truth_of_map.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>

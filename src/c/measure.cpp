@@ -2,7 +2,7 @@
 // Measurement of profiles and maps.
 #include "c/guard.hpp"
 
-#include "scene/measured_surface.hpp"
+#include "surface/measured_surface.hpp"
 
 #include <fstiff/measured/height_shape.hpp>
 

@@ -2,8 +2,8 @@
 #include "scene/bands.hpp"
 
 #include "scene/each_contact.hpp"
-#include "scene/file.hpp"
-#include "scene/shown_unit.hpp"
+#include "document/file.hpp"
+#include "document/shown_unit.hpp"
 
 #include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/math/random.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/face.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/contact/validity.hpp>

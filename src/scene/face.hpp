@@ -3,7 +3,7 @@
 // A rough face as the contact sees it, and two of them as one.
 
 #include "scene/law.hpp"
-#include "scene/measured_surface.hpp"
+#include "surface/measured_surface.hpp"
 
 #include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/height_statistics.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/identification.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "scene/results.hpp"
-#include "scene/shown_unit.hpp"
+#include "document/shown_unit.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>
 

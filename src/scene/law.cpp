@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/law.hpp"
 
-#include "scene/contact_instances.hpp"
-#include "scene/surface_instances.hpp"
+#include "instances/contact_instances.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/contact_law.hpp>

@@ -2,7 +2,7 @@
 #include "scene/measured_curve.hpp"
 
 #include "io/number_table.hpp"
-#include "scene/file.hpp"
+#include "document/file.hpp"
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/io/quantity.hpp>

@@ -2,7 +2,7 @@
 #include "scene/one_contact.hpp"
 
 #include "scene/each_contact.hpp"
-#include "scene/file.hpp"
+#include "document/file.hpp"
 
 #include <optional>
 #include <utility>

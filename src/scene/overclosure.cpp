@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/overclosure.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "scene/one_contact.hpp"
 #include "scene/results.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bearing curve of [surface] as it is written: skewness and kurtosis, parameters of the core, or a list of heights.
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "scene/read_face.hpp"
 
 #include <fstiff/surface/bearing_family.hpp>

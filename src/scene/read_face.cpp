@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/read_face.hpp"
 
-#include "scene/file.hpp"
-#include "scene/surface_option_table.hpp"
+#include "document/file.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <array>
 #include <cmath>

@@ -29,6 +29,8 @@ bool are_listed(const Scene& scene) {
 
 }  // namespace
 
+Json scene_json(const Scene& scene) { return {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}}; }
+
 Units units_of(const Scene& scene, const Results& results) {
     double least = 0, most = 0;
     for (const Curve& curve : results.curves)

@@ -3,8 +3,8 @@
 // The columns of results, as the CSV, the JSON and the table of fstiff run have them.
 
 #include "scene/results.hpp"
-#include "scene/rows.hpp"
-#include "scene/shown_unit.hpp"
+#include "document/rows.hpp"
+#include "document/shown_unit.hpp"
 
 #include <cstddef>
 #include <string>
@@ -16,6 +16,9 @@ namespace fstiff::scene {
 struct Units {
     ShownUnit pressure, height, density;
 };
+
+/// The name, the file and the SHA-256 of \p scene, for a JSON document.
+[[nodiscard]] Json scene_json(const Scene& scene);
 
 [[nodiscard]] Units units_of(const Scene& scene, const Results& results);
 /// How people read the column \p key of a curve; one that is not for them stands in CSV and JSON alone.

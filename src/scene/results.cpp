@@ -3,7 +3,7 @@
 
 #include "scene/bands.hpp"
 #include "scene/each_contact.hpp"
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "scene/verdict.hpp"
 
 #include <fstiff/asperity/mindlin.hpp>

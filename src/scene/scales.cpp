@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/scales.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "scene/results.hpp"
-#include "scene/shown_unit.hpp"
+#include "document/shown_unit.hpp"
 
 #include <algorithm>
 #include <cmath>

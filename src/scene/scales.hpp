@@ -2,7 +2,7 @@
 #pragma once
 // What a measured surface, and K of it, become behind other cut-offs: what is settled and what is not.
 
-#include "scene/measured_surface.hpp"
+#include "surface/measured_surface.hpp"
 
 #include <fstiff/core/progress.hpp>
 

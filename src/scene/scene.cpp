@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/scene.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "scene/range.hpp"
 #include "scene/read_face.hpp"
 #include "scene/read_table.hpp"

@@ -5,7 +5,7 @@
 
 #include "scene/face.hpp"
 #include "scene/law.hpp"
-#include "scene/measured_surface.hpp"
+#include "surface/measured_surface.hpp"
 
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/interaction.hpp>

@@ -2,7 +2,7 @@
 #define TOML_IMPLEMENTATION
 #include "scene/source.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 
 namespace fstiff::scene {
 namespace {

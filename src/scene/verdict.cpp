@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/verdict.hpp"
 
-#include "scene/file.hpp"
-#include "scene/shown_unit.hpp"
+#include "document/file.hpp"
+#include "document/shown_unit.hpp"
 #include "scene/validated_ratio.hpp"
 
 #include <algorithm>

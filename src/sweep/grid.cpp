@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/grid.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "sweep/template.hpp"
 
 #include <fstiff/core/version.hpp>

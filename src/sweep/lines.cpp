@@ -2,7 +2,7 @@
 #include "sweep/lines.hpp"
 
 #include "io/number.hpp"
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "scene/results.hpp"
 
 #include <fstiff/core/text.hpp>

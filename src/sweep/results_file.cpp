@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/results_file.hpp"
 
-#include "scene/file.hpp"
-#include "scene/json.hpp"
+#include "document/file.hpp"
+#include "document/json.hpp"
 #include "sweep/rows.hpp"
 
 #include <fstiff/core/error.hpp>

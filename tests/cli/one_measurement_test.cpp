@@ -3,7 +3,7 @@
 // tests/python/test_surfaces.py holds the Python package to the command.
 #include "json.hpp"
 
-#include "scene/surface_file.hpp"
+#include "surface/surface_file.hpp"
 #include "support/skip.hpp"
 
 #include <fstiff/asperity/material.hpp>

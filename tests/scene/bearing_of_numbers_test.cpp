@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hybrid and plastic of numbers and traces with a bearing curve. Truth: the Gaussian law, the library's hybrid_of_band, and the
 // same surface written in another way.
-#include "scene/documents.hpp"
+#include "surface/documents.hpp"
 #include "scene/one_contact.hpp"
 #include "scene/results.hpp"
 #include "scene/scene.hpp"

@@ -5,10 +5,10 @@
 
 #include "cli/command.hpp"
 
-#include "scene/file.hpp"
-#include "scene/rows.hpp"
-#include "scene/shown_unit.hpp"
-#include "scene/truth_of_map.hpp"
+#include "document/file.hpp"
+#include "document/rows.hpp"
+#include "document/shown_unit.hpp"
+#include "surface/truth_of_map.hpp"
 
 #include <fstiff/io/write.hpp>
 #include <fstiff/math/random.hpp>

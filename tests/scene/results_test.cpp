@@ -5,7 +5,7 @@
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 #include "scene/identification.hpp"
 #include "scene/measured_curve.hpp"
 #include "scene/result_rows.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The units that people read, at both sides of every limit; and that measure and run show the same.
-#include "scene/shown_unit.hpp"
-#include "scene/file.hpp"
+#include "document/shown_unit.hpp"
+#include "document/file.hpp"
 
 #include "cli/command.hpp"
 

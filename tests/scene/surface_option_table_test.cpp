@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every option of a measured surface is a row of one table, and every row is a key of a scene, an option of the command
 // line, an input of JSON documents and a line of docs/scene.md.
-#include "scene/surface_option_table.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include "cli/command.hpp"
 
-#include "scene/documents.hpp"
+#include "surface/documents.hpp"
 #include "scene/scene.hpp"
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/contact_instances.hpp"  // extern: compiled in scene/instances.cpp
-#include "scene/surface_instances.hpp"
+#include "instances/contact_instances.hpp"  // extern: compiled in instances/instances.cpp
+#include "instances/surface_instances.hpp"
 
 #undef FSTIFF_SCENE_INSTANCE
 #define FSTIFF_SCENE_INSTANCE template

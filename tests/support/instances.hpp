@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What many tests use in double precision, compiled once: of the command in scene/instances.cpp, the rest in
+// What many tests use in double precision, compiled once: of the command in instances/instances.cpp, the rest in
 // support/instances.cpp with the flags of the tests. It is part of the precompiled header, so that every test has it.
 
-#include "scene/contact_instances.hpp"
-#include "scene/surface_instances.hpp"
+#include "instances/contact_instances.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>

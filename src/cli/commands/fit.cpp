@@ -4,8 +4,8 @@
 #include "document/document.hpp"
 #include "input/progress.hpp"
 #include "input/surface_options.hpp"
-#include "scene/fractal.hpp"
-#include "scene/shown_unit.hpp"
+#include "surface/fractal.hpp"
+#include "document/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/measured/measured_concerns.hpp>

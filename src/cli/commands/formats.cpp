@@ -2,7 +2,7 @@
 // fstiff formats: the files that are read.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
-#include "scene/surface_file.hpp"
+#include "surface/surface_file.hpp"
 
 #include <fstiff/core/version.hpp>
 

@@ -3,7 +3,7 @@
 // `islands` read.
 #include "commands/commands.hpp"
 #include "input/surface_options.hpp"
-#include "scene/surface_instances.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantity.hpp>

@@ -5,8 +5,9 @@
 #include "input/scene_options.hpp"
 #include "io/number.hpp"
 #include "picture/panels.hpp"
-#include "scene/documents.hpp"
+#include "surface/documents.hpp"
 #include "scene/identification.hpp"
+#include "scene/result_rows.hpp"
 
 #include <fstiff/core/version.hpp>
 

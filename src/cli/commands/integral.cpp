@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff integral: the contact integrals J[a,b](eta; r, theta) of rows of numbers, a gauge that anybody can check.
 #include "commands/commands.hpp"
-#include "scene/contact_instances.hpp"
+#include "instances/contact_instances.hpp"
 
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/paper_integrals.hpp>

@@ -4,8 +4,8 @@
 #include "document/document.hpp"
 #include "input/progress.hpp"
 #include "input/surface_options.hpp"
-#include "scene/islands_of_map.hpp"
-#include "scene/shown_unit.hpp"
+#include "surface/islands_of_map.hpp"
+#include "document/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/measured/measured_concerns.hpp>

@@ -7,10 +7,10 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
-#include "scene/documents.hpp"
-#include "scene/measured_surface.hpp"
-#include "scene/roughness.hpp"
-#include "scene/shown_unit.hpp"
+#include "surface/documents.hpp"
+#include "surface/measured_surface.hpp"
+#include "surface/roughness.hpp"
+#include "document/shown_unit.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantity.hpp>

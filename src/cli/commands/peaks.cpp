@@ -3,9 +3,9 @@
 #include "commands/commands.hpp"
 #include "document/document.hpp"
 #include "input/surface_options.hpp"
-#include "scene/documents.hpp"
-#include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
+#include "surface/documents.hpp"
+#include "document/shown_unit.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>

@@ -7,10 +7,10 @@
 #include "picture/page.hpp"
 #include "picture/panels.hpp"
 #include "picture/unit.hpp"
-#include "scene/documents.hpp"
+#include "surface/documents.hpp"
 #include "scene/result_rows.hpp"
 #include "scene/results.hpp"
-#include "scene/surface_instances.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/core/version.hpp>

@@ -4,8 +4,8 @@
 #include "input/progress.hpp"
 #include "picture/page.hpp"
 #include "picture/plot.hpp"
-#include "scene/contact_instances.hpp"
-#include "scene/surface_instances.hpp"
+#include "instances/contact_instances.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/material.hpp>

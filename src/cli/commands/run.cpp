@@ -6,9 +6,9 @@
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/panels.hpp"
-#include "scene/documents.hpp"
+#include "surface/documents.hpp"
 #include "scene/result_rows.hpp"
-#include "scene/shown_unit.hpp"
+#include "document/shown_unit.hpp"
 #include "scene/validated_ratio.hpp"
 
 #include <fstiff/contact/validity.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/scales.hpp"
 
-#include "scene/file.hpp"
-#include "scene/shown_unit.hpp"
+#include "document/file.hpp"
+#include "document/shown_unit.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -6,9 +6,9 @@
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
 #include "picture/scale.hpp"
-#include "scene/documents.hpp"
-#include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
+#include "surface/documents.hpp"
+#include "document/shown_unit.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
 

@@ -5,7 +5,7 @@
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
-#include "scene/truth_of_map.hpp"
+#include "surface/truth_of_map.hpp"
 
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/core/version.hpp>

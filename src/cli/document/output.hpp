@@ -3,8 +3,8 @@
 // What a subcommand hands back, and how it is written: one document, numbers that no locale touches and never NaN.
 
 #include "input/arguments.hpp"
-#include "scene/file.hpp"
-#include "scene/rows.hpp"
+#include "document/file.hpp"
+#include "document/rows.hpp"
 
 #include <functional>
 #include <span>

@@ -4,8 +4,8 @@
 
 #include "document/output.hpp"
 #include "input/arguments.hpp"
-#include "scene/surface_file.hpp"
-#include "scene/surface_option_table.hpp"
+#include "surface/surface_file.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <string>
 #include <string_view>

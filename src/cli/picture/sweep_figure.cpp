@@ -2,7 +2,7 @@
 #include "picture/sweep_figure.hpp"
 
 #include "picture/panels.hpp"
-#include "scene/shown_unit.hpp"
+#include "document/shown_unit.hpp"
 #include "sweep/rows.hpp"
 
 #include <fstiff/core/error.hpp>

@@ -2,8 +2,8 @@
 #pragma once
 // The contact of a measured map by boundary elements on the map itself.
 
-#include "scene/rows.hpp"
-#include "scene/surface_file.hpp"
+#include "document/rows.hpp"
+#include "surface/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/halfspace/truth.hpp>

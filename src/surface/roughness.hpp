@@ -2,7 +2,7 @@
 #pragma once
 // The roughness parameters of the standards, of what fstiff measure has measured.
 
-#include "scene/surface_file.hpp"
+#include "surface/surface_file.hpp"
 
 #include <optional>
 #include <string>

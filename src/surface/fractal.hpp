@@ -2,8 +2,8 @@
 #pragma once
 // D and G of a measured profile or map with their errors, and what else fstiff fit tells of it.
 
-#include "scene/rows.hpp"
-#include "scene/surface_file.hpp"
+#include "document/rows.hpp"
+#include "surface/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/measured/sections.hpp>

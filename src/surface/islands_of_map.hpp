@@ -2,8 +2,8 @@
 #pragma once
 // The islands of a measured map against the cutting level, and the pair R, D_p at their greatest density.
 
-#include "scene/rows.hpp"
-#include "scene/surface_file.hpp"
+#include "document/rows.hpp"
+#include "surface/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/topography/island_spread.hpp>

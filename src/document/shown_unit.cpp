@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/shown_unit.hpp"
+#include "document/shown_unit.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 //     rows.add({"pairs", "pairs"}, s.pairs);
 //     rows.text();  rows.csv();  rows.json();
 
-#include "scene/json.hpp"
+#include "document/json.hpp"
 
 #include <concepts>
 #include <cstddef>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/cut_offs.hpp"
+#include "surface/cut_offs.hpp"
 
-#include "scene/shown_unit.hpp"
-#include "scene/surface_file.hpp"
-#include "scene/surface_instances.hpp"
+#include "document/shown_unit.hpp"
+#include "surface/surface_file.hpp"
+#include "instances/surface_instances.hpp"
 
 namespace fstiff::scene {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is known of a scene and of a measured surface as JSON: what the command prints, and what a scene reads back.
+// What is known of a measured surface as JSON: what the command prints, and what a scene reads back.
 
-#include "scene/json.hpp"
-#include "scene/measured_surface.hpp"
-#include "scene/roughness.hpp"
-#include "scene/rows.hpp"
-#include "scene/scene.hpp"
+#include "document/json.hpp"
+#include "surface/measured_surface.hpp"
+#include "surface/roughness.hpp"
+#include "document/rows.hpp"
 
 #include <cstddef>
 #include <string>
@@ -22,8 +21,6 @@ void put_cut_offs(Json& document, const CutOffs<double>& cut_offs);
 /// The grid of \p map, how many points were \p missing as it was read, and its cut-offs, for a JSON document.
 void put_grid(Json& document, const HeightMap<double>& map, std::size_t missing, const CutOffs<double>& cut_offs);
 
-/// Its name, file and SHA-256, for a JSON document.
-[[nodiscard]] Json scene_json(const Scene& scene);
 /// What was measured of a surface, for a JSON document that read_measured_document takes.
 [[nodiscard]] Json measured_document(const MeasuredSurface& surface);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The JSON of fstiff measure, read back.
-#include "scene/measured_surface.hpp"
+#include "surface/measured_surface.hpp"
 
 #include <nlohmann/json.hpp>
 

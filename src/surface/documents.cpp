@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/documents.hpp"
+#include "surface/documents.hpp"
 
-#include "scene/surface_option_table.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <cmath>
 
@@ -83,8 +83,6 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
     inputs["detrend"] = form;
     return inputs;
 }
-
-Json scene_json(const Scene& scene) { return {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}}; }
 
 Json measured_document(const MeasuredSurface& surface) {
     Json document = json_document("measure");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/fractal.hpp"
+#include "surface/fractal.hpp"
 
-#include "scene/documents.hpp"
-#include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
+#include "surface/documents.hpp"
+#include "document/shown_unit.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/measured/measured_concerns.hpp>
 #include <fstiff/profile/all_lags.hpp>

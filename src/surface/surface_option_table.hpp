@@ -3,7 +3,7 @@
 // The table of the options of a measured surface: from its rows come the keys of a scene, the options of the command
 // line, the inputs of JSON documents, the keywords of Python and the table of docs/scene.md.
 
-#include "scene/surface_options.hpp"
+#include "surface/surface_options.hpp"
 
 #include <array>
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/rows.hpp"
+#include "document/rows.hpp"
 
-#include "scene/file.hpp"
+#include "document/file.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/roughness.hpp"
+#include "surface/roughness.hpp"
 
-#include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
+#include "document/shown_unit.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <cmath>
 #include <span>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/surface_file.hpp"
+#include "surface/surface_file.hpp"
 
-#include "scene/cleaning.hpp"
-#include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
+#include "surface/cleaning.hpp"
+#include "document/shown_unit.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/surface/moments.hpp>
 

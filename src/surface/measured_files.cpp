@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several files of one surface as one.
-#include "scene/measured_surface.hpp"
-#include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
+#include "surface/measured_surface.hpp"
+#include "document/shown_unit.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/measured/pooled_surface.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 // The parameters of a scene's [surface], from a measured file or from what `fstiff measure` wrote of one.
 
-#include "scene/surface_file.hpp"
+#include "surface/surface_file.hpp"
 
 #include <fstiff/core/progress.hpp>
 #include <fstiff/measured/measure.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/file.hpp"
+#include "document/file.hpp"
 
 #include <array>
 #include <bit>

@@ -2,9 +2,9 @@
 #pragma once
 // A measured surface: the reading of its file, and the removal of the form.
 
-#include "scene/cut_offs.hpp"
-#include "scene/file.hpp"
-#include "scene/surface_options.hpp"
+#include "surface/cut_offs.hpp"
+#include "document/file.hpp"
+#include "surface/surface_options.hpp"
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/measured/prepare.hpp>

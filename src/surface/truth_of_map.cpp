@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/truth_of_map.hpp"
+#include "surface/truth_of_map.hpp"
 
-#include "scene/file.hpp"
-#include "scene/shown_unit.hpp"
-#include "scene/surface_instances.hpp"
+#include "document/file.hpp"
+#include "document/shown_unit.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/contact/validity.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/surface_option_table.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/measured/prepare.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/cleaning.hpp"
+#include "surface/cleaning.hpp"
 
 #include "io/npy.hpp"
-#include "scene/shown_unit.hpp"
-#include "scene/surface_file.hpp"
-#include "scene/surface_instances.hpp"
+#include "document/shown_unit.hpp"
+#include "surface/surface_file.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/measured/prepare.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/json.hpp"
+#include "document/json.hpp"
 
 #include <fstiff/core/version.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/islands_of_map.hpp"
+#include "surface/islands_of_map.hpp"
 
-#include "scene/documents.hpp"
-#include "scene/surface_instances.hpp"
+#include "surface/documents.hpp"
+#include "instances/surface_instances.hpp"
 
 #include <fstiff/measured/measured_concerns.hpp>
 
