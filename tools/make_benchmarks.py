@@ -15,16 +15,13 @@ docs/benchmarks.svg. A row whose verification failed is shown as such, without a
 import argparse
 import csv
 import datetime
-import html
 import json
 import math
-import pathlib
 import re
 import sys
 
-import generated
+from generated import ROOT, Axis, Picture, between_markers, powers, table, write_or_check
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "bench" / "results.json"
 COUNTERS = ("rel_err_max", "rel_err_median", "evaluations", "values", "wrong", "beyond_estimate", "ns_median_problem")
 UNIT = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
@@ -107,11 +104,6 @@ def show_error(value):
 def cells(row):
     time = show_time(row["ns"]) if "ns" in row else "not timed"
     return [time, show_error(row["rel_err_max"]), show_error(row["rel_err_median"]), f"{float(row['evaluations']):.4g}"]
-
-
-def table(head, lines):
-    align = ["---"] + ["---:"] * (len(head) - 1)
-    return ["| " + " | ".join(line) + " |" for line in (head, align, *lines)] + [""]
 
 
 def ratio(value):
@@ -251,73 +243,44 @@ class Report:
 
 # ---------------------------------------------------------------- picture
 
-CURVES = (  # method, colour on light, colour on dark, marker
-    ("fstiff", "#b3261e", "#ff8a80", "circle"),
-    ("fstiff-tensor", "#c2571a", "#ffb27a", "square"),
-    ("gauss_legendre-fitted", "#0b5d3b", "#7be0ae", "cross"),
-    ("gauss_legendre-tuned", "#1b7f54", "#5ccf97", "triangle"),
-    ("gauss_legendre-eigen", "#5b7f1b", "#bcdc6e", "diamond"),
-    ("gauss_legendre-scalar", "#7a6a00", "#e0cf5a", "diamond"),
-    ("gsl-1d", "#0b57a4", "#7db8ff", "circle"),
-    ("gsl-nested_qag", "#2f6fd0", "#a9cbff", "square"),
-    ("gsl-nested_cquad", "#3d3fa8", "#b3b5ff", "triangle"),
-    ("cubature", "#7a2f9e", "#dba4f5", "circle"),
-    ("boost-exp_sinh", "#9c2470", "#f59acb", "square"),
-)
+CURVES = {  # method: colour on light, colour on dark, marker
+    "fstiff": ("#b3261e", "#ff8a80", "circle"),
+    "fstiff-tensor": ("#c2571a", "#ffb27a", "square"),
+    "gauss_legendre-fitted": ("#0b5d3b", "#7be0ae", "cross"),
+    "gauss_legendre-tuned": ("#1b7f54", "#5ccf97", "triangle"),
+    "gauss_legendre-eigen": ("#5b7f1b", "#bcdc6e", "diamond"),
+    "gauss_legendre-scalar": ("#7a6a00", "#e0cf5a", "diamond"),
+    "gsl-1d": ("#0b57a4", "#7db8ff", "circle"),
+    "gsl-nested_qag": ("#2f6fd0", "#a9cbff", "square"),
+    "gsl-nested_cquad": ("#3d3fa8", "#b3b5ff", "triangle"),
+    "cubature": ("#7a2f9e", "#dba4f5", "circle"),
+    "boost-exp_sinh": ("#9c2470", "#f59acb", "square"),
+}
 
 
 def picture(report):
-    curves = []
-    for method, light, dark, kind in CURVES:
-        points = [(float(row["rel_err_max"]), row["ns"]) for m, _, row in report.integrals("four", "plain") if m == method and "ns" in row]
-        if points:
-            curves.append((method, light, dark, kind, sorted(points, reverse=True)))
-    if not curves:
-        return ""
-    times = [ns for *_, points in curves for _, ns in points]
-    errors = [error for *_, points in curves for error, _ in points]
-    left, top, width, height = 80, 56, 560, 440
-    x_low, x_high = math.floor(math.log10(min(errors))), math.ceil(math.log10(max(errors)))
-    y_low, y_high = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
-    place_x = lambda error: left + width * (x_high - math.log10(error)) / (x_high - x_low)  # right: more digits
-    place_y = lambda ns: top + height * (y_high - math.log10(ns)) / (y_high - y_low)
-    style = ["text{font:13px system-ui,'DejaVu Sans',sans-serif;fill:#1d1d1f}", ".back{fill:#ffffff}", ".grid{stroke:#d9d9de;stroke-width:1}",
-             ".frame{fill:none;stroke:#6b6b70}", ".title{font-size:15px;font-weight:600}", ".line{fill:none;stroke-width:2}"]
-    darker = ["text{fill:#ececf1}", ".back{fill:#16161a}", ".grid{stroke:#3a3a42}", ".frame{stroke:#9a9aa2}"]
-    for i, (_, light, dark, *_) in enumerate(curves):
-        style.append(f".c{i}{{stroke:{light}}}.m{i}{{fill:{light}}}")
-        darker.append(f".c{i}{{stroke:{dark}}}.m{i}{{fill:{dark}}}")
-    legend_x, total_w, total_h = left + width + 24, 1040, top + height + 76
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {total_w} {total_h}" role="img" aria-labelledby="title">',
-           '<title id="title">Time of four contact integrals against the largest relative error, for fstiff and other methods</title>',
-           f"<style>{''.join(style)}@media (prefers-color-scheme:dark){{{''.join(darker)}}}</style>", f'<rect class="back" width="{total_w}" height="{total_h}"/>',
-           f'<text class="title" x="{left}" y="28">Four contact integrals, cold, plain grid: time against error</text>']
-    superscript = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-    for k in range(x_low, x_high + 1):
-        x = place_x(10.0**k)
-        out.append(f'<line class="grid" x1="{x:.1f}" y1="{top}" x2="{x:.1f}" y2="{top + height}"/>')
-        if k % 2 == 0:
-            out.append(f'<text x="{x:.1f}" y="{top + height + 20}" text-anchor="middle">10{str(k).translate(superscript)}</text>')
-    for k in range(y_low, y_high + 1):
-        y = place_y(10.0**k)
-        out.append(f'<line class="grid" x1="{left}" y1="{y:.1f}" x2="{left + width}" y2="{y:.1f}"/>')
-        out.append(f'<text x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">{show_time(10.0**k)}</text>')
-    out.append(f'<rect class="frame" x="{left}" y="{top}" width="{width}" height="{height}"/>')
-    out.append(f'<text x="{left + width / 2}" y="{top + height + 44}" text-anchor="middle">largest relative error on the grid (right: more digits)</text>')
-    middle = top + height / 2
-    out.append(f'<text x="20" y="{middle}" text-anchor="middle" transform="rotate(-90 20 {middle})">time for four integrals (down: faster)</text>')
-    for i, (method, _, _, kind, points) in enumerate(curves):
-        at = [(place_x(error), place_y(ns)) for error, ns in points]
-        if len(at) > 1:
-            out.append(f'<polyline class="line c{i}" points="' + " ".join(f"{x:.1f},{y:.1f}" for x, y in at) + '"/>')
-        out.append(f'<g class="m{i}">' + "".join(generated.marker(kind, x, y) for x, y in at) + "</g>")
-    for place, i in enumerate(sorted(range(len(curves)), key=lambda i: -min(ns for _, ns in curves[i][4]))):
-        y = top + 14 + 27 * place
-        method, kind = curves[i][0], curves[i][3]
-        out.append(f'<line class="line c{i}" x1="{legend_x}" y1="{y}" x2="{legend_x + 26}" y2="{y}"/><g class="m{i}">{generated.marker(kind, legend_x + 13, y)}</g>')
-        out.append(f'<text x="{legend_x + 34}" y="{y + 4}">{html.escape(METHODS[method])}</text>')
-    out.append(f'<text x="{left}" y="{total_h - 10}" style="font-size:11px">{html.escape(report.results["machine"])}; {html.escape(report.results["compiler"])} {html.escape(report.results["flags"])}</text>')
-    return "\n".join(out + ["</svg>"]) + "\n"
+    curves = {method: [] for method in CURVES}
+    for method, _, row in report.integrals("four", "plain"):
+        if method in curves and "ns" in row:
+            curves[method].append((float(row["rel_err_max"]), row["ns"]))
+    curves = {method: sorted(points, reverse=True) for method, points in curves.items() if points}
+    errors, times = zip(*(point for points in curves.values() for point in points))
+    ends = lambda values: (math.floor(math.log10(min(values))), math.ceil(math.log10(max(values))))
+    (best, worst), (fastest, slowest) = ends(errors), ends(times)
+    out = Picture(1040, 572, "Time of four contact integrals against the largest relative error, for fstiff and other methods", [CURVES[m] for m in curves])
+    out.text(80, 28, "Four contact integrals, cold, plain grid: time against error", 'class="title"')
+    place = out.frame(80, 56, 560, 440,
+                      Axis("largest relative error on the grid (right: more digits)", 10.0**worst, 10.0**best, powers(best, worst, 2)),
+                      Axis("time for four integrals (down: faster)", 10.0**fastest, 10.0**slowest,
+                           {time: show_time(time) for time in powers(fastest, slowest)}))
+    for i, points in enumerate(curves.values()):
+        out.curve(i, [place(*point) for point in points])
+    slow_first = sorted(enumerate(curves), key=lambda at: -min(ns for _, ns in curves[at[1]]))
+    for line, (i, method) in enumerate(slow_first):
+        out.sample(i, 664, 70 + 27 * line, METHODS[method])
+    results = report.results
+    out.text(80, 562, f"{results['machine']}; {results['compiler']} {results['flags']}", 'class="small"')
+    return out
 
 
 # ---------------------------------------------------------------- files
@@ -333,14 +296,11 @@ def main():
         measure(options.json, options.portable)
     report = Report(json.loads(RESULTS.read_text()))
     wanted = {ROOT / "docs" / "benchmarks.svg": picture(report)}
-    wanted[ROOT / "docs" / "benchmarks.md"] = generated.between_markers(ROOT / "docs" / "benchmarks.md", "benchmarks", report.document())
-    if "<!-- benchmarks -->" in (ROOT / "README.md").read_text():
-        wanted[ROOT / "README.md"] = generated.between_markers(ROOT / "README.md", "benchmarks", report.summary())
-    return generated.write_or_check(wanted, "bench/results.json", "make_benchmarks.py", options.check)
+    for file, text in (("docs/benchmarks.md", report.document()), ("README.md", report.summary())):
+        if "<!-- benchmarks -->" in (ROOT / file).read_text(encoding="utf-8"):
+            wanted[ROOT / file] = between_markers(ROOT / file, benchmarks=text)
+    return write_or_check(wanted, "make_benchmarks.py", options.check)
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"make_benchmarks.py: {error!r}" if isinstance(error, KeyError) else f"make_benchmarks.py: {error}")
+    sys.exit(main())

@@ -8,16 +8,13 @@
 
 The truth of the errors is tests/data/integrals_plain.csv. Errors below 3e-14 are drawn there: they are rounding.
 """
-import argparse
 import csv
-import html
 import math
 import sys
 
-import generated
-import make_pictures
+from generated import ROOT, Axis, Picture, between_markers, powers, table, write_or_check
 
-DOCS = generated.ROOT / "docs"
+DOCS = ROOT / "docs"
 FLOOR = 3e-14
 PLAIN = (0.5, math.pi / 3, 1.0)  # r, theta, eta
 CASES = (  # what, (r, theta, eta), substitution
@@ -25,7 +22,7 @@ CASES = (  # what, (r, theta, eta), substitution
     ("r = 0.5, θ = 1.55, η = 0: a layer at t = 0", (0.5, 1.55, 0.0), "graded"),
     ("r = 0.99, θ = π/3, η = 3: a narrow peak", (0.99, math.pi / 3, 3.0), "separated"),
 )
-COLOURS = (("#1f6fb4", "#6fb1ee", "circle"), ("#c2571a", "#f0965a", "square"), ("#2c8a4b", "#6fcf8f", "triangle"), ("#7a4fb5", "#b794f0", "diamond"))
+LOOKS = (("#1f6fb4", "#6fb1ee", "circle"), ("#c2571a", "#f0965a", "square"), ("#2c8a4b", "#6fcf8f", "triangle"), ("#7a4fb5", "#b794f0", "diamond"))
 
 
 # ---------------------------------------------------------------- the integral J[1/2,-1/2]
@@ -134,7 +131,7 @@ METHODS = (  # what, rule, evaluations of n, settings
 
 
 def truth(problem):
-    with open(generated.ROOT / "tests" / "data" / "integrals_plain.csv", encoding="utf-8") as file:
+    with open(ROOT / "tests" / "data" / "integrals_plain.csv", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             found = float(row["a"]), float(row["b"]), float(row["r"]), float(row["theta"]), float(row["eta"])
             if all(abs(one - two) < 1e-12 for one, two in zip(found, (0.5, -0.5, *problem))):
@@ -148,108 +145,49 @@ def errors():
     return [(what, [(count(n), n, abs(rule(PLAIN, n) / right - 1)) for n in settings]) for what, rule, count, settings in METHODS]
 
 
-# ---------------------------------------------------------------- drawing
-
-
-def begin(width, height, title):
-    return [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" aria-labelledby="title">',
-            f'<title id="title">{html.escape(title)}</title>', generated.style(COLOURS), f'<rect class="back" width="{width}" height="{height}"/>']
-
-
-def panel(out, left, top, width, height, title, across, low, high, marks):
-    """A frame whose heights go from 0 to 1; returns where a point is."""
-    place = lambda x, y: (left + width * (x - low) / (high - low), top + height * (1.08 - y) / 1.16)
-    for mark in marks:
-        x, _ = place(mark, 0)
-        out.append(f'<line class="grid" x1="{x:.1f}" y1="{top}" x2="{x:.1f}" y2="{top + height}"/>')
-        out.append(f'<text x="{x:.1f}" y="{top + height + 20}" text-anchor="middle">{mark}</text>')
-    out.append(f'<text class="title" x="{left}" y="{top - 14}">{title}</text>')
-    out.append(f'<rect class="frame" x="{left}" y="{top}" width="{width}" height="{height}"/>')
-    out.append(f'<text x="{left + width / 2}" y="{top + height + 44}" text-anchor="middle">{across}</text>')
-    return place
-
-
-def curve(out, i, place, points):
-    out.append(f'<polyline class="line c{i}" points="' + " ".join("{:.1f},{:.1f}".format(*place(x, y)) for x, y in points) + '"/>')
+# ---------------------------------------------------------------- documents
 
 
 def draw_integrand():
     left, top, width, height, gap = 30, 50, 440, 320, 50
-    out = begin(2 * width + gap + 2 * left, top + height + 136, "The integrand over the curvature t before and after substitution, for three problems")
-    before = panel(out, left, top, width, height, "as it stands, over t", "curvature t", 0, 5, range(6))
-    then = panel(out, left + width + gap, top, width, height, "after substitution, over y, with nodes", "y", -4, 6, range(-4, 7, 2))
+    out = Picture(2 * width + gap + 2 * left, top + height + 136, "The integrand over the curvature t before and after substitution, for three problems", LOOKS)
+    part = Axis("", -0.08, 1.08, {}, False)  # of the greatest value
+    places = []
+    for k, (title, label, *across) in enumerate((("as it stands, over t", "curvature t", 0, 5, range(6)),
+                                                 ("after substitution, over y, with nodes", "y", -4, 6, range(-4, 7, 2)))):
+        out.text(left + k * (width + gap), top - 14, title, 'class="title"')
+        places.append(out.frame(left + k * (width + gap), top, width, height,
+                                Axis(label, *across[:2], {mark: str(mark) for mark in across[2]}, False), part))
     for i, (what, problem, kind) in enumerate(CASES):
-        ts = [(5 * (j / 400)**2, 0) for j in range(401)] if kind != "separated" else [(5 * j / 400, 0) for j in range(401)]
-        heights = [outer(problem, t) for t, _ in ts]
-        most = max(heights)
-        curve(out, i, before, [(t, h / most) for (t, _), h in zip(ts, heights)])
-        ys = [-4 + 10 * j / 400 for j in range(401)]
-        heights = [after(problem, kind, y) for y in ys]
-        most = max(heights)
-        curve(out, i, then, [(y, h / most) for y, h in zip(ys, heights)])
-        nodes = [-4 + 0.25 * j for j in range(41)]
-        out.append(f'<g class="m{i}">' + "".join(generated.marker(COLOURS[i][2], *then(y, after(problem, kind, y) / most)) for y in nodes) + "</g>")
-        y = top + height + 74 + 22 * i
-        out.append(f'<line class="line c{i}" x1="{left}" y1="{y - 4}" x2="{left + 26}" y2="{y - 4}"/><g class="m{i}">{generated.marker(COLOURS[i][2], left + 13, y - 4)}</g>')
-        out.append(f'<text x="{left + 36}" y="{y}">{html.escape(what)}; substitution "{kind}"</text>')
-    return "\n".join(out + ["</svg>"]) + "\n"
+        ts = [5 * (j / 400)**(1 if kind == "separated" else 2) for j in range(401)]
+        ys, nodes = [-4 + 10 * j / 400 for j in range(401)], [-4 + 0.25 * j for j in range(41)]
+        for at, of, place in ((ts, lambda t: outer(problem, t), places[0]), (ys, lambda y: after(problem, kind, y), places[1])):
+            most = max(map(of, at))
+            out.curve(i, [place(x, of(x) / most) for x in at], False)
+        out.markers(i, [places[1](y, after(problem, kind, y) / most) for y in nodes])
+        out.sample(i, left, top + height + 70 + 22 * i, f'{what}; substitution "{kind}"')
+    return out
 
 
 def draw_convergence(results):
-    left, top, width, height = 80, 50, 520, 400
-    out = begin(1000, top + height + 66, "Relative error of one contact integral against the number of evaluations, for four rules")
-    x_low, x_high, y_low, y_high = math.log10(4), math.log10(5000), -14, 0
-    place = lambda count, error: (left + width * (math.log10(count) - x_low) / (x_high - x_low), top - height * math.log10(min(max(error, FLOOR), 1)) / (y_high - y_low))
-    superscript = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-    for count in (10, 100, 1000):
-        x, _ = place(count, 1)
-        out.append(f'<line class="grid" x1="{x:.1f}" y1="{top}" x2="{x:.1f}" y2="{top + height}"/><text x="{x:.1f}" y="{top + height + 20}" text-anchor="middle">{count}</text>')
-    for k in range(y_low, y_high + 1, 2):
-        _, y = place(10, 10.0**k)
-        out.append(f'<line class="grid" x1="{left}" y1="{y:.1f}" x2="{left + width}" y2="{y:.1f}"/><text x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">10{str(k).translate(superscript)}</text>')
-    out.append(f'<text class="title" x="{left}" y="{top - 18}">J[1/2,-1/2] at r = 0.5, θ = π/3, η = 1</text>')
-    out.append(f'<rect class="frame" x="{left}" y="{top}" width="{width}" height="{height}"/>')
-    out.append(f'<text x="{left + width / 2}" y="{top + height + 44}" text-anchor="middle">evaluations of the integrand</text>')
-    out.append(f'<text x="20" y="{top + height / 2}" text-anchor="middle" transform="rotate(-90 20 {top + height / 2})">relative error</text>')
+    out = Picture(1000, 516, "Relative error of one contact integral against the number of evaluations, for four rules", LOOKS)
+    out.text(80, 32, "J[1/2,-1/2] at r = 0.5, θ = π/3, η = 1", 'class="title"')
+    place = out.frame(80, 50, 520, 400, Axis("evaluations of the integrand", 4, 5000, {n: str(n) for n in (10, 100, 1000)}),
+                      Axis("relative error", 1e-14, 1, {10.0**k: text for k in range(-14, 1, 2) for text in powers(k, k).values()}))
     for i, (what, points) in enumerate(results):
-        kind = COLOURS[i][2]
-        at = [place(count, error) for count, _, error in points]
-        out.append(f'<polyline class="line c{i}" points="' + " ".join(f"{x:.1f},{y:.1f}" for x, y in at) + '"/>')
-        out.append(f'<g class="m{i}">' + "".join(generated.marker(kind, x, y) for x, y in at) + "</g>")
-        x, y = left + width + 24, top + 18 + 27 * i
-        out.append(f'<line class="line c{i}" x1="{x}" y1="{y}" x2="{x + 26}" y2="{y}"/><g class="m{i}">{generated.marker(kind, x + 13, y)}</g><text x="{x + 34}" y="{y + 4}">{what}</text>')
-    return "\n".join(out + ["</svg>"]) + "\n"
+        out.curve(i, [place(count, min(max(error, FLOOR), 1)) for count, _, error in points])
+        out.sample(i, 624, 68 + 27 * i, what)
+    return out
 
 
-def table(results):
-    """The table of docs/integrals.md."""
+def rows(results):
     show = lambda error: f"{error:.0e}" if error > 2e-14 else "rounding"
-    lines = ["| rule | evaluations | relative error |", "| --- | ---: | ---: |"]
-    for (what, points), chosen in zip(results, ((8, 24, 50), (8, 16, 24), (8, 16, 24), (8, 16, 24))):
-        lines += [f"| {what} | {count} | {show(error)} |" for count, n, error in points if n in chosen]
-    return "\n".join(lines)
+    return [[what, str(count), show(error)] for (what, points), chosen in zip(results, ((8, 24, 50), (8, 16, 24), (8, 16, 24), (8, 16, 24)))
+            for count, n, error in points if n in chosen]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="write nothing")
-    check = parser.parse_args().check
-    results = errors()
-    old = []
-    for name, picture in (("integrand.svg", draw_integrand()), ("convergence.svg", draw_convergence(results))):
-        if not check:
-            (DOCS / name).write_text(picture, encoding="utf-8")
-        elif not (DOCS / name).exists() or not make_pictures.same((DOCS / name).read_text(encoding="utf-8"), picture, 0.2):
-            old.append(name)
-    page = DOCS / "integrals.md"
-    text = generated.between_markers(page, "convergence", table(results))
-    if not check:
-        page.write_text(text, encoding="utf-8")
-    elif page.read_text(encoding="utf-8") != text:
-        old.append(page.name)
-    if old:
-        sys.exit("docs: not what tools/make_integral_pictures.py makes: " + ", ".join(old))
-
-
-if __name__ == "__main__":
-    main()
+found = errors()
+text = "\n".join(table(["rule", "evaluations", "relative error"], rows(found))).rstrip()
+sys.exit(write_or_check({DOCS / "integrand.svg": draw_integrand(), DOCS / "convergence.svg": draw_convergence(found),
+                         DOCS / "integrals.md": between_markers(DOCS / "integrals.md", convergence=text)},
+                        "make_integral_pictures.py", sys.argv[1:] == ["--check"], 0.2))

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff: normal contact stiffness of rough surfaces. Exit codes are listed in output.hpp and at the end of --help.
 #include "commands/commands.hpp"
-#include "input/progress.hpp"
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
@@ -26,10 +25,7 @@ int execute(const Command& command) {
         require_writable(file);
         fstiff::scene::keep_for_output(file);
     }
-    const Report report = [&] {
-        const Working line(command_name(*command.app));
-        return command.execute();
-    }();
+    const Report report = command.execute();
     deliver(report.document, file);
     for (const std::string& line : report.diagnostics) say(line);
     return report.status;

@@ -75,13 +75,9 @@ TEST_CASE("What stands beside a picture is replaced only where fstiff made it") 
     REQUIRE(shell(run).status == 0);
     CHECK(read(folder / "trace.csv") == profile());
     CHECK(read(folder / "trace.plot.csv").starts_with("# fstiff "));
-    CHECK(read(folder / "trace.plot.gp").starts_with("# fstiff "));
-    CHECK(folder.files() == 4);
+    CHECK(folder.files() == 3);
     CHECK(shell(run).status == 0);  // its own files it replaces
 
-    folder.write("trace.plot.gp", "plot sin(x)\n");
-    check_harmless(folder, "run --plot trace.svg", 3, {"trace.plot.gp", "not made by fstiff"});
-    std::filesystem::remove(folder / "trace.plot.gp");
     folder.write("trace.plot.csv", profile());  // of fstiff generate: no picture's numbers
     check_harmless(folder, "run --plot trace.html", 3, {"trace.plot.csv", "not made by fstiff"});
     check_harmless(folder, "identify --measured k.csv --fit sigma --plot trace.svg", 3, {"trace.plot.csv"});
@@ -277,7 +273,7 @@ TEST_CASE("Control characters of names are printed nowhere") {
         }
     }
     CHECK_FALSE(has_controls(read(picture)));
-    CHECK_FALSE(has_controls(read(folder / "k.plot.gp")));
+    CHECK_FALSE(has_controls(read(folder / "k.plot.csv")));
     CHECK_FALSE(has_controls(read(page + "/report.html")));
     const std::string json = test::run_fstiff("measure '" + profile_file + "'").out;  // the name stays what it is
     CHECK(contains(json, "\\u001b[31m\\u007f\\u009b2J\\n"));

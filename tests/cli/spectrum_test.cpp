@@ -214,7 +214,7 @@ TEST_CASE("Missing points have an autocorrelation and no spectrum, and say so") 
     check_refused("spectrum nowhere.csv", 3, {"nowhere.csv", "no such file"});
 }
 
-TEST_CASE("The picture of a spectrum has its curves, its numbers and its script, and replaces no input") {
+TEST_CASE("The picture of a spectrum has its curves and its numbers, and replaces no input") {
     const Folder folder;
     folder.write("map.csv", map_text());
     for (const std::string of : {"psd", "acf"}) {
@@ -230,15 +230,14 @@ TEST_CASE("The picture of a spectrum has its curves, its numbers and its script,
             CHECK(contains(picture, part));
         CHECK(contains(picture, " of map.csv</text>"));  // the file without its folders
         CHECK_FALSE(contains(picture, "C_x"));
-        const std::string script = read(folder / (of + ".plot.gp"));
         std::vector<std::string> ranges;  // of the panels, one for all
-        for (auto at = script.find("set xrange"); at != std::string::npos; at = script.find("set xrange", at + 1))
-            ranges.push_back(script.substr(at, script.find('\n', at) - at));
+        for (auto at = picture.find(" data-x="); at != std::string::npos; at = picture.find(" data-x=", at + 1))
+            ranges.push_back(picture.substr(at, picture.find(" data-y", at) - at));
         REQUIRE(ranges.size() == (of == "psd" ? 2 : 1));
         CHECK(ranges.front() == ranges.back());
         CHECK(read(folder / (of + ".plot.csv")).starts_with("# fstiff "));
     }
-    CHECK(folder.files() == 7);
+    CHECK(folder.files() == 5);
     const auto refused = test::run_fstiff("spectrum '" + (folder / "map.csv") + "' -o '" + (folder / "map.csv") + "'");
     CHECK(refused.status == 3);
     CHECK(contains(refused.err, "is an input of this command"));

@@ -97,13 +97,9 @@ std::vector<Panel> map_panels(const HeightMap<double>& map) {
             if (count > 0) low = std::min(low, mean), high = std::max(high, mean);
         }
     std::vector<unsigned char> shades;
-    for (Eigen::Index j = rows; j-- > 0;)  // a picture begins at the top
-        for (Eigen::Index i = 0; i < columns; ++i) {
-            const double mean = means[static_cast<std::size_t>(j * columns + i)];
-            shades.push_back(std::isnan(mean) ? static_cast<unsigned char>(255)
-                                              : static_cast<unsigned char>(std::lround(
-                                                    high > low ? 254 * ((mean - low) / (high - low)) : 127)));
-        }
+    for (const double mean : means)
+        shades.push_back(static_cast<unsigned char>(
+            std::isnan(mean) ? 255 : std::lround(high > low ? 254 * ((mean - low) / (high - low)) : 127)));
     const double x = static_cast<double>(map.columns()) * map.dx, y = static_cast<double>(map.rows()) * map.dy;
     const double scale = std::min(440 / x, 440 / y);
 
@@ -111,7 +107,7 @@ std::vector<Panel> map_panels(const HeightMap<double>& map) {
         .title = "Measured map, without its form",
         .x = {.label = "x", .logarithmic = false, .low = 0.0, .high = x, .si = "m along"},
         .y = {.label = "y", .logarithmic = false, .low = 0.0, .high = y, .si = "m along"},
-        .image = PlotImage{heat_map_png(shades, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)), 0,
+        .image = PlotImage{heat_map_bmp(shades, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)), 0,
                            x, 0, y},
         .width = std::max(60.0, scale * x),
         .height = std::max(60.0, scale * y)};
@@ -119,7 +115,7 @@ std::vector<Panel> map_panels(const HeightMap<double>& map) {
     for (int k = 0; k < 255; ++k) bar.push_back(static_cast<unsigned char>(k));
     Panel colours{.x = {.label = "height", .logarithmic = false, .low = low, .high = high, .si = "m"},
                   .y = {.label = "", .logarithmic = false, .low = 0.0, .high = 1.0, .ticks = false},
-                  .image = PlotImage{heat_map_png(bar, 255, 1), low, high, 0, 1},
+                  .image = PlotImage{heat_map_bmp(bar, 255, 1), low, high, 0, 1},
                   .width = 440,
                   .height = 18};
     return {heights, colours};

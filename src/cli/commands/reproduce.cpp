@@ -611,7 +611,7 @@ Command add_reproduce(CLI::App& app) {
         .required();
     add_format_option(command, options->output);
     command.footer(
-        "Figs. 2, 4, 6, 7, 8, 9 as SVG with their numbers (.plot.csv) and gnuplot scripts (.plot.gp), errata.md, and "
+        "Figs. 2, 4, 6, 7, 8, 9 as SVG with their numbers (.plot.csv), errata.md, and "
         "index.html "
         "with "
         "all of it.\nExample:\n  fstiff reproduce -o reproduced");

@@ -2,7 +2,7 @@
 #include "input/arguments.hpp"
 
 #include "document/output.hpp"
-#include "input/description.hpp"
+#include "input/manual.hpp"
 
 #include <fstiff/core/text.hpp>
 
@@ -16,6 +16,9 @@
 #include <system_error>
 
 namespace fstiff::cli {
+
+extern const char* const bash_completion;  // of input/completion.bash
+
 namespace {
 
 template <class Target>
@@ -119,50 +122,6 @@ void refuse_empty(int argc, char** argv) {
     }
 }
 
-/// \p type is what CLI11 shows of an option: "TEXT:{one,two}", "INT:INT in [1 - 9]", "FILE".
-void describe_type(const std::string& type, DescribedOption& option) {
-    const std::size_t colon = type.find(':');
-    option.type = type.substr(0, colon);
-    if (colon == std::string::npos) return;
-    const std::string rest = type.substr(colon + 1);
-    if (!rest.starts_with("{")) {
-        option.range = rest.substr(std::min(rest.find("in ["), rest.size()));
-        return;
-    }
-    for (std::size_t begin = 1; begin < rest.size();) {
-        const std::size_t end = std::min(rest.find_first_of(",}", begin), rest.size());
-        option.choices.push_back(rest.substr(begin, end - begin));
-        begin = end + 1;
-    }
-}
-
-DescribedCommand describe(const CLI::App& command) {
-    DescribedCommand described{command.get_name(), command.get_description(), command.get_footer(), {}};
-    for (const CLI::Option* option : command.get_options()) {
-        DescribedOption one;
-        one.help = option->get_description();
-        one.required = option->get_required();
-        one.many = option->get_expected_max() > 1;
-        one.positional = !option->nonpositional();
-        if (one.positional) one.names = {option->get_name(true)};
-        for (const std::string& name : option->get_snames()) one.names.push_back("-" + name);
-        for (const std::string& name : option->get_lnames()) one.names.push_back("--" + name);
-        if (option->get_items_expected_max() > 0) describe_type(option->get_type_name(), one);
-        described.options.push_back(one);
-    }
-    return described;
-}
-
-DescribedProgram describe_program(const CLI::App& program, const std::string& version) {
-    DescribedProgram described{describe(program), version, {}};
-    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
-        described.commands.push_back(describe(*command));
-    DescribedCommand& help = described.commands.back();  // whose argument is the name of a command
-    for (DescribedOption& option : help.options)
-        if (option.positional) option.choices = command_names(program);
-    return described;
-}
-
 }  // namespace
 
 Option& Option::required() {
@@ -245,8 +204,6 @@ void Arguments::flag(const std::string& name, bool& target, const std::string& h
 }
 void Arguments::footer(const std::string& text) { app_->footer(text); }
 
-std::string command_name(const CLI::App& command) { return command.get_name(); }
-
 Program::Program(const std::string& name, const std::string& version, const std::string& description,
                  const std::string& footer)
     : app_(std::make_unique<CLI::App>(description, name)), version_(version) {
@@ -286,15 +243,17 @@ void Program::require_command(const std::string& word) const {
 }
 
 void Program::print_help() const {
-    if (!help_->command.empty()) require_command(help_->command);
-    const DescribedProgram program = describe_program(*app_, version_);
+    const std::string &word = help_->command, name = app_->get_name();
+    if (!word.empty()) require_command(word);
     if (!help_->shell.empty()) {
-        std::cout << completion_script(program);
-        return;
+        std::cout << bash_completion;
+    } else if (!word.empty()) {
+        std::cout << manual_page(name + "-" + word, version_, app_->get_subcommand(word)->help(name), {name});
+    } else {
+        std::vector<std::string> pages = command_names(*app_);
+        for (std::string& page : pages) page = name + "-" + page;
+        std::cout << manual_page(name, version_, app_->help(), pages);
     }
-    const auto chosen = std::find_if(program.commands.begin(), program.commands.end(),
-                                     [&](const DescribedCommand& one) { return one.name == help_->command; });
-    std::cout << manual_page(program, chosen == program.commands.end() ? nullptr : &*chosen);
 }
 
 const CLI::App* Program::parse(int argc, char** argv) {

@@ -74,9 +74,6 @@ private:
     CLI::App* app_;
 };
 
-/// Name of a subcommand.
-[[nodiscard]] std::string command_name(const CLI::App& command);
-
 /// The command line of the program, all of its subcommands.
 class Program {
 public:

@@ -15,7 +15,7 @@ void add_picture_option(Arguments& arguments, std::string& picture, const std::s
     arguments
         .option(
             "--plot", picture,
-            draws + " into FILE (.svg or .html); its numbers (.plot.csv) and a gnuplot script (.plot.gp) go beside it")
+            draws + " into FILE (.svg or .html); its numbers (.plot.csv) go beside it")
         .type_name("FILE");
 }
 

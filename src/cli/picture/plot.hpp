@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Pictures of curves as SVG that needs nothing else: no script, no font, no file beside it. Colours follow the reader's
-// light or dark setting. The same figure is written as CSV and as a gnuplot script that draws that CSV.
-// The same figure gives the same bytes.
+// light or dark setting. The same figure is written as CSV. The same figure gives the same bytes.
 //
 // svg.cpp draws it; scale.hpp chooses its ticks, unit.hpp its units, drawing.hpp its colours and legend; raster.cpp makes maps.
 
@@ -67,9 +66,9 @@ struct PlotWindow {
     int colour = next_colour;  ///< that of the line it belongs to; else one of its own
 };
 
-/// A PNG that fills a range of the axes.
+/// A BMP that fills a range of the axes.
 struct PlotImage {
-    std::string png;  ///< bytes
+    std::string bmp;  ///< bytes
     double x_low = 0, x_high = 1, y_low = 0, y_high = 1;
 };
 
@@ -108,23 +107,21 @@ void choose_look(std::vector<PlotLine>& lines,
 std::string html_page(const Figure& figure);
 /// curve,panel,label,x_quantity,x,y_quantity,y,low,high: the numbers that are drawn.
 std::string figure_csv(const Figure& given);
-/// Draws the file \p csv beside it into \p picture.
-std::string gnuplot_script(const Figure& given, const std::string& csv, const std::string& picture);
 
-/// The names of a picture and of what is written beside it: trace.svg, trace.plot.csv and trace.plot.gp.
+/// The names of a picture and of its numbers: trace.svg and trace.plot.csv.
 struct PictureFiles {
-    std::string picture, table, script;
+    std::string picture, table;
     /// \throws Usage unless \p file ends in .svg or .html.
     explicit PictureFiles(const std::string& file);
-    [[nodiscard]] std::vector<std::string> all() const { return {picture, table, script}; }
+    [[nodiscard]] std::vector<std::string> all() const { return {picture, table}; }
 };
 
-/// Before anything is read: no input may be one of the three files.
+/// Before anything is read: no input may be one of the files.
 /// \throws Usage for another ending, file_error for a file beside the picture that fstiff did not make.
 void keep_for_picture(const std::string& file);
-/// The figure as \p file (.svg or .html), its numbers (.plot.csv) and a gnuplot script (.plot.gp).
+/// The figure as \p file (.svg or .html), and its numbers (.plot.csv).
 std::vector<OutputFile> figure_files(const Figure& figure, const std::string& file);
-/// Writes all three. \returns their names. \throws file_error for a file that cannot be written.
+/// Writes both. \returns their names. \throws file_error for a file that cannot be written.
 std::vector<std::string> write_figure(const Figure& figure, const std::string& file);
 
 /// What a band is, unbroken, for a legend.
@@ -136,8 +133,8 @@ std::string shown_file(const std::string& file);
 /// \p text between the tags of SVG or HTML.
 std::string escaped(std::string_view text);
 
-/// Bytes as an indexed PNG: \p shade holds rows from top to bottom, 0 to 254 from low to high, 255 for nothing there.
-std::string heat_map_png(const std::vector<unsigned char>& shade, std::size_t columns, std::size_t rows);
+/// Bytes of an indexed BMP: \p shade holds rows from bottom to top, 0 to 254 from low to high, 255 for a missing point.
+std::string heat_map_bmp(const std::vector<unsigned char>& shade, std::size_t columns, std::size_t rows);
 std::string base64(std::string_view bytes);
 
 }  // namespace fstiff::cli

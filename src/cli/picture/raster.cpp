@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps of heights as PNG, which needs no library here.
+// Maps of heights as BMP, which every browser shows.
 #include "picture/plot.hpp"
 
 #include <algorithm>
@@ -10,43 +10,10 @@
 namespace fstiff::cli {
 namespace {
 
-std::uint32_t crc32(std::string_view bytes) {
-    std::uint32_t crc = 0xFFFFFFFFu;
-    for (const char c : bytes) {
-        crc ^= static_cast<unsigned char>(c);
-        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1u ? 0xEDB88320u : 0u);
-    }
-    return ~crc;
-}
-
-std::string big_endian(std::uint32_t value) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(static_cast<unsigned char>(value >> shift));
-    return bytes;
-}
-
-std::string chunk(const std::string& name, const std::string& data) {
-    return big_endian(static_cast<std::uint32_t>(data.size())) + name + data + big_endian(crc32(name + data));
-}
-
-/// \p data as a zlib stream of stored blocks (RFC 1950, 1951): not smaller, but needs no library.
-std::string stored(const std::string& data) {
-    std::string out = "\x78\x01";
-    std::uint32_t a = 1, b = 0;
-    for (const char c : data) {
-        a = (a + static_cast<unsigned char>(c)) % 65521u;
-        b = (b + a) % 65521u;
-    }
-    for (std::size_t at = 0;;) {
-        const std::size_t size = std::min<std::size_t>(65535, data.size() - at);
-        const bool last = at + size == data.size();
-        for (const std::size_t byte : {std::size_t(last), size & 255u, size >> 8, ~size & 255u, (~size >> 8) & 255u})
-            out += static_cast<char>(static_cast<unsigned char>(byte));
-        out += data.substr(at, size);
-        at += size;
-        if (last) break;
-    }
-    return out + big_endian(b << 16 | a);
+std::string little_endian(std::uint32_t value, int bytes) {
+    std::string text;
+    for (; bytes > 0; --bytes, value >>= 8) text += static_cast<char>(static_cast<unsigned char>(value));
+    return text;
 }
 
 /// Red, green, blue of a share of the range: dark blue over green to yellow, of rising lightness.
@@ -63,20 +30,23 @@ std::array<int, 3> heat(double share) {
 
 }  // namespace
 
-std::string heat_map_png(const std::vector<unsigned char>& shade, std::size_t columns, std::size_t rows) {
-    std::string header = big_endian(static_cast<std::uint32_t>(columns)) + big_endian(static_cast<std::uint32_t>(rows));
-    header += std::string("\x08\x03\x00\x00\x00", 5);  // 8 bits, indexed
-    std::string colours, lines;
+std::string heat_map_bmp(const std::vector<unsigned char>& shade, std::size_t columns, std::size_t rows) {
+    constexpr std::uint32_t begin = 14 + 40 + 4 * 256;  // file header, image header, colours
+    const std::size_t width = (columns + 3) / 4 * 4;
+    std::string out = "BM" + little_endian(begin + static_cast<std::uint32_t>(width * rows), 4) + little_endian(0, 4) +
+                      little_endian(begin, 4);
+    const auto [across, up] = std::pair(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows));
+    for (const std::uint32_t number : {40u, across, up, 1u | 8u << 16, 0u, 0u, 0u, 0u, 256u, 0u})
+        out += little_endian(number, 4);  // one plane of 8 bits, indexed, not compressed
     for (int i = 0; i < 255; ++i)
-        for (const int value : heat(i / 254.0)) colours += static_cast<char>(static_cast<unsigned char>(value));
-    colours += "\x80\x80\x80";
+        for (const auto [red, green, blue] = heat(i / 254.0); const int value : {blue, green, red, 0})
+            out += static_cast<char>(static_cast<unsigned char>(value));
+    out += little_endian(0x808080, 4);  // missing points are grey
     for (std::size_t j = 0; j < rows; ++j) {
-        lines += '\0';  // no filter
-        for (std::size_t i = 0; i < columns; ++i) lines += static_cast<char>(shade[j * columns + i]);
+        for (std::size_t i = 0; i < columns; ++i) out += static_cast<char>(shade[j * columns + i]);
+        out.append(width - columns, '\0');
     }
-    const std::string clear = std::string(255, '\xFF') + '\0';  // missing points are transparent
-    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("PLTE", colours) + chunk("tRNS", clear) +
-           chunk("IDAT", stored(lines)) + chunk("IEND", "");
+    return out;
 }
 
 std::string base64(std::string_view bytes) {

@@ -20,17 +20,20 @@ std::string px(double value) {
 }
 
 using Attributes = std::initializer_list<std::pair<const char*, double>>;
-std::string element(std::string_view name, std::string_view kind, const Attributes& attributes) {
+std::string element(std::string_view name, std::string_view kind, const Attributes& attributes,
+                    const std::string& data = "") {
     std::string text = "<" + std::string(name);
     if (!kind.empty()) text += " class=\"" + std::string(kind) + "\"";
+    text += data;
     for (const auto& [key, value] : attributes) text += " " + std::string(key) + "=\"" + px(value) + "\"";
     return text + "/>\n";
 }
 std::string line_at(std::string_view kind, double x1, double y1, double x2, double y2) {
     return element("line", kind, {{"x1", x1}, {"y1", y1}, {"x2", x2}, {"y2", y2}});
 }
-std::string rectangle(std::string_view kind, double x, double y, double width, double height) {
-    return element("rect", kind, {{"x", x}, {"y", y}, {"width", width}, {"height", height}});
+std::string rectangle(std::string_view kind, double x, double y, double width, double height,
+                      const std::string& data = "") {
+    return element("rect", kind, {{"x", x}, {"y", y}, {"width", width}, {"height", height}}, data);
 }
 std::string text_at(double x, double y, std::string_view text, std::string_view attributes = "") {
     return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\"" + (attributes.empty() ? "" : " ") + std::string(attributes) +
@@ -41,6 +44,11 @@ std::string paragraph_at(double x, double y, const std::vector<std::string>& lin
     for (std::size_t i = 0; i < lines.size(); ++i)
         out += text_at(x, y + line_height * static_cast<double>(i), lines[i], attributes);
     return out;
+}
+
+/// Numbers in the units of the axes, for programs that read the picture.
+std::string data_range(const char* name, double low, double high, int digits) {
+    return std::string(" data-") + name + "=\"" + rounded(low, digits) + " " + rounded(high, digits) + "\"";
 }
 
 std::string colour_class(int colour) {
@@ -121,16 +129,17 @@ std::string background(const Drawing& d) {
         const double x = d.place_x(image.x_low), y = d.place_y(image.y_high);
         out += "<image x=\"" + px(x) + "\" y=\"" + px(y) + "\" width=\"" + px(d.place_x(image.x_high) - x) +
                "\" height=\"" + px(d.place_y(image.y_low) - y) +
-               "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," + base64(image.png) + "\"/>\n";
+               "\" preserveAspectRatio=\"none\" href=\"data:image/bmp;base64," + base64(image.bmp) + "\"/>\n";
     }
     for (const PlotWindow& window : panel.windows) {
         const auto bounded = [](double at, double size) { return std::clamp(at, 0.0, size); };
+        const std::string data = data_range("range", window.low, window.high, 15);
         if (window.of_y) {
             const double high = bounded(d.place_y(window.high), height), low = bounded(d.place_y(window.low), height);
-            out += rectangle(window_class(window), 0, high, width, low - high);
+            out += rectangle(window_class(window), 0, high, width, low - high, data);
         } else {
             const double low = bounded(d.place_x(window.low), width), high = bounded(d.place_x(window.high), width);
-            out += rectangle(window_class(window), low, 0, high - low, height);
+            out += rectangle(window_class(window), low, 0, high - low, height, data);
         }
     }
     if (panel.image) return out;
@@ -272,7 +281,8 @@ std::string draw(const Panel& panel, double top, bool legend_below) {
     const double plot_top = top + (panel.title.empty() ? 12 : title_height);
     // what may reach beyond the frame stands in an inner picture, which cuts it off there
     out += "<svg x=\"" + px(left) + "\" y=\"" + px(plot_top) + "\" width=\"" + px(panel.width) + "\" height=\"" +
-           px(panel.height) + "\" overflow=\"hidden\">\n" + background(d) + bands(d);
+           px(panel.height) + "\"" + data_range("x", d.x_scale.low(), d.x_scale.high(), 6) +
+           data_range("y", d.y_scale.low(), d.y_scale.high(), 6) + " overflow=\"hidden\">\n" + background(d) + bands(d);
     for (const PlotLine& line : d.lines) out += line_and_marks(d, line);
     out += "</svg>\n" + rectangle("frame", left, plot_top, panel.width, panel.height) + axes(d, plot_top);
     return out + (legend_below ? draw(d.legend(), left, plot_top + panel.height + below + 4)
