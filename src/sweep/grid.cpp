@@ -22,16 +22,19 @@ using scene::Source;
 constexpr std::uint64_t most_scenes = std::uint64_t(1) << 53;  // whole numbers that JSON readers keep
 constexpr std::array<std::string_view, 3> kinds{"normal", "lognormal", "uniform"};
 
-/// What a count must be; 1e18 is none of TOML's whole numbers.
-std::string whole_number_from(std::uint64_t least) {
-    return "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most_scenes) +
-           ", written without a point and an exponent";
+/// A whole number of TOML, of which 1e18 is none.
+std::uint64_t whole_number(const Source& source, const toml::node& node, const std::string& key, std::uint64_t least) {
+    const auto number = node.is_integer() ? node.as_integer()->get() : -1;
+    if (number < static_cast<std::int64_t>(least) || static_cast<std::uint64_t>(number) > most_scenes)
+        source.refuse(node, key,
+                      "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most_scenes) +
+                          ", written without a point and an exponent");
+    return static_cast<std::uint64_t>(number);
 }
 
 /// A swept quantity as it was found, with its place for the order of the axes.
 struct Found {
     Axis axis;
-    std::vector<Step> path;
     toml::array listed;
     toml::source_position begin;
 };
@@ -43,25 +46,9 @@ struct NumberWithUnit {
     bool whole = false;
 };
 
-std::string path_text(const std::vector<Step>& path) {
-    std::string text;
-    for (const Step& step : path) {
-        if (const auto* key = std::get_if<std::string>(&step)) {
-            if (!text.empty()) text += '.';
-            text += *key;
-        } else {
-            text += '[';
-            text += std::to_string(std::get<std::size_t>(step));
-            text += ']';
-        }
-    }
-    return text;
-}
-
 /// Whether the value is a file or a word, which is not looked at for a number.
-bool names_text(const std::vector<Step>& path) {
-    const auto* key = std::get_if<std::string>(&path.back());
-    return key && (*key == "from" || *key == "mask" || *key == "name");
+bool names_text(const std::string& key) {
+    return key.ends_with(".from") || key.ends_with(".mask") || key.ends_with(".name");
 }
 
 /// What \p node says as a number, with a unit of any kind; none for other texts, lists, tables.
@@ -103,10 +90,7 @@ void read_range(Source& source, const toml::table& table, Found& found) {
     const Section section(source, table, key, {"from", "to", "count", "spacing"});
     const auto [from, to] =
         two_quantities(source, section.at("from"), section.at("to"), section.key("from"), section.key("to"));
-    const toml::node& node = section.at("count");
-    const auto* count = node.as_integer();
-    if (!count || count->get() < 2 || static_cast<std::uint64_t>(count->get()) > most_scenes)
-        source.refuse(node, section.key("count"), whole_number_from(2));
+    const std::uint64_t count = whole_number(source, section.at("count"), section.key("count"), 2);
     constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
     const bool log = section.find("spacing")
                          ? source.choice(*section.find("spacing"), section.key("spacing"), spacings) == 0
@@ -115,7 +99,7 @@ void read_range(Source& source, const toml::table& table, Found& found) {
         source.refuse(section.at("to"), section.key("to"), "must be greater than " + section.key("from"));
     if (log && !(from.value > 0))
         source.refuse(section.at("from"), section.key("from"), "must be greater than 0 for spacing = \"log\"");
-    found.axis.range = scene::Range{from.value, to.value, static_cast<std::uint64_t>(count->get()), log};
+    found.axis.range = scene::Range{from.value, to.value, count, log};
     found.axis.whole = from.whole && to.whole;
     found.axis.unit = unit_of(from.dimension);
 }
@@ -177,7 +161,7 @@ void read_list(const Source& source, const toml::node& node, const std::string& 
     if (!list || list->empty()) source.refuse(node, key, "must be a list of one value at least");
     found.listed = *list;
     std::optional<NumberWithUnit> first;
-    if (!names_text(found.path)) first = quantity_of((*list)[0]);
+    if (!names_text(found.axis.key)) first = quantity_of((*list)[0]);
     for (std::size_t i = 0; i < list->size(); ++i) {
         const toml::node& item = (*list)[i];
         if (!first) {
@@ -201,80 +185,64 @@ bool is_range(const toml::table& table) {
 /// Finds what is swept in a scene.
 class Finder {
 public:
-    explicit Finder(Source& source) : source_(source) {}
+    Finder(Source& source, const toml::table& root) : source_(source), root_(root) {}
 
-    void walk(const toml::node& node, const std::vector<Step>& path) {
+    void walk(const toml::node& node, const std::string& key) {
         if (const auto* list = node.as_array()) {
-            if (!takes_list(path))
-                return found(node, path, [&](Found& one) { read_list(source_, node, one.axis.key, one); });
-            for (std::size_t i = 0; i < list->size(); ++i) walk((*list)[i], joined(path, i));
+            if (!takes_list(key))
+                return found(node, key, [&](Found& one) { read_list(source_, node, key, one); });
+            for (std::size_t i = 0; i < list->size(); ++i) walk((*list)[i], key + "[" + std::to_string(i) + "]");
             return;
         }
         const auto* table = node.as_table();
         if (!table) return;
         for (std::size_t kind = 0; kind < kinds.size(); ++kind)
             if (table->contains(kinds[kind]))
-                return found(node, path, [&](Found& one) { read_distribution(source_, *table, kind, one); });
+                return found(node, key, [&](Found& one) { read_distribution(source_, *table, kind, one); });
         if (table->contains("values")) {
-            return found(node, path, [&](Found& one) {
-                const Section section(source_, *table, one.axis.key, {"values"});
+            return found(node, key, [&](Found& one) {
+                const Section section(source_, *table, key, {"values"});
                 read_list(source_, section.at("values"), section.key("values"), one);
             });
         }
-        if (is_range(*table) && !takes_list(path))
-            return found(node, path, [&](Found& one) { read_range(source_, *table, one); });
-        for (const auto& [key, child] : *table) walk(child, joined(path, std::string(key.str())));
+        if (is_range(*table) && !takes_list(key))
+            return found(node, key, [&](Found& one) { read_range(source_, *table, one); });
+        for (const auto& [name, child] : *table) walk(child, key + "." + std::string(name.str()));
     }
 
     std::vector<Found> all;
 
 private:
-    static std::vector<Step> joined(std::vector<Step> path, Step step) {
-        path.push_back(std::move(step));
-        return path;
-    }
     /// Whether the scene has a list here, so that one means many values of one scene.
-    static bool takes_list(const std::vector<Step>& path) {
+    static bool takes_list(const std::string& key) {
         static const std::set<std::string> lists{"surface.from",      "surface.upper.from",  "surface.lower.from",
                                                  "contact.pressures", "contact.separations", "contact.laws",
                                                  "contact.peaks",     "output.quantities"};
-        return lists.contains(path_text(path));
+        return lists.contains(key);
     }
     template <class Read>
-    void found(const toml::node& node, const std::vector<Step>& path, const Read& read) {
-        if (path.size() < 2)
-            source_.refuse(node, path_text(path), "cannot be swept; sweep the keys of a section of the scene");
+    void found(const toml::node& node, const std::string& key, const Read& read) {
+        if (key.find('.') == std::string::npos || toml::at_path(root_, key).node() != &node)
+            source_.refuse(node, key, "cannot be swept; sweep the keys of a section of the scene");
         Found& one = all.emplace_back();
-        one.path = path;
-        one.axis.key = path_text(path);
+        one.axis.key = key;
         one.begin = node.source().begin;
         read(one);
     }
 
     Source& source_;
+    const toml::table& root_;
 };
 
-/// The node that \p path leads to.
-toml::node& at(toml::table& root, const std::vector<Step>& path, std::size_t steps) {
-    toml::node* node = &root;
-    for (std::size_t i = 0; i < steps; ++i)
-        if (const auto* key = std::get_if<std::string>(&path[i]))
-            node = node->as_table()->get(*key);
-        else
-            node = node->as_array()->get(std::get<std::size_t>(path[i]));
-    return *node;
-}
-
-/// Puts \p value where \p path leads.
+/// Puts \p value at \p key, such as "surface.rms_height" or "contact.pressures[0]".
 template <class Node>
-void put(toml::table& root, const std::vector<Step>& path, Node&& value) {
-    toml::node& parent = at(root, path, path.size() - 1);
-    if (const auto* key = std::get_if<std::string>(&path.back()))
-        parent.as_table()->insert_or_assign(*key, std::forward<Node>(value));
+void put(toml::table& root, const std::string& key, Node&& value) {
+    const std::size_t end = key.find_last_of(".[");
+    toml::node& parent = *toml::at_path(root, std::string_view(key).substr(0, end)).node();
+    if (auto* list = parent.as_array())
+        list->replace(list->cbegin() + std::stol(key.substr(end + 1)), std::forward<Node>(value));
     else
-        parent.as_array()->replace(
-            parent.as_array()->cbegin() + static_cast<std::ptrdiff_t>(std::get<std::size_t>(path.back())),
-            std::forward<Node>(value));
+        parent.as_table()->insert_or_assign(key.substr(end + 1), std::forward<Node>(value));
 }
 
 /// [sweep]
@@ -283,12 +251,7 @@ void read_sweep(Source& source, const toml::table* table, Grid& grid) {
     const Section section(source, table ? *table : none, "sweep", {"mode", "samples", "seed", "tabulate"});
     const auto whole = [&](std::string_view name, std::uint64_t least, std::uint64_t otherwise) {
         const toml::node* node = section.find(name);
-        if (!node) return otherwise;
-        const auto* number = node->as_integer();
-        if (!number || number->get() < static_cast<std::int64_t>(least) ||
-            static_cast<std::uint64_t>(number->get()) > most_scenes)
-            source.refuse(*node, section.key(name), whole_number_from(least));
-        return static_cast<std::uint64_t>(number->get());
+        return node ? whole_number(source, *node, section.key(name), least) : otherwise;
     };
     if (const toml::node* node = section.find("mode")) grid.mode = source.choice<Mode>(*node, section.key("mode"));
     bool draws = false;
@@ -387,16 +350,15 @@ toml::table table_of(const Grid& grid, const std::vector<Value>& values) {
     toml::table root = grid.form->root;
     for (std::size_t i = 0; i < grid.axes.size(); ++i) {
         const Axis& axis = grid.axes[i];
-        const auto& path = grid.form->paths[i];
         const double number = values[i].number;
         if (!grid.form->listed[i].empty())
-            grid.form->listed[i][values[i].place].visit([&](const auto& node) { put(root, path, node); });
+            grid.form->listed[i][values[i].place].visit([&](const auto& node) { put(root, axis.key, node); });
         else if (!axis.unit.empty())
-            put(root, path, scene::shortest(number) + " " + axis.unit);
+            put(root, axis.key, scene::shortest(number) + " " + axis.unit);
         else if (axis.whole && number == std::round(number))
-            put(root, path, static_cast<std::int64_t>(number));
+            put(root, axis.key, static_cast<std::int64_t>(number));
         else
-            put(root, path, number);
+            put(root, axis.key, number);
     }
     return root;
 }
@@ -404,11 +366,11 @@ toml::table table_of(const Grid& grid, const std::vector<Value>& values) {
 Grid read_grid(const std::string& text, const std::string& file) {
     Source source{file, {}};
     toml::table root = scene::parse_toml(text, file);
-    Finder finder(source);
+    Finder finder(source, root);
     const toml::node* sweep = root.get("sweep");
     if (sweep && !sweep->is_table()) source.refuse(*sweep, "sweep", "must be a section of keys");
     for (const auto& [key, node] : root)
-        if (key.str() != "sweep") finder.walk(node, {std::string(key.str())});
+        if (key.str() != "sweep") finder.walk(node, std::string(key.str()));
     std::sort(finder.all.begin(), finder.all.end(), [](const Found& a, const Found& b) { return a.begin < b.begin; });
 
     Grid grid;
@@ -418,7 +380,6 @@ Grid read_grid(const std::string& text, const std::string& file) {
     for (Found& one : finder.all) {
         if (one.axis.drawn) one.axis.input = input++;
         grid.axes.push_back(one.axis);
-        form->paths.push_back(std::move(one.path));
         form->listed.push_back(std::move(one.listed));
     }
     read_sweep(source, sweep ? sweep->as_table() : nullptr, grid);

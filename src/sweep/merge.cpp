@@ -7,11 +7,8 @@
 #include <fstiff/core/error.hpp>
 
 #include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -23,22 +20,6 @@ namespace {
 struct Part {
     std::string file;
     Description description;
-};
-
-/// A file that is closed at the end.
-class Descriptor {
-public:
-    Descriptor(const std::string& file, int flags, const char* what)
-        : number_(open(file.c_str(), flags | O_CLOEXEC, 0666)) {
-        if (number_ < 0) throw file_error(file, what + (": " + std::generic_category().message(errno)));
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(number_); }
-    [[nodiscard]] int number() const { return number_; }
-
-private:
-    int number_;
 };
 
 /// The name of another shard's file, by that of one which has the number of its shard in it.
@@ -113,43 +94,28 @@ Merged merge(std::vector<std::string> files, const std::string& output) {
               [](const Part& a, const Part& b) { return a.description.shard.number < b.description.shard.number; });
 
     // copied while it is looked at; what turns out to be wrong is thrown away
-    const std::string target = scene::output_target(output).string(), partial = target + ".partial";
     Description whole = parts.front().description;
     whole.shard = {};
     whole.bytes = whole.failed = 0;
-    {
-        const Descriptor to(partial, O_WRONLY | O_CREAT | O_TRUNC, "cannot be written");
-        try {
-            for (const Part& part : parts) {
-                const Descriptor from(part.file, O_RDONLY, "cannot be read");
-                const Description& of = part.description;
-                const std::uint64_t first = of.shard.first(of.scenes), end = of.shard.end(of.scenes);
-                const Scan scan = scan_results(from.number(), part.file, first, true, [&](std::string_view bytes) {
-                    if (merged.problems.empty()) write_all(to.number(), bytes, output);
-                });
-                if (scan.next != end || scan.kept != scan.bytes || scan.bytes != of.bytes) {
-                    merged.problems.push_back(part.file + " was changed since it was finished: whole up to scene " +
-                                              std::to_string(scan.next) + " of " + std::to_string(end) +
-                                              "; remove it and " + description_file(part.file) +
-                                              ", and run: " + command(part, of.shard.number, part.file));
-                    continue;
-                }
-                whole.bytes += scan.bytes;
-                whole.failed += scan.failed;
-            }
-            if (merged.problems.empty() && fsync(to.number()) != 0)
-                throw file_error(output, "cannot be written: " + std::generic_category().message(errno));
-        } catch (...) {
-            unlink(partial.c_str());
-            throw;
+    replace_file(scene::output_target(output).string(), [&](const OpenFile& to) {
+        for (const Part& part : parts) {
+            const Description& of = part.description;
+            const std::uint64_t first = of.shard.first(of.scenes), end = of.shard.end(of.scenes);
+            const OpenFile from(part.file, O_RDONLY, "cannot be read");
+            const Scan scan = scan_results(from, first, true, [&](std::string_view bytes) {
+                if (merged.problems.empty()) to.write(bytes);
+            });
+            if (scan.next != end || scan.kept != scan.bytes || scan.bytes != of.bytes)
+                merged.problems.push_back(part.file + " was changed since it was finished: whole up to scene " +
+                                          std::to_string(scan.next) + " of " + std::to_string(end) +
+                                          "; remove it and " + description_file(part.file) +
+                                          ", and run: " + command(part, of.shard.number, part.file));
+            whole.bytes += scan.bytes;
+            whole.failed += scan.failed;
         }
-    }
-    if (!merged.problems.empty()) {
-        unlink(partial.c_str());
-        return merged;
-    }
-    if (std::rename(partial.c_str(), target.c_str()) != 0)
-        throw file_error(output, "cannot be written: " + std::generic_category().message(errno));
+        return merged.problems.empty();
+    });
+    if (!merged.problems.empty()) return merged;
     write_description(output, whole);
     merged.scenes = whole.scenes;
     merged.failed = whole.failed;

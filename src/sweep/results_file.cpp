@@ -11,7 +11,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -87,13 +86,37 @@ private:
 
 }  // namespace
 
-void write_all(int descriptor, std::string_view bytes, const std::string& file) {
+OpenFile::OpenFile(std::string name, int flags, const char* what)
+    : name_(std::move(name)), descriptor_(::open(name_.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) fail(name_, what);
+}
+
+OpenFile::~OpenFile() { close(descriptor_); }
+
+void OpenFile::write(std::string_view bytes) const {
     while (!bytes.empty()) {
-        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail(file, "cannot be written");
+        if (written < 0) fail(name_, "cannot be written");
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
+}
+
+void replace_file(const std::string& target, const std::function<bool(const OpenFile&)>& write) {
+    const std::string partial = target + ".partial";
+    const OpenFile file(partial, O_WRONLY | O_CREAT | O_TRUNC);
+    try {
+        if (!write(file)) {
+            unlink(partial.c_str());
+            return;
+        }
+        if (fsync(file.descriptor()) != 0 || std::rename(partial.c_str(), target.c_str()) != 0)
+            fail(target, "cannot be written");
+    } catch (...) {
+        unlink(partial.c_str());
+        throw;
+    }
+    sync_folder(std::filesystem::path(target).parent_path());
 }
 
 void require_lines(const std::string& results) {
@@ -132,7 +155,6 @@ Description read_description(const std::string& results) {
 }
 
 void write_description(const std::string& results, const Description& description) {
-    const std::string file = description_file(results), partial = file + ".partial";
     const scene::Json json{{"schema_version", 1},
                            {"command", "sweep"},
                            {"grid", description.grid},
@@ -143,34 +165,23 @@ void write_description(const std::string& results, const Description& descriptio
                            {"finished", description.finished},
                            {"failed", description.failed},
                            {"bytes", description.bytes}};
-    const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor < 0) fail(partial, "cannot be written");
-    const std::string text = json.str();
-    try {
-        write_all(descriptor, text, partial);
-        if (fsync(descriptor) != 0) fail(partial, "cannot be written");
-    } catch (...) {
-        close(descriptor);
-        unlink(partial.c_str());
-        throw;
-    }
-    close(descriptor);
-    if (std::rename(partial.c_str(), file.c_str()) != 0) fail(file, "cannot be written");
-    sync_folder(std::filesystem::path(file).parent_path());
+    replace_file(description_file(results), [&](const OpenFile& file) {
+        file.write(json.str());
+        return true;
+    });
 }
 
-Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished,
-                  const std::function<void(std::string_view)>& piece) {
+Scan scan_results(const OpenFile& file, std::uint64_t first, bool finished, const std::function<void(std::string_view)>& piece) {
     Scanner scanner(first, finished);
     std::vector<char> buffer(std::size_t(1) << 20);
     std::string rest;  // of a line that goes on in the next piece
     bool whole = true;
     std::uint64_t bytes = 0;
-    if (lseek(descriptor, 0, SEEK_SET) < 0) fail(file, "cannot be read");
+    if (lseek(file.descriptor(), 0, SEEK_SET) < 0) fail(file.name(), "cannot be read");
     while (true) {
-        const ssize_t got = read(descriptor, buffer.data(), buffer.size());
+        const ssize_t got = read(file.descriptor(), buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) fail(file, "cannot be read");
+        if (got < 0) fail(file.name(), "cannot be read");
         if (got == 0) break;
         bytes += static_cast<std::uint64_t>(got);
         std::string_view bytes_read(buffer.data(), static_cast<std::size_t>(got));
@@ -193,90 +204,74 @@ Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, 
 }
 
 ResultsFile::ResultsFile(std::string file, Description description)
-    : file_(std::move(file)), description_(std::move(description)) {
-    open();
-    try {
-        lock();
-        take_up();
-    } catch (...) {
-        close(descriptor_);
-        throw;
-    }
-}
-
-ResultsFile::~ResultsFile() { close(descriptor_); }
-
-void ResultsFile::open() {
-    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail(file_, "cannot be written");
-    struct stat status {};
-    if (fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
-        close(descriptor_);
-        throw file_error(file_, "is no regular file; results of a sweep must be one, to go on after an interruption");
-    }
+    : file_(std::move(file), O_RDWR | O_CREAT), description_(std::move(description)) {
+    lock();
+    take_up();
 }
 
 void ResultsFile::lock() {
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    const std::string& name = file_.name();
+    if (!std::filesystem::is_regular_file(name))
+        throw file_error(name, "is no regular file; results of a sweep must be one, to go on after an interruption");
+    if (flock(file_.descriptor(), LOCK_EX | LOCK_NB) == 0) return;
     if (errno == EWOULDBLOCK)
-        throw file_error(file_, "is being written by another process; give every shard a file of its own");
-    fail(file_, "cannot be locked");
+        throw file_error(name, "is being written by another process; give every shard a file of its own");
+    fail(name, "cannot be locked");
 }
 
 void ResultsFile::take_up() {
-    struct stat status {};
-    if (fstat(descriptor_, &status) != 0) fail(file_, "cannot be read");
-    const auto bytes = static_cast<std::uint64_t>(status.st_size);
+    const std::string& name = file_.name();
+    const std::uint64_t bytes = std::filesystem::file_size(name);
     const std::uint64_t first = description_.shard.first(description_.scenes);
     next_ = first;
-    if (!std::filesystem::exists(description_file(file_))) {
-        if (bytes > 0) static_cast<void>(read_description(file_));  // refuses
-        write_description(file_, description_);
+    if (!std::filesystem::exists(description_file(name))) {
+        if (bytes > 0) static_cast<void>(read_description(name));  // refuses
+        write_description(name, description_);
         return;
     }
-    const Description there = read_description(file_);
+    const Description there = read_description(name);
     if (there.hash != description_.hash)
-        throw file_error(file_, "holds results of another grid (" + there.grid +
+        throw file_error(name, "holds results of another grid (" + there.grid +
                                     "), or of this one before it, a file it names or fstiff was changed; move it and " +
-                                    description_file(file_) + " away, or give another -o");
+                                    description_file(name) + " away, or give another -o");
     if (there.shard.number != description_.shard.number || there.shard.of != description_.shard.of)
-        throw file_error(file_, "holds the results of shard " + there.shard.text() + ", not " +
+        throw file_error(name, "holds the results of shard " + there.shard.text() + ", not " +
                                     description_.shard.text() + "; give every shard a file of its own");
     if (there.finished) {
         if (there.bytes != bytes)
-            throw file_error(file_, "was changed since it was finished: " + std::to_string(bytes) + " bytes, not " +
-                                        std::to_string(there.bytes) + "; move it and " + description_file(file_) +
+            throw file_error(name, "was changed since it was finished: " + std::to_string(bytes) + " bytes, not " +
+                                        std::to_string(there.bytes) + "; move it and " + description_file(name) +
                                         " away and run the sweep again");
         description_ = there;
         next_ = there.shard.end(there.scenes);
         return;
     }
-    const Scan scan = scan_results(descriptor_, file_, first, false);
+    const Scan scan = scan_results(file_, first, false);
     next_ = scan.next;
     size_ = scan.kept;
     description_.failed = scan.failed;
     dropped_ = bytes - scan.kept;
-    if (dropped_ > 0 && ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) fail(file_, "cannot be cut");
-    if (lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) < 0) fail(file_, "cannot be written");
+    if (dropped_ > 0 && ftruncate(file_.descriptor(), static_cast<off_t>(size_)) != 0) fail(name, "cannot be cut");
+    if (lseek(file_.descriptor(), static_cast<off_t>(size_), SEEK_SET) < 0) fail(name, "cannot be written");
 }
 
 void ResultsFile::append(std::string_view lines, std::uint64_t next, std::uint64_t failed) {
     const auto keep = [&](std::size_t bytes) {
-        static_cast<void>(ftruncate(descriptor_, static_cast<off_t>(size_ + bytes)));
+        static_cast<void>(ftruncate(file_.descriptor(), static_cast<off_t>(size_ + bytes)));
     };
     try {
-        write_all(descriptor_, lines, file_);
+        file_.write(lines);
     } catch (...) {  // no room: the lines that found some stay
-        const off_t at = lseek(descriptor_, 0, SEEK_CUR);
+        const off_t at = lseek(file_.descriptor(), 0, SEEK_CUR);
         const std::size_t written = at > static_cast<off_t>(size_) ? static_cast<std::size_t>(at) - size_ : 0;
         keep(lines.substr(0, written).rfind('\n') + 1);  // of none, npos + 1 is 0
         throw;
     }
-    if (sync_data(descriptor_) != 0) {
+    if (sync_data(file_.descriptor()) != 0) {
         const int reason = errno;
         keep(0);
         errno = reason;
-        fail(file_, "cannot be written");
+        fail(file_.name(), "cannot be written");
     }
     size_ += lines.size();
     next_ = next;
@@ -286,7 +281,7 @@ void ResultsFile::append(std::string_view lines, std::uint64_t next, std::uint64
 void ResultsFile::finish() {
     description_.finished = true;
     description_.bytes = size_;
-    write_description(file_, description_);
+    write_description(file_.name(), description_);
 }
 
 }  // namespace fstiff::sweep

@@ -37,6 +37,28 @@ void require_lines(const std::string& results);
 /// Written beside its target, synced, then renamed. \throws file_error.
 void write_description(const std::string& results, const Description& description);
 
+/// A file, which is closed at the end.
+class OpenFile {
+public:
+    /// \throws file_error: \p what, and the reason that the system gives.
+    OpenFile(std::string name, int flags, const char* what = "cannot be written");
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile();
+    /// Writes all of \p bytes. \throws file_error.
+    void write(std::string_view bytes) const;
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+private:
+    std::string name_;
+    int descriptor_;
+};
+
+/// What \p write writes becomes \p target when it is all there, and synced; nothing where \p write returns false or throws.
+/// \throws file_error.
+void replace_file(const std::string& target, const std::function<bool(const OpenFile&)>& write);
+
 /// What stands in a file of results: whole lines of scenes that follow one another.
 struct Scan {
     std::uint64_t next = 0;    ///< scene behind the last whole one
@@ -44,9 +66,9 @@ struct Scan {
     std::uint64_t bytes = 0;   ///< of the file
     std::uint64_t failed = 0;  ///< scenes without result among the whole ones
 };
-/// Reads all of \p descriptor from its beginning; the first scene must be \p first. Of a file that is not \p finished the
+/// Reads all of \p file from its beginning; the first scene must be \p first. Of a file that is not \p finished the
 /// last scene does not count as whole: lines of it may be missing. \p piece is called with all bytes that are read.
-[[nodiscard]] Scan scan_results(int descriptor, const std::string& file, std::uint64_t first, bool finished,
+[[nodiscard]] Scan scan_results(const OpenFile& file, std::uint64_t first, bool finished,
                                 const std::function<void(std::string_view)>& piece = {});
 
 /// The results of one shard, open and locked for this process alone.
@@ -56,9 +78,6 @@ public:
     /// \throws file_error where another process writes it, where it holds results of another grid or shard, or something
     /// else, and where it cannot be written.
     ResultsFile(std::string file, Description description);
-    ResultsFile(const ResultsFile&) = delete;
-    ResultsFile& operator=(const ResultsFile&) = delete;
-    ~ResultsFile();
 
     /// The scene to go on with; that behind the last one of the shard when it is finished.
     [[nodiscard]] std::uint64_t next() const { return next_; }
@@ -73,17 +92,12 @@ public:
     void finish();
 
 private:
-    void open();
     void lock();
     void take_up();
 
-    std::string file_;
+    OpenFile file_;
     Description description_;
-    int descriptor_ = -1;
     std::uint64_t next_ = 0, size_ = 0, dropped_ = 0;
 };
-
-/// Writes all of \p bytes. \throws file_error.
-void write_all(int descriptor, std::string_view bytes, const std::string& file);
 
 }  // namespace fstiff::sweep

@@ -34,10 +34,10 @@ void put_both_moduli(Scene& scene, std::size_t, double value) {
 }
 void put_frequency(Scene& scene, std::size_t, double value) { scene.ultrasound->frequency = value; }
 
-/// Whether the table at \p section has \p key.
-bool has(const toml::table& root, std::string_view section, std::string_view key) {
-    const toml::node* node = root.get(section);
-    return node && node->is_table() && node->as_table()->contains(key);
+bool has(const toml::table& root, const char* key) { return static_cast<bool>(root.at_path(key)); }
+
+bool is_measured(const toml::table& root) {
+    return has(root, "surface.from") || has(root, "surface.upper") || has(root, "surface.lower");
 }
 
 }  // namespace
@@ -46,31 +46,27 @@ SceneMaker::Setter SceneMaker::setter_of(std::size_t axis) const {
     const Axis& of = grid_.axes[axis];
     const toml::table& root = grid_.form->root;
     if (of.is_text()) return {};
-    if (of.key.starts_with("contact.pressures[") && of.unit == "Pa")
-        return {put_point, std::get<std::size_t>(grid_.form->paths[axis].back()), 0, infinity};
-    if (of.key.starts_with("contact.separations[") && of.unit == "m")
-        return {put_point, std::get<std::size_t>(grid_.form->paths[axis].back()), -infinity, infinity};
-    if (of.unit == "Pa" && of.key == "material.upper.youngs_modulus")
-        return {has(root, "material", "lower") ? put_upper_modulus : put_both_moduli, 0, 0, infinity};
-    if (of.unit == "Pa" && of.key == "material.lower.youngs_modulus") return {put_lower_modulus, 0, 0, infinity};
-    if (of.unit == "Hz" && of.key == "ultrasound.frequency") return {put_frequency, 0, 1e-300, 1e300};
+    const auto is = [&](std::string_view key, std::string_view unit) { return of.key == key && of.unit == unit; };
+    const bool pressure = of.key.starts_with("contact.pressures[") && of.unit == "Pa";
+    if (pressure || (of.key.starts_with("contact.separations[") && of.unit == "m"))
+        return {put_point, std::stoul(of.key.substr(of.key.find('[') + 1)), pressure ? 0 : -infinity, infinity};
+    if (is("material.upper.youngs_modulus", "Pa"))
+        return {has(root, "material.lower") ? put_upper_modulus : put_both_moduli, 0, 0, infinity};
+    if (is("material.lower.youngs_modulus", "Pa")) return {put_lower_modulus, 0, 0, infinity};
+    if (is("ultrasound.frequency", "Hz")) return {put_frequency, 0, 1e-300, 1e300};
     // numbers of a face that is not measured, of which nothing else follows while it is read
-    for (const char* key : {"from", "upper", "lower", "rms_gradient", "alpha"})
-        if (has(root, "surface", key)) return {};
-    if (of.unit == "m" && of.key == "surface.rms_height") return {put_parameter<Parameter::rms_height>, 0, 0, infinity};
-    if (of.unit == "m" && of.key == "surface.peak_radius")
-        return {put_parameter<Parameter::peak_radius>, 0, 0, infinity};
-    if (of.unit == "1/m^2" && of.key == "surface.peak_density")
-        return {put_parameter<Parameter::peak_density>, 0, 0, infinity};
-    if (of.unit.empty() && of.key == "surface.fractal_dimension")
+    if (is_measured(root) || has(root, "surface.rms_gradient") || has(root, "surface.alpha")) return {};
+    if (is("surface.rms_height", "m")) return {put_parameter<Parameter::rms_height>, 0, 0, infinity};
+    if (is("surface.peak_radius", "m")) return {put_parameter<Parameter::peak_radius>, 0, 0, infinity};
+    if (is("surface.peak_density", "1/m^2")) return {put_parameter<Parameter::peak_density>, 0, 0, infinity};
+    if (is("surface.fractal_dimension", ""))
         return {put_parameter<Parameter::fractal_dimension>, 0, 1, scene::greatest_dimension};
     return {};
 }
 
 SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
     for (std::size_t i = 0; i < grid.axes.size(); ++i) setters_.push_back(setter_of(i));
-
-    for (const char* key : {"from", "upper", "lower"}) measured_ = measured_ || has(grid.form->root, "surface", key);
+    measured_ = is_measured(grid.form->root);
 
     // what is wrong with a value is told before anything is computed: the ends of every axis are read
     std::vector<Value> values(grid.axes.size());
@@ -95,15 +91,13 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
     has_stiffness_ = first->stiffness || std::any_of(grid.axes.begin(), grid.axes.end(), [](const Axis& axis) {
                          return axis.key.starts_with("output.");
                      });
-    folds_ = first->points.size() == 1;
-    for (const scene::ChosenLaw& chosen : first->laws)  // boundary elements begin with the solution of the point before
-        folds_ = folds_ && chosen.law->varies;
-    bool found = false;
-    for (std::size_t i = 0; i < setters_.size(); ++i) {
-        if (setters_[i].put == put_point) point_axis_ = i, found = true;
-        if (grid.axes[i].key.starts_with("contact.laws")) folds_ = false;  // another law may not be computed so
-    }
-    folds_ = folds_ && found;
+    const auto point = std::find_if(setters_.begin(), setters_.end(), [](const Setter& one) { return one.put == put_point; });
+    point_axis_ = static_cast<std::size_t>(point - setters_.begin());
+    // boundary elements begin with the solution of the point before, and another law may not be computed so
+    folds_ = point != setters_.end() && first->points.size() == 1 &&
+             std::all_of(first->laws.begin(), first->laws.end(), [](const auto& chosen) { return chosen.law->varies; }) &&
+             std::none_of(grid.axes.begin(), grid.axes.end(),
+                          [](const Axis& axis) { return axis.key.starts_with("contact.laws"); });
     if (grid.tabulate) find_table_range(*first);
 }
 

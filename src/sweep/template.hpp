@@ -5,19 +5,13 @@
 #include "scene/source.hpp"
 #include "sweep/grid.hpp"
 
-#include <string>
-#include <variant>
 #include <vector>
 
 namespace fstiff::sweep {
 
-/// A step of a path: a key, or a place in a list.
-using Step = std::variant<std::string, std::size_t>;
-
 struct Template {
-    toml::table root;                      ///< without [sweep]; swept nodes as they are written
-    std::vector<std::vector<Step>> paths;  ///< of the axes
-    std::vector<toml::array> listed;       ///< of the axes: the nodes of a list; else empty
+    toml::table root;                 ///< without [sweep]; swept nodes as they are written
+    std::vector<toml::array> listed;  ///< of the axes: the nodes of a list; else empty
 };
 
 /// The scene's table with \p values in place of what is swept: what a person would write by hand, in SI.

@@ -25,7 +25,6 @@ pid_t start(const std::vector<std::string>& arguments, int error_to, const Befor
     const pid_t child = fork();
     if (child != 0) return child;
     setenv("TERM", "xterm", 1);
-    setenv("FSTIFF_PROGRESS_DELAY", "0", 1);
     const int nothing = open("/dev/null", O_WRONLY);
     dup2(nothing, STDOUT_FILENO);
     dup2(error_to, STDERR_FILENO);

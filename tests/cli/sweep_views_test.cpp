@@ -120,7 +120,7 @@ TEST_CASE("A sweep shows a bar with its rate and the time left on a terminal") {
         "grid.toml",
         grid("\"0.8 um\"", "\"40 um\"", "pressures = [ { from = \"1 MPa\", to = \"100 MPa\", count = 20000 } ]"));
     const Outcome shown =
-        shell("export TERM=vt100 FSTIFF_PROGRESS_DELAY=0; script -qec \"'" FSTIFF_COMMAND "' sweep '" + file +
+        shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' sweep '" + file +
               "' -o '" + folder / "out" + "'\" /dev/null");
     INFO(shown.out);
     CHECK(shown.status == 0);

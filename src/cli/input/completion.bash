@@ -9,7 +9,10 @@ _fstiff() {
     elif [ "$before" = '=' ] && [ "$COMP_CWORD" -gt 2 ]; then
         before=${COMP_WORDS[COMP_CWORD - 2]}
     fi
-    COMPREPLY=($(compgen -W "$("${COMP_WORDS[0]}" help $command 2>/dev/null | awk -v before="$before" -v current="$current" '
+    COMPREPLY=($(compgen -W "$({
+        "${COMP_WORDS[0]}" help $command 2>/dev/null
+        [ "$command" != help ] || "${COMP_WORDS[0]}" help | sed -n '/^Subcommands:/,/^$/p'
+    } | awk -v before="$before" -v current="$current" '
         # words of {one,two} in the help of an option or argument
         function words() { return match($0, /:[{][^}]*[}]/) ? substr($0, RSTART + 2, RLENGTH - 3) : "" }
         /^  -/ {

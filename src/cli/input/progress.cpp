@@ -29,19 +29,20 @@ public:
     Bar(const Bar&) = delete;
     Bar& operator=(const Bar&) = delete;
     ~Bar() {
-        if (shown_ != Clock::time_point{}) std::cerr << "\r\x1b[K" << std::flush;
+        if (shown_) std::cerr << "\r\x1b[K" << std::flush;
     }
 
     void operator()(std::string_view what, std::size_t done, std::size_t all) {
         const auto now = Clock::now();
         if (what != what_ || done < done_) {  // another part
             what_ = what;
-            begun_ = now;
+            begun_ = next_ = now;
             first_ = done;
         }
         done_ = done;
-        if (now - shown_ < std::chrono::milliseconds(100) || done <= first_ || all == 0) return;
-        shown_ = now;
+        if (now < next_ || done <= first_ || all == 0) return;
+        next_ = now + std::chrono::milliseconds(100);
+        shown_ = true;
         const double share = std::min(static_cast<double>(done) / static_cast<double>(all), 1.0);
         const double rate = static_cast<double>(done - first_) / std::chrono::duration<double>(now - begun_).count();
         const auto full = static_cast<std::size_t>(share * width);
@@ -52,10 +53,10 @@ public:
 
 private:
     static constexpr std::size_t width = 30;
-    bool with_rate_;
+    bool with_rate_, shown_ = false;
     std::string what_;
     std::size_t first_ = 0, done_ = 0;
-    Clock::time_point begun_, shown_{};
+    Clock::time_point begun_, next_;
 };
 
 }  // namespace
