@@ -5,14 +5,12 @@ tests/data, of rows of them, of both with points missing, and of measured files.
 
     tools/make_roughness_reference.py [FOLDER]             writes the table; FOLDER holds the measured files
     tools/make_roughness_reference.py --check [FOLDER]     compares to 1e-9 (a density of 1e-12 of the greatest keeps 1e-16/1e-6 of its amplitude through an FFT); rows of files that are not there are left out
-    tools/make_roughness_reference.py --others [FOLDER]    compares with surfalize and SurfaceTopography, where they are installed
 
     ISO 21920-2:2021, ISO 25178-2:2021; Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001 (spectra, whose
     C_1D/pi and C_2D/(2 pi)^2 are the ones here)
 
 Made with numpy 2.4.6 and scipy 1.17.1. Needs both; without them --check says SKIPPED. Lengths are in metres.
 """
-import argparse
 import csv
 import io
 import math
@@ -303,7 +301,7 @@ def write(folder):
                 rows.writerow([source, parameter, repr(float(value))])
 
 
-def check(folder):
+def compare(folder):
     with TABLE.open() as file:
         expected = list(csv.DictReader(file))
     worst, rows = 0.0, 0
@@ -324,75 +322,5 @@ def check(folder):
     return 1 if worst > 1e-9 else 0
 
 
-def others(folder):
-    """Largest relative deviation of each parameter from other packages."""
-    import warnings
-    warnings.simplefilter("ignore")
-    import surfalize
-    import SurfaceTopography
-    worst = {}
-
-    def compare(name, mine, other):
-        if other is not None and np.isfinite(other):
-            worst[name] = max(worst.get(name, 0.0), abs(other / mine - 1))
-
-    for source in available(folder):
-        z, dx, dy, *_ = SOURCES[source](folder)
-        mine = numbers_of(source, folder)
-        if np.isnan(z).any() or source.endswith("cutoff"):
-            continue
-        if z.ndim == 1:
-            other = surfalize.Profile(z, dx)
-            for name in ("Ra", "Rq", "Rt"):
-                compare("surfalize " + name, mine[name + "_m"], getattr(other, name)())
-            for name in ("Rsk", "Rku", "Rdq"):
-                compare("surfalize " + name, mine[name], getattr(other, name)())
-            if len(z) % 5 == 0:
-                for name in ("Rz", "Rp", "Rv"):
-                    compare("surfalize " + name, mine[name + "_m"], getattr(other, name)())
-            for name in ("Rk", "Rpk", "Rvk"):
-                compare("surfalize " + name, mine[name + "_m"], getattr(other, name)())
-            line = SurfaceTopography.UniformLineScan(z, len(z) * dx, periodic=False)
-            compare("SurfaceTopography Rq", mine["Rq_m"], line.rms_height_from_profile())
-            if fast_size(len(z)) == len(z):
-                line = SurfaceTopography.UniformLineScan(z, len(z) * dx, periodic=True)
-                q, density = line.power_spectrum_from_profile(window=None, resampling_method=None, reliable=False)
-                for k in (1, 5, 60):
-                    if f"psd_none_{k}" in mine:
-                        compare("SurfaceTopography psd, no window", mine[f"psd_none_{k}"], density[k] / np.pi)
-            continue
-        other = surfalize.Surface(z, dx, dy)
-        for name in ("Sa", "Sq", "Sp", "Sv", "Sz", "Sk", "Spk", "Svk"):
-            compare("surfalize " + name, mine[name + "_m"], getattr(other, name)())
-        for name in ("Ssk", "Sku", "Sdq", "Str"):
-            if name in mine:
-                compare("surfalize " + name, mine[name], getattr(other, name)())
-        compare("surfalize Sal", mine["Sal_m"], other.Sal())
-        compare("surfalize Sdr", mine["Sdr"], other.Sdr() / 100)
-        area = SurfaceTopography.Topography(z.T.copy(), (z.shape[1] * dx, z.shape[0] * dy), periodic=True)
-        compare("SurfaceTopography Sq", mine["Sq_m"], area.rms_height_from_area())
-        width = 2 * np.pi / max(z.shape[0] * dy, z.shape[1] * dx)
-        _, density = area.power_spectrum_from_profile(window=None, resampling_method=None, reliable=False)
-        for k in (1, 3, 20, 60):
-            if f"psd_x_none_{k}" not in mine:
-                continue
-            compare("SurfaceTopography psd along x", mine[f"psd_x_none_{k}"], density[k] / np.pi)
-            try:
-                _, radial = area.power_spectrum_from_area(window=None, reliable=False,
-                                                          collocation=np.array([(k - 0.5) * width, (k + 0.5) * width]))
-                compare("SurfaceTopography radial psd", mine[f"psd_none_{k}"], radial[0] / (2 * np.pi) ** 2)
-            except Exception as error:  # noqa: BLE001: shells it does not take are no deviation
-                print(f"{source}: no shell {k} ({error})")
-    for name, value in sorted(worst.items()):
-        print(f"{name:40} {value:.1e}")
-    return 0
-
-
-parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-parser.add_argument("--check", action="store_true")
-parser.add_argument("--others", action="store_true")
-parser.add_argument("folder", nargs="?", type=pathlib.Path)
-arguments = parser.parse_args()
-if arguments.others:
-    sys.exit(others(arguments.folder))
-sys.exit(check(arguments.folder) if arguments.check else write(arguments.folder))
+places = [pathlib.Path(word) for word in sys.argv[1:] if word != "--check"] or [None]
+sys.exit((compare if "--check" in sys.argv else write)(places[0]))
