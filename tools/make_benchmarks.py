@@ -26,19 +26,19 @@ RESULTS = ROOT / "bench" / "results.json"
 COUNTERS = ("rel_err_max", "rel_err_median", "evaluations", "values", "wrong", "beyond_estimate", "ns_median_problem")
 UNIT = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
 
-METHODS = {  # in the order of the tables: what the documents call it
-    "fstiff": "fstiff, one dimension",
-    "fstiff-tensor": "fstiff, two dimensions",
-    "fstiff-paper": "fstiff, the paper's 50 x 50 points",
-    "gauss_legendre-fitted": "Gauss-Legendre by hand, nodes for each problem",
-    "gauss_legendre-tuned": "Gauss-Legendre by hand, nodes for the grid",
-    "gauss_legendre-eigen": "Gauss-Legendre on a box, Eigen arrays",
-    "gauss_legendre-scalar": "Gauss-Legendre on a box, scalar",
-    "gsl-1d": "GSL qag, one dimension, U(a,b,x)",
-    "gsl-nested_qag": "GSL qag in qag",
-    "gsl-nested_cquad": "GSL cquad in cquad",
-    "cubature": "cubature (pcubature)",
-    "boost-exp_sinh": "Boost exp_sinh in exp_sinh",
+METHODS = {  # in the order of the tables: what the documents call it; in the picture: colour on light, colour on dark, marker
+    "fstiff": ("fstiff, one dimension", ("#b3261e", "#ff8a80", "circle")),
+    "fstiff-tensor": ("fstiff, two dimensions", ("#c2571a", "#ffb27a", "square")),
+    "fstiff-paper": ("fstiff, the paper's 50 x 50 points", None),
+    "gauss_legendre-fitted": ("Gauss-Legendre by hand, nodes for each problem", ("#0b5d3b", "#7be0ae", "cross")),
+    "gauss_legendre-tuned": ("Gauss-Legendre by hand, nodes for the grid", ("#1b7f54", "#5ccf97", "triangle")),
+    "gauss_legendre-eigen": ("Gauss-Legendre on a box, Eigen arrays", ("#5b7f1b", "#bcdc6e", "diamond")),
+    "gauss_legendre-scalar": ("Gauss-Legendre on a box, scalar", ("#7a6a00", "#e0cf5a", "diamond")),
+    "gsl-1d": ("GSL qag, one dimension, U(a,b,x)", ("#0b57a4", "#7db8ff", "circle")),
+    "gsl-nested_qag": ("GSL qag in qag", ("#2f6fd0", "#a9cbff", "square")),
+    "gsl-nested_cquad": ("GSL cquad in cquad", ("#3d3fa8", "#b3b5ff", "triangle")),
+    "cubature": ("cubature (pcubature)", ("#7a2f9e", "#dba4f5", "circle")),
+    "boost-exp_sinh": ("Boost exp_sinh in exp_sinh", ("#9c2470", "#f59acb", "square")),
 }
 
 
@@ -128,64 +128,61 @@ class Report:
 
     def targets(self):
         """(target, measured, met) for each target; met is None where nothing was measured."""
+        ns, row = self.ns, lambda name: self.rows.get(name, {})
+        four, hard = (row(f"integrals/fstiff/four/{grid}/1e-12") for grid in ("plain", "hard"))
         out = []
-        four = self.rows.get("integrals/fstiff/four/plain/1e-12", {})
-
-        def over(text, peer, least):
-            other = self.ns("integrals/" + peer)
-            if not (other and four.get("ns")):
-                out.append((text, "peer not found", None))
-                return
-            times = other / four["ns"]
-            out.append((f"{text}: at least {least} times faster", f"{ratio(times)} times ({show_time(four['ns'])} against {show_time(other)})", times >= least))
-
-        if four:
-            out.append(("four integrals, plain grid: relative error at most 1e-12", show_error(four["rel_err_max"]), four["rel_err_max"] <= 1e-12))
-        over("than Gauss-Legendre tuned by hand, fewest nodes for the grid", "gauss_legendre-tuned/four/plain/1e-12", 10)
-        over("than the same with the nodes fitted to each problem", "gauss_legendre-fitted/four/plain/1e-12", 10)
-        over("than GSL in one dimension", "gsl-1d/four/plain/1e-12", 150)
-        over("than GSL cquad in cquad", "gsl-nested_cquad/four/plain/1e-12", 5000)
 
         def at_most(text, value, limit, show):
-            out.append((f"{text}: at most {show(limit)}", "not measured" if value is None else show(value), None if value is None else value <= limit))
+            out.append((f"{text} at most {show(limit)}", "not measured" if value is None else show(value), None if value is None else value <= limit))
 
-        coarse = self.ns("integrals/fstiff/four/plain/1e-03")
-        if coarse and four.get("ns"):
+        def faster(text, peer, least):
+            other = ns(f"integrals/{peer}/four/plain/1e-12")
+            times = other / four["ns"] if other and "ns" in four else None
+            out.append((f"{text}: at least {least} times faster", times and f"{ratio(times)} times ({show_time(four['ns'])} against {show_time(other)})" or
+                        "peer not found", times and times >= least))
+
+        def total(key, rows):
+            found = [row[key] for row in rows if key in row]
+            return sum(found) if found else None
+
+        count = lambda n: f"{n:.0f}"
+        starting = lambda prefix: [row for name, row in self.rows.items() if name.startswith(prefix)]
+        at_most("four integrals, plain grid: relative error", four.get("rel_err_max"), 1e-12, show_error)
+        faster("than Gauss-Legendre tuned by hand, fewest nodes for the grid", "gauss_legendre-tuned", 10)
+        faster("than the same with the nodes fitted to each problem", "gauss_legendre-fitted", 10)
+        faster("than GSL in one dimension", "gsl-1d", 150)
+        faster("than GSL cquad in cquad", "gsl-nested_cquad", 5000)
+        coarse = ns("integrals/fstiff/four/plain/1e-03")
+        if coarse and "ns" in four:
             out.append(("tolerance 1e-3 cheaper than 1e-12: at least 4 times", f"{ratio(four['ns'] / coarse)} times", four["ns"] / coarse >= 4))
-        hard = self.rows.get("integrals/fstiff/four/hard/1e-12", {})
-        at_most("four integrals, hard grid: largest relative error", hard.get("rel_err_max"), 1e-12, show_error)
-        at_most("hard grid: median over the problems, per value", hard["ns_median_problem"] / 4 if "ns_median_problem" in hard else None, 1000, show_time)
-        beyond = [row["beyond_estimate"] for name, row in self.rows.items() if name.startswith("integrals/fstiff/") and "beyond_estimate" in row]
-        at_most("values beyond their error estimate, both grids", sum(beyond) if beyond else None, 0, lambda n: f"{n:.0f}")
-        for which in ("stiffness_of_pressure", "pressure_and_stiffness_of_gap"):
-            text = "K(p)" if which.startswith("stiffness") else "{p, K}(gap)"
-            at_most(f"tabulated law, {text}, scalar", self.ns(f"law/{which}/scalar"), 8, show_time)
-            at_most(f"tabulated law, {text}, batch", self.ns(f"law/{which}/batch"), 1.5 if text == "K(p)" else 2.5, show_time)
-        law = [row["rel_err_max"] for name, row in self.rows.items() if name.startswith("law/")]
-        at_most("tabulated law: relative error", max(law) if law else None, 1e-10, show_error)
-        at_most("tabulated law: build", self.ns("law/compile"), 50e3, show_time)
-        at_most("heap allocations of an evaluation (bench/baseline.csv)", self.allocations(), 0, lambda n: f"{n:.0f}")
-        at_most("kernel in two dimensions, smooth law of a user, 1e-12", self.ns("kernel/gradual_yield/1e-12"), 2e3, show_time)
-        at_most("the same, law that names its kink, 1e-6", self.ns("kernel/elastic_plastic/1e-06"), 10e3, show_time)
-        at_most("the same, law that names its kink, 1e-10", self.ns("kernel/elastic_plastic/1e-10"), 25e3, show_time)
-        at_most("a contact at a pressure, all quantities", self.ns("contact/at_pressure/all"), 2e3, show_time)
-        kink = [self.rows[name] for name in self.rows if name.startswith("kernel/elastic_plastic/")]
-        if kink:
-            at_most("kernel, law with a kink: values beyond their error estimate", sum(row.get("beyond_estimate", 0) for row in kink), 0,
-                    lambda n: f"{n:.0f} of {sum(row['values'] for row in kink):.0f}" if n else "0")
+        at_most("four integrals, hard grid: largest relative error:", hard.get("rel_err_max"), 1e-12, show_error)
+        at_most("hard grid: median over the problems, per value:", hard["ns_median_problem"] / 4 if "ns_median_problem" in hard else None, 1000, show_time)
+        at_most("values beyond their error estimate, both grids:", total("beyond_estimate", starting("integrals/fstiff/")), 0, count)
+        for text, which, batch in (("K(p)", "stiffness_of_pressure", 1.5), ("{p, K}(gap)", "pressure_and_stiffness_of_gap", 2.5)):
+            at_most(f"tabulated law, {text}, scalar:", ns(f"law/{which}/scalar"), 8, show_time)
+            at_most(f"tabulated law, {text}, batch:", ns(f"law/{which}/batch"), batch, show_time)
+        at_most("tabulated law: relative error:", max((row["rel_err_max"] for row in starting("law/")), default=None), 1e-10, show_error)
+        kink = starting("kernel/elastic_plastic/")
+        of_all = lambda n: f"{n:.0f} of {total('values', kink):.0f}" if n else "0"
+        for text, value, limit, show in (
+                ("tabulated law: build:", ns("law/compile"), 50e3, show_time),
+                ("heap allocations of an evaluation (bench/baseline.csv):", self.allocations(), 0, count),
+                ("kernel in two dimensions, smooth law of a user, 1e-12:", ns("kernel/gradual_yield/1e-12"), 2e3, show_time),
+                ("the same, law that names its kink, 1e-6:", ns("kernel/elastic_plastic/1e-06"), 10e3, show_time),
+                ("the same, law that names its kink, 1e-10:", ns("kernel/elastic_plastic/1e-10"), 25e3, show_time),
+                ("a contact at a pressure, all quantities:", ns("contact/at_pressure/all"), 2e3, show_time),
+                ("kernel, law with a kink: values beyond their error estimate:", total("beyond_estimate", kink), 0, of_all)):
+            at_most(text, value, limit, show)
         portable = (self.results.get("portable") or {}).get("ns", {})
         for name, text in (("integrals/fstiff/four/plain/1e-12", "four integrals"), ("kernel/gradual_yield/1e-12", "kernel, smooth law"),
                            ("law/stiffness_of_pressure/scalar", "tabulated law")):
-            slower = portable[name] / self.ns(name) if name in portable and self.ns(name) else None
-            at_most(f"{text}: plain -O2 slower than -O3 -march=native", slower, 4, lambda x: f"{ratio(x)} times")
+            slower = portable[name] / ns(name) if name in portable and ns(name) else None
+            at_most(f"{text}: plain -O2 slower than -O3 -march=native:", slower, 4, lambda x: f"{ratio(x)} times")
         return out
 
     @staticmethod
     def allocations():
-        path = ROOT / "bench" / "baseline.csv"
-        if not path.exists():
-            return None
-        return sum(int(row["allocations"]) for row in csv.DictReader(path.open()) if row["row"] != "law/compile")
+        return sum(int(row["allocations"]) for row in csv.DictReader((ROOT / "bench" / "baseline.csv").open()) if row["row"] != "law/compile")
 
     def source(self):
         r = self.results
@@ -204,7 +201,7 @@ class Report:
             lines += [f"## {title}", ""]
             body = []
             for method, setting, row in found:
-                line = [METHODS[method], setting, *cells(row), ratio(row["ns"] / base) if "ns" in row and base else ""]
+                line = [METHODS[method][0], setting, *cells(row), ratio(row["ns"] / base) if "ns" in row and base else ""]
                 if grid == "hard":
                     line.append(f"{row['wrong']:.0f} of {row['values']:.0f}" if setting == "1e-12" else "")
                 body.append(line)
@@ -243,23 +240,8 @@ class Report:
 
 # ---------------------------------------------------------------- picture
 
-CURVES = {  # method: colour on light, colour on dark, marker
-    "fstiff": ("#b3261e", "#ff8a80", "circle"),
-    "fstiff-tensor": ("#c2571a", "#ffb27a", "square"),
-    "gauss_legendre-fitted": ("#0b5d3b", "#7be0ae", "cross"),
-    "gauss_legendre-tuned": ("#1b7f54", "#5ccf97", "triangle"),
-    "gauss_legendre-eigen": ("#5b7f1b", "#bcdc6e", "diamond"),
-    "gauss_legendre-scalar": ("#7a6a00", "#e0cf5a", "diamond"),
-    "gsl-1d": ("#0b57a4", "#7db8ff", "circle"),
-    "gsl-nested_qag": ("#2f6fd0", "#a9cbff", "square"),
-    "gsl-nested_cquad": ("#3d3fa8", "#b3b5ff", "triangle"),
-    "cubature": ("#7a2f9e", "#dba4f5", "circle"),
-    "boost-exp_sinh": ("#9c2470", "#f59acb", "square"),
-}
-
-
 def picture(report):
-    curves = {method: [] for method in CURVES}
+    curves = {method: [] for method, (_, look) in METHODS.items() if look}
     for method, _, row in report.integrals("four", "plain"):
         if method in curves and "ns" in row:
             curves[method].append((float(row["rel_err_max"]), row["ns"]))
@@ -267,7 +249,7 @@ def picture(report):
     errors, times = zip(*(point for points in curves.values() for point in points))
     ends = lambda values: (math.floor(math.log10(min(values))), math.ceil(math.log10(max(values))))
     (best, worst), (fastest, slowest) = ends(errors), ends(times)
-    out = Picture(1040, 572, "Time of four contact integrals against the largest relative error, for fstiff and other methods", [CURVES[m] for m in curves])
+    out = Picture(1040, 572, "Time of four contact integrals against the largest relative error, for fstiff and other methods", [METHODS[m][1] for m in curves])
     out.text(80, 28, "Four contact integrals, cold, plain grid: time against error", 'class="title"')
     place = out.frame(80, 56, 560, 440,
                       Axis("largest relative error on the grid (right: more digits)", 10.0**worst, 10.0**best, powers(best, worst, 2)),
@@ -277,7 +259,7 @@ def picture(report):
         out.curve(i, [place(*point) for point in points])
     slow_first = sorted(enumerate(curves), key=lambda at: -min(ns for _, ns in curves[at[1]]))
     for line, (i, method) in enumerate(slow_first):
-        out.sample(i, 664, 70 + 27 * line, METHODS[method])
+        out.sample(i, 664, 70 + 27 * line, METHODS[method][0])
     results = report.results
     out.text(80, 562, f"{results['machine']}; {results['compiler']} {results['flags']}", 'class="small"')
     return out

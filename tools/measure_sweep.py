@@ -4,11 +4,10 @@
 
     python3 tools/measure_sweep.py build/release/bin/fstiff [--scenes 300000] [--memory 10000000]
 
-"per core second" divides by the processor time that the command took, so that it says the same on a busy machine; "per
+"per core second" divides by the processor time that the command took, so that it is the same on a busy machine; "per
 second" by the time on the wall. Every result is compared with that of one thread, byte for byte, before its time counts.
 """
 import argparse
-import hashlib
 import os
 import pathlib
 import platform
@@ -62,84 +61,59 @@ CASES = {
 }
 
 
-def grid(folder, count, changes):
-    file = folder / "grid.toml"
-    file.write_text(BASE.format(**{**PLAIN, **changes}))
-    return file
-
-
-def sweep(fstiff, file, out, threads):
-    """Wall time, processor time [s] and the greatest memory [MB] of one run, and the hash of its results."""
-    for old in (out, pathlib.Path(f"{out}.sweep")):
-        old.unlink(missing_ok=True)
+def run(*command):
+    """Wall time, processor time [s] and greatest memory [MB] of one run."""
     begun = time.monotonic()
-    child = subprocess.Popen(
-        [fstiff, "sweep", file, "-o", out, "--threads", str(threads)],
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
+    child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(child.pid, 0)
     child.returncode = os.waitstatus_to_exitcode(status)
-    wall = time.monotonic() - begun
     if child.returncode != 0:
         raise SystemExit(f"exit code {child.returncode}")
-    with open(out, "rb") as stream:
-        found = hashlib.file_digest(stream, "sha256").hexdigest()
-    return wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, found
-
-
-def measure_merge(fstiff, folder, count, shards):
-    """Prints how quickly shards are checked and joined, and how quickly an interrupted run finds its place."""
-    file = grid(folder, count, CASES["four integrals, separations of one surface"](count))
-    parts = [folder / f"part-{i}" for i in range(1, shards + 1)]
-    for i, part in enumerate(parts, 1):
-        command = [fstiff, "sweep", file, "--shard", f"{i}/{shards}", "-o", part]
-        subprocess.run(command, check=True, capture_output=True)
-    begun = time.monotonic()
-    subprocess.run([fstiff, "merge", *parts, "-o", folder / "all"], check=True, capture_output=True)
-    seconds = time.monotonic() - begun
-    size = (folder / "all").stat().st_size
-    print(f"\nmerging {shards} shards: {size / 1e6 / seconds:.0f} MB/s of results")
-    for part in parts:
-        part.unlink()
-        pathlib.Path(f"{part}.sweep").unlink()
+    return time.monotonic() - begun, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("fstiff")
     parser.add_argument("--scenes", type=int, default=300000)
-    parser.add_argument("--memory", type=int, default=10000000, help="scenes of the run whose memory is told; 0: none")
+    parser.add_argument("--memory", type=int, default=10000000, help="scenes of the run whose memory is measured; 0: none")
     parser.add_argument("--folder", help="where results are written; the default is that of temporary files")
-    arguments = parser.parse_args()
+    options = parser.parse_args()
     model = next((line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "")
     print(f"{platform.machine()}, {model}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the beginning\n")
     print("| scenes | per core second, 1 thread | 2 threads | per second, 1 thread | 2 threads | bytes a line | memory [MB] |")
     print("|---|---|---|---|---|---|---|")
-    with tempfile.TemporaryDirectory(dir=arguments.folder) as name:
-        folder = pathlib.Path(name)
+    with tempfile.TemporaryDirectory(dir=options.folder) as name:
+        folder, n = pathlib.Path(name), options.scenes
+        file, results, first = folder / "grid.toml", folder / "results", next(iter(CASES.values()))
+
+        def sweep(changes, *more):
+            """The times of a sweep from its beginning."""
+            for old in (results, pathlib.Path(f"{results}.sweep")):
+                old.unlink(missing_ok=True)
+            file.write_text(BASE.format(**PLAIN | changes))
+            return run(options.fstiff, "sweep", file, "-o", results, *more)
+
         for title, changes in CASES.items():
-            n = arguments.scenes
-            file = grid(folder, n, changes(n))
-            one = sweep(arguments.fstiff, file, folder / "one", 1)
-            two = sweep(arguments.fstiff, file, folder / "two", 2)
-            if one[3] != two[3]:
+            one = sweep(changes(n), "--threads", "1")
+            lines = results.read_bytes()
+            two = sweep(changes(n), "--threads", "2")
+            if results.read_bytes() != lines:
                 raise SystemExit(f"{title}: two threads have other results than one")
-            size = (folder / "one").stat().st_size / n
             rates = " | ".join(f"{n / seconds:.2g}" for seconds in (one[1], two[1], one[0], two[0]))
-            print(f"| {title} | {rates} | {size:.0f} | {two[2]:.0f} |", flush=True)
+            print(f"| {title} | {rates} | {len(lines) / n:.0f} | {two[2]:.0f} |", flush=True)
         for shards in (1, 4):
-            measure_merge(arguments.fstiff, folder, arguments.scenes, shards)
-        if arguments.memory:
-            n = arguments.memory
-            lean = {"more": '[output]\nquantities = ["stiffness"]'}
-            changes = {**CASES["four integrals, separations of one surface"](n), **lean}
-            wall, processor, memory, _ = sweep(arguments.fstiff, grid(folder, n, changes), folder / "many", 2)
-            size = (folder / "many").stat().st_size
-            print(
-                f"\n{n:.0e} scenes with K alone: {wall:.0f} s with 2 threads, {n / processor:.3g} per core second, "
-                f"{memory:.0f} MB of memory, {size / 1e9:.2f} GB of results"
-            )
+            file.write_text(BASE.format(**PLAIN | first(n)))
+            parts = [folder / f"part-{shards}-{i}" for i in range(1, shards + 1)]
+            for i, part in enumerate(parts, 1):
+                run(options.fstiff, "sweep", file, "--shard", f"{i}/{shards}", "-o", part)
+            seconds = run(options.fstiff, "merge", *parts, "-o", folder / "all")[0]
+            print(f"\nmerging {shards} shards: {(folder / 'all').stat().st_size / 1e6 / seconds:.0f} MB/s of results")
+        if options.memory:
+            n = options.memory
+            wall, processor, memory = sweep(first(n) | {"more": '[output]\nquantities = ["stiffness"]'}, "--threads", "2")
+            print(f"\n{n:.0e} scenes with K alone: {wall:.0f} s with 2 threads, {n / processor:.3g} per core second, "
+                  f"{memory:.0f} MB of memory, {results.stat().st_size / 1e9:.2f} GB of results")
 
 
 if __name__ == "__main__":
