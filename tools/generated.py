@@ -97,6 +97,24 @@ class Picture:
         return place
 
 
+def legendre(points, tolerance, number=float, cosine=lambda share: math.cos(math.pi * share)):
+    """Nodes and weights of Gauss and Legendre on (-1, 1), by Newton's method; cosine: of a share of pi."""
+    rule = []
+    for i in range(points):
+        x, step = cosine((i + number(3) / 4) / (points + number(1) / 2)), 1
+        for _ in range(100):
+            below, here = number(1), x
+            for n in range(2, points + 1):
+                below, here = here, ((2 * n - 1) * x * here - (n - 1) * below) / n
+            slope = points * (x * here - below) / (x * x - 1)
+            if abs(step) < tolerance:
+                break
+            step = here / slope
+            x -= step
+        rule.append((x, 2 / ((1 - x * x) * slope * slope)))
+    return rule
+
+
 def table(head, lines):
     """Lines of a table of Markdown whose numbers stand at the right."""
     return ["| " + " | ".join(line) + " |" for line in (head, ["---"] + ["---:"] * (len(head) - 1), *lines)] + [""]

@@ -28,23 +28,15 @@ def maps():
         for hurst in ALL:
             for roll_off, waves in ((4, "none"), (8, "none"), (16, "none"), (8, "plateau"), (16, "plateau")):
                 yield hurst, roll_off, waves, 64, 256, seed
-    for hurst in ("0.8", "0.2"):
-        yield hurst, 4, "none", 64, 512, 1
-    yield "0.8", 4, "none", 256, 1024, 1
-    for seed in (1, 2, 3):
-        for hurst in ("0.8", "0.999"):
-            yield hurst, 4, "none", 128, 512, seed
-    for hurst, seed in (("0.999", 1), ("0.8", 1), ("0.999", 2)):
-        yield hurst, 2, "none", 256, 1024, seed
-    yield "0.8", 4, "none", 512, 2048, 1
-    for hurst, seed in (("0.999", 1), ("0.8", 2), ("0.5", 1), ("0.999", 2), ("0.8", 3)):
-        yield hurst, 4, "none", 256, 1024, seed
-    yield "0.999", 4, "none", 512, 2048, 1
-    for seed in (1, 2, 3):
-        for hurst in ("0.2", "0.5"):
-            yield hurst, 4, "none", 128, 512, seed
-    for hurst in ("0.999", "0.8"):  # alpha of 500 to 1000
-        yield hurst, 2, "none", 512, 2048, 1
+    for roll_off, cut_off, points, which in (
+            (4, 64, 512, (("0.8", 1), ("0.2", 1))), (4, 256, 1024, (("0.8", 1),)),
+            (4, 128, 512, [(hurst, seed) for seed in (1, 2, 3) for hurst in ("0.8", "0.999")]),
+            (2, 256, 1024, (("0.999", 1), ("0.8", 1), ("0.999", 2))), (4, 512, 2048, (("0.8", 1),)),
+            (4, 256, 1024, (("0.999", 1), ("0.8", 2), ("0.5", 1), ("0.999", 2), ("0.8", 3))), (4, 512, 2048, (("0.999", 1),)),
+            (4, 128, 512, [(hurst, seed) for seed in (1, 2, 3) for hurst in ("0.2", "0.5")]),
+            (2, 512, 2048, (("0.999", 1), ("0.8", 1)))):  # alpha of 500 to 1000
+        for hurst, seed in which:
+            yield hurst, roll_off, "none", cut_off, points, seed
 
 
 def key(row):

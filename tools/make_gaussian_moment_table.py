@@ -21,9 +21,10 @@ Needs mpmath. Usage: tools/make_gaussian_moment_table.py [--check]; --check comp
 """
 import pathlib
 import sys
+from itertools import zip_longest
 
 try:
-    from mpmath import cos, erf, exp, floor, gamma, log10, mp, mpf, nstr, pcfd, pi, sqrt
+    from mpmath import binomial, cos, erf, exp, floor, gamma, log10, mp, mpf, nstr, pcfd, pi, sqrt
 except ImportError:
     print("SKIPPED: there is no mpmath (Debian package python3-mpmath)")
     sys.exit(0 if "--check" in sys.argv else 1)
@@ -46,25 +47,15 @@ def moment(a, x):
     return gamma(a + 1) * exp(-x * x / 4) * pcfd(-a - 1, x)
 
 
-def right_far(a, s):
-    """sum of (-1)^n (a+1)_2n Gamma(a+1) (s/2)^n / n!, s = 1/x^2; asymptotic, 1e-30 at s = 1/900."""
-    total, term = mpf(0), gamma(a + 1)
+def far(a, s, side):
+    """Asymptotic in s = 1/x^2, 1e-30 at s = 1/900: right (side 1) the sum of (-1)^n (a+1)_2n Gamma(a+1) (s/2)^n/n!, left (side -1) of
+    (-a)_2n sqrt(2 pi) (s/2)^n/n!, which leaves out what is exp(-x^2/2) smaller."""
+    total, term = mpf(0), gamma(a + 1) if side > 0 else sqrt(2 * pi)
+    first = a + 1 if side > 0 else -a
     for n in range(60):
         total += term
-        following = -term * (a + 1 + 2 * n) * (a + 2 + 2 * n) * s / (2 * (n + 1))
+        following = -side * term * (first + 2 * n) * (first + 1 + 2 * n) * s / (2 * (n + 1))
         if abs(following) >= abs(term):
-            break
-        term = following
-    return total
-
-
-def left_far(a, s):
-    """sum of (-a)_2n sqrt(2 pi) (s/2)^n / n!; what is left out is exp(-x^2/2) smaller."""
-    total, term = mpf(0), sqrt(2 * pi)
-    for n in range(60):
-        total += term
-        following = term * (a - 2 * n) * (a - 2 * n - 1) * s / (2 * (n + 1))
-        if abs(following) >= abs(term) > 0:
             break
         term = following
     return total
@@ -81,43 +72,28 @@ def chebyshev(f, low, high, points=26):
 
 def powers(c):
     """Coefficients of u^0, u^1, ... of the Chebyshev series c."""
-    previous, current = [mpf(1)], [mpf(0), mpf(1)]
-    out = [mpf(0)] * len(c)
+    previous, current, out = [mpf(1)], [mpf(0), mpf(1)], [mpf(0)] * len(c)
     out[0] += c[0]
     for j in range(1, len(c)):
         for i, t in enumerate(current):
             out[i] += c[j] * t
-        doubled = [mpf(0)] + [2 * t for t in current]
-        for i, t in enumerate(previous):
-            doubled[i] -= t
-        previous, current = current, doubled
+        previous, current = current, [t - u for t, u in zip_longest([mpf(0), *(2 * t for t in current)], previous, fillvalue=mpf(0))]
     return out
 
 
 def piece(f, low, high, terms, start_at_low=False):
     """Coefficients in powers of the distance from the middle (from \\p low), and the relative errors of cutting them."""
     half = (high - low) / 2
-    local = powers(chebyshev(f, low, high)[:terms])
+    exact = chebyshev(f, low, high)
+    local = powers(exact[:terms])
     size = abs(local[0])
     out, reach = [c / half**n for n, c in enumerate(local)], half
     if start_at_low:  # powers of u = (s - half)/half into powers of s
         reach = high - low
-        shifted = [mpf(0)] * terms
-        power = [mpf(1)]
-        for c in local:
-            for i, t in enumerate(power):
-                shifted[i] += c * t
-            grown = [mpf(0)] * (len(power) + 1)
-            for i, t in enumerate(power):
-                grown[i] -= t
-                grown[i + 1] += t / half
-            power = grown
-        out = shifted
+        out = [sum(c * binomial(n, i) * (-1) ** (n - i) for n, c in enumerate(local)) / half**i for i in range(terms)]
     sizes = [abs(c) * reach**n / size for n, c in enumerate(out)]
-    cuts = [sum(sizes[n:]) for n in range(terms)]
-    exact = chebyshev(f, low, high)
     last = sum(abs(c) for c in exact[terms:]) / size
-    return out, [cut + last for cut in cuts] + [last], sizes
+    return out, [sum(sizes[n:]) + last for n in range(terms)] + [last], sizes
 
 
 def text(c, size, digits, suffix):
@@ -133,12 +109,9 @@ def pieces_of(a, terms):
             octave = mpf(2) ** (1 + i // PER_OCTAVE)
             low = octave * (1 + i % PER_OCTAVE * width) - 2
             high = low + octave * width
-            if side > 0:
-                yield piece(lambda x: exp(x * x / 2) * moment(a, x), low, high, terms)
-            else:
-                yield piece(lambda x: moment(a, -x), low, high, terms)
-        far = right_far if side > 0 else left_far
-        yield piece(lambda s: far(a, s), mpf(0), mpf(1) / END**2, terms, start_at_low=True)
+            of = (lambda x: exp(x * x / 2) * moment(a, x)) if side > 0 else (lambda x: moment(a, -x))
+            yield piece(of, low, high, terms)
+        yield piece(lambda s: far(a, s, side), mpf(0), mpf(1) / END**2, terms, start_at_low=True)
 
 
 def rows(columns, terms, digits, suffix):

@@ -12,7 +12,8 @@ import csv
 import math
 import sys
 
-from generated import ROOT, Axis, Picture, between_markers, powers, table, write_or_check
+from generated import ROOT, Axis, Picture, between_markers, legendre, powers, table, write_or_check
+from search_peak_nodes import moments, smooth as smooth_map
 
 DOCS = ROOT / "docs"
 FLOOR = 3e-14
@@ -28,19 +29,13 @@ LOOKS = (("#1f6fb4", "#6fb1ee", "circle"), ("#c2571a", "#f0965a", "square"), ("#
 # ---------------------------------------------------------------- the integral J[1/2,-1/2]
 
 
-def inner(x):
-    """F_1/2(x) = int_0^inf 2 w^2 exp(-(w^2+x)^2/2) dw: even and entire in w, so that a plain sum is exact."""
-    step, last = 0.05, math.sqrt(max(-x, 0) + 9)
-    return step * sum(2 * (w := j * step)**2 * math.exp(-((w * w + x)**2) / 2) for j in range(1, int(last / step) + 1))
-
-
 def outer(problem, t):
     """The integrand over t, without 1/(2 theta)."""
     r, theta, eta = problem
     if t <= 0:
         return 0.0
     c = math.sqrt((1 - r) * (1 + r))
-    return math.sqrt(c) * t**-0.5 * math.erf(t * math.tan(theta) / math.sqrt(2)) * math.exp(-t * t / 2) * inner((eta - r * t) / c)
+    return math.sqrt(c) * t**-0.5 * math.erf(t * math.tan(theta) / math.sqrt(2)) * math.exp(-t * t / 2) * moments((eta - r * t) / c)[1]
 
 
 def substitution(kind, problem, y):
@@ -48,9 +43,7 @@ def substitution(kind, problem, y):
     r, theta, eta = problem
     c = math.sqrt((1 - r) * (1 + r))
     if kind == "smooth":
-        fall = 0.4 * math.exp(-1.354 * y)
-        v = y - fall
-        return 2.1 * (max(v, 0) + math.log1p(math.exp(-abs(v)))), 2.1 * (1 + 1.354 * fall) * (1 / (1 + math.exp(-v)) if v > -700 else 0.0)
+        return smooth_map(y)
     if kind == "graded":
         scale = min(1, math.sqrt(2) / math.tan(theta), c + max(0, -eta))
         t = scale * math.exp(y - math.exp(-y))
@@ -64,23 +57,6 @@ def after(problem, kind, y):
     return outer(problem, t) * slope
 
 
-def legendre(n):
-    """Nodes and weights on (-1, 1)."""
-    rule = []
-    for i in range(n):
-        x = math.cos(math.pi * (i + 0.75) / (n + 0.5))
-        for _ in range(100):
-            a, b = 1.0, x
-            for k in range(2, n + 1):
-                a, b = b, ((2 * k - 1) * x * b - (k - 1) * a) / k
-            slope = n * (x * b - a) / (x * x - 1)
-            x, old = x - b / slope, x
-            if abs(x - old) < 1e-16:
-                break
-        rule.append((x, 2 / ((1 - x * x) * slope * slope)))
-    return rule
-
-
 def density(r, theta, zeta, t):
     c2 = (1 - r) * (1 + r)
     return math.erf(t * math.tan(theta) / math.sqrt(2)) / (2 * theta * math.sqrt(2 * math.pi * c2) / math.sqrt(2 * math.pi)) * math.exp(
@@ -90,7 +66,7 @@ def density(r, theta, zeta, t):
 def box(problem, n, size=8.0):
     """Gauss and Legendre's n x n points on 0 <= t <= 8, eta <= zeta <= eta + 8."""
     r, theta, eta = problem
-    rule = [((x + 1) * size / 2, w * size / 2) for x, w in legendre(n)]
+    rule = [((x + 1) * size / 2, w * size / 2) for x, w in legendre(n, 1e-15)]
     return sum(wt * we * math.sqrt(e / t) * density(r, theta, eta + e, t) for t, wt in rule for e, we in rule)
 
 

@@ -23,6 +23,8 @@ import pathlib
 import random
 import sys
 
+from generated import legendre
+
 try:
     from mpmath import erf, erfc, exp, floor, gamma, log10, mp, mpf, nstr, pcfd, pi, sqrt, tan
 except ImportError:
@@ -34,24 +36,6 @@ TABLES = ("integrals_plain.csv", "integrals_hard.csv")
 MOMENTS = "gw_gaussian.csv"
 POWERS = ((0, 0), (mpf(1) / 2, -mpf(1) / 2), (mpf(3) / 2, -mpf(1) / 2), (1, -1))  # (a, b), of all rows
 POINTS = 24
-
-
-def legendre(points):
-    """Nodes and weights on (-1, 1), by Newton's method."""
-    out = []
-    for i in range(points):
-        x = mp.cos(pi * (i + mpf(3) / 4) / (points + mpf(1) / 2))
-        for _ in range(12):
-            below, here = mpf(1), x
-            for n in range(2, points + 1):
-                below, here = here, ((2 * n - 1) * x * here - (n - 1) * below) / n
-            slope = points * (x * here - below) / (x * x - 1)
-            step = here / slope
-            x -= step
-            if abs(step) < mpf(10) ** (4 - mp.dps):
-                break
-        out.append((x, 2 / ((1 - x * x) * slope**2)))
-    return out
 
 
 def moment(a, x):
@@ -75,7 +59,7 @@ def integrals(r, theta, eta, agree):
     """The four of POWERS."""
     r, theta, eta = mpf(r), mpf(theta), mpf(eta)
     c, k = sqrt((1 - r) * (1 + r)), tan(theta) / sqrt(2)
-    rule = legendre(POINTS)
+    rule = legendre(POINTS, mpf(10) ** (4 - mp.dps), mpf, mp.cospi)
 
     def integrand(s):
         t = s * s

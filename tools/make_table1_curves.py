@@ -14,16 +14,14 @@ tools/make_reference_integrals.py, the surfaces from Table 1 of the paper, and b
 
 Needs mpmath; without it --check says SKIPPED.
 """
-import argparse
 import csv
-import pathlib
 import random
 import sys
 
 import make_reference_integrals as reference  # says SKIPPED, and ends, without mpmath
 from mpmath import mp, mpf, pi, sqrt
 
-TABLE = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data" / "table1_curves.csv"
+TABLE = reference.DATA / "table1_curves.csv"
 # sigma [m], R [m], D_p [1/m^2], D
 SURFACES = {
     "sand_blasted_fine": ("0.832e-6", "40e-6", "500e6", "1.62"),
@@ -44,23 +42,15 @@ def state(row, eta):
             mpf(2) / 3 * (3 - dimension) / (2 - dimension) * hertz, hertz, pi * density * sigma / s * area, density * contacts)
 
 
-def check(count):
-    with TABLE.open() as file:
-        rows = list(csv.DictReader(file))
-    worst = mpf(0)
-    for row in random.Random(2014).sample(rows, min(count, len(rows))):
-        for column, value in zip(COLUMNS, state(row, mpf(row["eta"]))):
-            error = abs(value / mpf(row[column]) - 1)
-            worst = max(worst, error)
-            if error > mpf("1e-10"):
-                print(f"{row}: {column} is {mp.nstr(value, 12)}")
-    print(f"{count} rows, the worst value off by {mp.nstr(worst, 3)}")
-    return 1 if worst > mpf("1e-10") else 0
+def check(rows, count):
+    rows = random.Random(2014).sample(rows, min(count, len(rows)))
+    errors = [(abs(value / mpf(row[column]) - 1), column, row) for row in rows for column, value in zip(COLUMNS, state(row, mpf(row["eta"])))]
+    worst, column, row = max(errors, key=lambda error: error[0])
+    print(f"{len(rows)} rows, the worst value off by {mp.nstr(worst, 3)}: {column} of {row}")
+    return worst > mpf("1e-10")
 
 
-def write():
-    with TABLE.open() as file:
-        rows = list(csv.DictReader(file))
+def write(rows):
     for row in rows:
         eta, sigma = mpf(row["eta"]), mpf(SURFACES[row["surface"]][0])
         for _ in range(20):
@@ -71,22 +61,10 @@ def write():
                 break
         row["eta"] = f"{float(eta):.12g}"
         row.update({column: f"{float(value):.12g}" for column, value in zip(COLUMNS[1:], values[1:])})
-    with TABLE.open("w", newline="") as file:
-        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
+    reference.write_table(TABLE.name, rows)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", nargs="?", type=int, const=4, metavar="ROWS", help="compare, and write nothing")
-    options = parser.parse_args()
-    mp.dps = 22
-    if options.check is not None:
-        return check(options.check)
-    write()
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+mp.dps = 22
+with TABLE.open() as file:
+    of_table = list(csv.DictReader(file))
+sys.exit(check(of_table, int((sys.argv + ["4"])[2])) if "--check" in sys.argv else write(of_table))

@@ -255,8 +255,13 @@ def check_steps():
     return off
 
 
-parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-parser.add_argument("what", choices=("map", "steps"))
-parser.add_argument("--check", action="store_true", help="compare with peak_nodes.hpp")
-options = parser.parse_args()
-sys.exit(check_steps() if options.what == "steps" else check_map() if options.check else search_map())
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("map", "steps"))
+    parser.add_argument("--check", action="store_true", help="compare with peak_nodes.hpp")
+    options = parser.parse_args()
+    return check_steps() if options.what == "steps" else check_map() if options.check else search_map()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
