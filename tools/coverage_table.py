@@ -17,18 +17,13 @@ def tool(name):
     return shutil.which(f"{name}-{version}") or name
 
 
-def programs(build):
-    """Programs and shared libraries that were compiled for coverage."""
-    found = [*build.glob("bin/*"), *build.rglob("lib*.so")]
-    return sorted(str(file) for file in {file.resolve() for file in found} if file.is_file())
-
-
 def main():
     build = pathlib.Path(sys.argv[1])
     merged = build / "coverage.profdata"
     profiles = [str(file) for file in build.glob("profile/*.profraw")]
     subprocess.run([tool("llvm-profdata"), "merge", "-sparse", *profiles, "-o", str(merged)], check=True)
-    first, *others = programs(build)
+    found = {file.resolve() for file in [*build.glob("bin/*"), *build.rglob("lib*.so")]}  # programs and shared libraries
+    first, *others = sorted(str(file) for file in found if file.is_file())
     sources = [first, *(word for file in others for word in ("-object", file)), f"-instr-profile={merged}"]
     elsewhere = rf"-ignore-filename-regex=^/usr/|^{re.escape(str(ROOT))}/(build/coverage/\.\./\.\./)?(tests|src/[^i]|examples|build/coverage/[a-z])"
     subprocess.run([tool("llvm-cov"), "show", "-format=html", f"-output-dir={build / 'report'}", elsewhere, *sources], check=True,
@@ -43,10 +38,9 @@ def main():
     for name, of in lines.items():
         reached, all_lines = folders.get(name.parent, (0, 0))
         folders[name.parent] = reached + of["covered"], all_lines + of["count"]
-    for folder, (reached, count) in sorted(folders.items()):
+    folders = dict(sorted(folders.items())) | {"all": tuple(map(sum, zip(*folders.values())))}
+    for folder, (reached, count) in folders.items():
         print(f"{str(folder):12} {reached:6} of {count:6} lines  {100 * reached / count:6.2f} %")
-    reached, count = map(sum, zip(*folders.values()))
-    print(f"{'all':12} {reached:6} of {count:6} lines  {100 * reached / count:6.2f} %")
     print("\nleast:")
     for name, of in sorted(lines.items(), key=lambda item: item[1]["percent"])[:10]:
         print(f"  {of['percent']:6.2f} %  {of['count'] - of['covered']:4} lines not reached  {name}")

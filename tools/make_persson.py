@@ -66,24 +66,16 @@ def column(band, energy, share, with_gap=False):
     return p, 1 / softness, over_band(lambda G: distance(sqrt(2) * p / G)) if with_gap else ""
 
 
-def main():
-    mp.dps = 20
-    rows = [(band, energy, share) for band in BANDS for energy in ENERGIES for share in SHARES]
-    if "--check" not in sys.argv:
-        with TABLE.open("w") as table:
-            table.write(",".join(COLUMNS) + "\n")
-            for band, energy, share in rows:
-                values = column(band, energy, share, share in GAPS)
-                text = [repr(float(values[0])), mp.nstr(values[1], 17), values[2] and mp.nstr(values[2], 15)]
-                table.write(",".join(["1", *map(str, band), *energy, share, *text]) + "\n")
-        return 0
-    worst = mpf(0)
-    with TABLE.open() as table:
-        for row, (band, energy, share) in zip(csv.DictReader(table), rows, strict=True):
-            worst = max(worst, abs(column(band, energy, share)[1] / mpf(row["stiffness_over_E"]) - 1))
+mp.dps = 20
+rows = [(band, energy, share) for band in BANDS for energy in ENERGIES for share in SHARES]
+if "--check" in sys.argv:
+    table = list(csv.DictReader(TABLE.open()))
+    worst = max(abs(column(*at)[1] / mpf(row["stiffness_over_E"]) - 1) for row, at in zip(table, rows, strict=True))
     print(f"{len(rows)} rows, the worst value off by {mp.nstr(worst, 3)}")
-    return 1 if worst > mpf("1e-16") else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(worst > mpf("1e-16"))
+with TABLE.open("w") as file:
+    file.write(",".join(COLUMNS) + "\n")
+    for band, energy, share in rows:
+        values = column(band, energy, share, share in GAPS)
+        text = [repr(float(values[0])), mp.nstr(values[1], 17), values[2] and mp.nstr(values[2], 15)]
+        file.write(",".join(["1", *map(str, band), *energy, share, *text]) + "\n")

@@ -82,29 +82,6 @@ def written(title, lines):
             f"// Written by tools/make_single_header.py: change the files of fstiff, not this one.\n\n{body}\n")
 
 
-def single_header(names):
-    """One header that holds those of these names and all that they include, and what was taken for it."""
-    taken = Amalgamation()
-    for name in names:
-        taken.add(name)
-    title = f"{' and '.join(names)} with all that they include, {taken.headers} headers in one file."
-    return "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n" + written(title, taken.lines), taken
-
-
-def single_source(header, taken):
-    """One source of fstiff::io behind the header, which holds what was taken already."""
-    taken.lines = [f'#include "{header}"']
-    for path in sorted((SOURCE / "io").glob("*.cpp")):
-        if path.name not in PACKED:
-            taken.add(f"io/{path.name}")
-    return "// SPDX-License-Identifier: BSD-3-Clause\n" + written("The sources of fstiff::io in one file.", taken.lines)
-
-
-def write(path, text):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8")
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("headers", nargs="*", metavar="HEADER", default=["fstiff/fstiff.hpp", "fstiff/io.hpp"])
@@ -113,16 +90,26 @@ def main():
     options = parser.parse_args()
     if options.io and not options.output:
         parser.error("--io needs --output, the header that the source includes")
+    taken, licence = Amalgamation(), "// SPDX-License-Identifier: BSD-3-Clause\n"
     try:
-        text, taken = single_header(options.headers)
+        for name in options.headers:
+            taken.add(name)
+        title = f"{' and '.join(options.headers)} with all that they include, {taken.headers} headers in one file."
+        files = {options.output: licence + "#pragma once\n" + written(title, taken.lines)}
         if options.io:
-            write(options.io, single_source(options.output.name, taken))
+            taken.lines = [f'#include "{options.output.name}"']
+            for path in sorted((SOURCE / "io").glob("*.cpp")):
+                if path.name not in PACKED:
+                    taken.add(f"io/{path.name}")
+            files[options.io] = licence + written("The sources of fstiff::io in one file.", taken.lines)
     except (ValueError, OSError) as error:
         sys.exit(f"make_single_header.py: {error}")
-    if options.output:
-        write(options.output, text)
-    else:
-        sys.stdout.write(text)
+    for path, text in files.items():
+        if path:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        else:
+            sys.stdout.write(text)
 
 
 if __name__ == "__main__":
