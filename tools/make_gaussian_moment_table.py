@@ -137,16 +137,11 @@ def erf_range(f, low, high, error, digits, suffix):
     return n, ", ".join(text(x, abs(x / kept[0]), digits, suffix) for x in kept)
 
 
-def erf_over_y(square):
-    y = sqrt(square)
-    return 2 / sqrt(pi) if y == 0 else erf(y) / y
-
-
 def erf_arrays(scalar, suffix, digits, error, name):
-    ranges = (("inner", erf_over_y, mpf(0), ERF_NEAR**2, error * erf(ERF_NEAR) / ERF_NEAR),
-              ("middle", erf, ERF_NEAR, ERF_MIDDLE, error), ("outer", erf, ERF_MIDDLE, ERF_FAR, error))
+    over_y = lambda square: 2 / sqrt(pi) if square == 0 else erf(sqrt(square)) / sqrt(square)
     out = ""
-    for part, f, low, high, size in ranges:
+    for part, f, low, high, size in (("inner", over_y, mpf(0), ERF_NEAR**2, error * erf(ERF_NEAR) / ERF_NEAR),
+                                     ("middle", erf, ERF_NEAR, ERF_MIDDLE, error), ("outer", erf, ERF_MIDDLE, ERF_FAR, error)):
         n, body = erf_range(f, low, high, size, digits, suffix)
         out += f"    static constexpr std::array<{scalar}, {n}> {name}{part}{{{body}}};\n"
     return out

@@ -21,6 +21,7 @@ import zipfile
 
 try:
     import numpy as np
+    import scipy.fft
     import scipy.integrate
     import scipy.interpolate
     import scipy.optimize
@@ -147,15 +148,7 @@ def material(z, letter):
 
 def fast_size(points):
     """The least multiple of 4 without a prime factor above 5: the length to which profiles are padded."""
-    size = (points + 3) // 4 * 4
-    while True:
-        rest = size
-        for prime in (2, 3, 5):
-            while rest % prime == 0:
-                rest //= prime
-        if rest == 1:
-            return size
-        size += 4
+    return next(size for size in range((points + 3) // 4 * 4, 2 * points, 4) if scipy.fft.next_fast_len(size, real=True) == size)
 
 
 def hann(n):
@@ -285,41 +278,28 @@ def numbers_of(source, folder):
     return (profile if z.ndim == 1 else areal)(z, *steps)
 
 
-def available(folder):
-    return [s for s in SOURCES if "." not in s or (folder and (folder / s).exists())]
-
-
 def write(folder):
-    left_out = set(SOURCES) - set(available(folder))
-    if left_out:
-        sys.exit(f"no {', '.join(sorted(left_out))} in the folder")
     with TABLE.open("w", newline="") as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(["source", "parameter", "value"])
         for source in SOURCES:
-            for parameter, value in numbers_of(source, folder).items():
-                rows.writerow([source, parameter, repr(float(value))])
+            rows.writerows([source, parameter, repr(float(value))] for parameter, value in numbers_of(source, folder).items())
 
 
 def compare(folder):
     with TABLE.open() as file:
-        expected = list(csv.DictReader(file))
-    worst, rows = 0.0, 0
-    for source in available(folder):
-        found = numbers_of(source, folder)
-        table = {row["parameter"]: float(row["value"]) for row in expected if row["source"] == source}
-        if set(found) != set(table):
-            print(f"{source}: the table has {sorted(set(found) ^ set(table))} or lacks it")
-            return 1
-        for parameter, value in table.items():
-            # an autocorrelation counts from 1
-            error = abs(found[parameter] - value) / (1.0 if parameter.startswith("acf") else abs(value) or 1.0)
-            rows += 1
-            worst = max(worst, error)
-            if error > 1e-9:
-                print(f"{source}, {parameter}: {value} in the table, {found[parameter]} now")
-    print(f"{rows} of {len(expected)} rows, the worst off by {worst:.1e}")
-    return 1 if worst > 1e-9 else 0
+        expected = {(row["source"], row["parameter"]): float(row["value"]) for row in csv.DictReader(file)}
+    there = [source for source in SOURCES if "." not in source or (folder and (folder / source).exists())]
+    found = {(source, parameter): value for source in there for parameter, value in numbers_of(source, folder).items()}
+    if missing := set(found) ^ {at for at in expected if at[0] in there}:
+        sys.exit(f"the table has {sorted(missing)} or lacks it")
+    # an autocorrelation counts from 1
+    errors = {at: abs(value - expected[at]) / (1.0 if at[1].startswith("acf") else abs(expected[at]) or 1.0) for at, value in found.items()}
+    for at, error in errors.items():
+        if error > 1e-9:
+            print(f"{at}: {expected[at]} in the table, {found[at]} now")
+    print(f"{len(found)} of {len(expected)} rows, the worst off by {max(errors.values()):.1e}")
+    return max(errors.values()) > 1e-9
 
 
 places = [pathlib.Path(word) for word in sys.argv[1:] if word != "--check"] or [None]
