@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lines of include/ and src/io reached by the tests, from the profiles in the build folder of tools/check-coverage."""
+"""Lines of include and src reached by the tests, from the profiles in the build folder of tools/check-coverage."""
 import json
 import pathlib
 import re
@@ -25,27 +25,23 @@ def main():
     found = {file.resolve() for file in [*build.glob("bin/*"), *build.rglob("lib*.so")]}  # programs and shared libraries
     first, *others = sorted(str(file) for file in found if file.is_file())
     sources = [first, *(word for file in others for word in ("-object", file)), f"-instr-profile={merged}"]
-    elsewhere = rf"-ignore-filename-regex=^/usr/|^{re.escape(str(ROOT))}/(build/coverage/\.\./\.\./)?(tests|src/[^i]|examples|build/coverage/[a-z])"
+    elsewhere = rf"-ignore-filename-regex=^/usr/|^{re.escape(str(ROOT))}/(build/coverage/\.\./\.\./)?(tests|examples|build/coverage/[a-z])"
     subprocess.run([tool("llvm-cov"), "show", "-format=html", f"-output-dir={build / 'report'}", elsewhere, *sources], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     export = subprocess.run([tool("llvm-cov"), "export", "-summary-only", *sources], check=True, capture_output=True, text=True).stdout
-    library, compiled = ROOT / "include/fstiff", ROOT / "src"
-    files = [(pathlib.Path(file["filename"]).resolve(), file["summary"]["lines"]) for file in json.loads(export)["data"][0]["files"]]
-    lines = {path.relative_to(library): of for path, of in files if path.is_relative_to(library) and of["count"]}
-    lines |= {path.relative_to(compiled): of for path, of in files if path.is_relative_to(compiled / "io") and of["count"]}
-
+    files = ((pathlib.Path(file["filename"]).resolve(), file["summary"]["lines"]) for file in json.loads(export)["data"][0]["files"])
+    lines = {path.relative_to(ROOT): of for path, of in files if of["count"] and any(path.is_relative_to(ROOT / of_us) for of_us in ("include", "src"))}
     folders = {}
     for name, of in lines.items():
         reached, all_lines = folders.get(name.parent, (0, 0))
         folders[name.parent] = reached + of["covered"], all_lines + of["count"]
     folders = dict(sorted(folders.items())) | {"all": tuple(map(sum, zip(*folders.values())))}
     for folder, (reached, count) in folders.items():
-        print(f"{str(folder):12} {reached:6} of {count:6} lines  {100 * reached / count:6.2f} %")
+        print(f"{str(folder):26} {reached:6} of {count:6} lines  {100 * reached / count:6.2f} %")
     print("\nleast:")
     for name, of in sorted(lines.items(), key=lambda item: item[1]["percent"])[:10]:
         print(f"  {of['percent']:6.2f} %  {of['count'] - of['covered']:4} lines not reached  {name}")
-    headers = {file.relative_to(ROOT / "include/fstiff") for file in (ROOT / "include/fstiff").rglob("*.hpp")}
-    absent = sorted(str(name) for name in headers - lines.keys())
+    absent = sorted(str(name) for name in {file.relative_to(ROOT) for file in (ROOT / "include").rglob("*.hpp")} - lines.keys())
     print(f"\nwithout a line of code in any program ({len(absent)}): {', '.join(absent)}")
 
 

@@ -63,7 +63,7 @@ LONG_FUNCTIONS = {
     "src/scene/read_face.cpp read_face": 77,
     "src/scene/results.cpp columns_of": 66,
 }
-TOTALS = {"include": 25640, "src without io": 20640, "tools": 4630}
+TOTALS = {"include": 25640, "src without io": 20100, "tools": 3300}
 
 
 def read(path):
@@ -200,24 +200,16 @@ def layers(root, update=False):
     return problems + missing_files(root)
 
 
-def of_document(name):
-    """Patterns of the places of a file that a document names so; None of what names no file of the project."""
-    if rooted := re.match(r"(?:\.\.?/)?((?:include/fstiff|src|tests|bench|data|docs|tools)/.*)", name):
-        return [rooted[1]]
-    if layer := re.fullmatch(rf"(?:fstiff/)?((?:{'|'.join(above(PUBLIC))})/[a-z0-9_]+)(?:\.[hc]pp)?", name):
-        return [f"include/fstiff/{layer[1]}.hpp", f"src/{layer[1]}.hpp", f"tests/{layer[1]}.cpp"]
-    return None
-
-
-def of_code(name):
-    """The same of a comment or a docstring, whose names have an ending."""
-    if not name.endswith((".md", ".hpp", ".h", ".cpp", ".csv", ".cmake", ".c", ".py", ".f90", ".toml", ".f32")):
-        return None
-    if rooted := re.match(r"(?:\./)?((?:include/fstiff|src|tests|bench|docs|tools)/.*)", name):
-        return [rooted[1], f"python/{rooted[1]}"]
-    if layer := re.fullmatch(rf"(?:fstiff/)?((?:{'|'.join(above(PUBLIC))})/[a-z0-9_]+\.[hc]pp)", name):
-        return [f"{base}/{layer[1]}" for base in ("include/fstiff", "src", "tests", "tests/support")]
-    return None
+def places(name, in_code):
+    """Patterns of the places of a file that a document or, with its ending, a comment names so; none where it names no file of the project."""
+    if in_code and not name.endswith((".md", ".hpp", ".h", ".cpp", ".csv", ".cmake", ".c", ".py", ".f90", ".toml", ".f32")):
+        return []
+    if rooted := re.match(rf"(?:\.\.?/)?((?:include/fstiff|src|tests|bench|docs|tools{'' if in_code else '|data'})/.*)", name):
+        return [rooted[1]] + [f"python/{rooted[1]}"] * in_code
+    if layer := re.fullmatch(rf"(?:fstiff/)?((?:{'|'.join(above(PUBLIC))})/[a-z0-9_]+)(\.[hc]pp)?", name):
+        return [layer[1].join(place) for place in (("include/fstiff/", ".hpp"), ("src/", ".hpp"), ("tests/", ".cpp"))] + [
+            f"{base}/{name.removeprefix('fstiff/')}" for base in ("include/fstiff", "src", "tests", "tests/support")] * in_code
+    return []
 
 
 def missing_files(root):
@@ -230,12 +222,12 @@ def missing_files(root):
             and path.name != "lint_refuse.py"]  # which invents names
     problems = []
     absent = [] if (root / "../shared").exists() else ["../shared/"]  # measured files that a clone alone does not have
-    for paths, letters, places in ((documents, "[\\w.*/-]", of_document), (code, "[\\w./-]", of_code)):
+    for paths, letters, in_code in ((documents, "[\\w.*/-]", False), (code, "[\\w./-]", True)):
         for path in sorted(paths):
             for name in {name.rstrip("./-"): None for name in re.findall(f"{letters}*/{letters}*", read(path), re.A)}:
                 if any(folder in name for folder in absent):
                     continue
-                if (patterns := places(name)) and not any(glob.glob(str(root / where)) for where in patterns):
+                if (patterns := places(name, in_code)) and not any(glob.glob(str(root / where)) for where in patterns):
                     problems.append(f"{path.relative_to(root).as_posix()}: '{name}' does not exist")
     return problems
 

@@ -92,17 +92,13 @@ def show_time(ns):
     return f"{ns / 1e9:.3g} s"
 
 
-def show_error(value):
-    return "no digit" if not math.isfinite(float(value)) else f"{float(value):.0e}"
+show_error = lambda value: "no digit" if not math.isfinite(float(value)) else f"{float(value):.0e}"
+ratio = lambda value: f"{value:.2f}" if value < 10 else f"{value:.0f}"
 
 
 def cells(row):
     time = show_time(row["ns"]) if "ns" in row else "not timed"
     return [time, show_error(row["rel_err_max"]), show_error(row["rel_err_median"]), f"{float(row['evaluations']):.4g}"]
-
-
-def ratio(value):
-    return f"{value:.2f}" if value < 10 else f"{value:.0f}"
 
 
 class Report:

@@ -9,7 +9,6 @@
 A map is (Hurst exponent, wave number of the roll-off, waves below it, cut-off, points a side, seed); wave numbers count waves a side.
 The shortest wave has four points; of two maps also eight, on a grid twice as fine, which says what the grid costs.
 """
-import argparse
 import csv
 import pathlib
 import subprocess
@@ -18,14 +17,13 @@ import sys
 TABLE = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data" / "broad.csv"
 COLUMNS = ("hurst", "roll_off", "long_waves", "cut_off", "points", "seed", "m0", "m2", "m4", "p_star", "stiffness_over_E",
            "area_fraction", "mean_gap", "spots")
-ALL = ("0.2", "0.5", "0.8", "0.999")
 FEW = {2: ("0.06", "0.01", "0.003")}  # p/(E g) of the maps of 2048 points by their roll-off; else those of bench/broad.cpp
 
 
 def maps():
     """In the order of their cost."""
     for seed in (1, 2, 3, 4):
-        for hurst in ALL:
+        for hurst in ("0.2", "0.5", "0.8", "0.999"):
             for roll_off, waves in ((4, "none"), (8, "none"), (16, "none"), (8, "plateau"), (16, "plateau")):
                 yield hurst, roll_off, waves, 64, 256, seed
     for roll_off, cut_off, points, which in (
@@ -51,34 +49,24 @@ def computed(program, surface):
 def check(program, every):
     rows = list(csv.DictReader(TABLE.open()))
     small = [s for s in maps() if s[4] == 256][::every]
-    worst = 0
-    for surface in small:
-        known = [float(r["stiffness_over_E"]) for r in rows if key(r) == tuple(map(str, surface))]
-        again = [float(line.split(",")[10]) for line in computed(program, surface)]
-        worst = max([worst, *(abs(a / b - 1) for a, b in zip(known, again, strict=True))])
+    pairs = [(float(row["stiffness_over_E"]), float(line.split(",")[10])) for surface in small
+             for row, line in zip((r for r in rows if key(r) == tuple(map(str, surface))), computed(program, surface), strict=True)]
+    worst = max(abs(known / again - 1) for known, again in pairs)
     print(f"{len(small)} maps, largest difference {worst:.1e}")
     return worst > 1e-3
 
 
-def main():
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("program", help="fstiff_broad")
-    options.add_argument("--check", type=int, metavar="EVERY")
-    given = options.parse_args()
-    if given.check:
-        return check(given.program, given.check)
-    if not TABLE.exists():
-        TABLE.write_text(",".join(COLUMNS) + "\n")
+def main(program, _="", every=""):
+    if every:
+        return check(program, int(every))
     done = {key(row) for row in csv.DictReader(TABLE.open())}
     for surface in maps():
-        if tuple(map(str, surface)) in done:
-            continue
-        lines = computed(given.program, surface)
-        with TABLE.open("a") as table:
-            table.write("\n".join(lines) + "\n")
-        print(*surface, flush=True)
+        if tuple(map(str, surface)) not in done:
+            with TABLE.open("a") as table:
+                table.write("\n".join(computed(program, surface)) + "\n")
+            print(*surface, flush=True)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(*sys.argv[1:]))

@@ -123,10 +123,6 @@ def rows(columns, terms, digits, suffix):
     return "".join(lines)
 
 
-def cut_line(columns, terms):
-    return ", ".join(nstr(max(p[1][n] for c in columns for p in c) * mpf("1.01"), 3) for n in range(terms + 1))
-
-
 def erf_range(f, low, high, error, digits, suffix):
     """Powers of u in [-1, 1] of a Chebyshev series that leaves out less than \\p error of the largest value."""
     c = chebyshev(f, low, high, 44)
@@ -151,10 +147,11 @@ def table(scalar, suffix, digits, terms, error):
     columns = [list(pieces_of(mpf(twice) / 2, terms)) for twice, _ in POWERS]
     main, side = columns[:4], columns[4:]
     size = 2 * (PER_OCTAVE * OCTAVES + 1)
+    cut = ", ".join(nstr(max(p[1][n] for c in main for p in c) * mpf("1.01"), 3) for n in range(terms + 1))
     return (
         f"template <>\nstruct MomentTable<{scalar}> {{\n"
         f"    static constexpr int terms = {terms};\n"
-        f"    static constexpr std::array<double, {terms + 1}> cut{{{cut_line(main, terms)}}};\n"
+        f"    static constexpr std::array<double, {terms + 1}> cut{{{cut}}};\n"
         f"    alignas(64) static constexpr {scalar} main[{size} * {terms} * 4] = {{\n"
         f"{rows(main, terms, digits, suffix)}    }};\n"
         f"    static constexpr {scalar} side[{size} * {terms} * 2] = {{\n"

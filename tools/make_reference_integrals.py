@@ -144,22 +144,17 @@ def write_table(name, rows):
 def write():
     with (DATA / MOMENTS).open() as file:
         rows = list(csv.DictReader(file))
-    for row in rows:
-        row["value"] = nstr(gaussian_mean(row), 25)
-    write_table(MOMENTS, rows)
+    write_table(MOMENTS, [row | {"value": nstr(gaussian_mean(row), 25)} for row in rows])
     kept = {}
     for name in TABLES:
         with (DATA / name).open() as file:
             rows = list(csv.DictReader(file))
         for row in rows:
-            at = place(row)
-            if at not in kept:
-                kept[at] = integrals(*at, mpf("1e-31"))
-            value = kept[at][power_of(row)]
+            if place(row) not in kept:
+                kept[place(row)] = integrals(*place(row), mpf("1e-31"))
+            value = kept[place(row)][power_of(row)]
             if row["value"] != text(value):
-                row["value"] = text(value)
-                if "log10" in row:
-                    row["log10"] = nstr(log10(value), 20)
+                row |= {"value": text(value)} | ({"log10": nstr(log10(value), 20)} if "log10" in row else {})
         write_table(name, rows)
 
 

@@ -33,6 +33,7 @@ except ImportError:
 DATA = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data"
 TABLE = DATA / "roughness_reference.csv"
 THRESHOLD = 0.2
+HANN = lambda n: np.sin(np.pi * (np.arange(n) + 0.5) / n) ** 2
 
 
 def bem_map(name):
@@ -49,11 +50,6 @@ def with_holes(z):
     return z
 
 
-def no_line(z):
-    x = np.linspace(-1, 1, len(z))
-    return z - np.polynomial.polynomial.polyval(x, np.polynomial.polynomial.polyfit(x, z, 1))
-
-
 def no_plane(z):
     y, x = np.meshgrid(*(np.linspace(-1, 1, n) for n in z.shape), indexing="ij")
     there = ~np.isnan(z)
@@ -68,7 +64,7 @@ def text(path, **options):
 
 def columns(path, unit, **options):
     x, z = text(path, **options).T
-    return no_line(z * unit), (x[-1] - x[0]) / (len(x) - 1) * unit, None
+    return scipy.signal.detrend(z * unit), (x[-1] - x[0]) / (len(x) - 1) * unit, None
 
 
 def x3p(path):
@@ -151,10 +147,6 @@ def fast_size(points):
     return next(size for size in range((points + 3) // 4 * 4, 2 * points, 4) if scipy.fft.next_fast_len(size, real=True) == size)
 
 
-def hann(n):
-    return np.sin(np.pi * (np.arange(n) + 0.5) / n) ** 2
-
-
 def profile(z, h, _, cutoff=None):
     out = moments(z, "R")
     there = z - np.nanmean(z)
@@ -182,7 +174,7 @@ def profile(z, h, _, cutoff=None):
     for n in (1, 7, len(z) // 5):
         out[f"acf_{n}"] = acf[n]
     if not np.isnan(z).any():
-        for name, window in (("hann", hann(len(z))), ("none", np.ones(len(z)))):
+        for name, window in (("hann", HANN(len(z))), ("none", np.ones(len(z)))):
             centred = there - np.sum(window * there) / np.sum(window)
             _, density = scipy.signal.periodogram(centred, 1 / h, window, nfft=fast_size(len(z)), detrend=False)
             for k in (1, 5, 60):
@@ -225,7 +217,7 @@ def areal_acf(z, periodic):
 
 def areal_psd(z, dx, dy, window):
     rows, columns = z.shape
-    weight = np.outer(hann(rows), hann(columns)) if window == "hann" else np.ones(z.shape)
+    weight = np.outer(HANN(rows), HANN(columns)) if window == "hann" else np.ones(z.shape)
     waves = np.fft.fft2((z - z.mean()) * weight / np.sqrt(np.mean(weight**2)))
     density = abs(waves) ** 2 * dx * dy / z.size / (2 * np.pi) ** 2  # C(q)
     density[0, 0] = 0

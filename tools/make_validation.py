@@ -121,22 +121,16 @@ STATISTICS = ("hybrid of numbers", "numbers, skewness and kurtosis", "numbers, S
 TRACES = ("1 row", "4 rows", "16 rows")
 
 
-def cell(ratios):
-    return f"{statistics.median(ratios):.2f} ({min(ratios):.2f}–{max(ratios):.2f})" if ratios else "–"
-
-
 def share(rows, within):
     return f"{100 * sum(abs(r['ratio'] - 1) <= within for r in rows) / len(rows):.0f} %"
 
 
-def both(rows):
-    """Shares within 15 and 25 %."""
-    return f"{share(rows, 0.15)}, {share(rows, 0.25)}" if rows else "–"
-
-
 def statistics_alone(rows, groups):
     """What hybrid makes of numbers and of traces, by the class of the map."""
-    of = lambda law, groups, seeds=(1, 2, 3, 4, 5): both([r for r in rows if r["law"] == law and r["group"] in groups and r["seed"] in seeds])
+    def of(law, groups, seeds=(1, 2, 3, 4, 5)):
+        found = [r for r in rows if r["law"] == law and r["group"] in groups and r["seed"] in seeds]
+        return f"{share(found, 0.15)}, {share(found, 0.25)}" if found else "–"
+
     with_shape = [name for law in TRACES for name in (law, law + ", shape")]
     lines = ["`hybrid` of statistics alone: share of the points within 15 %, within 25 % of boundary elements, all seeds. The moments are σ, g "
              "and alpha of the map; with them nothing, skewness and kurtosis, Sk, Spk, Svk, Smr1, Smr2, or all heights.", ""]
@@ -162,6 +156,7 @@ def of_maps(rows):
     maps = len({(r["kind"], r["seed"]) for r in rows})
     lines = [f"K of each law over K of boundary elements of {maps} maps, {len(kinds)} kinds of 5 seeds: median (least–largest) at p* of 0.001 to "
              "0.01; of 0.03 to 0.25.", ""]
+    cell = lambda ratios: f"{statistics.median(ratios):.2f} ({min(ratios):.2f}–{max(ratios):.2f})" if ratios else "–"
     lines += table(["kind", *MAP_LAWS], [[kind] + ["; ".join(map(cell, by_load(rows, kind, law))) for law in MAP_LAWS] for kind in kinds])
     lines += ["Share of the points of `hybrid`, from the map and from σ, g and alpha alone, within 15 % and 25 % of boundary elements:", ""]
     body = []
@@ -215,10 +210,6 @@ def differs(rows, printed, keys, tolerance):
                               for r in printed for of in ("ratio", "least", "largest") if of in r)
 
 
-def printed_by(*command):
-    return read(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="write nothing")
@@ -226,6 +217,7 @@ def main():
     parser.add_argument("--maps", help="fstiff_maps, whose output bench/map_validation.csv must be")
     options = parser.parse_args()
     families, maps = (read(file.read_text(encoding="utf-8")) for file in (FAMILIES, MAPS))
+    printed_by = lambda *command: read(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     if options.program:
         printed = printed_by(options.program)
         if len(printed) != len(families) or differs(families, printed, ("law", "family", "p_star"), 1.5e-4):

@@ -65,13 +65,12 @@ def main():
     parser.add_argument("fstiff")
     parser.add_argument("--scenes", type=int, default=300000)
     parser.add_argument("--memory", type=int, default=10000000, help="scenes of the run whose memory is measured; 0: none")
-    parser.add_argument("--folder", help="where results are written; the default is that of temporary files")
     options = parser.parse_args()
     model = next((line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "")
     print(f"{platform.machine()}, {model}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the beginning\n")
     print("| scenes | per core second, 1 thread | 2 threads | per second, 1 thread | 2 threads | bytes a line | memory [MB] |")
     print("|---|---|---|---|---|---|---|")
-    with tempfile.TemporaryDirectory(dir=options.folder) as name:
+    with tempfile.TemporaryDirectory() as name:
         folder, n = pathlib.Path(name), options.scenes
         file, results, first = folder / "grid.toml", folder / "results", next(iter(CASES.values()))
 

@@ -21,12 +21,10 @@ that the constant may have there. (For LAYER into the inverse: the less, the bol
                               LAYER up to a twentieth above it
     NARROW                    what a quarter of these values is below: there the rule takes too few nodes, and its error estimate shows it
 
-    tools/search_peak_nodes.py map             searches from rough guesses, by steps that shrink, and prints what it finds (a minute):
-                                               1.4e-13 at 1.836, 0.430, 1.353, 0.2484. The least is flat: the constants of the
-                                               header, 2.1, 0.4, 1.354, 0.2273, have 2.0e-13
-    tools/search_peak_nodes.py map --check     reads the constants from the header and checks its statement on a grid finer than
-                                               that of the search, that one node fewer does not do, and that the truth is one
-    tools/search_peak_nodes.py steps           prints the values needed, and compares them with the header
+    map           searches from rough guesses, by steps that shrink, and prints what it finds (a minute): 1.4e-13 at 1.836, 0.430, 1.353,
+                  0.2484. The least is flat: the constants of the header, 2.1, 0.4, 1.354, 0.2273, have 2.0e-13
+    map --check   checks the header's statement on a finer grid, that one node fewer does not do, and that the truth is one
+    steps         prints the values needed, and compares them with the header
 
 Needs nothing but Python; uses nothing of the library.
 """
@@ -170,12 +168,8 @@ def search_map():
 # ---------------------------------------------------------------- the steps
 
 
-def log_accuracy(tolerance):
-    return -math.log(tolerance) + (1 if tolerance > 1e-10 else 0)
-
-
 def largest_steps(r, k, eta, map_, low, high):
-    """For each tolerance: the largest step from which on every finer one keeps it, of the sum over low <= y <= high."""
+    """For each tolerance L and the largest step from which on every finer one keeps it, of the sum over low <= y <= high."""
     kept = {}
 
     def at(y):
@@ -198,7 +192,7 @@ def largest_steps(r, k, eta, map_, low, high):
             if error > tolerance:
                 break
             good = step
-        found.append((log_accuracy(tolerance), good))
+        found.append((-math.log(tolerance) + (1 if tolerance > 1e-10 else 0), good))
     return found
 
 
