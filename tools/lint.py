@@ -57,7 +57,6 @@ LONG_FUNCTIONS = {
     "src/cli/commands/integral.cpp execute": 68,
     "src/cli/commands/reproduce.cpp stiffness_figure": 77,
     "src/cli/commands/run.cpp introduction": 72,
-    "src/cli/picture/sweep_figure.cpp sweep_figure": 65,
     "src/io/header.cpp stated_grid": 81,
     "src/surface/measured_files.cpp pooled": 65,
     "src/scene/read_face.cpp read_face": 77,

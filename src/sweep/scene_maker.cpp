@@ -2,8 +2,9 @@
 #include "sweep/scene_maker.hpp"
 
 #include "scene/read_table.hpp"
-#include "sweep/tabulated.hpp"
 #include "sweep/template.hpp"
+
+#include <fstiff/contact/contact_law.hpp>
 
 #include <algorithm>
 #include <exception>
@@ -38,6 +39,63 @@ bool has(const toml::table& root, const char* key) { return static_cast<bool>(ro
 
 bool is_measured(const toml::table& root) {
     return has(root, "surface.from") || has(root, "surface.upper") || has(root, "surface.lower");
+}
+
+/// A contact by its table, for very many points on one surface: [sweep] tabulate = true.
+class Tabulated final : public scene::AnyContact {
+public:
+    Tabulated(ContactLaw<double> law, double rms_height) : law_(std::move(law)), rms_height_(rms_height) {}
+    [[nodiscard]] std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures,
+                                                                 Quantity) const override {
+        std::vector<ContactPoint<double>> points;
+        points.reserve(pressures.size());
+        for (const double p : pressures) points.push_back(point(law_.separation(p), p, law_.stiffness(p)));
+        return points;
+    }
+    [[nodiscard]] std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
+                                                                   Quantity) const override {
+        std::vector<ContactPoint<double>> points;
+        points.reserve(separations.size());
+        for (const double d : separations) {
+            const auto at = law_.at_separation(d);
+            points.push_back(point(d, at.pressure, at.stiffness));
+        }
+        return points;
+    }
+
+private:
+    [[nodiscard]] ContactPoint<double> point(double separation, double pressure, double stiffness) const {
+        ContactState<double> state;
+        const double error = law_.relative_error();
+        state.eta = separation / rms_height_;
+        state.separation = {separation, error * rms_height_, 0};
+        state.pressure = {pressure, error * pressure, 0};
+        state.stiffness = {stiffness, error * stiffness, 0};
+        return ContactPoint<double>::of(state);
+    }
+
+    ContactLaw<double> law_;
+    double rms_height_;
+};
+
+/// Puts the table of each of \p contacts over \p range of pressures [Pa], or of separations [m] where the scene has these,
+/// in its place; a law that has no table stays. K and the separation of a table are within the error that it carries,
+/// which the results show as that of K.
+void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& scene, std::array<double, 2> range) {
+    for (scene::MadeContact& made : contacts) {
+        try {
+            std::array<double, 2> pressures = range;
+            if (scene.at_separations) {
+                const auto ends = made.contact->at_separations(range, Quantity::pressure);
+                if (!ends[0].ok() || !ends[1].ok()) continue;
+                pressures = {ends[1].state.pressure.value, ends[0].state.pressure.value};
+            }
+            constexpr double room = 1e-3;  // so that no end falls out by rounding
+            const LawRange<double> wider{pressures[0] * (1 - room), pressures[1] * (1 + room)};
+            made.contact = std::make_unique<Tabulated>(made.contact->tabulate(wider), scene.surface.rms_height);
+        } catch (const domain_error&) {  // no table of this law, or not so far: point by point
+        }
+    }
 }
 
 }  // namespace

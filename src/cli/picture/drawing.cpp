@@ -101,13 +101,9 @@ Figure in_units(Figure figure) {
     return figure;
 }
 
-std::size_t characters(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
-}
-
 std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
     std::vector<std::string> lines;
-    while (characters(text) > most) {
+    while (shown_width(text) > most) {
         std::size_t end = 0, space = 0;
         for (std::size_t count = 0; count <= most; ++end) {
             if (text[end] == ' ') space = end;

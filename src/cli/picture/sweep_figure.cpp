@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <set>
 #include <tuple>
 
 namespace fstiff::cli {
@@ -29,24 +28,17 @@ struct Dimension {
     [[nodiscard]] bool is_points() const { return axis == none; }
 };
 
-/// Which of \p count places are drawn: all, or \p most of them, the ends included.
-class Places {
-public:
-    Places() = default;
-    Places(std::uint64_t count, std::uint64_t most) {
-        if (count <= most) {
-            for (std::uint64_t i = 0; i < count; ++i) taken_.insert(i);
-            return;
-        }
-        for (std::uint64_t i = 0; i < most; ++i)
-            taken_.insert(static_cast<std::uint64_t>(static_cast<double>(i) * static_cast<double>(count - 1) /
-                                                     static_cast<double>(most - 1)));
-    }
-    [[nodiscard]] bool has(std::uint64_t place) const { return taken_.contains(place); }
+/// The \p i-th of \p most places that are drawn of \p count, the ends included.
+std::uint64_t drawn_place(std::uint64_t i, std::uint64_t count, std::uint64_t most) {
+    return static_cast<std::uint64_t>(static_cast<double>(i) * static_cast<double>(count - 1) / static_cast<double>(most - 1));
+}
 
-private:
-    std::set<std::uint64_t> taken_;
-};
+/// Whether \p place is drawn of \p count: all are, or \p most of them.
+bool is_drawn(std::uint64_t place, std::uint64_t count, std::uint64_t most) {
+    if (count <= most) return place < count;
+    const auto near_it = static_cast<std::uint64_t>(static_cast<double>(place) * static_cast<double>(most - 1) / static_cast<double>(count - 1));
+    return drawn_place(near_it, count, most) == place || drawn_place(near_it + 1, count, most) == place;
+}
 
 using CurveKey = std::tuple<std::string, std::optional<double>, std::optional<double>>;
 
@@ -166,6 +158,46 @@ Axis horizontal(const sweep::Grid& grid, const Dimension& x) {
     return axis;
 }
 
+/// The lines of \p layout: of each of the first \p curves at most \p lines.
+std::vector<Series> series_of(const sweep::Grid& grid, const std::string& file, const Layout& layout, std::size_t curves,
+                              std::uint64_t lines) {
+    const auto place_in = [](const Dimension& of, const std::vector<sweep::Value>& values, const sweep::Row& row) {
+        return of.is_points() ? std::uint64_t(row.point) : values[of.axis].place;
+    };
+    const bool chooses_point =
+        layout.points > 1 && !(layout.x && layout.x->is_points()) && !(layout.lines && layout.lines->is_points());
+    const bool several = layout.curves.size() > 1;
+    std::map<std::pair<std::size_t, std::uint64_t>, std::size_t> known;
+    std::vector<Series> all;
+    std::vector<sweep::Value> values;
+    sweep::for_each_row(file, [&](const sweep::Row& row) {
+        if (!row.stiffness || (chooses_point && row.point != layout.points / 2)) return true;
+        grid.values(row.index, values);
+        const std::uint64_t at = layout.x ? place_in(*layout.x, values, row) : 0;
+        const std::uint64_t line = layout.lines ? place_in(*layout.lines, values, row) : 0;
+        if (layout.x && !is_drawn(at, layout.x->count, most_places)) return true;
+        if (layout.lines && !is_drawn(line, layout.lines->count, lines)) return true;
+        const CurveKey key{std::string(row.law), row.theta, row.r};
+        const auto curve = static_cast<std::size_t>(
+            std::find(layout.curves.begin(), layout.curves.end(), key) - layout.curves.begin());
+        if (curve >= curves) return true;
+        const auto [found, is_new] = known.try_emplace({curve, line}, all.size());
+        if (is_new)
+            all.push_back({(several || !layout.lines ? legend_of(row.law, row.theta, row.r) : "") +
+                               (several && layout.lines ? ", " : "") +
+                               (layout.lines ? value_text(grid, *layout.lines, values, row) : ""),
+                           curve,
+                           layout.lines ? std::optional<std::size_t>(line) : std::nullopt,
+                           {}});
+        auto& [x, stiffness] = all[found->second].cells[at];
+        x = !layout.x ? 0 : layout.x->is_points() ? row.pressure : values[layout.x->axis].number;
+        stiffness.push_back(*row.stiffness);
+        return true;
+    });
+    if (all.empty()) throw domain_error(file + ": has no K to draw");
+    return all;
+}
+
 }  // namespace
 
 std::string shown_key(const std::string& key) {
@@ -184,42 +216,6 @@ Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
     const std::uint64_t room = std::max<std::uint64_t>(2, most_lines / std::max<std::size_t>(curves, 1));
     const std::uint64_t lines_each = layout.lines ? std::min(layout.lines->count, room) : 1;
     const std::size_t curves_drawn = std::min<std::size_t>(curves, most_lines / lines_each);
-    const Places x_places(layout.x ? layout.x->count : 1, most_places);
-    const Places line_places(layout.lines ? layout.lines->count : 1, lines_each);
-    const auto place_in = [](const Dimension& of, const std::vector<sweep::Value>& values, const sweep::Row& row) {
-        return of.is_points() ? std::uint64_t(row.point) : values[of.axis].place;
-    };
-    const bool chooses_point =
-        layout.points > 1 && !(layout.x && layout.x->is_points()) && !(layout.lines && layout.lines->is_points());
-
-    std::map<std::pair<std::size_t, std::uint64_t>, std::size_t> known;
-    std::vector<Series> all;
-    std::vector<sweep::Value> values;
-    sweep::for_each_row(file, [&](const sweep::Row& row) {
-        if (!row.stiffness || (chooses_point && row.point != layout.points / 2)) return true;
-        grid.values(row.index, values);
-        const std::uint64_t at = layout.x ? place_in(*layout.x, values, row) : 0;
-        const std::uint64_t line = layout.lines ? place_in(*layout.lines, values, row) : 0;
-        if (!x_places.has(at) || !line_places.has(line)) return true;
-        const CurveKey key{std::string(row.law), row.theta, row.r};
-        const auto curve = static_cast<std::size_t>(
-            std::find(layout.curves.begin(), layout.curves.end(), key) - layout.curves.begin());
-        if (curve >= curves_drawn) return true;
-        const auto [found, is_new] = known.try_emplace({curve, line}, all.size());
-        if (is_new)
-            all.push_back({(curves > 1 || !layout.lines ? legend_of(row.law, row.theta, row.r) : "") +
-                               (curves > 1 && layout.lines ? ", " : "") +
-                               (layout.lines ? value_text(grid, *layout.lines, values, row) : ""),
-                           curve,
-                           layout.lines ? std::optional<std::size_t>(line) : std::nullopt,
-                           {}});
-        auto& [x, stiffness] = all[found->second].cells[at];
-        x = !layout.x ? 0 : layout.x->is_points() ? row.pressure : values[layout.x->axis].number;
-        stiffness.push_back(*row.stiffness);
-        return true;
-    });
-    if (all.empty()) throw domain_error(file + ": has no K to draw");
-
     Panel panel;
     if (layout.x) {
         panel.x = horizontal(grid, *layout.x);
@@ -229,7 +225,7 @@ Figure sweep_figure(const sweep::Grid& grid, const std::string& file) {
         panel.y = {.label = "share of scenes below", .logarithmic = false, .low = 0.0, .high = 1.0};
     }
     std::vector<std::pair<std::size_t, std::optional<std::size_t>>> kinds;
-    for (Series& series : all) {
+    for (Series& series : series_of(grid, file, layout, curves_drawn, lines_each)) {
         panel.lines.push_back(layout.x ? line_of_cells(series) : distribution_of(series));
         kinds.emplace_back(series.curve, series.place);
     }
