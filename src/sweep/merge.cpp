@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sweep/merge.hpp"
+#include "sweep/results_file.hpp"
 
 #include "document/file.hpp"
-#include "sweep/results_file.hpp"
 
 #include <fstiff/core/error.hpp>
 

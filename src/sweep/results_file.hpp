@@ -7,6 +7,8 @@
 //     ResultsFile file("out.jsonl", description);
 //     while (file.next() < end) file.append(lines of the scenes from file.next() on, ...);
 //     file.finish();
+//
+// merge() joins the shards of one grid, into the very bytes that a sweep without shards writes.
 
 #include "sweep/shard.hpp"
 
@@ -14,6 +16,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fstiff::sweep {
 
@@ -99,5 +102,16 @@ private:
     Description description_;
     std::uint64_t next_ = 0, size_ = 0, dropped_ = 0;
 };
+
+/// What was merged, or what is wrong with the shards: one sentence each, with the command that computes a missing one.
+struct Merged {
+    std::vector<std::string> problems;  ///< empty: the file was written
+    std::uint64_t scenes = 0, failed = 0, shards = 0;
+};
+
+/// Checks that \p files are the shards of one grid, that each is whole and that none is missing or double, and writes all of
+/// their lines to \p output, beside it first, then renamed, with its description. Names that end in .sweep are left out.
+/// \throws file_error for what cannot be read or written.
+[[nodiscard]] Merged merge(std::vector<std::string> files, const std::string& output);
 
 }  // namespace fstiff::sweep

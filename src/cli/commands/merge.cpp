@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff merge: the shards of a sweep as one file.
-#include "sweep/merge.hpp"
 #include "commands/commands.hpp"
 #include "commands/failed_scenes.hpp"
 #include "document/output.hpp"

@@ -14,6 +14,7 @@
 #include <iostream>
 #include <limits>
 #include <system_error>
+#include <type_traits>
 
 namespace fstiff::cli {
 
@@ -21,21 +22,16 @@ extern const char* const bash_completion;  // of input/completion.bash
 
 namespace {
 
-template <class Target>
-Option add(CLI::App& app, const std::string& name, Target& target, const std::string& help) {
-    return Option(app.add_option(name, target, help));
-}
-
 /// A whole number that is not negative. CLI11 would take -1 for the greatest one.
 template <class Unsigned>
-Option add_whole(CLI::App& app, const std::string& name, Unsigned& target, const std::string& help) {
+CLI::Option* add_whole(CLI::App& app, const std::string& name, Unsigned& target, const std::string& help) {
     const auto take = [&target, name](const std::string& text) {
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), target);
         if (error != std::errc() || end != text.data() + text.size())
             throw CLI::ValidationError(name + " = " + text, "must be a whole number from 0 to " +
                                                                 std::to_string(std::numeric_limits<Unsigned>::max()));
     };
-    return Option(app.add_option_function<std::string>(name, take, help)->type_name("UINT"));
+    return app.add_option_function<std::string>(name, take, help)->type_name("UINT");
 }
 
 /// How many letters must be put in, left out, replaced or swapped with their neighbour to make \p a of \p b.
@@ -174,27 +170,20 @@ Option& Option::show_default() {
 Arguments::Arguments(CLI::App& program, const std::string& name, const std::string& description)
     : app_(program.add_subcommand(name, description)) {}
 
-Option Arguments::option(const std::string& name, std::string& target, const std::string& help) {
-    return add(*app_, name, target, help);
+template <class Target>
+Option Arguments::option(const std::string& name, Target& target, const std::string& help) {
+    if constexpr (std::is_unsigned_v<Target>)
+        return Option(add_whole(*app_, name, target, help));
+    else
+        return Option(app_->add_option(name, target, help));
 }
-Option Arguments::option(const std::string& name, std::vector<std::string>& target, const std::string& help) {
-    return add(*app_, name, target, help);
-}
-Option Arguments::option(const std::string& name, int& target, const std::string& help) {
-    return add(*app_, name, target, help);
-}
-Option Arguments::option(const std::string& name, unsigned long& target, const std::string& help) {
-    return add_whole(*app_, name, target, help);
-}
-Option Arguments::option(const std::string& name, unsigned long long& target, const std::string& help) {
-    return add_whole(*app_, name, target, help);
-}
-Option Arguments::option(const std::string& name, double& target, const std::string& help) {
-    return add(*app_, name, target, help);
-}
-Option Arguments::option(const std::string& name, std::optional<double>& target, const std::string& help) {
-    return add(*app_, name, target, help);
-}
+template Option Arguments::option(const std::string&, std::string&, const std::string&);
+template Option Arguments::option(const std::string&, std::vector<std::string>&, const std::string&);
+template Option Arguments::option(const std::string&, int&, const std::string&);
+template Option Arguments::option(const std::string&, unsigned long&, const std::string&);
+template Option Arguments::option(const std::string&, unsigned long long&, const std::string&);
+template Option Arguments::option(const std::string&, double&, const std::string&);
+template Option Arguments::option(const std::string&, std::optional<double>&, const std::string&);
 Option Arguments::option(const std::string& name, const std::function<void(const std::string&)>& take,
                          const std::string& help) {
     return Option(app_->add_option_function<std::string>(name, take, help));

@@ -46,13 +46,9 @@ class Arguments {
 public:
     Arguments(CLI::App& program, const std::string& name, const std::string& description);
 
-    Option option(const std::string& name, std::string& target, const std::string& help);
-    Option option(const std::string& name, std::vector<std::string>& target, const std::string& help);
-    Option option(const std::string& name, int& target, const std::string& help);
-    Option option(const std::string& name, unsigned long& target, const std::string& help);
-    Option option(const std::string& name, unsigned long long& target, const std::string& help);
-    Option option(const std::string& name, double& target, const std::string& help);
-    Option option(const std::string& name, std::optional<double>& target, const std::string& help);
+    /// \p target: a text, a list of texts, an int, a whole number that is not negative, a double, or an optional one.
+    template <class Target>
+    Option option(const std::string& name, Target& target, const std::string& help);
     /// \p take is called with what was given.
     Option option(const std::string& name, const std::function<void(const std::string&)>& take,
                   const std::string& help);
