@@ -171,7 +171,8 @@ void write_description(const std::string& results, const Description& descriptio
     });
 }
 
-Scan scan_results(const OpenFile& file, std::uint64_t first, bool finished, const std::function<void(std::string_view)>& piece) {
+Scan scan_results(const OpenFile& file, std::uint64_t first, bool finished,
+                  const std::function<void(std::string_view)>& piece) {
     Scanner scanner(first, finished);
     std::vector<char> buffer(std::size_t(1) << 20);
     std::string rest;  // of a line that goes on in the next piece

@@ -58,8 +58,8 @@ private:
     int descriptor_;
 };
 
-/// What \p write writes becomes \p target when it is all there, and synced; nothing where \p write returns false or throws.
-/// \throws file_error.
+/// What \p write writes becomes \p target when it is all there, and synced; nothing where \p write returns false or
+/// throws. \throws file_error.
 void replace_file(const std::string& target, const std::function<bool(const OpenFile&)>& write);
 
 /// What stands in a file of results: whole lines of scenes that follow one another.
@@ -109,8 +109,8 @@ struct Merged {
     std::uint64_t scenes = 0, failed = 0, shards = 0;
 };
 
-/// Checks that \p files are the shards of one grid, that each is whole and that none is missing or double, and writes all of
-/// their lines to \p output, beside it first, then renamed, with its description. Names that end in .sweep are left out.
+/// Checks that \p files are the shards of one grid, that each is whole and that none is missing or double, and writes all
+/// of their lines to \p output by replace_file(), with its description. Names that end in .sweep are left out.
 /// \throws file_error for what cannot be read or written.
 [[nodiscard]] Merged merge(std::vector<std::string> files, const std::string& output);
 

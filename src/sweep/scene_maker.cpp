@@ -78,8 +78,8 @@ private:
     double rms_height_;
 };
 
-/// Puts the table of each of \p contacts over \p range of pressures [Pa], or of separations [m] where the scene has these,
-/// in its place; a law that has no table stays. K and the separation of a table are within the error that it carries,
+/// Puts the table of each of \p contacts over \p range of pressures [Pa], or of separations [m] where the scene has
+/// these, in its place; a law that has no table stays. K and the separation of a table are within the error that it carries,
 /// which the results show as that of K.
 void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& scene, std::array<double, 2> range) {
     for (scene::MadeContact& made : contacts) {
@@ -149,11 +149,13 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
     has_stiffness_ = first->stiffness || std::any_of(grid.axes.begin(), grid.axes.end(), [](const Axis& axis) {
                          return axis.key.starts_with("output.");
                      });
-    const auto point = std::find_if(setters_.begin(), setters_.end(), [](const Setter& one) { return one.put == put_point; });
+    const auto point =
+        std::find_if(setters_.begin(), setters_.end(), [](const Setter& one) { return one.put == put_point; });
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());
     // boundary elements begin with the solution of the point before, and another law may not be computed so
     folds_ = point != setters_.end() && first->points.size() == 1 &&
-             std::all_of(first->laws.begin(), first->laws.end(), [](const auto& chosen) { return chosen.law->varies; }) &&
+             std::all_of(first->laws.begin(), first->laws.end(),
+                         [](const scene::ChosenLaw& chosen) { return chosen.law->varies; }) &&
              std::none_of(grid.axes.begin(), grid.axes.end(),
                           [](const Axis& axis) { return axis.key.starts_with("contact.laws"); });
     if (grid.tabulate) find_table_range(*first);

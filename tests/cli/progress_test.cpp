@@ -41,8 +41,9 @@ TEST_CASE("100000 pressures show a bar") {
     scene = test::replaced(scene, "count = 31", "count = 100000");
     scene = test::replaced(scene, "[\"fractal\", \"hertz\", \"greenwood_williamson\"]", "[\"greenwood_williamson\"]");
     folder.write("scene.toml", scene);
-    const auto shown = test::shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' run '" + folder / "scene.toml" +
-                                   "' --format csv -o '" + folder / "run.csv" + "'\" /dev/null");
+    const auto shown =
+        test::shell("export TERM=vt100; script -qec \"'" FSTIFF_COMMAND "' run '" + folder / "scene.toml" +
+                    "' --format csv -o '" + folder / "run.csv" + "'\" /dev/null");
     INFO(shown.out);
     CHECK(shown.status == 0);
     CHECK(test::contains(shown.out, "points ["));

@@ -148,7 +148,8 @@ TEST_CASE("bash completes every command, option and word") {
         std::erase_if(all, [](const std::string& name) { return !name.starts_with("--"); });
         ask(command + " x --", 3, all);
     }
-    const auto answer = test::shell("bash --norc", "fstiff() { '" FSTIFF_COMMAND "' \"$@\"; }\nsource '" + script + "'\n" + asked);
+    const auto answer =
+        test::shell("bash --norc", "fstiff() { '" FSTIFF_COMMAND "' \"$@\"; }\nsource '" + script + "'\n" + asked);
     INFO(answer.err);
     CHECK(answer.err.empty());
     const auto answers = test::lines(answer.out);

@@ -241,7 +241,9 @@ void Program::print_help() const {
     } else {
         std::vector<std::string> pages = command_names(*app_);
         for (std::string& page : pages) page = name + "-" + page;
-        std::cout << manual_page(name, version_, app_->get_formatter()->make_help(app_.get(), name, CLI::AppFormatMode::Normal), pages);
+        // not app_->help(), which is that of the command help
+        const std::string help = app_->get_formatter()->make_help(app_.get(), name, CLI::AppFormatMode::Normal);
+        std::cout << manual_page(name, version_, help, pages);
     }
 }
 

@@ -34,7 +34,8 @@ std::string entry(const std::string& line) {
     if (line[2] == ' ') return roff(line.substr(line.find_first_not_of(' '))) + "\n";
     const std::size_t end = std::min(line.find("  ", 2), line.size());
     const std::size_t help = std::min(line.find_first_not_of(' ', end), line.size());
-    return ".TP\n\\fB" + roff(line.substr(2, end - 2)) + "\\fR\n" + (help < line.size() ? roff(line.substr(help)) + "\n" : "");
+    return ".TP\n\\fB" + roff(line.substr(2, end - 2)) + "\\fR\n" +
+           (help < line.size() ? roff(line.substr(help)) + "\n" : "");
 }
 
 }  // namespace
@@ -71,8 +72,8 @@ std::string manual_page(const std::string& name, const std::string& version, con
     body += ".SH SEE ALSO\n";
     for (const std::string& page : also)
         body += "\\fB" + roff(page) + "\\fR(1)" + (&page == &also.back() ? "\n" : ",\n");
-    return ".TH " + roff(upper(name)) + " 1 \"\" \"" + version + "\" \"Manual of fstiff\"\n.SH NAME\n" + roff(name) + " \\- " +
-           roff(about) + "\n.SH SYNOPSIS\n" + roff(usage.substr(usage.find(' ') + 1)) + "\n" + body;
+    return ".TH " + roff(upper(name)) + " 1 \"\" \"" + version + "\" \"Manual of fstiff\"\n.SH NAME\n" + roff(name) +
+           " \\- " + roff(about) + "\n.SH SYNOPSIS\n" + roff(usage.substr(usage.find(' ') + 1)) + "\n" + body;
 }
 
 }  // namespace fstiff::cli

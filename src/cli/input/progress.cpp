@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 std::string duration(double seconds) {
     const long long whole = std::llround(std::min(seconds, 1e9));
-    return whole < 60 ? std::to_string(whole) + " s" : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+    return (whole < 60 ? "" : std::to_string(whole / 60) + " min ") + std::to_string(whole % 60) + " s";
 }
 
 class Bar {

@@ -5,9 +5,9 @@
 
 namespace fstiff::cli {
 
-/// A bar with the time left, on the terminal of standard error; empty, and so never called, where that is no terminal.
-/// It is wiped when the hook and its copies are gone: keep them no longer than the work lasts. \p with_rate: it shows how
-/// many are done in a second, too.
+/// A bar with the time left, on the terminal of standard error; empty, and never called, where that is no terminal.
+/// It is wiped when the hook and its copies are gone: keep them no longer than the work lasts. \p with_rate: it also
+/// shows how many are done in a second.
 ProgressHook progress_bar(bool with_rate = false);
 
 }  // namespace fstiff::cli

@@ -30,14 +30,15 @@ struct Dimension {
 
 /// The \p i-th of \p most places that are drawn of \p count, the ends included.
 std::uint64_t drawn_place(std::uint64_t i, std::uint64_t count, std::uint64_t most) {
-    return static_cast<std::uint64_t>(static_cast<double>(i) * static_cast<double>(count - 1) / static_cast<double>(most - 1));
+    const double share = static_cast<double>(i) * static_cast<double>(count - 1) / static_cast<double>(most - 1);
+    return static_cast<std::uint64_t>(share);
 }
 
 /// Whether \p place is drawn of \p count: all are, or \p most of them.
 bool is_drawn(std::uint64_t place, std::uint64_t count, std::uint64_t most) {
     if (count <= most) return place < count;
-    const auto near_it = static_cast<std::uint64_t>(static_cast<double>(place) * static_cast<double>(most - 1) / static_cast<double>(count - 1));
-    return drawn_place(near_it, count, most) == place || drawn_place(near_it + 1, count, most) == place;
+    const std::uint64_t before = drawn_place(place, most, count);
+    return drawn_place(before, count, most) == place || drawn_place(before + 1, count, most) == place;
 }
 
 using CurveKey = std::tuple<std::string, std::optional<double>, std::optional<double>>;
@@ -159,8 +160,8 @@ Axis horizontal(const sweep::Grid& grid, const Dimension& x) {
 }
 
 /// The lines of \p layout: of each of the first \p curves at most \p lines.
-std::vector<Series> series_of(const sweep::Grid& grid, const std::string& file, const Layout& layout, std::size_t curves,
-                              std::uint64_t lines) {
+std::vector<Series> series_of(const sweep::Grid& grid, const std::string& file, const Layout& layout,
+                              std::size_t curves, std::uint64_t lines) {
     const auto place_in = [](const Dimension& of, const std::vector<sweep::Value>& values, const sweep::Row& row) {
         return of.is_points() ? std::uint64_t(row.point) : values[of.axis].place;
     };
