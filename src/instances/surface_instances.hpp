@@ -51,8 +51,8 @@ FSTIFF_SCENE_INSTANCE Profile<double> gaussian_low_pass(const Profile<double>&, 
 FSTIFF_SCENE_INSTANCE Profile<double> gaussian_roughness(const Profile<double>&, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> gaussian_low_pass(const HeightMap<double>&, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> gaussian_high_pass(const HeightMap<double>&, double);
-FSTIFF_SCENE_INSTANCE RobustWaviness<double> robust_waviness(const Profile<double>&, double, int);
-FSTIFF_SCENE_INSTANCE RobustMapWaviness<double> robust_waviness(const HeightMap<double>&, double);
+FSTIFF_SCENE_INSTANCE RobustWaviness<Profile<double>> robust_waviness(const Profile<double>&, double, int);
+FSTIFF_SCENE_INSTANCE RobustWaviness<HeightMap<double>> robust_waviness(const HeightMap<double>&, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> remove_form(const HeightMap<double>&, MapForm);
 FSTIFF_SCENE_INSTANCE ArealStatistics<double> areal_statistics(const HeightMap<double>&);
 FSTIFF_SCENE_INSTANCE ArealParameters<double> areal_parameters(const HeightMap<double>&,

@@ -15,12 +15,14 @@
 /// Accuracy    a surface rougher than 0.6 q, or than 1e-14 of its largest height, is never taken for rounding
 ///             (tests/math/rounding_test.cpp)
 
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/error.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace fstiff::detail {
 
@@ -68,6 +70,16 @@ bool is_rounding(const T* heights, const T* rest, std::size_t count, T resolutio
     const T rms = most * std::sqrt(squares / static_cast<T>(present));
     const T least = (std::max)(most / T(0.6), rms / T(0.3));
     return resolution >= least || common_step(heights, count, least, (std::max)(rounding, T(0.01) * most)) >= least;
+}
+
+/// \throws domain_error where is_rounding() of the \p surface, "profile" or "map", without its \p form.
+template <Real T>
+void require_more_than_rounding(const std::string& surface, std::string_view form, const T* heights, const T* rest,
+                                std::size_t count, T resolution) {
+    if (is_rounding(heights, rest, count, resolution))
+        throw domain_error(surface + " of constant height once its form (" + std::string(form) +
+                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
+                           "heights; must be of varying height");
 }
 
 }  // namespace fstiff::detail

@@ -45,11 +45,9 @@ template <Real T>
                                        std::type_identity_t<T> resolution = 0,
                                        std::optional<std::type_identity_t<T>> lambda_s = {}) {
     LevelledProfile<T> flat{.profile = detrend(profile, form), .removed = form, .cutoff = cutoff, .lambda_s = lambda_s};
-    if (form != Form::none && detail::is_rounding(profile.heights.data(), flat.profile.heights.data(), profile.size(),
-                                                  static_cast<T>(resolution)))
-        throw domain_error("profile of constant height once its form (" + std::string(name_of(form)) +
-                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
-                           "heights; must be of varying height");
+    if (form != Form::none)
+        detail::require_more_than_rounding<T>("profile", name_of(form), profile.heights.data(),
+                                              flat.profile.heights.data(), profile.size(), resolution);
     if (lambda_s) {
         flat.unfiltered = cutoff ? gaussian_roughness(flat.profile, *cutoff) : flat.profile;
         flat.profile = gaussian_low_pass(flat.profile, *lambda_s);

@@ -19,11 +19,6 @@
 
 namespace fstiff {
 
-/// \p removed points became missing; \p missing are missing, the longest run of them \p longest points.
-struct Repair {
-    std::size_t removed{}, missing{}, longest{};
-};
-
 /// How many spikes \p profile holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
 Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true);
@@ -45,14 +40,7 @@ Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remo
             if (k != i && !std::isnan(profile.heights[k])) neighbours.push_back(profile.heights[k]);
         if (neighbours.size() >= 2) differences[i] = profile.heights[i] - median(neighbours);
     }
-    const std::vector<bool> is_far = detail::far_from_median(differences, limit);
-    Repair repair;
-    for (std::size_t i = 0; i < size; ++i) {
-        if (!is_far[i]) continue;
-        ++repair.removed;
-        if (remove) profile.heights[i] = std::numeric_limits<T>::quiet_NaN();
-    }
-    return repair;
+    return detail::spikes_among(profile.heights.data(), differences, limit, remove);
 }
 
 template <Real T>

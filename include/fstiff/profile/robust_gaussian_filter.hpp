@@ -29,18 +29,9 @@
 
 namespace fstiff {
 
-/// What the robust filter says are the long waves of a profile.
-template <Real T = double>
-struct RobustWaviness {
-    Profile<T> waviness;
-    std::size_t left_out{};  ///< points of weight 0
-    int iterations{};
-    bool converged{};  ///< false: the scale of the weights still changed after 100 iterations
-};
-
 /// The long waves of \p profile. \throws domain_error for a cut-off, an order or a profile out of range.
 template <Real T>
-[[nodiscard]] RobustWaviness<T> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2);
+[[nodiscard]] RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2);
 
 /// \p profile without them. \throws domain_error as above.
 template <Real T>
@@ -48,8 +39,6 @@ template <Real T>
 
 namespace detail {
 
-inline constexpr double robust_tolerance = 1e-4;
-inline constexpr int robust_iterations = 100;
 /// g of the file's head: exp(-t) = 1/2 and (1 + t) exp(-t) = 1/2 for t = pi g^2.
 template <Real T>
 inline constexpr T robust_width[2] = {T(0.469718639349825667L), T(0.730913428094675868L)};
@@ -118,7 +107,7 @@ F regression_value(const std::vector<std::vector<F>>& s, const std::vector<std::
 }  // namespace detail
 
 template <Real T>
-RobustWaviness<T> robust_waviness(const Profile<T>& profile, T cutoff, int order) {
+RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order) {
     using F = Accumulator<T>;
     require_positive("spacing", profile.spacing);
     require(order == 0 || order == 2, "order", order, "0 or 2");
@@ -127,41 +116,21 @@ RobustWaviness<T> robust_waviness(const Profile<T>& profile, T cutoff, int order
     const T scale = detail::height_scale(profile), mean = mean_height(profile);
     const std::size_t size = profile.size(), terms = static_cast<std::size_t>(order) + 1;
     detail::RegressionSums<F> regression(size, static_cast<F>(cutoff) / static_cast<F>(profile.spacing), order);
-    std::vector<F> heights(size), weights(size), weighted(size), wave(size), residuals;
     std::vector<std::vector<F>> s, t;
-    std::vector<F> full;  // the Gaussian weight of every point
-    for (std::size_t i = 0; i < size; ++i) {
-        const bool exists = !std::isnan(profile.heights[i]);
-        heights[i] = exists ? static_cast<F>((profile.heights[i] - mean) / scale) : F(0);
-        weights[i] = exists ? F(1) : F(0);
-    }
-    RobustWaviness<T> result;
-    F previous = 0;
-    for (;; ++result.iterations) {
-        for (std::size_t i = 0; i < size; ++i) weighted[i] = weights[i] * heights[i];
+    const auto exists = [&](std::size_t i) { return !std::isnan(profile.heights[i]); };
+    std::vector<F> heights(size);
+    for (std::size_t i = 0; i < size; ++i)
+        if (exists(i)) heights[i] = static_cast<F>((profile.heights[i] - mean) / scale);
+    const auto sum = [&](const std::vector<F>& weights, const std::vector<F>& weighted) {
         regression(weights, 2 * terms - 1, s);
         regression(weighted, terms, t);
-        if (full.empty()) full = s[0];
-        const F least = static_cast<F>(detail::robust_share[order / 2]);
-        residuals.clear();
-        for (std::size_t i = 0; i < size; ++i) {
-            if (std::isnan(profile.heights[i])) continue;
-            if (result.iterations == 0 || s[0][i] >= least * full[i]) wave[i] = detail::regression_value(s, t, i);
-            residuals.push_back(std::abs(heights[i] - wave[i]));
-        }
-        const F c = tukey_factor<F> * median(residuals);
-        result.converged = std::abs(c - previous) <= static_cast<F>(detail::robust_tolerance) * c;
-        if (result.converged || c == F(0) || result.iterations == detail::robust_iterations) break;
-        previous = c;
-        for (std::size_t i = 0; i < size; ++i)
-            weights[i] = std::isnan(profile.heights[i]) ? F(0) : tukey_weight(heights[i] - wave[i], c);
-    }
-    result.waviness = profile;
-    for (std::size_t i = 0; i < size; ++i) {
-        if (std::isnan(profile.heights[i])) continue;
-        result.waviness.heights[i] = static_cast<T>(wave[i]) * scale + mean;
-        if (weights[i] == F(0)) ++result.left_out;
-    }
+    };
+    const auto found = detail::robust_means(
+        heights, static_cast<F>(detail::robust_share[order / 2]), exists, sum, [&](std::size_t i) { return s[0][i]; },
+        [&](std::size_t i) { return detail::regression_value(s, t, i); });
+    RobustWaviness<Profile<T>> result{profile, found.left_out, found.iterations, found.converged};
+    for (std::size_t i = 0; i < size; ++i)
+        if (exists(i)) result.waviness.heights[i] = static_cast<T>(found.waviness[i]) * scale + mean;
     return result;
 }
 

@@ -25,37 +25,11 @@ namespace fstiff {
 /// \throws domain_error as structure_function(), for a lag above (N-1)/2.
 template <Real T>
 [[nodiscard]] StructureFunction<T> second_differences(const Profile<T>& profile, std::span<const std::size_t> lags) {
-    require_positive("spacing", profile.spacing);
     const T scale = 2 * detail::height_scale(profile);  // a second difference is at most four heights
-    const std::vector<T>& z = profile.heights;
-    const std::size_t points = z.size();
-    StructureFunction<T> result;
-    for (const std::size_t n : lags) {
-        if (n < 1 || 2 * n >= points)
-            detail::refuse("lag", std::to_string(n) + " samples",
-                           "between 1 and " + std::to_string(points > 0 ? (points - 1) / 2 : 0));
-        // sums of short runs are added up, so that rounding does not grow with the number of points
-        constexpr std::size_t run = 512;
-        Accumulator<T> sum = 0;
-        std::size_t triples = 0;
-        for (std::size_t start = n; start < points - n; start += run) {
-            const std::size_t end = (std::min)(start + run, points - n);
-            Accumulator<T> part = 0;
-            for (std::size_t i = start; i < end; ++i) {
-                const T difference = (z[i + n] - z[i]) / scale - (z[i] - z[i - n]) / scale;
-                if (std::isnan(difference)) continue;
-                part += static_cast<Accumulator<T>>(difference) * difference;
-                ++triples;
-            }
-            sum += part;
-        }
-        if (triples == 0) continue;
-        result.step.push_back(n);
-        result.lag.push_back(static_cast<T>(n) * profile.spacing);
-        result.value.push_back(detail::mean_square<T>(sum, static_cast<Accumulator<T>>(triples), scale));
-        result.pairs.push_back(triples);
-    }
-    return result;
+    const T* const z = profile.heights.data();
+    return detail::mean_squares(profile, lags, 2, scale, Divisor::pairs, [=](std::size_t i, std::size_t n) {
+        return (z[i + 2 * n] - z[i + n]) / scale - (z[i + n] - z[i]) / scale;
+    });
 }
 
 }  // namespace fstiff

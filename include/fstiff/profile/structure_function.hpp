@@ -91,31 +91,29 @@ T mean_square(Accumulator<T> sum, Accumulator<T> count, Accumulator<T> scale) {
     return value;
 }
 
-}  // namespace detail
-
-template <Real T>
-StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags, Divisor divisor) {
+/// Mean squares of \p difference(i, n), of heights in units of \p scale, at the lags n: over i from 0 to N - \p reach n.
+template <Real T, class Difference>
+StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std::size_t> lags, std::size_t reach,
+                                  T scale, Divisor divisor, const Difference& difference) {
     require_positive("spacing", profile.spacing);
-    const T scale = detail::height_scale(profile);
-    const std::vector<T>& z = profile.heights;
-    const std::size_t points = z.size();
+    const std::size_t points = profile.size();
     const bool whole = profile.present() == points;
     StructureFunction<T> result;
     for (const std::size_t n : lags) {
-        if (n < 1 || n >= points)
+        if (n < 1 || reach * n >= points)
             detail::refuse("lag", std::to_string(n) + " samples",
-                           "between 1 and " + std::to_string(points > 0 ? points - 1 : 0));
+                           "between 1 and " + std::to_string(points > 0 ? (points - 1) / reach : 0));
         // sums of short runs are added up, so that rounding does not grow with the number of points
         constexpr std::size_t run = 512;
         Accumulator<T> sum = 0;
         std::size_t pairs = 0;
-        for (std::size_t start = 0; start < points - n; start += run) {
-            const std::size_t end = (std::min)(start + run, points - n);
+        for (std::size_t start = 0; start < points - reach * n; start += run) {
+            const std::size_t end = (std::min)(start + run, points - reach * n);
             Accumulator<T> part = 0;
             for (std::size_t i = start; i < end; ++i) {
-                const T difference = (z[i + n] - z[i]) / scale;
-                if (!whole && std::isnan(difference)) continue;
-                part += static_cast<Accumulator<T>>(difference) * difference;
+                const T here = difference(i, n);
+                if (!whole && std::isnan(here)) continue;
+                part += static_cast<Accumulator<T>>(here) * here;
                 ++pairs;
             }
             sum += part;
@@ -128,6 +126,16 @@ StructureFunction<T> structure_function(const Profile<T>& profile, std::span<con
         result.pairs.push_back(pairs);
     }
     return result;
+}
+
+}  // namespace detail
+
+template <Real T>
+StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags, Divisor divisor) {
+    const T scale = detail::height_scale(profile);
+    const T* const z = profile.heights.data();
+    return detail::mean_squares(profile, lags, 1, scale, divisor,
+                                [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
 }
 
 template <Real T>

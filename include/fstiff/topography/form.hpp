@@ -61,11 +61,9 @@ struct LevelledMap {
 template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
     LevelledMap<T> flat{remove_form(map, form), form};
-    if (form != MapForm::none && detail::is_rounding(map.heights.data(), flat.map.heights.data(),
-                                                     static_cast<std::size_t>(map.size()), resolution))
-        throw domain_error("map of constant height once its form (" + std::string(name_of(form)) +
-                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
-                           "heights; must be of varying height");
+    if (form != MapForm::none)
+        detail::require_more_than_rounding<T>("map", name_of(form), map.heights.data(), flat.map.heights.data(),
+                                              static_cast<std::size_t>(map.size()), resolution);
     return flat;
 }
 

@@ -43,14 +43,13 @@ using FilteredHeights = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 
 /// The weighted sums of every row of \p z, then of every column.
 template <Real F>
-void smooth_both_ways(FilteredHeights<F>& z, GaussianSmoother<F>& along_x, GaussianSmoother<F>& along_y) {
-    constexpr auto lines = static_cast<Eigen::Index>(GaussianSmoother<F>::lines);
-    const auto many = [&](Eigen::Index from, Eigen::Index all) {
-        return static_cast<std::size_t>((std::min)(lines, all - from));
-    };
-    const auto row = static_cast<std::size_t>(z.cols());
-    for (Eigen::Index j = 0; j < z.rows(); j += lines) along_x.of_lines(&z(j, 0), 1, row, many(j, z.rows()));
-    for (Eigen::Index i = 0; i < z.cols(); i += lines) along_y.of_lines(&z(0, i), row, 1, many(i, z.cols()));
+void smooth_both_ways(F* z, Eigen::Index rows, Eigen::Index columns, GaussianSmoother<F>& along_x,
+                      GaussianSmoother<F>& along_y) {
+    constexpr std::size_t lines = GaussianSmoother<F>::lines;
+    const auto height = static_cast<std::size_t>(rows), width = static_cast<std::size_t>(columns);
+    for (std::size_t j = 0; j < height; j += lines)
+        along_x.of_lines(z + j * width, 1, width, (std::min)(lines, height - j));
+    for (std::size_t i = 0; i < width; i += lines) along_y.of_lines(z + i, width, 1, (std::min)(lines, width - i));
 }
 
 /// \throws domain_error for a map out of range, or a cut-off that it cannot hold.
@@ -94,7 +93,7 @@ HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
     const detail::MapHeights<T> heights(map);
     auto [along_x, along_y] = detail::smoothers(map, cutoff);
     detail::FilteredHeights<F> z = detail::present_or_zero(map, heights);
-    detail::smooth_both_ways(z, along_x, along_y);
+    detail::smooth_both_ways(z.data(), map.rows(), map.columns(), along_x, along_y);
     if (map.present() == map.size()) {  // the weights are a product as well
         std::vector<F> of_x(static_cast<std::size_t>(map.columns()), F(1)),
             of_y(static_cast<std::size_t>(map.rows()), F(1));
@@ -106,7 +105,7 @@ HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
     } else {
         detail::FilteredHeights<F> weights =
             map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<F>();
-        detail::smooth_both_ways(weights, along_x, along_y);
+        detail::smooth_both_ways(weights.data(), map.rows(), map.columns(), along_x, along_y);
         z /= weights;  // of a missing point it may be 0/0, and is not used
     }
     HeightMap<T> low;

@@ -22,21 +22,16 @@
 
 namespace fstiff {
 
-/// \p removed points became missing; \p missing were filled, \p longest of them in the largest hole.
-struct MapRepair {
-    std::size_t removed{}, missing{}, longest{};
-};
-
 /// How many spikes \p map holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
-MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true);
+Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true);
 
 /// Fills the missing points of \p map. \throws domain_error where every point is missing.
 template <Real T>
-MapRepair fill_missing(HeightMap<T>& map);
+Repair fill_missing(HeightMap<T>& map);
 
 template <Real T>
-MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove) {
+Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove) {
     require_positive("spikes", limit);
     const Eigen::Index rows = map.rows(), columns = map.columns();
     require(rows >= 3 && columns >= 3, "points a side of a map with spikes", (std::min)(rows, columns), "at least 3");
@@ -60,22 +55,15 @@ MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool rem
             if (neighbours.size() < 3) continue;
             differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - median(neighbours);
         }
-    const std::vector<bool> is_far = detail::far_from_median(differences, limit);
-    MapRepair repair;
-    for (Eigen::Index k = 0; k < map.size(); ++k)
-        if (is_far[static_cast<std::size_t>(k)]) {
-            ++repair.removed;
-            if (remove) map.heights.data()[k] = std::numeric_limits<T>::quiet_NaN();
-        }
-    return repair;
+    return detail::spikes_among(map.heights.data(), differences, limit, remove);
 }
 
 template <Real T>
-MapRepair fill_missing(HeightMap<T>& map) {
+Repair fill_missing(HeightMap<T>& map) {
     using F = Accumulator<T>;
     using Index = Eigen::Index;
     const Index rows = map.rows(), columns = map.columns();
-    MapRepair repair;
+    Repair repair;
     require(map.present() > 0, "points that exist", 0, "at least 1 to fill the others");
     std::vector<int> number(static_cast<std::size_t>(map.size()), -1);
     std::vector<Index> holes, stack;

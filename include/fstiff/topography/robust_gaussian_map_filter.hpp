@@ -21,61 +21,36 @@
 
 namespace fstiff {
 
-/// What the robust filter says are the long waves of a map.
-template <Real T = double>
-struct RobustMapWaviness {
-    HeightMap<T> waviness;
-    std::size_t left_out{};  ///< points of weight 0
-    int iterations{};
-    bool converged{};  ///< false: the scale of the weights still changed after 100 iterations
-};
-
 /// The long waves of \p map. \throws domain_error for a cut-off or a map out of range.
 template <Real T>
-[[nodiscard]] RobustMapWaviness<T> robust_waviness(const HeightMap<T>& map, T cutoff);
+[[nodiscard]] RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff);
 
 /// \p map without them. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] HeightMap<T> robust_high_pass(const HeightMap<T>& map, T cutoff);
 
 template <Real T>
-RobustMapWaviness<T> robust_waviness(const HeightMap<T>& map, T cutoff) {
+RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff) {
     using F = Accumulator<T>;
-    using Array = detail::FilteredHeights<F>;
     detail::require_cut_off(map, cutoff);
     const detail::MapHeights<T> scaled(map);
     auto [along_x, along_y] = detail::smoothers(map, cutoff);
-    const Array z = detail::present_or_zero(map, scaled);
-    Array delta =
-        map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<F>();
-    RobustMapWaviness<T> result;
-    Array wave = Array::Zero(map.rows(), map.columns()), full;
-    std::vector<F> residuals;
-    F previous = 0;
-    for (;; ++result.iterations) {
-        Array heights = z * delta, weights = delta;
-        detail::smooth_both_ways(heights, along_x, along_y);
-        detail::smooth_both_ways(weights, along_x, along_y);
-        if (result.iterations == 0) full = weights;
-        residuals.clear();
-        for (Eigen::Index k = 0; k < map.size(); ++k) {
-            if (std::isnan(map.heights.data()[k])) continue;
-            if (weights.data()[k] >= F(0.01) * full.data()[k]) wave.data()[k] = heights.data()[k] / weights.data()[k];
-            residuals.push_back(std::abs(z.data()[k] - wave.data()[k]));
-        }
-        const F c = tukey_factor<F> * median(residuals);
-        result.converged = std::abs(c - previous) <= F(1e-4) * c;
-        if (result.converged || c == F(0) || result.iterations == 100) break;
-        previous = c;
-        for (Eigen::Index k = 0; k < map.size(); ++k)
-            delta.data()[k] = std::isnan(map.heights.data()[k]) ? F(0) : tukey_weight(z.data()[k] - wave.data()[k], c);
-    }
-    result.waviness = map;
-    for (Eigen::Index k = 0; k < map.size(); ++k) {
-        if (std::isnan(map.heights.data()[k])) continue;
-        result.waviness.heights.data()[k] = static_cast<T>((wave.data()[k] + scaled.mean) * scaled.unit + scaled.datum);
-        if (delta.data()[k] == F(0)) ++result.left_out;
-    }
+    const auto exists = [&](std::size_t k) { return !std::isnan(map.heights.data()[k]); };
+    const auto z = detail::present_or_zero(map, scaled);
+    std::vector<F> sums, weights;
+    const auto sum = [&](const std::vector<F>& delta, const std::vector<F>& weighted) {
+        weights = delta, sums = weighted;
+        detail::smooth_both_ways(sums.data(), map.rows(), map.columns(), along_x, along_y);
+        detail::smooth_both_ways(weights.data(), map.rows(), map.columns(), along_x, along_y);
+    };
+    const auto found = detail::robust_means(
+        std::vector<F>(z.data(), z.data() + z.size()), F(0.01), exists, sum,
+        [&](std::size_t k) { return weights[k]; }, [&](std::size_t k) { return sums[k] / weights[k]; });
+    RobustWaviness<HeightMap<T>> result{map, found.left_out, found.iterations, found.converged};
+    for (std::size_t k = 0; k < found.waviness.size(); ++k)
+        if (exists(k))
+            result.waviness.heights.data()[k] =
+                static_cast<T>((found.waviness[k] + scaled.mean) * scaled.unit + scaled.datum);
     return result;
 }
 
