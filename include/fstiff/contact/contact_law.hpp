@@ -77,6 +77,18 @@
 
 namespace fstiff {
 
+namespace detail {
+
+template <ReadableReal T>
+void require_range(const LawRange<T>& range) {
+    require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,
+            "finite and greater than 0, and no denormal number");
+    require(range.max_pressure > range.min_pressure && std::isfinite(range.max_pressure), "max_pressure",
+            range.max_pressure, "finite and greater than min_pressure");
+}
+
+}  // namespace detail
+
 /// p(d), K(d) and d(p), K(p) of a contact from tables, in nanoseconds. Threads may share one.
 template <ReadableReal T = double>
 class ContactLaw {
@@ -106,7 +118,17 @@ public:
     /// Tabulates states that \p law gives at pressures [Pa], whose K need not be -dp/dd, such as means over several contacts;
     /// the error of the separation is relative to \p rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
     [[nodiscard]] static ContactLaw tabulate_points(const std::function<LawPoint<T>(T pressure)>& law,
-                                                    std::type_identity_t<T> rms_height, const LawRange<T>& range);
+                                                    std::type_identity_t<T> rms_height, const LawRange<T>& range) {
+        detail::require_range(range);
+        require_positive("rms_height", rms_height);
+        if (range.outside == OutsideRange::exact)
+            detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
+        ContactLaw made;
+        made.tables_ = detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, T(0), rms_height)
+                           .tabulate(range.min_pressure, range.max_pressure);
+        made.tables_.outside = range.outside;
+        return made;
+    }
 
     /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse,
     /// for a negative or infinite pressure under extrapolate, for NaN, and of an empty law.
@@ -207,14 +229,30 @@ public:
     [[nodiscard]] int evaluations() const { return tables_.evaluations; }
 
     /// The same law with another policy. \throws domain_error for exact unless the law has it: the model is not there.
-    [[nodiscard]] ContactLaw with(OutsideRange outside) const;
+    [[nodiscard]] ContactLaw with(OutsideRange outside) const {
+        if (outside == OutsideRange::exact && !exact_)
+            detail::refuse("outside", "exact", "asked for when the law is tabulated; its model is not kept else");
+        ContactLaw other = *this;
+        other.tables_.outside = outside;
+        if (outside != OutsideRange::exact) other.exact_ = nullptr;
+        return other;
+    }
 
     /// The law as text, every number in hexadecimal so that from_text gives it back bit for bit.
     /// \throws domain_error of an empty law, and of one with OutsideRange::exact, whose model no text holds: write
     /// with(another policy).
-    [[nodiscard]] std::string to_text() const;
+    [[nodiscard]] std::string to_text() const {
+        require_filled();
+        if (outside() == OutsideRange::exact)
+            detail::refuse("outside", "exact", "another policy for a law that goes to text, which holds no model");
+        return detail::law_text(tables_);
+    }
     /// Lines may end in LF or CRLF. \throws domain_error for text that to_text did not write.
-    [[nodiscard]] static ContactLaw from_text(std::string_view text);
+    [[nodiscard]] static ContactLaw from_text(std::string_view text) {
+        ContactLaw law;
+        law.tables_ = detail::read_law_text<T>(text);
+        return law;
+    }
 
     /// Whether tables and policy are the same; of two laws with OutsideRange::exact the models are not compared.
     [[nodiscard]] bool operator==(const ContactLaw& other) const { return tables_ == other.tables_; }
@@ -239,8 +277,38 @@ private:
         return tables_.kinked.contains_pressure(pressure) ? of_tables(tables_.kinked_at_pressure(pressure))
                                                           : outside_pressure(pressure, with_slope);
     }
-    AtPressure outside_pressure(T pressure, bool with_slope) const;
-    Whole outside_separation(T separation) const;
+    AtPressure outside_pressure(T pressure, bool with_slope) const {
+        require_filled();
+        if (!detail::is_nan(pressure)) {
+            if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
+            if (tables_.outside == OutsideRange::clamp) {
+                const bool below = pressure < tables_.min_pressure;
+                const auto end = tables_.at_end(below ? tables_.min_pressure : tables_.max_pressure);
+                return {end.separation, end.stiffness, T(0)};
+            }
+        }
+        if (tables_.outside != OutsideRange::exact)
+            refuse("pressure", pressure, tables_.min_pressure, tables_.max_pressure, " Pa");
+        const auto stiffness_at = [this](T p) { return exact_(p, true).stiffness; };
+        const T step = std::cbrt(std::numeric_limits<T>::epsilon()) * pressure;
+        const Exact at = exact_(pressure, true);
+        return {at.separation, at.stiffness,
+                with_slope ? (stiffness_at(pressure + step) - stiffness_at(pressure - step)) / (2 * step) : T(0)};
+    }
+    Whole outside_separation(T separation) const {
+        require_filled();
+        if (!detail::is_nan(separation)) {
+            if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
+            if (tables_.outside == OutsideRange::clamp) {
+                const Whole end = separation < tables_.closest() ? tables_.at_closest() : tables_.at_furthest();
+                return {end.pressure, end.stiffness, T(0)};
+            }
+        }
+        if (tables_.outside != OutsideRange::exact)
+            refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
+        const Exact at = exact_(separation, false);
+        return {at.pressure, at.stiffness, at.slope};
+    }
     void require_filled() const {
         if (empty())
             throw domain_error(Refusal{.parameter = "contact law",
@@ -280,77 +348,6 @@ private:
 };
 
 template <ReadableReal T>
-auto ContactLaw<T>::outside_pressure(T pressure, bool with_slope) const -> AtPressure {
-    require_filled();
-    if (!detail::is_nan(pressure)) {
-        if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
-        if (tables_.outside == OutsideRange::clamp) {
-            const auto end = tables_.at_end(pressure < tables_.min_pressure ? tables_.min_pressure : tables_.max_pressure);
-            return {end.separation, end.stiffness, T(0)};
-        }
-    }
-    if (tables_.outside != OutsideRange::exact)
-        refuse("pressure", pressure, tables_.min_pressure, tables_.max_pressure, " Pa");
-    const auto stiffness_at = [this](T p) { return exact_(p, true).stiffness; };
-    const T step = std::cbrt(std::numeric_limits<T>::epsilon()) * pressure;
-    const Exact at = exact_(pressure, true);
-    return {at.separation, at.stiffness,
-            with_slope ? (stiffness_at(pressure + step) - stiffness_at(pressure - step)) / (2 * step) : T(0)};
-}
-
-template <ReadableReal T>
-auto ContactLaw<T>::outside_separation(T separation) const -> Whole {
-    require_filled();
-    if (!detail::is_nan(separation)) {
-        if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
-        if (tables_.outside == OutsideRange::clamp) {
-            const Whole end = separation < tables_.closest() ? tables_.at_closest() : tables_.at_furthest();
-            return {end.pressure, end.stiffness, T(0)};
-        }
-    }
-    if (tables_.outside != OutsideRange::exact)
-        refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
-    const Exact at = exact_(separation, false);
-    return {at.pressure, at.stiffness, at.slope};
-}
-
-template <ReadableReal T>
-ContactLaw<T> ContactLaw<T>::with(OutsideRange outside) const {
-    if (outside == OutsideRange::exact && !exact_)
-        detail::refuse("outside", "exact", "asked for when the law is tabulated; its model is not kept else");
-    ContactLaw other = *this;
-    other.tables_.outside = outside;
-    if (outside != OutsideRange::exact) other.exact_ = nullptr;
-    return other;
-}
-
-namespace detail {
-
-template <ReadableReal T>
-void require_range(const LawRange<T>& range) {
-    require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,
-            "finite and greater than 0, and no denormal number");
-    require(range.max_pressure > range.min_pressure && std::isfinite(range.max_pressure), "max_pressure",
-            range.max_pressure, "finite and greater than min_pressure");
-}
-
-}  // namespace detail
-
-template <ReadableReal T>
-auto ContactLaw<T>::tabulate_points(const std::function<LawPoint<T>(T pressure)>& law, std::type_identity_t<T> rms_height,
-                                    const LawRange<T>& range) -> ContactLaw {
-    detail::require_range(range);
-    require_positive("rms_height", rms_height);
-    if (range.outside == OutsideRange::exact)
-        detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
-    ContactLaw made;
-    made.tables_ = detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, T(0), rms_height)
-                       .tabulate(range.min_pressure, range.max_pressure);
-    made.tables_.outside = range.outside;
-    return made;
-}
-
-template <ReadableReal T>
 template <Contact<T> Model>
 ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
     detail::require_range(range);
@@ -369,21 +366,6 @@ ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& r
             if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
             return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};
         };
-    return law;
-}
-
-template <ReadableReal T>
-std::string ContactLaw<T>::to_text() const {
-    require_filled();
-    if (outside() == OutsideRange::exact)
-        detail::refuse("outside", "exact", "another policy for a law that goes to text, which holds no model");
-    return detail::law_text(tables_);
-}
-
-template <ReadableReal T>
-ContactLaw<T> ContactLaw<T>::from_text(std::string_view text) {
-    ContactLaw law;
-    law.tables_ = detail::read_law_text<T>(text);
     return law;
 }
 

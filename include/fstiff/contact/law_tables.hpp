@@ -115,9 +115,36 @@ struct LawTables {
 
     /// The law beyond the range: K/p is constant below it, K dK/dp above it. Each continues its own table, from the
     /// value at the very end. \throws domain_error for a pressure that is negative or not finite.
-    [[nodiscard]] AtPressure continued_pressure(T pressure) const;
+    [[nodiscard]] AtPressure continued_pressure(T pressure) const {
+        require(pressure >= 0 && pressure <= (std::numeric_limits<T>::max)(), "pressure", pressure,
+                "finite and at least 0 Pa: the contact does not pull");
+        if (pressure < min_pressure) {
+            const AtPressure end = at_end(min_pressure);
+            const T rate = end.stiffness / min_pressure;
+            const T fall = rate / ratio_at(at_furthest());
+            return {end.separation + std::log(min_pressure / pressure) / fall, rate * pressure, rate};
+        }
+        const AtPressure end = at_end(max_pressure);
+        const T more = pressure - max_pressure, slope = growth_at_end();
+        const T growth = std::sqrt(1 + 2 * (slope / end.stiffness) * more);
+        const T k = end.stiffness * growth;
+        return {end.separation - 2 * more / ((end.stiffness + k) / ratio_at(at_closest())), k, slope / growth};
+    }
     /// \throws domain_error for -infinity.
-    [[nodiscard]] Whole continued_separation(T at) const;
+    [[nodiscard]] Whole continued_separation(T at) const {
+        if (at > furthest()) {
+            const Whole end = at_furthest();
+            const T share = std::exp(-(at - furthest()) * (end.slope / end.pressure));
+            return {end.pressure * share, end.stiffness * share, end.slope * share};
+        }
+        require(at >= std::numeric_limits<T>::lowest(), "separation", at, "greater than -infinity (m)");
+        const Whole end = at_closest();
+        const T less = closest() - at;
+        const T bend = growth_at_end() * end.slope;  // dK/d less
+        const T more_slope = bend * less / ratio_at(end);
+        const T p = end.pressure + less * (end.slope + more_slope / 2);
+        return {p, end.stiffness + bend * less, end.slope + more_slope};
+    }
 
     /// To be called once by_separation and stiffness_over_slope are set.
     void set_scales() {
@@ -139,38 +166,6 @@ struct LawTables {
                kinked == other.kinked;
     }
 };
-
-template <ReadableReal T>
-auto LawTables<T>::continued_pressure(T pressure) const -> AtPressure {
-    require(pressure >= 0 && pressure <= (std::numeric_limits<T>::max)(), "pressure", pressure,
-            "finite and at least 0 Pa: the contact does not pull");
-    if (pressure < min_pressure) {
-        const AtPressure end = at_end(min_pressure);
-        const T rate = end.stiffness / min_pressure;
-        return {end.separation + std::log(min_pressure / pressure) / (rate / ratio_at(at_furthest())), rate * pressure,
-                rate};
-    }
-    const AtPressure end = at_end(max_pressure);
-    const T more = pressure - max_pressure, slope = growth_at_end();
-    const T growth = std::sqrt(1 + 2 * (slope / end.stiffness) * more);
-    const T k = end.stiffness * growth;
-    return {end.separation - 2 * more / ((end.stiffness + k) / ratio_at(at_closest())), k, slope / growth};
-}
-
-template <ReadableReal T>
-auto LawTables<T>::continued_separation(T at) const -> Whole {
-    if (at > furthest()) {
-        const Whole end = at_furthest();
-        const T share = std::exp(-(at - furthest()) * (end.slope / end.pressure));
-        return {end.pressure * share, end.stiffness * share, end.slope * share};
-    }
-    require(at >= std::numeric_limits<T>::lowest(), "separation", at, "greater than -infinity (m)");
-    const Whole end = at_closest();
-    const T less = closest() - at;
-    const T bend = growth_at_end() * end.slope;  // dK/d less
-    const T more_slope = bend * less / ratio_at(end);
-    return {end.pressure + less * (end.slope + more_slope / 2), end.stiffness + bend * less, end.slope + more_slope};
-}
 
 }  // namespace detail
 }  // namespace fstiff

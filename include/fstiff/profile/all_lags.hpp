@@ -32,12 +32,6 @@
 
 namespace fstiff {
 
-/// S of \p profile at all lags of 1, 2, ... \p longest samples (0: all there are).
-/// \throws domain_error as structure_function() does, and for a profile of fewer than 2 or more than 2^29 points.
-template <Real T>
-[[nodiscard]] StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest = 0,
-                                                                  Divisor divisor = Divisor::pairs);
-
 namespace detail {
 
 /// The sums over pairs of one profile; heights are scaled, and 0 where \p present is 0;
@@ -269,8 +263,11 @@ private:
 
 }  // namespace detail
 
+/// S of \p profile at all lags of 1, 2, ... \p longest samples (0: all there are).
+/// \throws domain_error as structure_function() does, and for a profile of fewer than 2 or more than 2^29 points.
 template <Real T>
-StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest, Divisor divisor) {
+[[nodiscard]] StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest = 0,
+                                                                  Divisor divisor = Divisor::pairs) {
     using F = Accumulator<T>;
     require_positive("spacing", profile.spacing);
     const std::size_t points = profile.size();

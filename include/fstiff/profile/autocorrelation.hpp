@@ -33,26 +33,7 @@ struct Autocorrelation {
 
 /// Of \p profile. \throws domain_error for a profile out of range.
 template <Real T>
-[[nodiscard]] Autocorrelation<T> autocorrelation(const Profile<T>& profile);
-
-/// Ral: the lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or a lag before has no
-/// pair. \throws domain_error unless 0 < threshold < 1.
-template <Real T>
-[[nodiscard]] std::optional<T> autocorrelation_length(const Autocorrelation<T>& correlation,
-                                                      std::type_identity_t<T> threshold = T(0.2)) {
-    require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
-    for (std::size_t n = 1; n < correlation.size(); ++n) {
-        const T before = correlation.value[n - 1], here = correlation.value[n];
-        if (std::isnan(here)) return {};
-        if (here <= threshold)
-            return correlation.lag[n - 1] +
-                   (correlation.lag[n] - correlation.lag[n - 1]) * ((before - threshold) / (before - here));
-    }
-    return {};
-}
-
-template <Real T>
-Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
+[[nodiscard]] Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
     using F = Accumulator<T>;
     profile.validate(16);
     const std::size_t size = profile.size(), lags = size / 2;
@@ -84,6 +65,22 @@ Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
         result.pairs.push_back(static_cast<std::size_t>(pairs));
     }
     return result;
+}
+
+/// Ral: the lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or a lag before has no
+/// pair. \throws domain_error unless 0 < threshold < 1.
+template <Real T>
+[[nodiscard]] std::optional<T> autocorrelation_length(const Autocorrelation<T>& correlation,
+                                                      std::type_identity_t<T> threshold = T(0.2)) {
+    require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
+    for (std::size_t n = 1; n < correlation.size(); ++n) {
+        const T before = correlation.value[n - 1], here = correlation.value[n];
+        if (std::isnan(here)) return {};
+        if (here <= threshold)
+            return correlation.lag[n - 1] +
+                   (correlation.lag[n] - correlation.lag[n - 1]) * ((before - threshold) / (before - here));
+    }
+    return {};
 }
 
 }  // namespace fstiff

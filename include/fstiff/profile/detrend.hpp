@@ -25,11 +25,6 @@ template <>
 inline constexpr auto names<Form> =
     name_list<Form>({{Form::none, "none"}, {Form::mean, "mean"}, {Form::line, "line"}, {Form::parabola, "parabola"}});
 
-/// \p profile without the \p form.
-/// \throws domain_error when it has fewer points than the form has coefficients, or an infinite height.
-template <Real T>
-[[nodiscard]] Profile<T> detrend(const Profile<T>& profile, Form form);
-
 namespace detail {
 
 /// Number of polynomial coefficients of a form.
@@ -58,8 +53,10 @@ void subtract_product(T& value, T& carry, T a, T b) {
 
 }  // namespace detail
 
+/// \p profile without the \p form.
+/// \throws domain_error when it has fewer points than the form has coefficients, or an infinite height.
 template <Real T>
-Profile<T> detrend(const Profile<T>& profile, Form form) {
+[[nodiscard]] Profile<T> detrend(const Profile<T>& profile, Form form) {
     const std::size_t terms = detail::coefficients(form);
     for (const T z : profile.heights)
         require(std::isnan(z) || std::abs(z) <= (std::numeric_limits<T>::max)(), "height", z,

@@ -41,23 +41,6 @@
 
 namespace fstiff {
 
-/// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
-/// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
-/// of lags follows a power law, or when D is not between 1 and 2.
-template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {});
-
-/// D and G of \p profile as it is. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {});
-
-/// D and G of a structure function, with the resamples that come with it; options.divisor, .seed and .resamples have no
-/// part in it.
-/// \throws domain_error as above, and when options.tip_radius is given: a tip needs heights, see tip_cutoff().
-template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,
-                                        const FractalFitOptions<T>& options = {});
-
 namespace detail {
 
 template <Real T>
@@ -149,8 +132,11 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOpt
     return result;
 }
 
+/// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
+/// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
+/// of lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
-FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options) {
+[[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {}) {
     FractalFitOptions<T> how = options;
     how.lambda_s = (std::max)(how.lambda_s, levelled.lambda_s.value_or(T(0)));
     if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
@@ -158,13 +144,18 @@ FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOp
     return detail::fit_profile(levelled.of_structure(), how);
 }
 
+/// D and G of \p profile as it is. \throws domain_error as above.
 template <Real T>
-FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options) {
+[[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {}) {
     return detail::fit_profile(profile, options);
 }
 
+/// D and G of a structure function, with the resamples that come with it; options.divisor, .seed and .resamples have no
+/// part in it.
+/// \throws domain_error as above, and when options.tip_radius is given: a tip needs heights, see tip_cutoff().
 template <Real T>
-FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options) {
+[[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,
+                                        const FractalFitOptions<T>& options = {}) {
     detail::check_options(options);
     require_positive("spacing", measured.spacing);
     require(measured.profiles >= T(1) && measured.profiles <= (std::numeric_limits<T>::max)(), "profiles",

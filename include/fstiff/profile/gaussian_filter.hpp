@@ -27,28 +27,19 @@ namespace fstiff {
 /// Share of a wave of \p wavelength that the waviness keeps.
 /// \throws domain_error unless both lengths are positive.
 template <Real T>
-[[nodiscard]] T gaussian_transmission(T wavelength, T cutoff);
-
-/// The long waves of \p profile. \throws domain_error for a cut-off or a profile out of range.
-template <Real T>
-[[nodiscard]] Profile<T> gaussian_waviness(const Profile<T>& profile, T cutoff);
-
-/// \p profile without its short waves: the same sums, for a cut-off of two spacings and more. Below five spacings the
-/// weights are few, and waves of less than twice the cut-off pass better than the closed form says.
-/// \throws domain_error as above.
-template <Real T>
-[[nodiscard]] Profile<T> gaussian_low_pass(const Profile<T>& profile, T cutoff);
-
-/// \p profile without its long waves. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] Profile<T> gaussian_roughness(const Profile<T>& profile, T cutoff);
-
-template <Real T>
-T gaussian_transmission(T wavelength, T cutoff) {
+[[nodiscard]] T gaussian_transmission(T wavelength, T cutoff) {
     require_positive("wavelength", wavelength);
     require_positive("cut-off", cutoff);
     const T ratio = cutoff / wavelength;
     return std::exp(-numbers::ln2_v<T> * ratio * ratio);  // pi a^2 = ln 2
+}
+
+/// \p profile without its long waves. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] Profile<T> gaussian_roughness(const Profile<T>& profile, T cutoff) {
+    Profile<T> roughness = gaussian_waviness(profile, cutoff);
+    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
+    return roughness;
 }
 
 namespace detail {
@@ -83,21 +74,18 @@ Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
 
 }  // namespace detail
 
+/// The long waves of \p profile. \throws domain_error for a cut-off or a profile out of range.
 template <Real T>
-Profile<T> gaussian_waviness(const Profile<T>& profile, T cutoff) {
+[[nodiscard]] Profile<T> gaussian_waviness(const Profile<T>& profile, T cutoff) {
     return detail::gaussian_means(profile, cutoff, 5);
 }
 
+/// \p profile without its short waves: the same sums, for a cut-off of two spacings and more. Below five spacings the
+/// weights are few, and waves of less than twice the cut-off pass better than the closed form says.
+/// \throws domain_error as above.
 template <Real T>
-Profile<T> gaussian_low_pass(const Profile<T>& profile, T cutoff) {
+[[nodiscard]] Profile<T> gaussian_low_pass(const Profile<T>& profile, T cutoff) {
     return detail::gaussian_means(profile, cutoff, 2);
-}
-
-template <Real T>
-Profile<T> gaussian_roughness(const Profile<T>& profile, T cutoff) {
-    Profile<T> roughness = gaussian_waviness(profile, cutoff);
-    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
-    return roughness;
 }
 
 }  // namespace fstiff

@@ -42,10 +42,7 @@ struct PeakStatistics {
 /// Statistics of \p profile about its mean: remove its form first, with detrend().
 /// \throws domain_error for a profile that is out of range, or whose r or theta is.
 template <Real T>
-[[nodiscard]] PeakStatistics<T> peak_statistics(const Profile<T>& profile);
-
-template <Real T>
-PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
+[[nodiscard]] PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
     profile.validate(16);
     using S = Accumulator<T>;
     PeakStatistics<T> result;

@@ -43,7 +43,14 @@ struct PowerSpectrum {
     [[nodiscard]] std::size_t size() const { return value.size(); }
 
     /// Integral of q^\p order C dq: m0, m2, m4 by 0, 2, 4 [m^(2-order)].
-    [[nodiscard]] T moment(int order) const;
+    [[nodiscard]] T moment(int order) const {
+        CompensatedSum<Accumulator<T>> sum;
+        for (std::size_t k = 0; k < size(); ++k) {
+            const T share = k == 0 || k + 1 == size() ? T(0.5) : T(1);
+            sum.add(share * value[k] * step * std::pow(wavenumber[k], static_cast<T>(order)));
+        }
+        return static_cast<T>(sum.value());
+    }
 };
 
 /// A range of wavelengths [m], both ends included.
@@ -61,93 +68,11 @@ struct SpectralFit {
     std::size_t bins{};          ///< means of C that the line goes through
 };
 
-/// Spectrum of \p profile as it is: remove its form first, with detrend().
-/// \throws domain_error for a profile out of range.
-template <Real T>
-[[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape = SpectrumWindow::hann);
-
 /// D from the slope of \p spectrum over \p window, by default from 16 spacings to an eighth of the length.
 /// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
 template <Real T>
 [[nodiscard]] SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
-                                          const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {});
-
-template <Real T>
-T PowerSpectrum<T>::moment(int order) const {
-    CompensatedSum<Accumulator<T>> sum;
-    for (std::size_t k = 0; k < size(); ++k) {
-        const T share = k == 0 || k + 1 == size() ? T(0.5) : T(1);
-        sum.add(share * value[k] * step * std::pow(wavenumber[k], static_cast<T>(order)));
-    }
-    return static_cast<T>(sum.value());
-}
-
-namespace detail {
-
-/// Heights from the first to the last point that exists, gaps bridged.
-template <Real T>
-std::vector<Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) {
-    std::vector<Accumulator<T>> heights;
-    std::size_t gap = 0;
-    for (const T z : profile.heights) {
-        if (std::isnan(z)) {
-            gap += heights.empty() ? 0 : 1;
-            continue;
-        }
-        const Accumulator<T> next = static_cast<Accumulator<T>>((z - mean) / scale);
-        const Accumulator<T> last = heights.empty() ? next : heights.back();
-        for (std::size_t k = 1; k <= gap; ++k)
-            heights.push_back(last +
-                              (next - last) * static_cast<Accumulator<T>>(k) / static_cast<Accumulator<T>>(gap + 1));
-        gap = 0;
-        heights.push_back(next);
-    }
-    return heights;
-}
-
-}  // namespace detail
-
-template <Real T>
-PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape) {
-    using F = Accumulator<T>;
-    profile.validate(16);
-    const T scale = detail::height_scale(profile);
-    std::vector<F> z = detail::bridged(profile, mean_height(profile), scale);
-    const std::size_t points = z.size();
-    std::vector<F> window(points);
-    CompensatedSum<F> weight, squares, weighted;
-    for (std::size_t i = 0; i < points; ++i) {
-        window[i] = window_weight<F>(shape, i, points);
-        weight.add(window[i]);
-        squares.add(window[i] * window[i]);
-        weighted.add(window[i] * z[i]);
-    }
-    const F mean = weighted.value() / weight.value();
-    for (std::size_t i = 0; i < points; ++i) z[i] = window[i] * (z[i] - mean);
-    RealFft<F> fft(fast_fft_size(points));
-    std::vector<std::complex<F>> transform;
-    fft.forward(z, transform);
-
-    PowerSpectrum<T> spectrum;
-    const F h = static_cast<F>(profile.spacing), size = static_cast<F>(fft.size());
-    const F factor = h / (numbers::pi_v<F> * squares.value());
-    spectrum.step = static_cast<T>(2 * numbers::pi_v<F> / (size * h));
-    const F neighbours = shape == SpectrumWindow::hann ? F(35) / 18 : F(1);
-    spectrum.independent = static_cast<T>(neighbours * size / static_cast<F>(points));
-    for (std::size_t k = 0; k < transform.size(); ++k) {
-        spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
-        const F relative = k == 0 ? F(0) : std::norm(transform[k]) * factor;
-        const T value = static_cast<T>(relative * static_cast<F>(scale) * static_cast<F>(scale));
-        require(value <= (std::numeric_limits<T>::max)(), "power spectrum", value,
-                "finite: these heights are too large");
-        spectrum.value.push_back(value);
-    }
-    return spectrum;
-}
-
-template <Real T>
-SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
-                            const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window) {
+                                          const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {}) {
     using F = Accumulator<T>;
     if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
     require_positive("step of the wavenumber", spectrum.step);
@@ -206,6 +131,71 @@ SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
     fit.dimension = static_cast<T>((5 + product / moment) / 2);
     fit.dimension_error = static_cast<T>(1 / std::sqrt(moment) / 2);
     return fit;
+}
+
+namespace detail {
+
+/// Heights from the first to the last point that exists, gaps bridged.
+template <Real T>
+std::vector<Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) {
+    std::vector<Accumulator<T>> heights;
+    std::size_t gap = 0;
+    for (const T z : profile.heights) {
+        if (std::isnan(z)) {
+            gap += heights.empty() ? 0 : 1;
+            continue;
+        }
+        const Accumulator<T> next = static_cast<Accumulator<T>>((z - mean) / scale);
+        const Accumulator<T> last = heights.empty() ? next : heights.back();
+        for (std::size_t k = 1; k <= gap; ++k)
+            heights.push_back(last +
+                              (next - last) * static_cast<Accumulator<T>>(k) / static_cast<Accumulator<T>>(gap + 1));
+        gap = 0;
+        heights.push_back(next);
+    }
+    return heights;
+}
+
+}  // namespace detail
+
+/// Spectrum of \p profile as it is: remove its form first, with detrend().
+/// \throws domain_error for a profile out of range.
+template <Real T>
+[[nodiscard]] PowerSpectrum<T> power_spectrum(const Profile<T>& profile, SpectrumWindow shape = SpectrumWindow::hann) {
+    using F = Accumulator<T>;
+    profile.validate(16);
+    const T scale = detail::height_scale(profile);
+    std::vector<F> z = detail::bridged(profile, mean_height(profile), scale);
+    const std::size_t points = z.size();
+    std::vector<F> window(points);
+    CompensatedSum<F> weight, squares, weighted;
+    for (std::size_t i = 0; i < points; ++i) {
+        window[i] = window_weight<F>(shape, i, points);
+        weight.add(window[i]);
+        squares.add(window[i] * window[i]);
+        weighted.add(window[i] * z[i]);
+    }
+    const F mean = weighted.value() / weight.value();
+    for (std::size_t i = 0; i < points; ++i) z[i] = window[i] * (z[i] - mean);
+    RealFft<F> fft(fast_fft_size(points));
+    std::vector<std::complex<F>> transform;
+    fft.forward(z, transform);
+
+    PowerSpectrum<T> spectrum;
+    const F h = static_cast<F>(profile.spacing), size = static_cast<F>(fft.size());
+    const F factor = h / (numbers::pi_v<F> * squares.value());
+    spectrum.step = static_cast<T>(2 * numbers::pi_v<F> / (size * h));
+    const F neighbours = shape == SpectrumWindow::hann ? F(35) / 18 : F(1);
+    spectrum.independent = static_cast<T>(neighbours * size / static_cast<F>(points));
+    for (std::size_t k = 0; k < transform.size(); ++k) {
+        spectrum.wavenumber.push_back(static_cast<T>(k) * spectrum.step);
+        const F relative = k == 0 ? F(0) : std::norm(transform[k]) * factor;
+        const T value = static_cast<T>(relative * static_cast<F>(scale) * static_cast<F>(scale));
+        require(value <= (std::numeric_limits<T>::max)(), "power spectrum", value,
+                "finite: these heights are too large");
+        spectrum.value.push_back(value);
+    }
+    return spectrum;
 }
 
 }  // namespace fstiff

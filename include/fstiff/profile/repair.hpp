@@ -21,14 +21,7 @@ namespace fstiff {
 
 /// How many spikes \p profile holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
-Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true);
-
-/// Fills the missing points of \p profile. \throws domain_error where every point is missing.
-template <Real T>
-Repair fill_missing(Profile<T>& profile);
-
-template <Real T>
-Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove) {
+Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true) {
     require_positive("spikes", limit);
     const std::size_t size = profile.size();
     require(size >= 5, "points of a profile with spikes", size, "at least 5");
@@ -43,6 +36,7 @@ Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remo
     return detail::spikes_among(profile.heights.data(), differences, limit, remove);
 }
 
+/// Fills the missing points of \p profile. \throws domain_error where every point is missing.
 template <Real T>
 Repair fill_missing(Profile<T>& profile) {
     Repair repair;

@@ -29,13 +29,13 @@
 
 namespace fstiff {
 
-/// The long waves of \p profile. \throws domain_error for a cut-off, an order or a profile out of range.
-template <Real T>
-[[nodiscard]] RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2);
-
 /// \p profile without them. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] Profile<T> robust_roughness(const Profile<T>& profile, T cutoff, int order = 2);
+[[nodiscard]] Profile<T> robust_roughness(const Profile<T>& profile, T cutoff, int order = 2) {
+    Profile<T> roughness = robust_waviness(profile, cutoff, order).waviness;
+    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
+    return roughness;
+}
 
 namespace detail {
 
@@ -106,8 +106,9 @@ F regression_value(const std::vector<std::vector<F>>& s, const std::vector<std::
 
 }  // namespace detail
 
+/// The long waves of \p profile. \throws domain_error for a cut-off, an order or a profile out of range.
 template <Real T>
-RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order) {
+[[nodiscard]] RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, int order = 2) {
     using F = Accumulator<T>;
     require_positive("spacing", profile.spacing);
     require(order == 0 || order == 2, "order", order, "0 or 2");
@@ -132,13 +133,6 @@ RobustWaviness<Profile<T>> robust_waviness(const Profile<T>& profile, T cutoff, 
     for (std::size_t i = 0; i < size; ++i)
         if (exists(i)) result.waviness.heights[i] = static_cast<T>(found.waviness[i]) * scale + mean;
     return result;
-}
-
-template <Real T>
-Profile<T> robust_roughness(const Profile<T>& profile, T cutoff, int order) {
-    Profile<T> roughness = robust_waviness(profile, cutoff, order).waviness;
-    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
-    return roughness;
 }
 
 }  // namespace fstiff

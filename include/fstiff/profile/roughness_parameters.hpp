@@ -43,12 +43,6 @@ struct RoughnessParameters {
     bool by_cutoff{};        ///< whether that is the cut-off
 };
 
-/// Of \p profile, whose waves above \p cutoff [m] were filtered away, if any were.
-/// \throws domain_error for a profile out of range, or a cut-off that is not positive.
-template <Real T>
-[[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,
-                                                          std::optional<std::type_identity_t<T>> cutoff = {});
-
 namespace detail {
 
 /// Means over the sections of [\p first, \p first + \p count) of \p z into \p result.
@@ -91,8 +85,11 @@ template <Real F>
 
 }  // namespace detail
 
+/// Of \p profile, whose waves above \p cutoff [m] were filtered away, if any were.
+/// \throws domain_error for a profile out of range, or a cut-off that is not positive.
 template <Real T>
-RoughnessParameters<T> roughness_parameters(const Profile<T>& profile, std::optional<std::type_identity_t<T>> cutoff) {
+[[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,
+                                                          std::optional<std::type_identity_t<T>> cutoff = {}) {
     using F = Accumulator<T>;
     profile.validate(16);
     if (cutoff) require_positive("cut-off", *cutoff);

@@ -29,10 +29,7 @@ namespace fstiff {
 /// \throws domain_error for a profile out of range, without a triple of neighbours, or whose moments leave the range of
 /// numbers.
 template <Real T>
-[[nodiscard]] SpectralMoments<T> spectral_moments(const Profile<T>& profile);
-
-template <Real T>
-SpectralMoments<T> spectral_moments(const Profile<T>& profile) {
+[[nodiscard]] SpectralMoments<T> spectral_moments(const Profile<T>& profile) {
     profile.validate(16);
     using S = Accumulator<T>;
     const T scale = detail::height_scale(profile);

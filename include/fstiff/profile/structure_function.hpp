@@ -37,20 +37,7 @@ struct StructureFunction {
 enum class Divisor { pairs, paper };
 
 /// 1, 2, 3, ... \p longest, thinned to \p per_octave steps an octave where they are denser.
-[[nodiscard]] inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave = 12);
-
-/// S of \p profile at \p lags (in samples, any order).
-/// \throws domain_error for a lag outside 1 ... N-1, a spacing that is not positive, an infinite height, or heights
-/// whose squares leave the range of numbers.
-template <Real T>
-[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
-                                                      Divisor divisor = Divisor::pairs);
-
-/// S of \p profile at logarithmic_lags up to a quarter of its points. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor = Divisor::pairs);
-
-inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave) {
+[[nodiscard]] inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave = 12) {
     std::vector<std::size_t> lags;
     const double octave = static_cast<double>(std::max<std::size_t>(per_octave, 1));
     for (std::size_t k = 0;; ++k) {
@@ -60,6 +47,12 @@ inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_
         if (lag <= longest && (lags.empty() || lag > lags.back())) lags.push_back(lag);
     }
     return lags;
+}
+
+/// S of \p profile at logarithmic_lags up to a quarter of its points. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor = Divisor::pairs) {
+    return structure_function(profile, std::span<const std::size_t>(logarithmic_lags(profile.size() / 4)), divisor);
 }
 
 namespace detail {
@@ -130,17 +123,16 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
 
 }  // namespace detail
 
+/// S of \p profile at \p lags (in samples, any order).
+/// \throws domain_error for a lag outside 1 ... N-1, a spacing that is not positive, an infinite height, or heights
+/// whose squares leave the range of numbers.
 template <Real T>
-StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags, Divisor divisor) {
+[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
+                                                      Divisor divisor = Divisor::pairs) {
     const T scale = detail::height_scale(profile);
     const T* const z = profile.heights.data();
     return detail::mean_squares(profile, lags, 1, scale, divisor,
                                 [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
-}
-
-template <Real T>
-StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor) {
-    return structure_function(profile, std::span<const std::size_t>(logarithmic_lags(profile.size() / 4)), divisor);
 }
 
 }  // namespace fstiff

@@ -26,16 +26,7 @@ namespace fstiff {
 /// The least (most peaked) curvature of \p profile over triples \p step samples apart [1/m]; empty when there is none.
 /// \throws domain_error for a step of 0, a spacing that is not positive or an infinite height.
 template <Real T>
-[[nodiscard]] std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step);
-
-/// The length below which \p profile may show the tip instead of the surface [m]; 0 when it nowhere does, infinity when
-/// it does so at every scale up to a quarter of its length.
-/// \throws domain_error unless the radius is positive, and as above.
-template <Real T>
-[[nodiscard]] T tip_cutoff(const Profile<T>& profile, T tip_radius);
-
-template <Real T>
-std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
+[[nodiscard]] std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
     require_positive("spacing", profile.spacing);
     if (step == 0) detail::refuse("step of the curvature", "0 samples", "at least 1");
     const std::vector<T>& z = profile.heights;
@@ -50,8 +41,11 @@ std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
     return least;
 }
 
+/// The length below which \p profile may show the tip instead of the surface [m]; 0 when it nowhere does, infinity when
+/// it does so at every scale up to a quarter of its length.
+/// \throws domain_error unless the radius is positive, and as above.
 template <Real T>
-T tip_cutoff(const Profile<T>& profile, T tip_radius) {
+[[nodiscard]] T tip_cutoff(const Profile<T>& profile, T tip_radius) {
     require_positive("tip radius", tip_radius);
     const std::vector<std::size_t> steps = logarithmic_lags(std::max<std::size_t>(profile.size() / 8, 1));
     // from the longest scale down to the first that is too sharp

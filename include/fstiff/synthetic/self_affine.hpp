@@ -62,16 +62,6 @@ struct SelfAffineOptions {
     std::uint64_t seed = 1;
 };
 
-/// z at x = 0, spacing, ...: one period of points * spacing [m].
-/// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
-template <Real T>
-[[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing);
-
-/// z(j, i) at x = i dx, y = j dy: one period of columns * dx by rows * dy [m]. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows,
-                                           T dx, T dy);
-
 namespace detail {
 
 /// Two standard normal numbers of the wave with \p kx and \p ky periods.
@@ -165,15 +155,19 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
 
 }  // namespace detail
 
+/// z at x = 0, spacing, ...: one period of points * spacing [m].
+/// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
 template <Real T>
-Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
+[[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
     require_positive("spacing", spacing);
     const HeightMap<T> row = detail::self_affine(options, points, 1, spacing, spacing);
     return {{row.heights.data(), row.heights.data() + row.size()}, spacing};
 }
 
+/// z(j, i) at x = i dx, y = j dy: one period of columns * dx by rows * dy [m]. \throws domain_error as above.
 template <Real T>
-HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
+[[nodiscard]] HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows,
+                                           T dx, T dy) {
     require_positive("dx", dx);
     require_positive("dy", dy);
     require(rows >= 4, "points of a side", rows, "between 4 and 2^28");

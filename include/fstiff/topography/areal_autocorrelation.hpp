@@ -68,19 +68,36 @@ struct RadialAutocorrelation {
     std::vector<std::size_t> lags;  ///< with a pair, in the shell
 };
 
-/// Of \p map. \throws domain_error for a map out of range, and for a periodic one with missing points.
-template <Real T>
-[[nodiscard]] ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map,
-                                                            LagPairs pairs = LagPairs::measured);
-
-/// Sal and Str of \p correlation. \throws domain_error unless 0 < threshold < 1.
-template <Real T>
-[[nodiscard]] TextureParameters<T> texture_parameters(const ArealAutocorrelation<T>& correlation,
-                                                      std::type_identity_t<T> threshold = T(0.2));
-
 /// Means over shells as wide as the longer step, about whole multiples of it, to the shorter reach.
 template <Real T>
-[[nodiscard]] RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation);
+[[nodiscard]] RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation) {
+    using Index = Eigen::Index;
+    const T width = (std::max)(correlation.dx, correlation.dy);
+    const T end = (std::min)(static_cast<T>(correlation.reach_x) * correlation.dx,
+                           static_cast<T>(correlation.reach_y) * correlation.dy);
+    const auto shells = static_cast<std::size_t>(std::lround(end / width)) + 1;
+    std::vector<T> lengths(shells), sums(shells);
+    std::vector<std::size_t> counts(shells);
+    for (Index j = 0; j <= correlation.reach_y; ++j)
+        for (Index i = -correlation.reach_x; i <= correlation.reach_x; ++i) {
+            const T length = std::hypot(static_cast<T>(i) * correlation.dx, static_cast<T>(j) * correlation.dy);
+            const T value = correlation.at(i, j);
+            if ((j == 0 && i < 0) || std::isnan(value) || length > end * (1 + 4 * std::numeric_limits<T>::epsilon()))
+                continue;  // the lag of i < 0 along x is that of -i
+            const auto shell = static_cast<std::size_t>(std::lround(length / width));
+            lengths[shell] += length;
+            sums[shell] += value;
+            ++counts[shell];
+        }
+    RadialAutocorrelation<T> result;
+    for (std::size_t k = 0; k < shells; ++k) {
+        if (counts[k] == 0) continue;
+        result.lag.push_back(lengths[k] / static_cast<T>(counts[k]));
+        result.value.push_back(sums[k] / static_cast<T>(counts[k]));
+        result.lags.push_back(counts[k]);
+    }
+    return result;
+}
 
 namespace detail {
 
@@ -180,8 +197,10 @@ private:
 
 }  // namespace detail
 
+/// Of \p map. \throws domain_error for a map out of range, and for a periodic one with missing points.
 template <Real T>
-ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map, LagPairs pairs) {
+[[nodiscard]] ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map,
+                                                            LagPairs pairs = LagPairs::measured) {
     using Index = Eigen::Index;
     map.validate(4);
     const bool periodic = pairs == LagPairs::periodic, whole = map.present() == map.size();
@@ -219,38 +238,10 @@ ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map, LagPairs 
     return result;
 }
 
+/// Sal and Str of \p correlation. \throws domain_error unless 0 < threshold < 1.
 template <Real T>
-RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation) {
-    using Index = Eigen::Index;
-    const T width = (std::max)(correlation.dx, correlation.dy);
-    const T end = (std::min)(static_cast<T>(correlation.reach_x) * correlation.dx,
-                           static_cast<T>(correlation.reach_y) * correlation.dy);
-    const auto shells = static_cast<std::size_t>(std::lround(end / width)) + 1;
-    std::vector<T> lengths(shells), sums(shells);
-    std::vector<std::size_t> counts(shells);
-    for (Index j = 0; j <= correlation.reach_y; ++j)
-        for (Index i = -correlation.reach_x; i <= correlation.reach_x; ++i) {
-            const T length = std::hypot(static_cast<T>(i) * correlation.dx, static_cast<T>(j) * correlation.dy);
-            const T value = correlation.at(i, j);
-            if ((j == 0 && i < 0) || std::isnan(value) || length > end * (1 + 4 * std::numeric_limits<T>::epsilon()))
-                continue;  // the lag of i < 0 along x is that of -i
-            const auto shell = static_cast<std::size_t>(std::lround(length / width));
-            lengths[shell] += length;
-            sums[shell] += value;
-            ++counts[shell];
-        }
-    RadialAutocorrelation<T> result;
-    for (std::size_t k = 0; k < shells; ++k) {
-        if (counts[k] == 0) continue;
-        result.lag.push_back(lengths[k] / static_cast<T>(counts[k]));
-        result.value.push_back(sums[k] / static_cast<T>(counts[k]));
-        result.lags.push_back(counts[k]);
-    }
-    return result;
-}
-
-template <Real T>
-TextureParameters<T> texture_parameters(const ArealAutocorrelation<T>& correlation, std::type_identity_t<T> threshold) {
+[[nodiscard]] TextureParameters<T> texture_parameters(const ArealAutocorrelation<T>& correlation,
+                                                      std::type_identity_t<T> threshold = T(0.2)) {
     require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
     constexpr int directions = 720;
     const detail::LagRays<T> rays(correlation, threshold);

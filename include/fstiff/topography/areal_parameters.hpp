@@ -37,10 +37,6 @@ struct ArealParameters {
     std::optional<T> developed_area_ratio;  ///< Sdr; none where no cell has its four points
 };
 
-/// Of \p map, whose statistics \p known are. \throws domain_error for a map out of range.
-template <Real T>
-[[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const ArealStatistics<T>& known);
-
 /// Of \p map. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map) {
@@ -79,8 +75,9 @@ template <Real T>
 
 }  // namespace detail
 
+/// Of \p map, whose statistics \p known are. \throws domain_error for a map out of range.
 template <Real T>
-ArealParameters<T> areal_parameters(const HeightMap<T>& map, const ArealStatistics<T>& known) {
+[[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const ArealStatistics<T>& known) {
     using S = Accumulator<T>;
     map.validate();
     const detail::MapHeights<T> heights(map);

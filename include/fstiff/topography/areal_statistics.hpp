@@ -50,10 +50,6 @@ struct ArealStatistics {
     std::size_t inner{};  ///< points whose eight neighbours exist
 };
 
-/// Statistics of \p map, about its mean. \throws domain_error for a map out of range.
-template <Real T>
-[[nodiscard]] ArealStatistics<T> areal_statistics(const HeightMap<T>& map);
-
 namespace detail {
 
 /// Mean squares of the first and second differences of neighbours.
@@ -82,8 +78,9 @@ void visit_inner_points(const HeightMap<T>& map, const MapBlock& block, const Us
 
 }  // namespace detail
 
+/// Statistics of \p map, about its mean. \throws domain_error for a map out of range.
 template <Real T>
-ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
+[[nodiscard]] ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
     using S = Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
@@ -153,7 +150,8 @@ ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
     result.nayak = static_cast<T>(root * root);
     for (const T value : {result.m0, result.m2, result.m4, result.nayak})
         require(value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)(),
-                "moment of the map", value, "of normal size: heights or spacings are too large or too small, or the map is a plane");
+                "moment of the map", value,
+                "of normal size: heights or spacings are too large or too small, or the map is a plane");
     if (result.inner > 0)
         result.summit_density = static_cast<T>(static_cast<S>(result.summits) / static_cast<S>(result.inner) /
                                                static_cast<S>(map.dx) / static_cast<S>(map.dy));

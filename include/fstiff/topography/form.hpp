@@ -37,11 +37,6 @@ inline constexpr auto names<MapForm> = name_list<MapForm>({{MapForm::none, "none
                                                            {MapForm::quadratic, "quadratic"},
                                                            {MapForm::cubic, "cubic"}});
 
-/// \p map without the \p form.
-/// \throws domain_error for a map out of range, or whose points do not determine the form.
-template <Real T>
-[[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form);
-
 /// A map without its form, which knows what was removed.
 template <Real T = double>
 struct LevelledMap {
@@ -82,8 +77,10 @@ Eigen::Array<S, Eigen::Dynamic, 4> legendre_of_side(Eigen::Index points) {
 
 }  // namespace detail
 
+/// \p map without the \p form.
+/// \throws domain_error for a map out of range, or whose points do not determine the form.
 template <Real T>
-HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
+[[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
     using S = Accumulator<T>;
     using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
     using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;

@@ -28,13 +28,13 @@
 
 namespace fstiff {
 
-/// \p map without its short waves. \throws domain_error for a cut-off or a map out of range.
-template <Real T>
-[[nodiscard]] HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff);
-
 /// \p map without its long waves. \throws domain_error as above.
 template <Real T>
-[[nodiscard]] HeightMap<T> gaussian_high_pass(const HeightMap<T>& map, T cutoff);
+[[nodiscard]] HeightMap<T> gaussian_high_pass(const HeightMap<T>& map, T cutoff) {
+    HeightMap<T> high = gaussian_low_pass(map, cutoff);
+    high.heights = map.heights - high.heights;
+    return high;
+}
 
 namespace detail {
 
@@ -86,8 +86,9 @@ template <Real T>
 
 }  // namespace detail
 
+/// \p map without its short waves. \throws domain_error for a cut-off or a map out of range.
 template <Real T>
-HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
+[[nodiscard]] HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
     using F = Accumulator<T>;
     detail::require_cut_off(map, cutoff);
     const detail::MapHeights<T> heights(map);
@@ -124,13 +125,6 @@ HeightMap<T> gaussian_low_pass(const HeightMap<T>& map, T cutoff) {
         for (Eigen::Index k = 0; k < map.size(); ++k) low.heights.data()[k] = height(k);
     }
     return low;
-}
-
-template <Real T>
-HeightMap<T> gaussian_high_pass(const HeightMap<T>& map, T cutoff) {
-    HeightMap<T> high = gaussian_low_pass(map, cutoff);
-    high.heights = map.heights - high.heights;
-    return high;
 }
 
 }  // namespace fstiff

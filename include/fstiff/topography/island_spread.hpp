@@ -43,13 +43,6 @@ struct RepresentativeIslands {
     IslandCurve<T> curve;
 };
 
-/// The curve, and the pair of density and radius at its greatest density.
-/// \throws domain_error as above, when no island counts at any level, or when fewer than two tiles hold points.
-template <Real T>
-[[nodiscard]] RepresentativeIslands<T> representative_islands(const HeightMap<T>& map,
-                                                              const IslandOptions<T>& options = {},
-                                                              const IslandSpread& spread = {});
-
 namespace detail {
 
 /// Of one tile at one level: islands, points, height above the level of all of them together.
@@ -111,9 +104,12 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
 
 }  // namespace detail
 
+/// The curve, and the pair of density and radius at its greatest density.
+/// \throws domain_error as above, when no island counts at any level, or when fewer than two tiles hold points.
 template <Real T>
-RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const IslandOptions<T>& options,
-                                                const IslandSpread& spread) {
+[[nodiscard]] RepresentativeIslands<T> representative_islands(const HeightMap<T>& map,
+                                                              const IslandOptions<T>& options = {},
+                                                              const IslandSpread& spread = {}) {
     using S = Accumulator<T>;
     constexpr std::size_t max_lines = std::size_t(1) << 22;
     require(spread.tiles >= 1 && spread.tiles <= 32, "tiles a side", spread.tiles, "between 1 and 32");

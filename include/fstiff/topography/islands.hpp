@@ -54,10 +54,6 @@ struct IslandCurve {
     }
 };
 
-/// \throws domain_error for a map or an option out of range.
-template <Real T>
-[[nodiscard]] IslandCurve<T> island_curve(const HeightMap<T>& map, const IslandOptions<T>& options = {});
-
 namespace detail {
 
 template <Real T>
@@ -197,8 +193,9 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
 
 }  // namespace detail
 
+/// \throws domain_error for a map or an option out of range.
 template <Real T>
-IslandCurve<T> island_curve(const HeightMap<T>& map, const IslandOptions<T>& options) {
+[[nodiscard]] IslandCurve<T> island_curve(const HeightMap<T>& map, const IslandOptions<T>& options = {}) {
     return detail::sweep_islands(map, options, 1, [](T, const detail::IslandForest<T>&) {});
 }
 

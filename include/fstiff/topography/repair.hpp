@@ -24,14 +24,7 @@ namespace fstiff {
 
 /// How many spikes \p map holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
-Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true);
-
-/// Fills the missing points of \p map. \throws domain_error where every point is missing.
-template <Real T>
-Repair fill_missing(HeightMap<T>& map);
-
-template <Real T>
-Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove) {
+Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true) {
     require_positive("spikes", limit);
     const Eigen::Index rows = map.rows(), columns = map.columns();
     require(rows >= 3 && columns >= 3, "points a side of a map with spikes", (std::min)(rows, columns), "at least 3");
@@ -58,6 +51,7 @@ Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove
     return detail::spikes_among(map.heights.data(), differences, limit, remove);
 }
 
+/// Fills the missing points of \p map. \throws domain_error where every point is missing.
 template <Real T>
 Repair fill_missing(HeightMap<T>& map) {
     using F = Accumulator<T>;

@@ -23,14 +23,7 @@ namespace fstiff {
 
 /// The long waves of \p map. \throws domain_error for a cut-off or a map out of range.
 template <Real T>
-[[nodiscard]] RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff);
-
-/// \p map without them. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] HeightMap<T> robust_high_pass(const HeightMap<T>& map, T cutoff);
-
-template <Real T>
-RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff) {
+[[nodiscard]] RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff) {
     using F = Accumulator<T>;
     detail::require_cut_off(map, cutoff);
     const detail::MapHeights<T> scaled(map);
@@ -54,8 +47,9 @@ RobustWaviness<HeightMap<T>> robust_waviness(const HeightMap<T>& map, T cutoff) 
     return result;
 }
 
+/// \p map without them. \throws domain_error as above.
 template <Real T>
-HeightMap<T> robust_high_pass(const HeightMap<T>& map, T cutoff) {
+[[nodiscard]] HeightMap<T> robust_high_pass(const HeightMap<T>& map, T cutoff) {
     HeightMap<T> high = robust_waviness(map, cutoff).waviness;
     high.heights = map.heights - high.heights;
     return high;
