@@ -6,15 +6,15 @@
 ///     Z_k = sum over j of z_j exp(-2 pi i j k / M),  k = 0 ... M/2,  of z padded with zeros to M points
 ///     z_j = 1/M sum over all k of Z_k exp(2 pi i j k / M)               of real data the other half is the conjugate
 ///
-/// Fastest where M is 2^a 3^b 5^c and a multiple of 4. A length with a prime factor above 50, for which kissfft takes M^2
-/// steps, is a convolution of chirps: jk = (j^2 + k^2 - (k-j)^2)/2 (Bluestein), by transforms of a fast length of 2M or
-/// more. So every length takes O(M log M).
+/// Fastest where M is 2^a 3^b 5^c and a multiple of 4. A length with a prime factor above 50 is a convolution of
+/// chirps, by transforms of a fast length of 2M or more, so that every length takes O(M log M).
 ///
-/// Reference   Borgerding, kissfft (in Eigen/unsupported, MPL2); Bluestein, IEEE Trans. Audio Electroacoust. 18 (1970) 451.
+/// Reference   Borgerding, kissfft (in Eigen/unsupported, MPL2); Bluestein, IEEE Trans. Audio Electroacoust. 18 (1970)
+///             451
 /// Units       those of the data
 /// Valid       M up to 2^30, 2^28 for a length with a large prime factor
-/// Accuracy    rms error of a transform of 2^20 points 4e-16 of its rms in double, 2e-15 by chirps; long double is no better
-///             than double, because Eigen makes its phases in double (tests/math/fft_test.cpp)
+/// Accuracy    rms error for 2^20 points 4e-16 of the rms in double, 2e-15 by chirps; long double is no better, because
+///             Eigen's phases are double (tests/math/fft_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>

@@ -5,11 +5,10 @@
 ///
 ///     Z_k = sum over j of z_j exp(-2 pi i j k / M)        of each of `width` complex lines
 ///
-/// Stages of 4, 2 and odd factors that sort themselves (Stockham): in every stage the innermost loop runs over neighbouring
-/// numbers, and all of them share one phase.
+/// Stages of 4, 2 and odd factors that sort themselves (Stockham); the innermost loop shares one phase.
 ///
-/// Reference   Stockham, AFIPS Proc. 28 (1966) 229; odd factors by sums and differences of pairs: Singleton, IEEE Trans.
-///             Audio Electroacoust. 17 (1969) 93.
+/// Reference   Stockham, AFIPS Proc. 28 (1966) 229; odd factors: Singleton, IEEE Trans. Audio Electroacoust. 17 (1969)
+///             93
 /// Units       those of the data
 /// Valid       M from 2 to 2^30 without a prime factor above 50
 /// Accuracy    that of math/fft (tests/math/fft_of_lines_test.cpp)

@@ -3,16 +3,13 @@
 /// \file
 /// Moments of a Gaussian beyond a threshold: the inner integral of every contact quantity.
 ///
-///     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x)
-///     F_a'   = -a F_{a-1}
+///     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x)          F_a' = -a F_{a-1}
 ///
-/// D is Whittaker's parabolic cylinder function. F_a falls as exp(-x^2/2) for x > 0 and grows as sqrt(2 pi) |x|^a for x < 0.
-/// Short polynomials cover the line piece by piece (tools/make_gaussian_moment_table.py): the pieces are eighths of the
-/// octaves of |x| + 2, so that the bits of that number name its piece; from |x| = 30 on, 1/x^2 is the variable. The
-/// coefficients of the four moments of a contact lie side by side, and one loop sums all four. No recurrence is used:
-/// F_{a+1} = a F_{a-1} - x F_a cancels for x > 0.
+/// D is Whittaker's parabolic cylinder function. Short polynomials (tools/make_gaussian_moment_table.py) cover eighths
+/// of the octaves of |x| + 2; from |x| = 30 on, 1/x^2 is the variable. The recurrence is not used: it cancels for x >
+/// 0.
 ///
-/// Reference   NIST Digital Library of Mathematical Functions, 12.5.1.
+/// Reference   NIST Digital Library of Mathematical Functions, 12.5.1
 /// Units       dimensionless
 /// Valid       a in {-1/2, 0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double). float is
 ///             computed in double; long double takes the tables of math/gaussian_moment_table_extended, which the

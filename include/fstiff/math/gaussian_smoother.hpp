@@ -5,13 +5,11 @@
 ///
 ///     y_i = sum_k s(i-k) z_k,   s(n) = exp(-pi (n/(a w))^2),  a = sqrt(ln 2/pi) = 0.4697         w: cut-off in samples
 ///
-/// The profile filter divides them by the same sums of ones, the map filter applies them along rows and columns.
-///
 /// Reference   ISO 16610-21:2011, 4.2 (weights)
 /// Units       the numbers': any; w in samples
 /// Valid       w > 0, as many numbers as were announced
-/// Accuracy    that of the transform: 1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights
-///             below 1e-17 of the middle one are left out
+/// Accuracy    1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights below 1e-17 are
+///             left out
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Nonlinear least squares with given derivatives, and what the data say of each parameter.
+/// Nonlinear least squares with given derivatives.
 ///
 ///     minimise |f(x)|^2 by (J^T J + lambda diag(J^T J)) dx = -J^T f                          Levenberg-Marquardt
 ///     covariance (J^T J)^-1 at the minimum, for residuals f in units of their standard error
 ///
-/// The steps solve the least-squares problem of J and the damping by QR, not the normal equations. Directions in which
-/// f does not change are found from the singular values of J with its columns scaled to length 1: parameters that the
-/// data cannot tell apart.
+/// Steps are solved by QR of J and the damping. Small singular values of J, its columns scaled to length 1, show
+/// combinations of parameters that the data do not determine.
 ///
 /// Reference   Marquardt, SIAM J. Appl. Math. 11 (1963) 431-441; More, Lecture Notes in Math. 630 (1978) 105-116
-///             (scaling).
 /// Units       those of the caller
 /// Valid       at least as many residuals as parameters; f finite at the start
-/// Accuracy    the step left at the end is below the tolerance times the standard errors
-///             (tests/math/least_squares_test.cpp)
+/// Accuracy    the last step is below the tolerance times the standard errors (tests/math/least_squares_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>

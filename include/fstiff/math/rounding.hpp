@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Whether what a form leaves of heights is their rounding and nothing more: a line of numbers minus its line is noise of
-/// the last digit, of which every statistic can be computed and none means anything.
+/// Test whether the residual of a form is the rounding of the heights and nothing more.
 ///
 ///     rest <= 16 eps max |z|                      rounding of the scalar, and of the removal itself
 ///     rest <= 0.6 q, rms of the rest <= 0.3 q     rounding to steps of q, whose rms is q / sqrt(12) = 0.29 q
 ///
-/// q is what the heights were printed or counted in, where that is known, or the largest step of which all differences of
-/// neighbours are whole multiples.
+/// q is the resolution where it is known, or the largest step of which all differences of neighbours are multiples.
 ///
-/// Units       all arguments in one unit of length; the answer does not depend on it
+/// Units       all arguments in one unit of length
 /// Valid       heights finite or NaN (missing), as many rests
 /// Accuracy    a surface rougher than 0.6 q, or than 1e-14 of its largest height, is never taken for rounding
 ///             (tests/math/rounding_test.cpp)

@@ -6,22 +6,16 @@
 ///     N_n S(n h) = A_n + B_n - 2 R_n + 2 b n sum(r_(i+n) - r_i) + N_n (b n)^2        eq. (2.8)
 ///     z_i = a + b i + r_i,  R_n = sum r_i r_(i+n),  A_n, B_n: sums of r_i^2 over the first and the last N_n points
 ///
-/// The line is taken off before and put back into the sum in closed form, so that an offset or a tilt costs nothing.
-/// What is left to lose is the difference A + B - 2R of large sums: the error of every lag is bounded by
-/// 8 epsilon (A_0 + ...), and a lag that may be wrong by 1e-10 of S is evaluated again:
-///  - short lags of a long smooth profile, where S is far below the variance: in segments, each about its own mean;
-///  - all others, the longest lags among them, from their pairs.
-/// Missing points drop their pairs: the number of pairs and their sums are correlations of the mask.
+/// The line is removed first and put back in closed form. The rounding of A + B - 2R is bounded for every lag; a lag
+/// that may be wrong by 1e-10 of S is evaluated again, short lags in segments about their own mean, others from their
+/// pairs.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8).
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8)
 /// Units       lag [m], S [m^2]
 /// Valid       2 points to 2^29; every height finite or NaN (missing)
-/// Accuracy    relative error 1e-10 or less at every lag in double, offset or tilt up to 1e6 times the roughness
-///             included (tests/profile/all_lags_test.cpp); float is computed in double, long double is no better than
-///             double
-///
-/// The cost is that of two transforms of 2N points, and of N for every lag from its pairs: none to a few dozen for a rough
-/// profile, about N/1000 for one smooth wave with points missing, N/p for an exact period of p samples, whose S is 0 there.
+/// Accuracy    1e-10 relative at every lag in double and long double, tilt up to 1e6 times the roughness
+///             (tests/profile/all_lags_test.cpp)
+/// Cost        two transforms of 2N points, and N for every lag from its pairs: a few dozen of a rough profile
 
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/structure_function.hpp>

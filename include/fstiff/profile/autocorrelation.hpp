@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The autocorrelation function of a profile, and the length within which it falls to a fifth.
+/// Autocorrelation function of a profile, and the length within which it falls to a fifth.
 ///
-///     A(n h) = <z_i z_(i+n)>/<z^2>      z about the mean of all points; <z_i z_(i+n)> over the pairs of points that exist
+///     A(n h) = <z_i z_(i+n)>/<z^2>   z about the mean of all points; <z_i z_(i+n)> over the pairs of points that exist
 ///     Ral    = the shortest lag at which A has fallen to s = 0.2, on straight lines between the lags
 ///
-/// The estimate by pairs is not biased towards 0 at long lags, as a division by the number of all points would be, and needs
-/// no period; it scatters there, and lags above half the length are left out.
+/// Means by pairs are not biased towards 0 at long lags, where they scatter: lags above half the length are left out.
 ///
-/// Reference   ISO 21920-2:2021 (autocorrelation function, Ral), ISO 21920-3:2021 (s = 0.2).
+/// Reference   ISO 21920-2:2021 (autocorrelation function, Ral), ISO 21920-3:2021 (s = 0.2)
 /// Units       lag, Ral [m], A dimensionless
 /// Valid       16 points to 2^29, not all of one height; remove the form first
 /// Accuracy    1e-13 of A(0) = 1 (tests/profile/autocorrelation_test.cpp)

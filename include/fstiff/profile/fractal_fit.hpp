@@ -1,32 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Fractal dimension D and roughness G of a profile, from its structure function of second differences, with errors.
+/// Fractal dimension D and roughness G of a profile from its second differences, with errors.
 ///
 ///     ln S2(tau) = (4-2D) ln tau + ln C + ln(4 - 2^(4-2D))                          eq. (2.5), of second differences
+///     error^2 = max(model, bootstrap)^2 v/(v-2) + window^2                         v pieces as long as the longest lag
 ///
-/// A line (profile/structure_fit) over a window of lags that is found or given (profile/lag_window). Second differences
-/// (profile/second_differences) do not see a form, a tilt and the waves beyond the window. Lags from lambda_s on need no filter:
-/// a profile that was filtered is fitted as it was before.
-///
-/// Errors (one standard deviation) are the root of the sum of squares of
-///  - sampling: the larger of what the covariance of a Gaussian self-affine profile with the fitted D gives, in closed form,
-///    with what the waves beyond the resolution and the longest lag may add, and of a moving-block bootstrap over the profile,
-///    seeded, which sees what is not Gaussian; times sqrt(v/(v-2)) for v pieces as long as the longest lag (Student's t);
-///  - window: how far D and ln G of the two halves of the window, and of the longest straight windows below and above it,
-///    differ from those of the window, beyond what their sampling explains (d^2 less twice its expectation), averaged by their
-///    widths on the scale of ln tau. A half or a neighbour that differs by more than 2.5 standard deviations and by 0.05
-///    disagrees, and the fit is flagged as curved. What the halves of a short window are too uncertain to show of a
-///    bend, and the search allows, is part of it.
-/// The textbook regression error, many times too small because S2 at neighbouring lags is correlated, stands beside them.
+/// The model is the covariance of a Gaussian self-affine profile (profile/structure_errors), the bootstrap resamples
+/// moving blocks, and the window error comes from other windows (profile/window_spread).
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8); Kunsch, Ann. Stat. 17 (1989)
-///             for the bootstrap; docs/errata.md for the constant C.
+///             1217 (bootstrap); docs/errata.md (the constant C)
 /// Units       lags, window, G [m]
-/// Valid       16 points at least, heights that vary; D strictly between 1 and 2
-/// Accuracy    Weierstrass-Mandelbrot profiles of 2^16 points waves from their length to two samples, D = 1.3 to 1.8: D
-///             within 0.02 and its own 3 sigma, G within a factor of 1.5 (tests/profile/fractal_fit_test.cpp). Coverage of D by 1.96 errors:
-///             tests/profile/coverage_test.cpp, at every 1st to 16th point
+/// Valid       16 points at least, heights that vary; 1 < D < 2
+/// Accuracy    Weierstrass-Mandelbrot profiles of 2^16 points, D = 1.3 to 1.8: D within 0.02, G within a factor of 1.5
+///             (tests/profile/fractal_fit_test.cpp); coverage of the errors in tests/profile/coverage_test.cpp
 
 #include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/lag_window.hpp>

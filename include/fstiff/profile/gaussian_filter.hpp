@@ -3,20 +3,17 @@
 /// \file
 /// Waviness and roughness of a profile by the Gaussian filter, and the profile without its short waves.
 ///
-///     s(x) = exp(-pi (x/(a c))^2) / (a c),  a = sqrt(ln 2/pi) = 0.4697               cut-off wavelength c
-///     waviness w_i = sum_k s((i-k) h) z_k / sum_k s((i-k) h),  roughness = z - w
+///     w_i = sum_k s((i-k) h) z_k / sum_k s((i-k) h),   s(x) = exp(-pi (x/(a c))^2),  a = sqrt(ln 2/pi)    cut-off c
 ///     a sine of wavelength l passes into the waviness by exp(-pi (a c/l)^2): 50 % at l = c
 ///
-/// Both sums run over the points that exist: the weights are normalised at the ends and beside gaps, so that a constant
-/// stays what it is everywhere (Nadaraya-Watson; ISO 16610-28 names it among the corrections of end effects). Within c/2
-/// of an end the weights are lopsided, and the waviness of a tilted profile is drawn towards its inside: remove the line
-/// first, with detrend(). A missing point stays missing.
+/// Both sums run over the points that exist, so that a constant is kept at the ends and beside gaps; a tilt is not:
+/// remove the line first. A missing point stays missing.
 ///
-/// Reference   ISO 16610-21:2011, 4.2-4.3 (weights, transmission); ISO 16610-28:2016 (ends).
+/// Reference   ISO 16610-21:2011, 4.2-4.3 (weights, transmission); ISO 16610-28:2016 (ends)
 /// Units       heights, cut-off [m]
 /// Valid       5 spacings (of the low pass 2) <= cut-off <= length of the profile; every height finite or NaN (missing)
-/// Accuracy    transmission 1e-6 for a cut-off of 5 spacings, 1e-13 from 10 spacings on, at wavelengths of 10 spacings
-///             and more (tests/profile/gaussian_filter_test.cpp); weights below 1e-17 of the middle one are left out
+/// Accuracy    transmission 1e-6 for a cut-off of 5 spacings, 1e-13 from 10 spacings on
+///             (tests/profile/gaussian_filter_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_smoother.hpp>

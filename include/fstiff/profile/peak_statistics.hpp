@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Three-point statistics of a profile: what the density of its peaks needs to know.
+/// Three-point statistics of a profile, from which the density of its peaks follows.
 ///
 ///     sigma_m^2     = mean (z_(i+1) - z_i)^2 / h^2                = 2 sigma^2 (1 - rho1) / h^2
 ///     sigma_kappa^2 = mean (z_(i-1) - 2 z_i + z_(i+1))^2 / h^4    = sigma^2 (6 - 8 rho1 + 2 rho2) / h^4
 ///     r = sigma_m^2 / (sigma sigma_kappa)        sin(theta) = h sigma_kappa / (2 sigma_m)
 ///     peaks / ordinates = theta/pi                                                  eq. (4.3)
 ///
-/// All means are over the triples of neighbours that exist; each triple gives both of its differences to sigma_m, so
-/// that sin(theta) <= 1 whatever the heights. rho1 and rho2 are what sigma, sigma_m and sigma_kappa say they are.
+/// Means are over the triples that exist; each gives both of its differences to sigma_m, so that sin(theta) <= 1.
 ///
-/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66
-///             (2014), eqs. (4.1)-(4.3).
+/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski et al. (2014), eqs. (4.1)-(4.3)
 /// Units       sigma [m], sigma_m dimensionless, sigma_kappa [1/m], peaks per length [1/m]
-/// Valid       16 points and a triple at least; a profile whose r reaches 1 (a single sine) or theta pi/2 is refused
+/// Valid       16 points and a triple at least; refuses r = 1 (a single sine) and theta = pi/2 (a zigzag)
 /// Accuracy    identities between the statistics 1e-14 in double (tests/profile/peak_statistics_test.cpp)
 
 #include <fstiff/core/numbers.hpp>

@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Power spectrum of a profile, and its fractal dimension from it: the second road to D.
+/// Power spectrum of a profile, and its fractal dimension from it, independent of the structure function.
 ///
-///     C(q_k) = h |Z_k|^2 / (pi sum w_i^2),  Z transform of w_i (z_i - mean),  q_k = 2 pi k/(M h)
-///     sum' C(q_k) dq = sum (w_i (z_i - mean))^2 / sum w_i^2      Parseval; sum' halves k = 0 and k = M/2
+///     C(q_k) = h |Z_k|^2 / (pi sum w_i^2),  Z transform of w_i (z_i - mean),  q_k = 2 pi k/(M h), one-sided
 ///     ln C = -(5-2D) ln q + const,  D = 2 - H                    of a self-affine profile
 ///
-/// One-sided, Hann window w, or w = 1, mean weighted by the window, so that C(0) = 0. The same in waves per metre, f = q/(2 pi),
-/// is 2 pi C; Jacobs et al. write pi C. Missing points inside are bridged by straight lines, those at the ends cut off.
-/// D is a weighted line through the means of C over eighths of an octave: a mean of v independent values has a logarithm
-/// low by 1/(2v), which is put back, and known to sqrt(psi'(v)). Neighbours of a Hann spectrum are not independent: v is
-/// their number over (1 + 2 (2/3)^2 + 2 (1/6)^2) M/N = 35/18 M/N.
+/// The mean is weighted by the window w, gaps are bridged by straight lines. Jacobs et al. write pi C. D is the slope
+/// of a weighted line through means of C over eighths of an octave.
 ///
-/// The spectrum knows D less well than the structure function knows it, but takes no notice of a tilt, and fails
-/// differently: two values that disagree by more than their errors tell that the profile is no power law.
-///
-/// Reference   Jacobs, Junge, Pastewka, Surf. Topogr. Metrol. Prop. 5 (2017) 013001 (conventions); Welch, IEEE Trans.
-///             Audio 15 (1967) 70; Harris, Proc. IEEE 66 (1978) 51 (windows).
+/// Reference   Jacobs, Junge, Pastewka, Surf. Topogr. Metrol. Prop. 5 (2017) 013001; Welch, IEEE Trans. Audio 15 (1967)
+///             70; Harris, Proc. IEEE 66 (1978) 51 (windows)
 /// Units       q [rad/m], C [m^3], wavelengths [m]
-/// Valid       16 points at least, heights that vary; wavelengths of 2 spacings to the length of the profile
-/// Accuracy    Parseval 1e-13; D of 100 fractional Brownian profiles of 4096 points, H = 0.3, 0.5, 0.8: mean within
-///             0.02, scatter 0.8 to 1.25 of its error (tests/profile/power_spectrum_test.cpp)
+/// Valid       16 points at least, heights that vary; wavelengths from 2 spacings to the length of the profile
+/// Accuracy    Parseval 1e-13; D of fractional Brownian profiles of 4096 points 0.02 in the mean
+///             (tests/profile/power_spectrum_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>

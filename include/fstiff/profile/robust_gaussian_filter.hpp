@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Waviness of a profile by the robust Gaussian regression filter, which grooves and spikes do not draw towards them.
+/// Waviness of a profile by the robust Gaussian regression filter, which ignores grooves and spikes.
 ///
 ///     minimum over b of sum_k s(x_k - x_i) delta_k (z_k - b_0 - b_1 (x_k - x_i) - b_2 (x_k - x_i)^2)^2,  w_i = b_0
 ///     s(x) = exp(-pi (x/(g c))^2),  g = 0.4697 of order 0, 0.7309 of order 2                cut-off wavelength c
-///     delta_k: Tukey's weights of z_k - w_k (math/tukey), all 1 at first; again until their scale changes by less than 1e-4
 ///
-/// Order 0 has b_0 alone, and with delta = 1 is the filter of profile/gaussian_filter. Order 2 follows a form of the second
-/// degree, at the ends as well. With delta = 1 both let a wave of the cut-off pass by half.
-///
-/// A missing point has the weight 0 and stays missing. Where nearly all around a point has the weight 0 (less than 1 % of
-/// the Gaussian weight is left, 5 % for order 2), it keeps the waviness of delta = 1. More than half of the points must be
-/// surface: the median of the residuals is what tells the others.
+/// delta are Tukey's weights (math/tukey), 0 for a missing point. Order 0 has b_0 alone; order 2 follows a parabola, at
+/// the ends too. A point with less than 1 % of the Gaussian weight left, 5 % for order 2, keeps its first waviness.
 ///
 /// Reference   ISO 16610-31:2016; Brinkmann, Bodschwinna, Lemke, Int. J. Mach. Tools Manuf. 41 (2001) 2153
 /// Units       heights, cut-off [m]
-/// Valid       5 spacings <= cut-off <= length; order 0 or 2; every height finite or NaN (missing)
-/// Accuracy    1e-10 of the rms height against sums and normal equations point by point, with spikes and missing points
-///             (tests/profile/robust_gaussian_filter_test.cpp)
+/// Valid       5 spacings <= cut-off <= length; order 0 or 2; more than half of the points are surface
+/// Accuracy    1e-10 of the rms height against sums point by point (tests/profile/robust_gaussian_filter_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>

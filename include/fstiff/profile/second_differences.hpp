@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Structure function of second differences: what a structure function sees without the waves that are much longer than
-/// its lag.
+/// Structure function of second differences, blind to waves longer than some eight lags.
 ///
 ///     S2(n h) = 1/M sum (z_(i+n) - 2 z_i + z_(i-n))^2,  M triples
 ///             = 4 S(tau) - S(2 tau)  in the mean, (4 - 2^(4-2D)) C tau^(4-2D)  of a power law S = C tau^(4-2D)
 ///
-/// A wave of the wavelength lambda enters S as (1 - cos q tau) and S2 as (1 - cos q tau)^2: waves longer than some eight
-/// lags are not seen, where S bends already at a hundredth of the wavelength at which a spectrum ends or turns flat. A tilt
-/// and an offset cost nothing. A smooth profile has S2 ~ tau^4, where S ~ tau^2 cannot be told from D = 1.
+/// A wave enters S as (1 - cos q tau) and S2 as its square; a tilt and an offset cost nothing.
 ///
 /// Reference   Istas, Lang, Ann. Inst. H. Poincare (B) 33 (1997) 407; Kent, Wood, J. R. Stat. Soc. B 59 (1997) 679
 /// Units       lag [m], S2 [m^2]
 /// Valid       lags of 1 to (N-1)/2 samples of N points; heights finite or NaN (missing)
-/// Accuracy    the sums to 1e-14 of themselves (tests/profile/second_differences_test.cpp)
+/// Accuracy    1e-14 of the sums (tests/profile/second_differences_test.cpp)
 
 #include <fstiff/profile/structure_function.hpp>
 

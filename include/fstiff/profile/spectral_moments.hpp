@@ -8,14 +8,12 @@
 ///     m4 = mean ((z_(i-1) - 2 z_i + z_(i+1))/h^2)^2             = integral of q^4 C(q) [sin(qh/2)/(qh/2)]^4 dq
 ///     alpha = m0 m4/m2^2 >= 1 in the limit h -> 0
 ///
-/// The means are over the pairs and triples of neighbours that exist. m2 and m4 of a surface that is rough below the
-/// spacing are those of the spacing, not of the surface. profile/peak_statistics.hpp takes both means over the same
-/// triples instead; the roots of the moments are its sigma, sigma_m and sigma_kappa up to the ends.
+/// Means are over the pairs and triples that exist. Where waves are shorter than the spacing, m2 and m4 depend on it.
 ///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398-407; Longuet-Higgins, Phil. Trans. A 250 (1957) 157.
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398-407; Longuet-Higgins, Phil. Trans. A 250 (1957) 157
 /// Units       m0 [m^2], m2 dimensionless, m4 [1/m^2], alpha dimensionless
 /// Valid       16 points and a triple at least, heights that vary
-/// Accuracy    1e-13 in double against the closed form of a sampled sine (tests/profile/spectral_moments_test.cpp)
+/// Accuracy    1e-13 in double (tests/profile/spectral_moments_test.cpp)
 
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/triples.hpp>

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Which lengths of a profile a round tip has not shaped.
+/// Lengths of a profile that a round tip has not shaped.
 ///
 ///     kappa_min(n h) = min of (z_(i-n) - 2 z_i + z_(i+n)) / (n h)^2                 the sharpest peak at that scale
 ///     cut-off        = 2 n h, the least stencil from which on kappa_min > -1/(2 R_tip)
 ///
-/// A tip of radius R draws no peak sharper than itself: its trace has kappa_min >= -1/R at every scale. Scales that
-/// come within a factor of two of it are taken for the tip's own shape, not the surface's.
+/// The trace of a tip of radius R has kappa_min >= -1/R at every scale; scales within a factor of two of it show the
+/// tip.
 ///
 /// Reference   Sanner, Nohring, Thimons, Jacobs, Pastewka, Appl. Surf. Sci. Adv. 7 (2022) 100190,
-///             doi:10.1016/j.apsadv.2021.100190: the criterion and its factor of two, from simulated scans. Here scales
-///             go by twelve steps an octave.
+///             doi:10.1016/j.apsadv.2021.100190; here twelve scales an octave
 /// Units       lengths [m], curvature [1/m]
 /// Valid       R > 0; a triple of existing points at the scale asked for
-/// Accuracy    curvature to the rounding of three heights; -1/R exact for a profile dilated by a parabola
-///             (tests/profile/tip_cutoff_test.cpp)
+/// Accuracy    rounding of three heights (tests/profile/tip_cutoff_test.cpp)
 
 #include <fstiff/profile/structure_function.hpp>
 

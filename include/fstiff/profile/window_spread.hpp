@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How much D and G hang on the window of lags: bends within it, its halves, and the straight windows beside it.
+/// Dependence of D and G on the window of lags: its bends, its halves, and the straight windows beside it.
 ///
 ///     D = 2 - slope/2        ln G by (2.4) from ln S2 at the reference lag of the line
-///     window error^2 = mean of max(0, d^2 - 2 sampling^2) over halves and neighbours, weighted by their widths in ln tau
-///                      + t^2 s^2/(t^2 + s^2), t = tolerance/sqrt(12), s error of the difference of the halves, of a window
-///                        that is found and shorter than two half decades
+///     window error^2 = mean of max(0, d^2 - 2 sampling^2) over halves and neighbours, by their widths in ln tau
+///                      + t^2 s^2/(t^2 + s^2) of a found window shorter than two half decades:
+///                        t = tolerance/sqrt(12), s error of the difference of the halves
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.4), (2.5); the rules are this project's.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.4), (2.5); the rules are this project's
 /// Units       ln of lags in samples; G in units of the spacing
 /// Valid       lines of profile/structure_fit; G for 1 < D < 2
-/// Accuracy    G of an exact power law 1e-12; the derivative of ln G by differences 1e-7 (tests/profile/window_spread_test.cpp)
+/// Accuracy    G of an exact power law 1e-12, its derivative 1e-7 (tests/profile/window_spread_test.cpp)
 
 #include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/lag_window.hpp>

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The autocorrelation function of a map, and what it says of the texture: Sal and Str.
+/// Autocorrelation function of a map, and its texture parameters Sal and Str.
 ///
-///     A(tx, ty) = <z(x, y) z(x + tx, y + ty)>/<z^2>      z about the mean of the map, straight within each cell of lags
-///     r(phi)    = how far from lag 0, in the direction phi, A first falls to s = 0.2
-///     Sal = min r     Str = min r/max r                  over 720 directions of half a turn; the other half is the same
+///     A(tx, ty) = <z(x, y) z(x + tx, y + ty)>/<z^2>     z about the mean of the map, straight within each cell of lags
+///     r(phi)    = distance from lag 0, in the direction phi, at which A first falls to s = 0.2
+///     Sal = min r     Str = min r/max r                 over 720 directions of half a turn; the other half is the same
 ///
-/// By pairs, the mean of a lag is over the pairs of points that exist: it is not biased towards 0 at long lags, as a division by
-/// the number of all points would be. A periodic map has a pair for each point, across the edges. Lags reach to half of each
-/// side; where A stays above s to there in some direction, Sal stands and Str does not: it is less than min r over that reach.
+/// Means are over the pairs that exist, or of a periodic map across its edges. Lags reach to half of each side; where A
+/// stays above s to there, Str is not known.
 ///
-/// Reference   ISO 25178-2:2021 (fACF, Sal, Str: A is above s on the straight line to lag 0), ISO 25178-3:2012 (s = 0.2).
+/// Reference   ISO 25178-2:2021 (fACF, Sal, Str), ISO 25178-3:2012 (s = 0.2)
 /// Units       lags, Sal [m], A and Str dimensionless
 /// Valid       maps of 4 x 4 points at least; periodic ones without missing points; remove the form first
-/// Accuracy    A 1e-13 of A(0) = 1, r 1e-12 of the lag. Directions are a quarter of a degree apart: for an ellipse of
-///             Str = 0.1 max r is at most 0.03 % longer (tests/topography/areal_autocorrelation_test.cpp)
+/// Accuracy    A 1e-13 of A(0) = 1, r 1e-12 of the lag (tests/topography/areal_autocorrelation_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>

@@ -4,14 +4,12 @@
 /// Parameters of a map by ISO 25178-2: Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq, Sdr.
 ///
 ///     Sa = <|z|>    Sq^2 = <z^2>    Ssk = <z^3>/Sq^3    Sku = <z^4>/Sq^4          z about the mean of the map
-///     Sp = max z    Sv = -min z     Sz = Sp + Sv
+///     Sp = max z    Sv = -min z     Sz = Sp + Sv        Sdr = <area of a cell>/(dx dy) - 1
 ///     Sdq^2 = <((z_(i+1) - z_i)/dx)^2> + the same along y                         each mean over its own neighbours
-///     Sdr   = <area of a cell>/(dx dy) - 1
 ///
-/// The area of a cell of four points is the mean of its two triangulations, half the sum of the four triangles at its corners.
-/// Means are over the points, neighbours and cells that exist.
+/// The area of a cell of four points is the mean of its two triangulations. Means are over what exists.
 ///
-/// Reference   ISO 25178-2:2021, D.3, eq. (D.15) for the area.
+/// Reference   ISO 25178-2:2021, D.3, eq. (D.15) for the area
 /// Units       heights [m]; Ssk, Sku, Sdq, Sdr dimensionless (the standard prints Sdr in per cent)
 /// Valid       maps of 3 x 3 points at least with three neighbours along x and along y; remove the form first
 /// Accuracy    1e-13 relative, beside the rounding of an offset (tests/topography/areal_parameters_test.cpp)

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Statistics of a map: heights, slopes, curvatures, summits, by finite differences.
+/// Statistics of a map by finite differences: heights, slopes, curvatures, summits.
 ///
-///     m0 = mean (z - mean z)^2 = Sq^2
+///     m0 = mean (z - mean z)^2 = Sq^2        alpha = m0 m4 / m2^2        rms gradient = sqrt(m2 along x + m2 along y)
 ///     m2 = mean of the two of mean ((z_(i+1) - z_i)/dx)^2 along x and the same along y
 ///     m4 = mean of the two of mean ((z_(i+1) - 2 z_i + z_(i-1))/dx^2)^2 along x and the same along y
-///     alpha = m0 m4 / m2^2                                           Nayak's bandwidth, 1.5 at least on isotropic maps
-///     rms gradient = sqrt(m2 along x + m2 along y)
 ///     summit: higher than all its eight neighbours; its curvature -(d2z/dx2 + d2z/dy2)/2 by three points
 ///
-/// Every mean is over the differences whose points all exist, at the border as inside; nothing is padded or
-/// extrapolated. A summit needs its eight neighbours: a point at the border or beside a missing one is neither a summit
-/// nor counted in the area that summits are divided by. Of a plateau no point is a summit.
+/// Means are over the differences whose points all exist. A point at the border or beside a missing one is neither a
+/// summit nor counted in the area of the summit density. No point of a plateau is a summit.
 ///
-/// On isotropic Gaussian maps the summit density is m4/(6 pi sqrt(3) m2) and the mean summit curvature
-/// 8 sqrt(m4)/(3 sqrt(pi)), up to what the finite differences lose: 1 % where the shortest wave has 16 samples.
-///
-/// Reference   Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Nayak, J. Lubr. Technol. 93 (1971) 398.
+/// Reference   Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       heights [m], m2 [1], m4 [1/m^2], density [1/m^2], curvature [1/m]
-/// Valid       maps of 3 x 3 points at least with three neighbours along x and along y; remove the form first
-/// Accuracy    1e-13 in double, beside the 1e-16 of an offset; offsets of 1e6 times the roughness included
+/// Valid       maps of 3 x 3 points with three neighbours along x and along y; remove the form first
+/// Accuracy    1e-13 in double, offsets of 1e6 times the roughness included
 ///             (tests/topography/areal_statistics_test.cpp)
 
 #include <fstiff/topography/height_map.hpp>

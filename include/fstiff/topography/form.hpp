@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Removes the form of a map: its mean, or a least-squares plane, quadratic or cubic surface.
+/// Form of a map, removed: its mean, or a least-squares plane, quadratic or cubic surface.
 ///
 ///     form = sum of c_kl P_k(u) P_l(v),  k + l <= degree,  u, v in [-1, 1] over the map, P_k Legendre's polynomials
 ///
-/// The normal equations are those of the points that exist, of nearly orthogonal functions, and the fit is repeated on
-/// what it left: an offset or a tilt far above the roughness costs nothing but the digits that it had already cost in
-/// the data. A surface that the points do not determine (all in one row, say) is refused.
+/// The fit is over the points that exist and is repeated on its residual, so that an offset or a tilt far above the
+/// roughness costs no digits. A surface that the points do not determine is refused.
 ///
 /// Units       heights [m]
 /// Valid       maps of 3 x 3 points at least, every height finite or NaN (missing; stays missing)
-/// Accuracy    offset and tilt of 1e6 times the roughness: heights within 1e-15 of the largest height before removal
-///             (tests/topography/form_test.cpp)
+/// Accuracy    1e-15 of the largest height, offset and tilt of 1e6 times the roughness (tests/topography/form_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A map without its short or its long waves, by the Gaussian filter of maps.
+/// Gaussian filter of maps: a map without its short or its long waves.
 ///
-///     s(x, y) = exp(-pi (x^2 + y^2)/(a c)^2),  a = sqrt(ln 2/pi) = 0.4697                     cut-off wavelength c
-///     low pass w_ji = sum s((l-i) dx, (k-j) dy) z_kl / sum s((l-i) dx, (k-j) dy),  high pass z - w
-///     a wave of length l in any direction passes the low pass by exp(-ln 2 (c/l)^2): 50 % at l = c
+///     low pass w_ji = sum s((l-i) dx, (k-j) dy) z_kl / sum s((l-i) dx, (k-j) dy),  high pass z - w    cut-off c
+///     s(x, y) = exp(-pi (x^2 + y^2)/(a c)^2),  a = sqrt(ln 2/pi);  a wave of length l passes by exp(-ln 2 (c/l)^2)
 ///
-/// Both sums run over the points that exist, as those of the profile filter (profile/gaussian_filter) do: a constant
-/// stays what it is at the edges and beside gaps, a tilt does not, so remove the plane first. A missing point stays
-/// missing. The weights are products of those along x and along y, so rows and then columns are summed, by transforms.
+/// Rows and then columns are summed, over the points that exist: a constant is kept at the edges and beside gaps, a
+/// tilt is not, so remove the plane first. A missing point stays missing.
 ///
 /// Reference   ISO 16610-61:2015 (weights, transmission); ISO 16610-28:2016 (ends)
 /// Units       heights, cut-off [m]
 /// Valid       2 steps of the coarser side <= cut-off <= the shorter side; maps as HeightMap::validate
-/// Accuracy    1e-13 of the range of the heights against the double sum, where half the weight exists
-///             (tests/topography/gaussian_map_filter_test.cpp). Below 5 steps, waves of less than twice the cut-off pass
-///             better than the closed form says
+/// Accuracy    1e-13 of the range of the heights against the double sum
+///             (tests/topography/gaussian_map_filter_test.cpp). Below 5 steps, waves of less than twice the cut-off
+///             pass better than the closed form says
 
 #include <fstiff/math/gaussian_smoother.hpp>
 #include <fstiff/topography/height_map.hpp>

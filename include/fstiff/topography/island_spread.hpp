@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The representative islands of a map, those at the level where there are most, and how much they vary.
+/// Representative islands of a map, those at the level of the greatest density, and their spread.
 ///
-/// The representative island is that of the level at which the density is greatest, without smoothing; of equal ones
-/// the highest level. Its spread comes from tiles: an island belongs to the tile of its highest point, so that no
-/// island is cut; the tiles are drawn with replacement, their curves added, the maximum is sought again. The standard
-/// deviation of that, times sqrt(n/(n-1)) for n tiles, contains what the choice of the level adds.
+/// Of equal densities the highest level counts. The spread comes from tiles drawn with replacement: an island belongs
+/// to the tile of its highest point, and the maximum is sought again in each draw. The standard deviation is multiplied
+/// by sqrt(n/(n-1)) for n tiles.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4; Efron, Ann. Stat. 7 (1979)
 /// Units       level, R [m], density [1/m^2]

@@ -6,20 +6,15 @@
 ///     density = islands / nominal area
 ///     R       = A_m / (2 pi h_m)      paraboloid of the mean island: area A_m at the level, height h_m above it
 ///
-/// The points are raised out of the water from the highest level to the lowest; union-find keeps the islands, and their
-/// number, area and height are kept up to date, so that a level costs nothing but its own line. Between two levels the
-/// points come in the order of the map; with more than 254 levels, or mean heights, they are sorted by height. Of a cutting
-/// level, the points that stand strictly above it count. A missing point is part of no island and of no area; the nominal area is
-/// that of the points that exist.
+/// Union-find keeps the islands while the points are raised from the highest level to the lowest. Points strictly above
+/// a level count; a missing point is part of no island and of no area.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4
 /// Units       levels, heights, R [m], areas [m^2], densities [1/m^2], bearing area 0 to 1
 /// Valid       maps of 3 x 3 points at least, 2^31 - 1 points at most, heights that vary
-/// Accuracy    counts and areas exact, mean heights 1e-14 of the roughness of those of each level labelled by itself,
-///             offset 1e6 times the roughness included (tests/topography/islands_test.cpp).
-///             On Gaussian maps the greatest density is (2 pi)^(-3/2) e^(-1/2) m2/m0 = 0.0385 m2/m0 times 1.02 to 1.08
-///             where the waves span a factor of 4 at most; 1.04 to 1.25 at 8, 1.1 to 1.7 at 16: that number is the one
-///             of islands less lakes, and in wide bands islands have lakes.
+/// Accuracy    counts and areas exact, mean heights 1e-14 of the roughness (tests/topography/islands_test.cpp).
+///             Greatest density of narrow Gaussian bands 1.02 to 1.08 of (2 pi)^(-3/2) e^(-1/2) m2/m0, which counts
+///             islands less lakes
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/topography/island_forest.hpp>

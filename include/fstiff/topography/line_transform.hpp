@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The waves of a map that goes on beyond its edges, by repeating itself or mirrored: real transforms along one side.
+/// Real transforms along one side of a map that repeats itself or is mirrored beyond its edges.
 ///
 ///     repeating   1, cos 2 pi k x/L, sin 2 pi k x/L          by a transform of real data
 ///     mirrored    cos pi k x/L at cell centres               by the same transform of re-ordered data (Makhoul)
 ///
-/// Mirrored lines are even about both ends, half a step outside of the last points: a line of N points has the period 2N, and
-/// its transform is the cosine transform of type II.
-///
 /// LinesTransform takes several lines at once, in the lanes of the machine's vectors (math/fft_of_lines.hpp).
 ///
-/// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform).
+/// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform of type II)
 /// Units       those of the data
-/// Valid       2 points at least; lengths that are products of 2, 3 and 5 are fast, others take a transform of 2N or more
+/// Valid       2 points at least; lengths that are products of 2, 3 and 5 are fast, others take a transform of 2N or
+///             more
 /// Accuracy    that of math/fft (tests/topography/line_transform_test.cpp, tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/names.hpp>

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The roughness spectrum of a map in shells of |q|, which Persson's theory takes as it is.
+/// Roughness spectrum of a map in shells of |q|, the input of Persson's theory.
 ///
 ///     z - mean = sum of h_q times the waves of the map as it goes on beyond its edges,    sum of |h_q|^2 = sigma^2
-///     mirrored   waves cos pi k x/L_x cos pi l y/L_y at cell centres: those of the map and its mirror images, of period 2L
+///     mirrored  waves cos pi k x/L_x cos pi l y/L_y at cell centres: of the map and its mirror images, period 2L
 ///     periodic   waves exp(i q x) of a map that repeats itself
 ///     shell i: |q| within half a wave number of i pi/L (mirrored), i 2 pi/L (periodic),  L the longer side
 ///
-/// Mirror images have no step at the edges, which a measured map has when it is repeated, and which would be taken for roughness:
-/// the gradient grows with the number of points. A window, which takes that step away too, weighs the middle of the map, so that
-/// the sum is not sigma^2: by a fifth where the longest waves are those of the map.
+/// Mirror images have no step at the edges, and unlike a window they keep sigma.
 ///
-/// Reference   Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001 (shells, windows); Makhoul, IEEE Trans.
-///             Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform).
+/// Reference   Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001; Makhoul, IEEE Trans. Acoust.
+///             Speech Signal Process. 28 (1980) 27 (cosine transform)
 /// Units       heights [m], q [rad/m]
 /// Valid       maps of 4 x 4 points at least, without missing points; remove the form first
-/// Accuracy    1e-13 relative of the sum, 1e-11 of each shell of a sum of waves (tests/topography/map_spectrum_test.cpp)
+/// Accuracy    1e-13 relative of the sum, 1e-11 of each shell of a sum of waves
+///             (tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>

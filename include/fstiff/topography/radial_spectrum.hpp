@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Power spectral densities of a map: in two dimensions, averaged over the directions, and of its sections along x and y.
+/// Power spectral densities of a map: averaged over the directions, and of its sections along x and y.
 ///
-///     C(q)    = L_x L_y/(2 pi)^2 <|h_q|^2>                 over the waves of a shell
-///     C_x(q)  = L_x/pi sum over q_y of |h_(q, q_y)|^2      one-sided, as that of a profile; C_y likewise
-///     sigma^2 = 2 pi int q C dq                            over all waves, those behind the last shell too
-///     int C_x dq = the mean variance of a row about its own mean; the last value counts half where the points are even in number
-///     C_x(q)  = 4 int_q^inf C(q') q'/sqrt(q'^2 - q^2) dq'              of an isotropic surface
+///     C(q)   = L_x L_y/(2 pi)^2 <|h_q|^2>                 over the waves of a shell;  sigma^2 = 2 pi int q C dq
+///     C_x(q) = L_x/pi sum over q_y of |h_(q, q_y)|^2      one-sided, as that of a profile; C_y likewise
+///     C_x(q) = 4 int_q^inf C(q') q'/sqrt(q'^2 - q^2) dq'  of an isotropic surface
 ///
-/// h_q are the waves of the heights about their mean times w/sqrt(mean w^2), w Hann's window, or 1 for a map that repeats itself;
-/// shells are those of topography/map_spectrum of a map that repeats itself. This is a picture: a window takes the step between
-/// opposite edges away, and with it some of sigma. A shell stands at the mean |q| of its waves. Shells end where |q|
-/// reaches the shortest wave of the coarser direction: behind it they have waves in some directions only.
-/// This C is Persson's C(q) and that of surface/roughness_spectrum; Jacobs et al. write (2 pi)^2 C and pi C_x.
+/// h_q are the waves of the heights about their mean times the window over its rms: a picture, since the window weighs
+/// sigma. Shells (topography/map_spectrum) end at the shortest wave of the coarser direction. Jacobs et al. write (2
+/// pi)^2 C and pi C_x.
 ///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398 (profile and surface); Persson et al., J. Phys. Condens. Matter 17 (2005)
-///             R1 (C of q); Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Persson et al., J. Phys. Condens. Matter 17 (2005) R1; Jacobs,
+///             Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001
 /// Units       q [rad/m], C [m^4], C_x and C_y [m^3]
 /// Valid       maps of 4 x 4 points at least, without missing points; remove the form first
 /// Accuracy    1e-12 relative of each shell of a sum of waves (tests/topography/radial_spectrum_test.cpp)

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Spikes of a map become missing points, and missing points are filled by the harmonic surface over their holes.
+/// Spikes of a map become missing points; missing points are filled by the harmonic surface over their holes.
 ///
 ///     d = z - median of the 8 neighbours;  a spike: |d - median d| > k 1.4826 MAD(d)
-///     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, heights as they are around
-///
-/// At the edges of the map the surface goes on level across them. A hole is a set of missing points that touch along
-/// their sides; one that nothing surrounds cannot be.
+///     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, level across the edges
 ///
 /// Reference   Laplace's equation in five points; Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
 /// Units       heights [m]; k in standard deviations
 /// Valid       k > 0; maps of 3 points a side; at least one point exists
-/// Accuracy    fill: 1e-10 of the range of the heights, of heights that are harmonic in five points
-///             (tests/topography/repair_test.cpp); k = 5 takes less than 1e-4 of Gaussian roughness
+/// Accuracy    fill 1e-10 of the range of harmonic heights; k = 5 takes less than 1e-4 of Gaussian roughness
+///             (tests/topography/repair_test.cpp)
 
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/topography/height_map.hpp>

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A map without its long waves by the robust Gaussian filter of maps, which grooves and spikes do not draw towards them.
+/// Robust Gaussian filter of maps: a map without its long waves, undisturbed by grooves and spikes.
 ///
-///     w_ji = sum s((l-i) dx, (k-j) dy) delta_kl z_kl / sum s((l-i) dx, (k-j) dy) delta_kl         regression of order 0
-///     s: weights of topography/gaussian_map_filter, delta: Tukey's of z - w (math/tukey), all 1 at first; again until their
-///     scale changes by less than 1e-4
+///     w_ji = sum s((l-i) dx, (k-j) dy) delta_kl z_kl / sum s((l-i) dx, (k-j) dy) delta_kl        regression of order 0
 ///
-/// With delta = 1 this is the filter of topography/gaussian_map_filter. Like it, it draws a tilt at the edges inwards:
-/// remove the form first. Missing points have the weight 0 and stay missing. A point around which less than 1 % of the
-/// Gaussian weight is left keeps its first w. More than half of the points must be surface.
+/// s are the weights of topography/gaussian_map_filter, delta Tukey's (math/tukey), 0 for a missing point. A tilt is
+/// drawn inwards at the edges: remove the form first. A point with less than 1 % of the Gaussian weight left keeps its
+/// first w.
 ///
 /// Reference   ISO 16610-71:2014 (order 0)
 /// Units       heights, cut-off [m]
-/// Valid       2 steps of the coarser side <= cut-off <= the shorter side; maps as HeightMap::validate
+/// Valid       as topography/gaussian_map_filter; more than half of the points are surface
 /// Accuracy    1e-10 of the rms height against the double sums (tests/topography/robust_gaussian_map_filter_test.cpp)
 
 #include <fstiff/math/tukey.hpp>

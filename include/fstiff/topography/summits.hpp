@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The summits of a map one by one: where each stands, how high, and how it is curved.
+/// Summits of a map one by one: place, height and principal curvatures.
 ///
 ///     summit      higher than all its eight neighbours
 ///     curvatures  eigenvalues k1 >= k2 of -H, H the second differences of fourth order, over five points a side
 ///     top         z + g dx + (1/2) dx H dx at dx = -H^(-1) g: one Newton step, of at most one grid step along x and y
 ///
-/// A point at the border or beside a missing one is no summit, and is not counted in the area. Of a plateau no point is a summit.
-/// A point whose paraboloid has no top, k2 <= 1e-3 k1, is left out: between two grid points of a ridge.
+/// A point at the border or beside a missing one is no summit, and not counted in the area. A paraboloid without a top,
+/// k2 <= 1e-3 k1, is left out: a point of a ridge.
 ///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; the same rule as areal_statistics.hpp.
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       heights above the mean plane and places [m], curvatures [1/m], area [m^2]
 /// Valid       maps of 3 x 3 points at least; remove the form first
-/// Accuracy    rounding for a paraboloid; what five points lose of a curvature is (8/45) (pi/samples of its wave)^4, next to an edge
-///             (1/3) (pi/samples)^2 (tests/topography/summits_test.cpp). Differences of second order find summits along ridges that
-///             are none, and K of a map that is 1.3 times too large
+/// Accuracy    rounding for a paraboloid; five points lose (8/45) (pi/samples of its wave)^4 of a curvature
+///             (tests/topography/summits_test.cpp)
 
 #include <fstiff/math/random.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
