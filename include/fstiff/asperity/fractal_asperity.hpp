@@ -3,34 +3,20 @@
 /// \file
 /// One asperity of a fractal surface: a single cosine of base diameter l, pressed in by the approach omega.
 ///
-///     z(x)  = delta cos(2 pi x/l)                                                   eq. (3.1)
-///     delta = G^(D-1) l^(2-D)                 height                                eq. (3.2)
-///     R     = l^D / (4 pi^2 G^(D-1))          radius of curvature at the peak       eq. (3.3)
-///     omega = q delta                         q = 1 - cos(pi l_t/l)                 eq. (3.4)
+///     z(x) = delta cos(2 pi x/l),  delta = G^(D-1) l^(2-D),  R = l^D / (4 pi^2 G^(D-1))      eqs. (3.1)-(3.3)
+///     omega = q delta,  q = 1 - cos(pi l_t/l)                                                eq. (3.4), truncation l_t
+///     family: l = G (omega/(q G))^(1/(2-D)),  R = l^2 q/(4 pi^2 omega),  area = q l^2/(4 pi)   (3.5), (3.6), (3.12)
+///              load = 2/(3 pi) sqrt(q) l omega (times E),  k_n = d load/d omega                    eqs. (3.8), (3.10)
 ///
-/// A truncation diameter l_t < l cuts the share q of the height away. Two views of the same asperities:
+/// FractalAsperity is one asperity of fixed l under a law of asperity/laws.hpp; AsperityFamily holds all asperities cut
+/// at the same q, a larger one for a larger omega. The slope under load of one asperity is smaller than k_n by f
+/// (docs/errata.md).
 ///
-/// FractalAsperity: one given asperity, l fixed while omega grows. Load, stiffness and area come from a law of
-/// asperity/laws.hpp, eqs. (3.7), (3.11), (3.14).
-///
-/// AsperityFamily: all asperities cut at the same q. A larger omega then means a larger asperity, and with
-/// l = G (omega / (q G))^(1/(2-D)), eq. (3.5), everything is a power of omega:
-///
-///     R      = l^2 q / (4 pi^2 omega)                                               eq. (3.6)
-///     load   = 2/(3 pi) sqrt(q) l omega                       (times E)             eq. (3.8)
-///     k_n    = 2/(3 pi) (3-D)/(2-D) sqrt(q) l = d load/d omega (times E)            eq. (3.10)
-///     area   = q l^2 / (4 pi)                                                       eq. (3.12)
-///
-/// k_n is the slope of the load from one asperity of the family to the next, not of one asperity under load: there the
-/// slope is smaller by f (docs/errata.md). Powers are formed of the dimensionless l/G and omega/(qG), never of G alone,
-/// whose G^((D-1)/(2-D)) leaves the range of a float at D = 1.85.
-///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.1)-(3.14).
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.1)-(3.14)
 /// Units       lengths [m], area [m^2]; loads and stiffnesses are divided by the effective modulus E: [m^2], [m]
 /// Valid       1 < D < 2, G > 0, l > 0, 0 <= l_t <= l, 0 < q <= 2 (the paper's omega <= delta is q <= 1)
-/// Accuracy    FractalAsperity: height and radius 4 ulp. AsperityFamily: (2 + |ln(omega/(qG))|/2) / (2-D) + 2 ulp, what
-///             the power 1/(2-D) makes of a rounding; radius and area twice that
-///             (tests/asperity/fractal_asperity_test.cpp)
+/// Accuracy    FractalAsperity 4 ulp; AsperityFamily (2 + |ln(omega/(qG))|/2) / (2-D) + 2 ulp, radius and area twice
+///             that (tests/asperity/fractal_asperity_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/core/numbers.hpp>

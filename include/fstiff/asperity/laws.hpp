@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Load, stiffness and contact area of one asperity of radius R pressed in by the approach omega: the three laws.
+/// Load, stiffness and contact area of one asperity of radius R pressed in by the approach omega: the elastic laws.
 ///
 ///     HertzLaw              load (4/3) sqrt(R) omega^(3/2)       stiffness 2 sqrt(R omega)          eq. (3.7)
 ///     FractalLaw            load (4/3) sqrt(R) omega^(3/2)       stiffness f * 2 sqrt(R omega)      eqs. (3.7), (3.14)
-///     FractalConsistentLaw  load f * (4/3) sqrt(R) omega^(3/2)   stiffness f * 2 sqrt(R omega)
+///     FractalConsistentLaw  load f * (4/3) sqrt(R) omega^(3/2)   stiffness f * 2 sqrt(R omega)   f = (2/3) (3-D)/(2-D)
 ///     all                   area pi R omega                                                         eq. (3.11)
-///     f = (2/3) (3-D)/(2-D)
 ///
-/// The paper differentiates the load along the family of asperities of a fractal surface, not for one given asperity,
-/// so that its stiffness is f >= 4/3 times the derivative of its load (docs/errata.md). FractalLaw is the paper as
-/// printed; FractalConsistentLaw integrates the load from the same stiffness, so that stiffness = d load / d omega;
-/// HertzLaw is the paper's "statistical elastic model". Loads and stiffnesses are divided by the effective modulus E.
+/// FractalLaw is the paper as printed, whose stiffness is f times the slope of its load (docs/errata.md); in
+/// FractalConsistentLaw the stiffness is the slope. Loads and stiffnesses are divided by the effective modulus E.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.7), (3.11), (3.14).
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.7), (3.11), (3.14)
 /// Units       omega, R [m]; load/E [m^2], stiffness/E [m], area [m^2]
 /// Valid       omega >= 0, R > 0, 1 < D < 2 (f diverges as D -> 2)
 /// Accuracy    4 ulp (tests/asperity/laws_test.cpp)

@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Crowded contacts of a surface with any bearing curve: Persson's theory of the Gaussian surface of the same order of heights,
-/// at the scale that the bearing curve has where the faces touch.
+/// Crowded contacts with any bearing curve: Persson's theory at the local scale of the curve where the faces touch.
 ///
 ///     K(p) = K_g(p/rho)      A/A0 = A_g(p/rho)      d = int_p dp'/K
 ///     rho = s(c, w)/sigma    c = d_g(p/rho)/sigma + 0.2 - 0.3 P    w = sqrt(1/4 + P^2)    P = erf(sqrt(2) p/(rho E g))
 ///
-/// g marks the Gaussian surface, whose rms height is sigma, and s is the slope of the bearing curve about the level c
-/// (surface/bearing_slope.hpp). A map f(zeta) is about the level of contact a Gaussian map with all heights multiplied by f'.
-/// Under a Gaussian rho is 1, and without a bearing curve the contact is PerssonContact itself, to the last bit.
+/// g marks the Gaussian surface of the same order of heights, sigma its rms height, s the slope of the bearing curve
+/// about the level c (surface/bearing_slope.hpp). rho is a fixed point, found anew at each pressure in 10 us; without a
+/// bearing curve the contact is PerssonContact to the last bit.
 ///
-/// rho is the fixed point of rho <- sqrt(rho rho_new) that is reached from 1, found anew at each pressure: some eight slopes
-/// of the curve, 10 us. d_g is tabulated once.
-///
-/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; the scale by the bearing curve, with the numbers 0.2, 0.3, 1/4 and 1:
-///             this project, docs/validation.md
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; the scale and its numbers: this project, docs/validation.md
 /// Units       SI: m, Pa, Pa/m
-/// Valid       pressures as PerssonContact at p/rho. K rises with p where rho rises more slowly than p: on every surface that
-///             was tried, but for a step of the heights by several sigma
-/// Accuracy    rho 1e-6, K that of a sum with 192 points a shell to 2e-5, separation 1e-5 of the rms height as the integral
-///             of 1/K (tests/contact/bearing_contact_test.cpp). Against boundary elements: docs/validation.md
+/// Valid       pressures as PerssonContact at p/rho; K rises with p but for steps of the heights by several sigma
+/// Accuracy    rho 1e-6, K 2e-5, separation 1e-5 of the rms height (tests/contact/bearing_contact_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/persson_contact.hpp>

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact integrals: moments of the peaks that stand above a separation.
+/// Contact integrals: moments of the peaks that stand above a separation.
 ///
-///     J[a,b](eta; r, theta) = int_0^inf int_eta^inf t^b (zeta - eta)^a p_peak(zeta, t) dzeta dt          eqs. (4.5), (4.9)
-///
-///     contacts   N J[0,0]                                  load       (4/3) E N sigma^(3/2) sigma_kappa^(-1/2) J[3/2,-1/2]
+///     J[a,b](eta; r, theta) = int_0^inf int_eta^inf t^b (zeta - eta)^a p_peak(zeta, t) dzeta dt      eqs. (4.5), (4.9)
+///     contacts   N J[0,0]                              load       (4/3) E N sigma^(3/2) sigma_kappa^(-1/2) J[3/2,-1/2]
 ///     real area  pi N (sigma/sigma_kappa) J[1,-1]          stiffness  2 E N sigma^(1/2) sigma_kappa^(-1/2) J[1/2,-1/2]
-///     dJ[a,b]/deta = -a J[a-1,b]
 ///
-/// The integral over the height zeta is closed, c^(a+1) F_a(x) (math/gaussian_moment.hpp); what is left is one
-/// dimension, by a trapezoidal rule whose nodes all quantities share (contact/peak_sums.hpp).
+/// The integral over zeta is closed (math/gaussian_moment.hpp); that over t is a trapezoidal rule whose nodes all
+/// quantities share (contact/peak_sums.hpp).
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9).
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9)
 /// Units       dimensionless
-/// Valid       0 <= r < 1, 0 < theta < pi/2, any finite eta >= -1e6; far beyond the peaks the value underflows to 0 and
-///             log_contact_integral goes on
-/// Accuracy    relative_tolerance, and at the default 2e-14 (double): 3e-15 relative on the plain and 6e-15 on the hard
-///             table of tests/data; the error returned covers the true one (tests/contact/contact_integrals_test.cpp)
+/// Valid       0 <= r < 1, 0 < theta < pi/2, |eta| <= 1e6; beyond the peaks the value underflows to 0
+/// Accuracy    relative_tolerance; at the default 2e-14 (double) 6e-15 on the tables of tests/data, and the error
+///             returned covers the true one (tests/contact/contact_integrals_test.cpp)
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/quantity.hpp>

@@ -1,55 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A contact tabulated: stiffness and pressure in nanoseconds, for codes that evaluate the law millions of times.
+/// Tabulated contact: stiffness and pressure in nanoseconds, for codes that evaluate the law millions of times.
 ///
 ///     p(d), K(d), -dp/dd, d(p), K(p), dK/dp        d: separation of the mean planes
-///
-/// log p is interpolated once as a function of the separation, by Chebyshev series through a few dozen exact integrals,
-/// in more sections where they need it; from it tables of short polynomials are cut, one uniform in the separation and
-/// two in the binary exponent of p (math/piecewise), so that an evaluation needs neither a logarithm nor an exponential
-/// nor a search, and an array of them is evaluated four at a time where the processor can. K of a map has kinks, one
-/// where each of its summits touches: such a law is a table of parabolas (contact/kinked_tables), as many as its kinks need,
-/// right to 1e-3 or better, looked up as fast, but one element of an array after the other; so is any law of which
-/// polynomials would not be monotone or be off by more than 1e-3. The slope -dp/dd is the
-/// derivative of the very polynomial that returns p(separation), for every law: it is the tangent that Newton's method
-/// in an implicit solver needs. K is that slope with HertzLaw, FractalConsistentLaw and GreenwoodWilliamson; with
-/// FractalLaw it is the slope times (2/3)(3-D)/(2-D), and stiffness_is_slope() says no. Where K is no constant times the
-/// slope (plastic and elastic-plastic peaks, and any law whose stiffness is not the derivative of its load)
-/// K(separation) has a table of its own, made in the same way. Neighbouring polynomials meet at their ends; p falls and
-/// K rises monotonically (checked when the law is tabulated), up to the rounding of the last digits.
-///
 ///     const auto law = fstiff::ContactLaw<double>::tabulate(contact, {.min_pressure = 1e5, .max_pressure = 1e8});
-///     const double K = law.stiffness(3e6);
-///     const auto [p, stiffness] = law.at_separation(1.2e-6);
-///     const auto [same_p, slope] = law.tangent_at_separation(1.2e-6);
 ///
-/// Outside the range, as OutsideRange says:
-///
-///     refuse       throws
-///     extrapolate  d > d_max: log p and log K go on linearly in d, to p = K = 0 for an open contact;
-///                  d < d_min: K goes on linearly in d, and p as its integral:
-///                      p = p_e exp(-(d - d_max) s_e/p_e)                        K = K_e p/p_e                 light
-///                      p = p_e + s_e x + s_e' x^2/2,  s = s_e + s_e' x,  x = d_min - d,  K/K_e = s/s_e        heavy
-///                  with p, the slope s and K of the ends (e), and s_e' that of K_e' s_e/K_e. p is once continuously
-///                  differentiable in d and the slope exactly its derivative: a Newton loop sees one smooth law. The
-///                  same by pressure, from p = 0 on, where K = 0 and d is infinite
-///     clamp        p, K and d are those of the nearer end, for looking up; since p is constant there, -dp/dd and dK/dp
-///                  are 0, K is not the tangent, and Newton's method stalls
-///     exact        evaluates the model, in microseconds; it takes p > 0
-///
-/// A NaN is refused under each of them. at_separation takes the separation(p) of every pressure in the range.
+/// The tables are short polynomials (math/piecewise), uniform in d and in the binary exponent of p, or parabolas
+/// (contact/kinked_tables) where K has kinks. -dp/dd is the derivative of the returned p, the tangent of Newton's
+/// method; K has a table of its own where it is no constant times that. p falls and K rises monotonically.
 ///
 /// Units       SI: Pa, m, Pa/m; dK/dp in 1/m
 /// Valid       float and double; 0 < min_pressure < max_pressure within the reach of the model; no interaction or
-///             effective_separation. A default-constructed law is empty and refuses every evaluation
-/// Accuracy    measured when it is tabulated, at the ends of every piece and between the nodes, and carried:
-///             relative_error(). Of polynomials it covers -dp/dd too where K has a table of its own; it cannot be less than the
-///             errors of the integrals: of a law without powers 1e-9 or so. Of 400 laws of random surfaces none is
-///             further from the model than it says. One in two says less than 4e-12 and is right to 1e-12, nine in ten
-///             say less than 3e-10 and are right to 5e-11, all say less than 1e-7 and are right to 1e-8: interaction,
-///             pressures that press the planes through one another and ranges of a few percent take more. A batch
-///             differs from the scalar calls by rounding: 200 epsilon at most (tests/contact/contact_law_test.cpp)
+///             effective_separation. A default-constructed law refuses every evaluation. Beyond the range as
+///             OutsideRange says
+/// Accuracy    relative_error(), measured when tabulated; 1e-8 or better for 400 laws of random surfaces, 1e-3 with
+///             kinks. A batch is within 200 epsilon of the scalar calls (tests/contact/contact_law_test.cpp)
 /// Threads     evaluation is const and does not allocate: any number of threads may share a law
 
 #include <fstiff/contact/contact_concept.hpp>

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The table of a law whose stiffness has kinks, such as that of a map, each of whose summits adds one: parabolas.
+/// Table of a law whose stiffness has kinks, such as that of a map, each of whose summits adds one: parabolas.
 ///
 ///     p = p_i + s_i x + b_i x^2/2      -dp/dd = s_i + b_i x      K = K_i + c_i x      x = d_i - d       by separation
 ///     s = sqrt(s_i^2 + 2 b_i (p - p_i))      x = 2 (p - p_i)/(s_i + s)                                  by pressure
 ///
-/// The inverse of a parabola is closed, so that p(d), -dp/dd, d(p) and K(p) are one function: -dp/dd is the derivative of the
-/// returned p, continuous in d, and separation(p) its inverse. p rises strictly as d falls wherever all s_i are positive.
-///
-/// The pieces are as short as the law needs. A piece is found through cells, two for each piece: equal ones of d, and of the
-/// leading bits of p; where a cell holds several pieces, by bisection.
+/// The inverse of a parabola is closed, so that all quantities are one function, and -dp/dd is the derivative of p. A
+/// piece is found through two cells for each piece, equal ones of d and of the leading bits of p, and by bisection in a
+/// cell.
 ///
 /// Units       SI: Pa, m, Pa/m
 /// Valid       float and double; arguments within the table

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The numbers of a tabulated law, and what they say within its range: all that is written to text.
+/// Numbers of a tabulated law and their evaluation within and beyond its range: all that is written to text.
 ///
-///     p(d), -dp/dd       one table, uniform in d; K(d) too where K is a constant times -dp/dd
-///     K(d)                 else a table of its own, of the same pieces
-///     d(p), K(p), dK/dp    two, in the binary exponent of p
+///     p(d), -dp/dd  one table, uniform in d; K(d) too where K is a constant times -dp/dd, else from a table of its own
+///     d(p), K(p), dK/dp  two tables, in the binary exponent of p; with kinks one of parabolas (kinked_tables)
+///     extrapolate, d > d_max:  p = p_e exp(-(d - d_max) s_e/p_e),  K = K_e p/p_e;  to p = K = 0 for an open contact
+///     extrapolate, d < d_min:  p = p_e + s_e x + s_e' x^2/2,  s = s_e + s_e' x,  x = d_min - d,  K/K_e = s/s_e
 ///
-/// or, where K has kinks, one of parabolas for all of them (contact/kinked_tables.hpp), while those above are empty,
-/// and how they go on beyond the range, as contact/contact_law says of OutsideRange::extrapolate.
+/// with p, the slope s = -dp/dd and K of the ends (e), and s_e' that of K_e' s_e/K_e: p is once continuously
+/// differentiable and s its derivative. The same by pressure, from p = 0 on, where K = 0 and d is infinite.
 ///
 /// Units       SI: Pa, m, Pa/m
 /// Valid       float and double; arguments within the tables, but for the functions of the continuation

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Makes the tables of a tabulated law: a few dozen exact integrals, a Chebyshev interpolation of log p by sections,
-/// its inverse, polynomials cut from both, and the error of them measured against the model. It is steered by what the
-/// contact gives: its log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and
-/// stiffness_over_slope(); without the last one, log K is interpolated as log p is, from log_stiffness(eta). Where K has kinks,
-/// contact/kinked_tabulator makes the table in its place.
+/// Tables of a smooth tabulated law: Chebyshev series of log p by sections, its inverse, and polynomials cut from both.
+///
+/// The contact gives log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and
+/// stiffness_over_slope(), or else log_stiffness(eta), which is interpolated as log p is. The error is measured against
+/// the model between the nodes. A law with kinks is made by contact/kinked_tabulator.
 ///
 /// Units       SI; eta is the separation over the rms height
 /// Valid       as contact/contact_law

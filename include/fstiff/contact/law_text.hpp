@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A tabulated law as text, every number in hexadecimal, so that it comes back bit for bit.
+/// Tabulated law as text, every number in hexadecimal, so that it comes back bit for bit.
 ///
 ///     fstiff contact law 3 8                            version of the form (3, 4 or 5), bytes of a number
 ///     pieces  policy  evaluations                       of the table by separation; OutsideRange
-///     p_min p_max separation_min separation_max K/slope error         then eight coefficients a line: p(separation), K(p), separation(p)
+///     p_min p_max separation_min separation_max K/slope error         then a row of coefficients a line
 ///
-/// A law whose K has a table of its own is of version 4: its K/slope is 0, and K(separation) comes last. Every other
-/// polynomial law is written and read as version 3. Version 5 is a law of parabolas, six numbers a line: d, p, -dp/dd and its change
-/// by -d, K and its change by -d at the beginning of each piece, and at the end of the table.
+/// Version 3 holds p(separation), K(p), separation(p); version 4 also K(separation), with K/slope 0. Version 5 is a law
+/// of parabolas: d, p, -dp/dd and its change by -d, K and its change by -d at the beginning of each piece and at the
+/// end.
 ///
 /// Units       SI
 /// Valid       a law that is not empty, with a policy other than exact; lines may end in LF or CRLF

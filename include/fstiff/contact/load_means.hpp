@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How far the peaks of a contact are pressed in, as a mean in which each peak counts by the load it carries: what tells
-/// whether a law of plastic peaks is within the range of its finite elements.
+/// Mean depth of the peaks of a contact, each peak weighted by its load: the range of laws of plastic peaks.
 ///
 ///     <s>   = sum load omega/omega_c / sum load          omega_c = (its strain)^2 R, where a peak begins to flow
 ///     <a/R> = sum load a/R / sum load                    a = sqrt(area/pi)
 ///
-/// The sums run over the peaks above the separation, as the sums for p and K do (contact/rough_contact.hpp): the same law
-/// with load times s in place of its stiffness, load times a/R in place of its area, and its own kinks.
-///
 /// Reference   this project
 /// Units       eta is the separation over the rms height; the means have no unit
 /// Valid       as RoughContact
-/// Accuracy    the tolerance that is asked for, 1e-4 by default; each mean carries its bound. With a tolerance of 1e-9
-///             the nine digits of tests/data/plastic_curves.csv (tests/contact/load_means_test.cpp)
+/// Accuracy    the tolerance asked for, 1e-4 by default; each mean carries its bound
+///             (tests/contact/load_means_test.cpp)
 
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/quantity.hpp>

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact integrals as the paper computes them: 50 x 50 Gauss-Legendre points on a box. For comparison only.
+/// Contact integrals as the paper computes them: 50 x 50 Gauss-Legendre points on a box. For comparison only.
 ///
-/// The box is 0 <= t <= 8, eta <= zeta <= max(eta, 0) + 8; the paper does not give its own. The integrand has branch
-/// points on two sides of the box, which is why the rule converges slowly: no more points would help much.
+/// The box is 0 <= t <= 8, eta <= zeta <= max(eta, 0) + 8; the paper does not give its own. Branch points on two sides
+/// of the box make the rule converge slowly.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), remark below eq. (4.3).
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), remark below eq. (4.3)
 /// Units       dimensionless
-/// Accuracy    1e-5 to 2e-3 on tests/data/integrals_plain.csv; no digit at all for r near 1 or theta near pi/2, where the
-///             points miss the ridge of the density. The error is the greater of the difference from 25 x 25 points (and
-///             2e-10 for what the box cuts off) and that from contact_integral(): it covers the true one
+/// Accuracy    1e-5 to 2e-3 on tests/data/integrals_plain.csv; no digit for r near 1 or theta near pi/2. The error is
+///             the greater of the difference from 25 x 25 points and that from contact_integral()
 ///             (tests/contact/tensor_integrals_test.cpp)
 
 #include <fstiff/contact/contact_integrals.hpp>

@@ -5,30 +5,17 @@
 ///
 ///     1/K = sqrt(2/pi)/p int_0^g f(p/(E G)) dG/q(G),     f(x) = B(P) exp(-2 x^2),  P = erf(sqrt(2) x)
 ///     d   = sqrt(2/pi) int_0^g W(sqrt(2) p/(E G)) dG/q,  W(y) = int_y^inf B(erf s) exp(-s^2) ds/s
-///     B   = gamma + (1-gamma) [3 (1-c) P^2 + 17 c P^16]
-///     A/A0 = erf(sqrt(2) p/(E g))
+///     B   = gamma + (1-gamma) [3 (1-c) P^2 + 17 c P^16],    A/A0 = erf(sqrt(2) p/(E g))
 ///
-/// B is dU/dP of the elastic energy of the waves about q, U ~ P [gamma + (1-gamma) ((1-c) P^2 + c P^16)], which is exact at full
-/// contact for any gamma and c. c = 0 is the published correction; c = 1/4 was fitted to boundary elements (tests/data/broad.csv,
-/// tests/contact/hybrid_of_band_test.cpp).
+/// G(q) is the rms gradient of all waves up to q (contact/gradient_spectrum), g that of all. c = 0 is the published
+/// correction, c = 1/4 a fit to boundary elements. The theory gives no number of contacts: it is 0.
 ///
-/// G(q) is the rms gradient of all waves up to q (surface/roughness_spectrum.hpp), g that of all. K = p/u0 for light loads,
-/// with u0 = sqrt(2/pi) gamma int dG/q = 0.4 to 0.65 rms heights; it is K of p directly, and only p of a separation is
-/// searched for. The number of contacts is not known to this theory: it is 0 in every state.
-///
-/// In u = ln G the integrand f varies over a few units, the spectrum dG/q however it may. So f is interpolated in panels one
-/// octave of G wide at 16 Legendre points, and the spectrum is integrated against the interpolant once, when the contact is
-/// made: a pressure costs 16 values of f an octave, whether the spectrum is a band or 700 shells of a map. Panels in which
-/// p/(E G) > 6 give nothing. Above p = E g/2, where f falls within much less than an octave, the spectrum is integrated anew.
-///
-/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502 (K = -dp/dd from the elastic energy); Yang, Persson, J. Phys.
-///             Condens. Matter 20 (2008) 215214 (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45).
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Yang, Persson, J. Phys. Condens. Matter 20 (2008) 215214
+///             (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45)
 /// Units       SI: m, Pa, Pa/m
-/// Valid       0 < gamma <= 1 (in use: 0.40 to 0.50), 0 <= c <= 1; states up to 0.75 E g, where boundary elements end, and the
-///             formulas stiffness() and separation() up to 18 E g; isotropic surfaces with Gaussian heights. K is too small where
-///             few peaks carry: 0.65 of boundary elements at p/(E g) = 0.002, 0.4 at 1e-4 (contact/hybrid_contact.hpp takes the
-///             peaks there)
-/// Accuracy    K to 1e-13, separation to 1e-13 of the rms height, both in double (tests/contact/persson_contact_test.cpp)
+/// Valid       0 < gamma <= 1, 0 <= c <= 1; states up to 0.75 E g, stiffness() and separation() up to 18 E g; isotropic
+///             Gaussian surfaces. K is too small where few peaks carry: 0.65 of boundary elements at p/(E g) = 0.002
+/// Accuracy    K 1e-13, separation 1e-13 of the rms height, in double (tests/contact/persson_contact_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/gradient_spectrum.hpp>

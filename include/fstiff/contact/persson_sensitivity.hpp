@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How K of Persson's theory at a given pressure depends on each parameter: what an error band or a fit needs.
+/// Derivatives of K of Persson's theory at a given pressure by each parameter, for fits and error bands.
 ///
 ///     dK/dE = K/E (1 - d ln K/d ln p), since E enters as p/E alone; the others by central differences of six points
 ///
-/// The band of the spectrum has the moments of (rms height, rms gradient, alpha) and the exponent H
-/// (surface/roughness_spectrum.hpp); each parameter is changed while the others stay.
+/// Each parameter of the band of the spectrum (surface/roughness_spectrum.hpp) is changed while the others stay.
 ///
-/// Reference   contact/persson_contact.hpp; the differences: Abramowitz and Stegun, 25.3.
+/// Reference   contact/persson_contact.hpp; the differences: Abramowitz and Stegun, 25.3
 /// Units       each derivative in Pa/m per unit of its parameter (SI)
 /// Valid       as PerssonContact; 0.02 < H < 0.98, alpha above 1.53
-/// Accuracy    dK/dE, dK/dp and dK/dgamma to 1e-12, the others to 1e-8 of K per relative change of the parameter
+/// Accuracy    dK/dE, dK/dp, dK/dgamma 1e-12, the others 1e-8 of K per relative change
 ///             (tests/contact/persson_sensitivity_test.cpp)
 
 #include <fstiff/contact/persson_contact.hpp>

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, which a wave sees.
+/// Contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, which a wave sees.
 ///
 ///     K    = (K_cut^1.9 + K_elastic^1.9)^(1/1.9)            at equal pressure, K_cut at the share p/H
 ///     A/A0 = p sqrt(1/H^2 + 4/(E g)^2)                      g at the local scale of a bearing curve
 ///     p(d) = (p_cut^-1.3 + p_elastic^-1.3)^(-1/1.3)         p_cut = H times the share of the surface above d
 ///
-/// K_cut is that of the highest points of area p/H held together: for a map one linear problem (MapCut), for a Gaussian surface
-/// 0.68 E g p/(sigma H) (GaussianCut). Spots of that area that do not feel each other would have 0.79 to 0.94 in place of 0.68.
-/// The number of contacts is not known: it is 0 in every state.
+/// K_cut is that of the highest points of area p/H held together: a linear problem for a map (MapCut), 0.68 E g
+/// p/(sigma H) for a Gaussian surface (GaussianCut). The number of contacts is not known: it is 0.
 ///
-/// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159 (the area p/H); Cooper,
-///             Mikic, Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279 (the form of K_cut)
+/// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159; Cooper, Mikic,
+///             Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279
 /// Units       SI
-/// Valid       0 < p < H. Tried: p/H from 0.003 to 0.1, H/(E g) from 0.02 to 0.5
-/// Accuracy    against boundary elements with pressures cut at H, seven maps of seven kinds, p/H 0.003 to 0.1: K of a map within
-///             15 % at 138 of 140 points, of numbers at 115 (at 40 of 40 on Gaussian maps). Separation as the root of p(d), 1e-10 of the
-///             rms height (tests/contact/plastic_contact_map_test.cpp)
+/// Valid       0 < p < H. Compared for p/H from 0.003 to 0.1, H/(E g) from 0.02 to 0.5
+/// Accuracy    p(d) 1e-10 of the rms height; K of a map within 15 % of boundary elements at 138 of 140 points, of
+///             numbers at 115 (tests/contact/plastic_contact_map_test.cpp)
 
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/slope_contact.hpp>

@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact of a rough surface with a smooth one: pressure, stiffness, real area and contacts against separation or
-/// pressure.
+/// Contact of a rough surface with a smooth one: pressure, stiffness, real area and contacts.
 ///
-///     p   = E load_factor D_p sigma^2 (sigma sigma_kappa)^(-1/2) J[3/2,-1/2](eta)
-///     K   = E stiffness_factor D_p sigma (sigma sigma_kappa)^(-1/2) J[1/2,-1/2](eta)          eq. (4.9)
-///     A   = area_factor D_p sigma/sigma_kappa J[1,-1](eta)         n = D_p J[0,0](eta)         eqs. (4.5), (4.6)
-///     sigma_kappa = 3 sqrt(pi)/(8 R)                                                          eq. (4.10)
+///     p = E load_factor D_p sigma^2 (sigma sigma_kappa)^(-1/2) J[3/2,-1/2](eta)
+///     K = E stiffness_factor D_p sigma (sigma sigma_kappa)^(-1/2) J[1/2,-1/2](eta)          eq. (4.9)
+///     A = area_factor D_p sigma/sigma_kappa J[1,-1](eta)         n = D_p J[0,0](eta)         eqs. (4.5), (4.6)
 ///
-/// all per nominal area, eta the separation over sigma. The law is always named by the caller: FractalLaw is the paper
-/// as printed, whose K is not the slope of its p (asperity/laws.hpp).
+/// per nominal area, eta the separation over sigma, sigma_kappa = 3 sqrt(pi)/(8 R), eq. (4.10).
 ///
-///     const fstiff::Roughness<double> fine{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
-///     const auto peaks = fstiff::PeakDistribution<double>::exponential(std::numbers::pi / 3);
-///     const fstiff::RoughContact contact(fine, peaks, fstiff::FractalLaw<double>(1.62), 112.6e9);
+///     const fstiff::RoughContact contact(roughness, peaks, fstiff::FractalLaw<double>(1.62), 112.6e9);
 ///     const double K = contact.at_pressure(10e6).stiffness.value;
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4
 /// Units       SI at the border: m, Pa, Pa/m, 1/m^2
-/// Valid       separations from -1000 to 1e6 rms heights; pressures whose separation is between -1000 rms heights and
-///             where the pressure underflows (37 in double)
-/// Accuracy    at a separation that of the integrals, 1e-13 in 200 random contacts
-///             (tests/contact/random_contacts_test.cpp); at a pressure 1e-13 relative for eta <= 4
-///             (tests/contact/rough_contact_test.cpp); each value carries its own bound
+/// Valid       separations from -1000 to 1e6 rms heights, and pressures of such until they underflow (eta = 37 in
+///             double)
+/// Accuracy    1e-13 at a separation and at a pressure for eta <= 4; each value carries its bound
+///             (tests/contact/rough_contact_test.cpp, tests/contact/random_contacts_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/contact_integrals.hpp>

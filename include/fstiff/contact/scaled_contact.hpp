@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact of a surface f(zeta) of which only the bearing curve f and the moments of zeta are known: that of the Gaussian
-/// surface with these moments, at the local scale rho of the bearing curve.
+/// Contact of a surface f(zeta) known by its bearing curve f and the moments of zeta.
 ///
 ///     K(p) = K_g(p/rho)     A/A0 = A_g(p/rho)     n = n_g(p/rho)     d = int_p dp'/K
 ///
-/// rho is that of a BearingContact with the same bearing curve, up to whose full_pressure() d is integrated.
+/// g marks the Gaussian surface, rho the local scale of a BearingContact with the same curve, up to whose
+/// full_pressure() d is integrated.
 ///
 /// Reference   contact/bearing_contact.hpp
 /// Units       SI
 /// Valid       pressures as \p Of at p/rho; separations above 0
-/// Accuracy    K that of its parts, separation 1e-4 of the rms height as the integral of 1/K
-///             (tests/contact/scaled_contact_test.cpp). Against boundary elements: docs/validation.md
+/// Accuracy    K that of its parts, separation 1e-4 of the rms height (tests/contact/scaled_contact_test.cpp). Against
+///             boundary elements: docs/validation.md
 
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact_concept.hpp>

@@ -1,34 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How the stiffness at a given pressure depends on each parameter: what a fit to measurements and an error band need.
+/// Derivatives of the stiffness at a given pressure by each parameter, for fits and error bands.
 ///
-///     ln K = ln B + ln J[x,-y](eta),   ln p = ln A + ln J[u,-v](eta)        load ~ omega^u R^v, stiffness ~ omega^x R^y
-///     d ln K/dz = d ln B/dz + d ln J[x,-y]/dz - (J[x,-y]'/J[x,-y]) (J[u,-v]/J[u,-v]') (d ln A/dz + d ln J[u,-v]/dz)
-///
-/// at constant p, for any law that is given by its powers; Hertz's are J[1/2,-1/2] and J[3/2,-1/2]. The derivatives of
-/// the integrals are integrals of the same kind, over the same nodes:
-///
+///     ln K = ln B + ln J[x,-y](eta),   ln p = ln A + ln J[u,-v](eta)       load ~ omega^u R^v, stiffness ~ omega^x R^y
 ///     dJ[a,b]/deta   = -a J[a-1,b]                                       (a = 0: the density at eta)
-///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]         (d phi/dr = d^2 phi/dzeta dt, by parts twice;
-///                      b = -1: and what t^b erf(k t) leaves at t = 0)
+///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]         (by parts; b = -1: and its value at t = 0)
 ///     dJ[a,b]/dtheta = -J[a,b]/theta + dk/dtheta I[(zeta-eta)^a t^b d/dk erf(k t)]
 ///
-/// where I is the integral with the normal density phi(zeta, t; r) of correlation r in place of erf(k t) phi. Over
-/// peaks of one radius they are the moments themselves. For a law without powers ln p and ln K are differentiated
-/// numerically at constant eta, by sigma, R, r and theta in turn, with six points each: 25 pairs of integrals.
+/// at constant p; I has the normal density phi(zeta, t; r) in place of erf(k t) phi. Laws without powers take
+/// differences of six points. With interaction the bulk is in series, 1/K' = 1/K + L/(E f), and L is held.
 ///
-///     const auto s = fstiff::sensitivity(contact, 3e6);        s.rms_height is dK/dsigma at 3 MPa
-///
-/// With interaction (effective_separation) the bulk is in series as in RoughContact: 1/K' = 1/K + L/(E f), where f is K
-/// over -dp/dd if that is a constant and else 1, so that dK'/dz = (K'/K)^2 dK/dz, and terms of E and of f(D). L is
-/// held.
-///
-/// Reference   Plackett, Biometrika 41 (1954) 351-360 (the derivative with respect to r).
+/// Reference   Plackett, Biometrika 41 (1954) 351-360 (the derivative with respect to r)
 /// Units       each derivative in Pa/m per unit of its parameter (SI)
-/// Valid       as RoughContact; the factors and lengths of the law are held but for D. A law without powers: r > 0
-/// Accuracy    1e-11 of K per relative change of the parameter, 1e-10 for r and theta near pi/2; of a law without
-///             powers 1e-8 (tests/contact/sensitivity_test.cpp)
+/// Valid       as RoughContact; factors and lengths of the law are held but for D. A law without powers: r > 0
+/// Accuracy    1e-11 of K per relative change, 1e-10 for r and theta near pi/2; without powers 1e-8
+///             (tests/contact/sensitivity_test.cpp)
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/rough_contact.hpp>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What a fit is made of: the parameters, the observations, how they were taken, and the model with its slopes at each
-/// of them.
+/// Input of a fit: the parameters, the observations, and the model with its slopes at each of them.
 ///
 ///     model_i = K(p_i + p_0), or |R| of it       d model_i/dx = dR/dK dK/dx
 ///
-/// Reference   the derivatives as in contact/sensitivity.hpp and ultrasound/propagation.hpp
+/// Reference   the derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp
 /// Units       SI
 /// Valid       as fit/identify
 /// Accuracy    that of contact/sensitivity (tests/fit/identify_test.cpp)

@@ -4,27 +4,18 @@
 /// Greenwood's joint density of the height and curvature of the peaks of a Gaussian profile sampled at a finite step.
 ///
 ///     p_peak(zeta, t) = erf(t tan(theta)/sqrt 2)/(2 theta c) exp(-(zeta - r t)^2/(2 c^2)) exp(-t^2/2)   eq. (4.4)
-///     c^2 = 1 - r^2
-///     peaks / ordinates = theta/pi                                                                     eq. (4.3)
-///     E t   = sqrt(pi/2) sin(theta)/theta            E t^2 = 1 + sin(2 theta)/(2 theta)
-///     E t^3 = 3 sqrt(pi/2) (sin(theta) - sin^3(theta)/3)/theta
-///     E t^4 = 3 + 2 sin(2 theta)/theta + sin(4 theta)/(4 theta)
-///     zeta: mean r E t, variance V = 1 - r^2 + r^2 Var t, skewness r^3 mu3(t)/V^1.5,
-///           kurtosis 3 + r^4 (mu4(t) - 3 Var^2 t)/V^2
-///
-/// zeta is the height over the rms height, t the curvature over the rms curvature of the ordinates. With the
-/// autocorrelations rho1, rho2 at one and two steps
-///
+///     c^2 = 1 - r^2,   zeta height over the rms height,  t curvature over the rms curvature of the ordinates
 ///     sin^2(theta) = (3 - 4 rho1 + rho2)/(4 (1 - rho1))      r^2 = 2 (1 - rho1)^2/(3 - 4 rho1 + rho2)
+///     E t   = sqrt(pi/2) sin(theta)/theta            E t^2 = 1 + sin(2 theta)/(2 theta)
+///     E t^3 = 3 sqrt(pi/2) (sin(theta) - sin^3(theta)/3)/theta, E t^4 = 3 + 2 sin(2 theta)/theta + sin(4 theta)/4/theta
 ///
-/// r and theta are independent: 1 - r^2 = cot^2(theta) holds for an exponential autocorrelation only (docs/errata.md).
+/// rho1, rho2: autocorrelation at one and two steps. r and theta are independent (docs/errata.md).
 ///
-/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66
-///             (2014), eqs. (4.1)-(4.4), Fig. 2.
+/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski et al. (2014), eqs. (4.1)-(4.4), Fig. 2
 /// Units       dimensionless, theta in radians
 /// Valid       0 <= r < 1, 0 < theta < pi/2
-/// Accuracy    density 20 epsilon where it is not negligible; moments of t 8 epsilon; central moments lose 1/Var^2 t
-///             more (tests/peaks/peak_distribution_test.cpp)
+/// Accuracy    density 20 epsilon, moments of t 8 epsilon; central moments lose 1/Var^2 t
+///             (tests/peaks/peak_distribution_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>

@@ -4,25 +4,18 @@
 /// Self-affine Gaussian profiles and maps: sums of waves with random amplitudes, periodic.
 ///
 ///     z(x) = Re sum_k A_k (xi_k + i eta_k) exp(2 pi i q_k . x),   xi, eta standard normal, independent
-///     A_k^2 = rms^2 w(|q_k|) / sum w                              one wave of each pair (q, -q)
-///     w(q)  = max(q, q_long)^-(2H+1)   profile                    q_long  = 1/longest_wavelength
-///           = max(q, q_long)^-(2H+2)   map                        q_short = 1/shortest_wavelength
-///           = 0                        q > q_short, or q < q_long when long_waves = none
+///     A_k^2 = rms^2 w(|q_k|) / sum w                              one wave of each pair (q, -q), q in waves per length
+///     w(q)  = max(q, 1/longest)^-(2H+1) of a profile, ^-(2H+2) of a map; 0 for q > 1/shortest
 ///
-/// q counts waves per length. Between the cut-offs a section of the map is a profile of the same H, and D = 2 - H.
-/// The mean of every realisation is 0. Its rms is the one asked for (exact_rms), or has it as its mean square over all
-/// seeds. The random numbers of a wave depend on the seed and on its waves per period alone: the same seed on a finer
-/// grid over the same period has the same long waves, and with the same cut-offs and exact_rms = false the same
-/// surface.
+/// A section of the map is a profile of the same H, D = 2 - H. The random numbers of a wave depend on the seed and its
+/// waves per period alone: a finer grid over the same period has the same long waves.
 ///
 /// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017)
-///             013001 for the spectra of profiles and maps.
+///             013001
 /// Units       lengths, heights [m]
-/// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most; fastest
-///             where the points of a side are products of 2, 3 and 5, and O(N log N) for every number
-/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/synthetic/self_affine_test.cpp).
-///             The random bits are the same on every platform; heights agree to the rounding of the local log, cos and
-///             pow.
+/// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most
+/// Accuracy    sum of waves 1e-14 of rms in double (tests/synthetic/self_affine_test.cpp); random bits equal on every
+///             platform
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>

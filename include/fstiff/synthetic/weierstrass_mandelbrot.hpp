@@ -7,20 +7,15 @@
 ///          = sum_j a_j cos(2 pi (x/lambda_j + phi_j)),  lambda_j = lambda_0 gamma^-j,  a_j = G^(D-1) lambda_j^(2-D)
 ///     S(tau) = sum_j 2 a_j^2 sin^2(pi tau/lambda_j)                                 mean over random phases
 ///
-/// In (2.1) gamma^n is one over a length, so that "n from 0" makes the longest wave one unit of length, whatever the
-/// unit. Here the longest wavelength lambda_0 is given, and the terms run down to the shortest one; the result does not
-/// depend on the unit of length. With zero phases every crest stands at x = 0; the default is phases from a seed. The
-/// paper's profile is WeierstrassMandelbrotOptions{.longest_wavelength = 1, .shortest_wavelength = gamma^-n_max,
-/// .phases = Phases::zero}.
+/// The longest wavelength lambda_0 is given, so that the profile does not depend on the unit of length. The paper's
+/// profile is {.longest_wavelength = 1, .shortest_wavelength = gamma^-n_max, .phases = Phases::zero}.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.1); Berry, Lewis, Proc. R. Soc. A 370
-///             (1980).
+///             (1980)
 /// Units       lengths [m]; phases in turns
 /// Valid       1 < D < 2, G > 0, gamma > 1, longest >= shortest > 0, at most 10000 terms
-/// Accuracy    1e-12 of the amplitudes for 2^16 points in double: phases are kept as 64-bit fractions of a turn, which
-///             do not drift (tests/synthetic/weierstrass_mandelbrot_test.cpp). Random phases are integers, the same on
-///             every platform; heights then agree to the rounding of the local cos and pow. Where long double is double
-///             the step of a phase is rounded to 53 bits, which is 2e-11 of the amplitudes after 2^16 points.
+/// Accuracy    1e-12 of the amplitudes for 2^16 points in double, 2e-11 where long double is double
+///             (tests/synthetic/weierstrass_mandelbrot_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How reflection coefficient and stiffness of a spring-like interface move together: slopes, and the error of one from
-/// that of the other.
+/// Slopes of reflection coefficient and stiffness of a spring-like interface, and the error of one from the other.
 ///
 ///     s = K (z1+z2)/(omega z1 z2),  c = |z1-z2|/(z1+z2)
 ///     dR/dK = -(ds/dK) (s/R) (1-c^2)/(1+s^2)^2
 ///     dK/dR = -K R (1-c)(1+c) / [(1-R)(1+R) (R-c)(R+c)]
-///     error of K = |dK/dR| error of R,  error of R = |dR/dK| error of K                                  to first order
+///     error of K = |dK/dR| error of R,  error of R = |dR/dK| error of K                                 to first order
 ///
-/// Like media: c = 0 and dK/dR = -K/(R (1-R)(1+R)), so that the relative error of K is least, 2.6 times the error of R,
-/// at R = 1/sqrt(3), and grows without bound towards R = 1 (no contact) and the perfect bond. The waves may be
-/// longitudinal (z from the longitudinal velocity, K normal) or shear (z from the shear velocity, K tangential, see
-/// asperity/mindlin.hpp): the interface does not mix them at normal incidence.
+/// For like media the relative error of K is least, 2.6 times the error of R, at R = 1/sqrt(3). Shear waves take the
+/// shear impedances and the tangential K (asperity/mindlin.hpp).
 ///
-/// Reference   differentiates ultrasound/spring_interface.hpp, eq. (5.1) of Buczkowski et al. (2014) for unlike media.
+/// Reference   differentiates ultrasound/spring_interface.hpp
 /// Units       K [Pa/m], R dimensionless
 /// Valid       as spring_interface.hpp
 /// Accuracy    16 epsilon; dK/dR beyond R = c + 1e-3 (tests/ultrasound/propagation_test.cpp)

@@ -3,25 +3,18 @@
 /// \file
 /// Ultrasonic waves at an interface that acts as a spring without mass: reflection coefficient from stiffness and back.
 ///
-/// A plane wave of angular frequency omega meets the interface at normal incidence, coming from a body of impedance z1;
-/// the body beyond has z2. Amplitudes of displacement, time dependence exp(+i omega t):
-///
-///     R = (z1 - z2 + i x) / (z1 + z2 + i x),   T = 2 z1 / (z1 + z2 + i x),   x = omega z1 z2 / K
-///     |R|^2 + (z2/z1) |T|^2 = 1                                                 energy is conserved
+///     R = (z1 - z2 + i x) / (z1 + z2 + i x),   T = 2 z1 / (z1 + z2 + i x),   x = omega z1 z2 / K     normal incidence
 ///     |R| = 1 / sqrt(1 + (2K / (omega z))^2)                                    like media, eq. (5.1)
 ///     K = omega z1 z2 sqrt((1-R)(1+R)) / sqrt((R (z1+z2))^2 - (z1-z2)^2)        inverse, with R = |R|
 ///     K = (omega z/2) sqrt((1-R)(1+R)) / R                                      inverse, like media
 ///
-/// K = 0 is an open gap, R = 1; K -> infinity a perfect bond, R = (z1-z2)/(z1+z2). Towards both ends the measurement
-/// says little about K: like media dK/K = -dR / (R (1-R)(1+R)).
+/// The wave comes from the body of impedance z1; amplitudes are of displacement, exp(+i omega t). |R|^2 + (z2/z1) |T|^2
+/// = 1.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (5.1); the form for unlike media follows
-///             from continuity of traction and a jump of displacement equal to traction/K.
-/// Units       K [Pa/m] per nominal area (not the total stiffness in N/m), omega = 2 pi f [rad/s],
-///             z = density * velocity [kg/(m^2 s)], amplitudes dimensionless
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (5.1); unlike media: this project
+/// Units       K [Pa/m] per nominal area, omega = 2 pi f [rad/s], z = density * velocity [kg/(m^2 s)]
 /// Valid       K >= 0, omega > 0, z > 0; inverse: |z1-z2|/(z1+z2) < R < 1, both excluded
-/// Accuracy    spring_interface_ulps, for like and unlike media, both directions and any ratio z1/z2, arguments taken
-///             as exact (tests/ultrasound/spring_interface_test.cpp)
+/// Accuracy    spring_interface_ulps, both directions and any z1/z2 (tests/ultrasound/spring_interface_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
