@@ -25,8 +25,7 @@
 namespace fstiff {
 
 /// What a contact needs of an asperity law: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for
-/// approaches \p omega [m] (a number, or an Eigen array that is answered by an array) and the radius \p radius [m] (a
-/// number).
+/// approaches \p omega [m] (a number or an Eigen array) and the radius \p radius [m].
 template <class Law, class Omega, class Radius = Omega>
 concept AsperityLaw = requires(const Law& law, const Omega& omega, const Radius& radius) {
     law.load(omega, radius);

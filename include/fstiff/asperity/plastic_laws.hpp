@@ -13,8 +13,7 @@
 ///                      omega_c = (pi k H/(2E))^2 R,  k = 0.454 + 0.41 nu,  P_c = (2/3) k H pi R omega_c
 ///     all            stiffness 2 sqrt(area/pi), that of unloading, which a wave sees; the slope of the load is another
 ///
-/// Loads and stiffnesses are divided by the effective modulus E. The fits to finite elements jump by up to 8 % at their
-/// ends.
+/// Loads and stiffnesses are divided by the effective modulus E. The fits jump by up to 8 % at their ends.
 ///
 /// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; Jackson, Green, J. Tribol. 127 (2005) 343, Tribol. Trans.
 ///             49 (2006) 1; Kogut, Etsion, J. Appl. Mech. 69 (2002) 657; Pharr, Oliver, Brotzen, J. Mater. Res. 7

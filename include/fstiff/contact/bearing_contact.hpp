@@ -72,7 +72,7 @@ public:
 
 private:
     static constexpr T width = T(1) / 8;  ///< of ln p
-    /// From p = E g/24 down the slope varies so slowly that six of its values at knots are as good as a rule of its own.
+    /// From p = E g/24 down the slope varies so slowly that six of its values at knots are enough.
     static constexpr std::size_t by_points = 31;
     struct Knot {
         T d, rise;  ///< rise: slope times width, towards lower pressures
@@ -124,8 +124,8 @@ public:
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as PerssonContact at p/rho.
     [[nodiscard]] T stiffness(T pressure) const { return gaussian_.stiffness(pressure / local_scale(pressure)); }
 
-    /// K [Pa/m] and dK/dp [1/m]: by the chain rule, with d rho/dp as the difference between pressures 1.5 % below and above.
-    /// \throws domain_error as stiffness.
+    /// K [Pa/m] and dK/dp [1/m]: by the chain rule, with d rho/dp as the difference between pressures 1.5 % below and
+    /// above. \throws domain_error as stiffness.
     [[nodiscard]] PerssonStiffness<T> stiffness_and_slope(T pressure) const {
         if (is_plain()) return gaussian_.stiffness_and_slope(pressure);
         const T rho = local_scale(pressure), apart = T(1) / 64;
@@ -174,8 +174,8 @@ public:
         return is_plain() ? gaussian_.at_separation(separation, wanted) : this->state_at_separation(separation, wanted);
     }
 
-    /// The separation of the mean planes under \p pressure [Pa]: the integral of 1/K up to full_pressure(), and that of the
-    /// Gaussian surface beyond. \throws domain_error as stiffness.
+    /// The separation of the mean planes under \p pressure [Pa]: the integral of 1/K up to full_pressure(), and that of
+    /// the Gaussian surface beyond. \throws domain_error as stiffness.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
         if (is_plain()) return gaussian_.separation(pressure);
         const T full = full_pressure(), rho = last_scale_;

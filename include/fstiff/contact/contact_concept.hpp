@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What curves, tabulated laws and fits ask of a contact. RoughContact has it for every law and every distribution of
-/// peaks.
+/// Concepts of a contact for curves, tabulated laws and fits. RoughContact fulfils them for all laws and peaks.
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
@@ -27,8 +26,8 @@ concept Contact = requires(const C& contact, T x, Quantity wanted) {
     { contact.bulk_compliance() } -> std::convertible_to<T>;
 };
 
-/// One whose K is a constant times -dp/dd, so that one table by separation serves both; of any other contact K has a table of
-/// its own, and with interaction K itself is in series with the bulk.
+/// One whose K is a constant times -dp/dd, so that one table by separation serves both; of any other contact K has a
+/// table of its own, and with interaction K itself is in series with the bulk.
 template <class C, class T>
 concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
     { contact.stiffness_over_slope() } -> std::convertible_to<T>;
@@ -36,7 +35,7 @@ concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
 
 namespace detail {
 
-/// Whether K(p) of \p contact has kinks, as that of a map where another summit touches: such a law is tabulated by short pieces.
+/// Whether K(p) of \p contact has kinks, as that of a map where another summit touches.
 template <class C>
 [[nodiscard]] bool has_kinks(const C& contact) {
     if constexpr (requires { contact.has_kinks(); })

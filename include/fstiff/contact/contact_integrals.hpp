@@ -157,8 +157,7 @@ template <Real T>
     return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, T(0)};
 }
 
-/// J[a,b] at the separation \p eta. \throws domain_error unless a is 0, 1/2, 1 or 3/2 and b is 0, -1/2 or -1, and as
-/// above.
+/// J[a,b] at the separation \p eta. \throws domain_error unless a is 0, 1/2, 1 or 3/2, b 0, -1/2 or -1, and as above.
 template <Real T>
 [[nodiscard]] Estimate<T> contact_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
                                            const IntegralOptions<T>& options = {}) {

@@ -12,8 +12,7 @@
 ///
 /// Units       SI: Pa, m, Pa/m; dK/dp in 1/m
 /// Valid       float and double; 0 < min_pressure < max_pressure within the reach of the model; no interaction or
-///             effective_separation. A default-constructed law refuses every evaluation. Beyond the range as
-///             OutsideRange says
+///             effective_separation. A default-constructed law refuses every evaluation
 /// Accuracy    relative_error(), measured when tabulated; 1e-8 or better for 400 laws of random surfaces, 1e-3 with
 ///             kinks. A batch is within 200 epsilon of the scalar calls (tests/contact/contact_law_test.cpp)
 /// Threads     evaluation is const and does not allocate: any number of threads may share a law
@@ -81,8 +80,8 @@ public:
     /// for a K that is not greater than 0 or does not rise with p.
     template <Contact<T> Model>
     [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range);
-    /// Tabulates states that \p law gives at pressures [Pa], whose K need not be -dp/dd, such as means over several contacts;
-    /// the error of the separation is relative to \p rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
+    /// Tabulates states at pressures [Pa] whose K need not be -dp/dd; the error of the separation is relative to \p
+    /// rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
     [[nodiscard]] static ContactLaw tabulate_points(const std::function<LawPoint<T>(T pressure)>& law,
                                                     std::type_identity_t<T> rms_height, const LawRange<T>& range) {
         detail::require_range(range);
@@ -204,9 +203,8 @@ public:
         return other;
     }
 
-    /// The law as text, every number in hexadecimal so that from_text gives it back bit for bit.
-    /// \throws domain_error of an empty law, and of one with OutsideRange::exact, whose model no text holds: write
-    /// with(another policy).
+    /// The law as text, every number in hexadecimal so that from_text gives it back bit for bit. \throws domain_error
+    /// of an empty law, and of one with OutsideRange::exact, whose model no text holds: write with(another policy).
     [[nodiscard]] std::string to_text() const {
         require_filled();
         if (outside() == OutsideRange::exact)

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What is known of a contact at one separation or pressure, or why nothing is, and the search for the separation of a
-/// given pressure.
+/// State of a contact at one separation or pressure, or the reason why there is none, and the search for eta.
 ///
 /// Units       SI, per nominal area
-/// Accuracy    the errors are absolute bounds for exact inputs; those at a given pressure contain that of the
-///             separation
+/// Accuracy    absolute bounds for exact inputs; at a given pressure they contain that of the separation
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
@@ -36,8 +34,7 @@ struct ContactState {
     Estimate<T> loading_stiffness;   ///< -dp/dd [Pa/m]: K where the stiffness of the law is the slope of its load
 };
 
-/// Whether every value and error of \p state is a number that may be doubled: the tangential stiffness is up to 4/3 of
-/// K.
+/// Whether every value and error of \p state may be doubled: the tangential stiffness is up to 4/3 of K.
 template <Real T>
 [[nodiscard]] bool in_range(const ContactState<T>& state) {
     for (const Estimate<T>* one : {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction,

@@ -32,7 +32,7 @@ namespace fstiff {
 template <Real T = double>
 class HandOver {
 public:
-    /// Of a surface of \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded is
+    /// For \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded is
     /// ln K_crowded at p_h.
     template <class Peaks>
     HandOver(T log_pressure, std::vector<T> log_ratio, T log_crowded, const Peaks& peaks)

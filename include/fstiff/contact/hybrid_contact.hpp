@@ -10,8 +10,7 @@
 /// K_crowded is Persson's, at the local scale of a bearing curve (contact/bearing_contact.hpp). The peaks are taken
 /// without interaction. d is integrated once, in ln p over panels; a pressure then costs the rest of one panel.
 ///
-/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski et al. (2014), eq. (4.9); exponent:
-///             docs/validation.md
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski et al. (2014), eq. (4.9); docs/validation.md
 /// Units       SI
 /// Valid       pressures within the reach of both; separations above 0; both of the same surface
 /// Accuracy    K that of its parts, separation 1e-11 of the rms height, 1e-5 where K has kinks
@@ -43,8 +42,8 @@ struct FifthPowers {
     }
 };
 
-/// \p Peaks is a contact of independent peaks: RoughContact with any law, BandHills or SummitContact; \p Join makes one K
-/// under a pressure of two functions, and calls those that it needs.
+/// \p Peaks is a contact of independent peaks: RoughContact with any law, BandHills or SummitContact; \p Join makes one
+/// K under a pressure of two functions, and calls those that it needs.
 template <Real T, Contact<T> Peaks, class Join = FifthPowers<T>>
 class HybridContact : public SlopeContact<HybridContact<T, Peaks, Join>, T> {
 public:
@@ -143,8 +142,8 @@ private:
     Peaks peaks_;
     BearingContact<T> crowded_;
     Join join_;
-    /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of them
-    /// publishes its own: std::call_once would need the threads library, which the target does not link.
+    /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of
+    /// them publishes its own: std::call_once would need the threads library, which the target does not link.
     struct Knots {
         std::atomic<const std::vector<T>*> at{nullptr};
         Knots() = default;

@@ -10,8 +10,7 @@
 /// On a broad spectrum a contact is a hill with many peaks on it; the cut makes K independent of the shortest wave.
 /// Bearing curves of heights that are not Gaussian enter as in contact/scaled_contact.hpp.
 ///
-/// Reference   this project: boundary elements (tests/data/broad.csv, tools/make_broad.py); Nayak, J. Lubr. Technol. 93
-///             (1971) 398
+/// Reference   this project: boundary elements (tools/make_broad.py); Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       SI
 /// Valid       isotropic surfaces, alpha > 3/2; pressures up to 0.75 E g
 /// Accuracy    K over boundary elements of Gaussian maps, alpha 2.5 to 210, p/(E g) 0.001 to 0.25: within 15 % at 97 of
@@ -53,7 +52,7 @@ template <Real T>
             effective_modulus};
 }
 
-/// The hills of a band: what HybridContact takes for its peaks. Real area and number of contacts are those of the whole band.
+/// Hills of a band, the peaks of HybridContact. Real area and number of contacts are those of the whole band.
 template <Real T = double>
 class BandHills : public SlopeContact<BandHills<T>, T> {
 public:

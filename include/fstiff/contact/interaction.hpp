@@ -9,8 +9,8 @@
 /// K = -dp/dd: the bulk under a patch of size L is in series, and K <= E/L. K of FractalLaw stays f times -dp/dd, bulk
 /// included. L = 1/sqrt(D_p), the spacing of the peaks, is also in use.
 ///
-/// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729-734; Buczkowski et al. (2014), eq. (4.11); the
-///             readings: docs/errata.md
+/// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729-734; Buczkowski et al. (2014), eq. (4.11);
+///             docs/errata.md
 /// Units       L [m]
 /// Valid       L > 0 for every reading but none
 

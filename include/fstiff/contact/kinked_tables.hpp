@@ -7,8 +7,7 @@
 ///     s = sqrt(s_i^2 + 2 b_i (p - p_i))      x = 2 (p - p_i)/(s_i + s)                                  by pressure
 ///
 /// The inverse of a parabola is closed, so that all quantities are one function, and -dp/dd is the derivative of p. A
-/// piece is found through two cells for each piece, equal ones of d and of the leading bits of p, and by bisection in a
-/// cell.
+/// piece is found through equal cells of d and of the leading bits of p, two for each piece, and bisection.
 ///
 /// Units       SI: Pa, m, Pa/m
 /// Valid       float and double; arguments within the table

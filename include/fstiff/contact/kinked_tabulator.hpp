@@ -8,8 +8,7 @@
 ///                           means of the chords on both sides, at most 1.8 times either, so that p rises strictly
 ///
 /// Intervals of log p are divided where log K, or d of an own K, is off a straight line by more than 1.5e-4 (5e-4 with
-/// d). The table is compared with the law at pressures of a golden-ratio sequence and refined until it is within
-/// 2.5e-4.
+/// d). The table is compared with the law at other pressures and refined until it is within 2.5e-4.
 ///
 /// Reference   Schumaker, SIAM J. Numer. Anal. 20 (1983) 853; Fritsch, Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300
 /// Units       SI

@@ -110,8 +110,7 @@ Estimate<T>& member_of(LawSums<T>& sums, Quantity quantity) {
 template <Real T, class Law, class Peaks>
 class LawIntegrator;
 
-/// A power law over the joint distribution of height and curvature: one pass over the nodes for each set of distinct
-/// powers of omega.
+/// A power law over the joint distribution of height and curvature: one pass for each set of distinct powers of omega.
 template <Real T, PowerLaw<T> Law>
 class LawIntegrator<T, Law, PeakDistribution<T>> {
 public:

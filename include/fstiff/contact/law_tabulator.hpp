@@ -122,8 +122,7 @@ private:
         };
         closest_ = end(law_.max_pressure);
         furthest_ = end(law_.min_pressure);
-        // log p is concave in eta: 10 % more than the slope says is enough; never so short that the slope would be all
-        // rounding
+        // log p is concave in eta: 10 % more than the slope is enough; never so short that the slope is rounding
         const T beyond = T(0.13);  // log(9/8) and 10 %
         const T slack =
             (std::max)(-beyond / contact_.log_pressure(closest_).slope, T(0.1) * (1 - (furthest_ - closest_)));
@@ -184,8 +183,8 @@ private:
         }
     }
 
-    /// eta rms - p bulk = separation, concave: Newton's method rises to the roots from \p last, which becomes the last
-    /// of them.
+    /// eta rms - p bulk = separation, concave: Newton's method rises to the roots from \p last, the last one
+    /// afterwards.
     [[nodiscard]] Nodes eta_of_separation(const Nodes& separation, T& last) const {
         if (bulk_ == 0) return separation / Nodes::all(rms_);
         Nodes eta = Nodes::all(last);
@@ -289,8 +288,8 @@ private:
     T shortest_change_{};                ///< of log p over a piece by separation
 };
 
-/// The tables of \p contact: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not monotone or
-/// off by more than 1e-3.
+/// The tables of \p contact: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not
+/// monotone or off by more than 1e-3.
 template <ReadableReal T, class Contact>
 [[nodiscard]] LawTables<T> tables_of(const Contact& contact, T min_pressure, T max_pressure) {
     if (!has_kinks(contact)) {

@@ -8,8 +8,7 @@
 ///     p_min p_max separation_min separation_max K/slope error         then a row of coefficients a line
 ///
 /// Version 3 holds p(separation), K(p), separation(p); version 4 also K(separation), with K/slope 0. Version 5 is a law
-/// of parabolas: d, p, -dp/dd and its change by -d, K and its change by -d at the beginning of each piece and at the
-/// end.
+/// of parabolas: d, p, -dp/dd and its change by -d, K and its change by -d of each piece and at the end.
 ///
 /// Units       SI
 /// Valid       a law that is not empty, with a policy other than exact; lines may end in LF or CRLF

@@ -64,9 +64,8 @@ private:
 }  // namespace detail
 
 /// The means over the peaks of \p contact at \p eta, with omega_c = \p critical_over_radius times R. Of a contact with
-/// interaction eta is that of its states.
-/// \throws domain_error for an eta outside the range of RoughContact, a tolerance outside that of the integrals, and
-/// unless critical_over_radius is finite and positive.
+/// interaction eta is that of its states. \throws domain_error for an eta outside the range of RoughContact, a
+/// tolerance outside that of the integrals, and unless critical_over_radius is finite and positive.
 template <Real T, class Law, class Peaks>
 [[nodiscard]] LoadMeans<T> load_means(const RoughContact<T, Law, Peaks>& contact, T eta, T critical_over_radius,
                                       T relative_tolerance = T(1e-4)) {

@@ -234,8 +234,8 @@ private:
         return result(at, change, aim);
     }
 
-    /// 1^T (1/k + g)^(-1) 1 = r u + u m + m (I + r g r)^(-1) m with m = r - (I + r g r) u, of any u: where m is small the
-    /// rougher g will do in the last term.
+    /// 1^T (1/k + g)^(-1) 1 = r u + u m + m (I + r g r)^(-1) m with m = r - (I + r g r) u, of any u: where m is small
+    /// the rougher g will do in the last term.
     [[nodiscard]] T held_stiffness(Newton& at, const Values& r) const {
         widen_quick(at, r);
         solve(at, r, r, at.unit, T(1e-4));
@@ -276,7 +276,7 @@ private:
         return settled(separation, alone_.at_separation(separation, Quantity::pressure).pressure.value, held_separation);
     }
 
-    /// Where Newton's method does not get through, the higher carries of pairs that are less close too: 0.64, 1, 1.6 contact radii.
+    /// Where Newton's method fails, the higher of less close pairs carries too: 0.64, 1, 1.6 contact radii.
     [[nodiscard]] Solution settled(T delta, T pressure, T load) const {
         Solution found;
         for (const T apart : {T(1), T(0.4), T(0.15)}) {

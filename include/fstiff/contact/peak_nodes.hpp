@@ -269,8 +269,7 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
 /// separated   when the Gaussian of mean r eta and width c is further from t = 0 than it reaches, so that the branch
 ///             point and the layer at t = 0 do not count. Step: resolves the Gaussian, which has width r in x.
 /// smooth      when its step, which has to resolve the Gaussian (c) and the layer (1/k), makes it the cheaper one.
-/// graded      else: c or 1/k small. Step: 3.9/(log_accuracy + 3), less where the Gaussian is narrow on the logarithmic
-///             scale.
+/// graded      else: c or 1/k small. Step: 3.9/(log_accuracy + 3), less where the Gaussian is narrow.
 ///
 /// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are
 /// too hopeful the error estimate says so.

@@ -198,7 +198,7 @@ public:
     [[nodiscard]] T light_load_length() const { return light_load_length_; }
     /// 18 E g [Pa]: beyond exp(2 (p/E g)^2) leaves the range of numbers, and all is in contact from about 2 E g on.
     [[nodiscard]] T largest_pressure() const { return 18 * modulus_ * rms_gradient(); }
-    /// 0.75 E g [Pa]: 0.88 of the area is in contact. Beyond, nothing has been compared, and K is soon that of the bodies.
+    /// 0.75 E g [Pa]: 0.88 of the area is in contact. Beyond, nothing has been compared.
     [[nodiscard]] T largest_compared_pressure() const { return T(0.75) * modulus_ * rms_gradient(); }
     /// \throws domain_error unless \p pressure [Pa] is positive and at most largest_compared_pressure().
     void require_compared(T pressure) const {
@@ -275,8 +275,8 @@ private:
         light_load_length_ = static_cast<T>(root_2_over_pi() * static_cast<S>(gamma_) * total);
     }
 
-    /// sink(G, weight) over the spectrum in panels of its own, short where exp(-2 (x/G)^2) falls quickly, from the top down.
-    /// Four points are as good as sixteen in a panel ten times shorter than that: most shells of a map are.
+    /// sink(G, weight) over the spectrum in panels of its own, short where exp(-2 (x/G)^2) falls quickly, from the top
+    /// down. Four points are as good as sixteen in a panel ten times shorter than that: most shells of a map are.
     template <class Sink>
     void directly(S x, const Sink& sink) const {
         const auto part = [&](const auto& piece, S from, S to, const auto& rule) {

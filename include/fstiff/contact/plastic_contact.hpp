@@ -39,8 +39,8 @@
 
 namespace fstiff {
 
-/// The highest parts of a surface as a flat cuts them: K of a share of the area [Pa/m], and the share above a level [m] over the
-/// mean plane with its change [1/m].
+/// The highest parts of a surface as a flat cuts them: K of a share of the area [Pa/m], and the share above a level [m]
+/// over the mean plane with its change [1/m].
 template <class C, class T>
 concept CutSurface = requires(const C& cut, T x) {
     { cut.stiffness(x) } -> std::convertible_to<T>;
@@ -70,8 +70,8 @@ private:
 
 namespace detail {
 
-/// K of the highest points of a map at numbers of points that are 5 % apart, each computed when it is first asked for. Threads that
-/// ask at once compute the same number.
+/// K of the highest points of a map at numbers of points that are 5 % apart, each computed when it is first asked for.
+/// Threads that ask at once compute the same number.
 template <Real T>
 class CutKnots {
 public:
@@ -147,8 +147,8 @@ private:
     T mean_, factor_ = 1;  ///< mean height [m]; heights over those of the map
 };
 
-/// \p Elastic is the contact of the same surface without flow, at light and heavy loads, which gives K and the separation under
-/// a pressure beyond what was compared too: HybridContact.
+/// \p Elastic is the contact of the same surface without flow, at light and heavy loads, which gives K and the
+/// separation under a pressure beyond what was compared too: HybridContact.
 template <Real T, Contact<T> Elastic, CutSurface<T> Cut>
 class PlasticContact : private SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
     using Base = SlopeContact<PlasticContact<T, Elastic, Cut>, T>;
@@ -202,8 +202,8 @@ public:
         return this->state_at_separation(separation, wanted);
     }
 
-    /// log(p/Pa) and its slope against eta, the separation over the rms height.
-    /// \throws domain_error unless 0 < eta, where a part of the surface stands above it, and its pressure is within reach.
+    /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error unless 0 < eta,
+    /// where a part of the surface stands above it, and its pressure is within reach.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         const T to_elastic = rms_height() / elastic_.rms_height();
         const LogSlope<T> elastic = elastic_.log_pressure(eta * to_elastic);
@@ -265,7 +265,7 @@ private:
         const T log_p = (std::min)(log_q, cut) - std::log1p(std::exp(-std::abs(apart))) / loading_exponent;
         return {log_p, per_height * q / K, d, per_height * std::exp(log_p)};
     }
-    /// The root of p(d) = p, searched over the pressure that the elastic contact would have there; 0 where that at 0 is less.
+    /// The root of p(d) = p, searched over the elastic pressure there; 0 where that at 0 is less.
     [[nodiscard]] Loading loading(T pressure) const {
         const T target = std::log(pressure);  // flow brings the planes together: of the elastic contact it is more
         T high = target;

@@ -14,8 +14,7 @@
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4
 /// Units       SI at the border: m, Pa, Pa/m, 1/m^2
-/// Valid       separations from -1000 to 1e6 rms heights, and pressures of such until they underflow (eta = 37 in
-///             double)
+/// Valid       separations from -1000 to 1e6 rms heights, and their pressures until they underflow (eta = 37)
 /// Accuracy    1e-13 at a separation and at a pressure for eta <= 4; each value carries its bound
 ///             (tests/contact/rough_contact_test.cpp, tests/contact/random_contacts_test.cpp)
 
@@ -119,8 +118,7 @@ public:
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         return state_at_pressure(pressure, wanted).value();
     }
-    /// The same with a status: what is beyond the reach of the model is out_of_reach. \throws domain_error unless
-    /// positive.
+    /// The same with a status: out_of_reach beyond the model. \throws domain_error unless positive.
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         return state_at_pressure(pressure, wanted).point();
     }
@@ -155,8 +153,7 @@ public:
         else
             return false;
     }();
-    /// K over -dp/dd without interaction, where it is a constant: 1 where the stiffness of the law is the slope of its
-    /// load.
+    /// K over -dp/dd without interaction: 1 where the stiffness of the law is the slope of its load.
     [[nodiscard]] T stiffness_over_slope() const requires stiffness_follows_slope {
         if constexpr (PowerLaw<Law, T>)
             return static_cast<T>(law_.stiffness_factor()) /
@@ -243,8 +240,8 @@ private:
         return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
     }
 
-    /// Without interaction; the error of eta enters every value by its slope, |d log J/d eta| <= |d log J[0,0]/d eta|,
-    /// which is about eta + 1.
+    /// Without interaction; the error of eta enters by the slope |d log J/d eta| <= |d log J[0,0]/d eta|, about eta +
+    /// 1.
     ContactState<T> at_eta(const detail::EtaEstimate<T>& eta, Quantity wanted) const {
         const detail::LawSums<T> j = unscaled(sums(eta.value, wanted), eta.value);
         const T relative = eta.error * (2 + (std::max)(eta.value, T(0)));

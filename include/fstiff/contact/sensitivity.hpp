@@ -81,8 +81,7 @@ template <HalfPowers powers, Real T>
 struct DerivativeSums {
     T value{}, eta{}, r{}, theta{};
 
-    /// One node: \p moment is F_a, \p lower F_{a-1}, \p erf that of k t with its mass and \p layer the derivative of
-    /// it.
+    /// One node: \p moment is F_a, \p lower F_{a-1}, \p erf that of k t with its mass, \p layer its derivative.
     void add(T erf, T layer, T k, T t, T root, T moment, T lower) {
         const T power = powers.radius == 0 ? T(1) : powers.radius == 1 ? root : root * root;  // t^b
         const T with_erf = erf * power;
@@ -274,8 +273,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
 }  // namespace detail
 
 /// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. Does not allocate for a law with
-/// powers.
-/// \throws domain_error as at_pressure of the contact, and for interaction as_printed.
+/// powers. \throws domain_error as at_pressure of the contact, and for interaction as_printed.
 template <Real T, class Law, class Peaks>
 [[nodiscard]] Sensitivity<T> sensitivity(const RoughContact<T, Law, Peaks>& contact, std::type_identity_t<T> pressure) {
     const InteractionReading reading = contact.interaction().reading;

@@ -33,8 +33,8 @@
 
 namespace fstiff {
 
-/// The same summits with the factors of their ellipses, so that many contacts of them, and of what is resampled from them,
-/// need not find these again. \throws domain_error for curvatures that are not positive.
+/// The same summits with the factors of their ellipses, so that many contacts of them, and of what is resampled from
+/// them, need not find these again. \throws domain_error for curvatures that are not positive.
 template <Real T>
 [[nodiscard]] Summits<T> with_hertz_factors(Summits<T> of) {
     for (Summit<T>& one : of.summits) {

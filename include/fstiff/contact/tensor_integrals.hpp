@@ -8,8 +8,8 @@
 /// In rows of constant t the excess e = zeta - eta is covered by pieces e = from + size x of four rules
 /// (contact/tensor_nodes): squares x = (j h)^2, graded x = a log(1 + exp(y - b exp(-c y))), linear, and Legendre's
 /// between kinks. Axis::even takes squares in both directions, for half-integer powers; Axis::graded any smooth f; a
-/// KinkedLaw is split at its kinks; Axis::rough is for kinks at unknown places. Rows and nodes are added until the
-/// tolerance is met.
+/// KinkedLaw is split at its kinks; Axis::rough is for kinks at unknown places. Rows and nodes are added to the
+/// tolerance.
 ///
 /// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741
 /// Units       dimensionless
@@ -158,8 +158,7 @@ public:
         return out;
     }
 
-    /// Asks for more rows or nodes where their error is more than a share of \p allowed. \return whether there are any
-    /// more
+    /// Asks for more rows or nodes where their error is above a share of \p allowed. \return whether there are any
     bool refine(T allowed, T sum, int most) {
         const T worst = (std::max)(rows_error_, *std::max_element(errors_.begin(), errors_.end()));
         bool more = false;
@@ -213,8 +212,7 @@ private:
         }
     }
 
-    /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight; its nodes go to
-    /// the tables.
+    /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight.
     T row(const TensorRows<T>& rows, int lane, int& evaluations) {
         const T t = rows.t[lane], first = rows.first[lane], last = rows.last[lane];
         const T outer = rows.outer[lane], shift = rows.shift[lane], slope = rows.linear[lane], inverse_c = 1 / p_.c;

@@ -6,9 +6,9 @@
 ///     domain_error    an argument or a datum that the model or the method does not allow
 ///     file_error      a file that cannot be opened, read or written
 ///
-/// Arguments are checked at the public border only. What is thrown has fields (parameter, value, what is allowed, place in
-/// a file), of which its sentence is composed, so that a command can print it as it is, or put a place or the name of one
-/// of its options into it:
+/// Arguments are checked at the public border only. What is thrown has fields (parameter, value, what is allowed, place
+/// in a file), of which its sentence is composed, so that a command can print it as it is, or put a place or the name
+/// of one of its options into it:
 ///
 ///     <file>, line <line>: <key>: <parameter> = <value>: must be <allowed>
 ///
@@ -76,7 +76,7 @@ public:
     /// The place that was given first, which is the nearest one.
     [[nodiscard]] Place place() const;
 
-    /// The same error at \p place. Where it has a place already it keeps it, and only its sentence begins with \p place.
+    /// The same error at \p place. A place it has already is kept; only its sentence begins with \p place.
     [[nodiscard]] domain_error with_place(const Place& place) const;
     /// The same error of a parameter called \p name, which stands before the reason where there was none.
     [[nodiscard]] domain_error with_parameter(std::string_view name) const;

@@ -50,8 +50,8 @@ template <ReadableReal T>
 [[nodiscard]] std::string hexadecimal_text(T value);
 
 /// Reads the decimal number that [\p first, \p last) begins with, as std::from_chars does: no blanks, no "+", as many
-/// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number too
-/// large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
+/// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number
+/// too large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
 template <ReadableReal T>
 std::from_chars_result read_decimal(const char* first, const char* last, T& value);
 
@@ -120,7 +120,7 @@ std::string text_by_printf(T value, char conversion, int precision) {
 }
 
 #if !FSTIFF_HAS_FLOAT_FROM_CHARS
-/// What from_chars does, by strtod: the characters of the number are copied, with the decimal sign that strtod wants here.
+/// from_chars by strtod: the characters of the number are copied, with the decimal sign of the locale.
 template <ReadableReal T>
 std::from_chars_result read_by_strtod(const char* first, const char* last, T& value, bool hexadecimal) {
     const auto is_digit = [&](char c) { return hexadecimal ? is_hexadecimal_digit(c) : is_decimal_digit(c); };

@@ -101,8 +101,7 @@ void require_observations(const std::vector<Observation<T>>& data, bool is_refle
     }
 }
 
-/// \throws domain_error naming the first of the parameters \p wanted that no fit can start from, or that is named
-/// twice.
+/// \throws domain_error naming the first of \p wanted that no fit can start from, or that is named twice.
 template <Real T>
 void require_start(const std::vector<Parameter>& wanted, const ContactParameters<T>& start) {
     for (const Parameter each : wanted) {
@@ -154,8 +153,7 @@ public:
     /// Of the last evaluation that was within the reach of the model.
     [[nodiscard]] const std::vector<T>& values() const { return values_; }
 
-    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within the reach of the
-    /// model
+    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within reach
     [[nodiscard]] bool operator()(const Vector& u, Vector& residuals, Matrix& jacobian) {
         const ContactParameters<T> x = parameters_at(u);
         for (const Parameter each : wanted_)

@@ -66,8 +66,8 @@ struct Identification {
 
 namespace detail {
 
-/// A standard error above ln 100 of the logarithm that is fitted, which is a factor of 100 or nearly the whole range,
-/// tells nothing.
+/// A standard error above ln 100 of the logarithm that is fitted, a factor of 100 or nearly the whole range, tells
+/// nothing.
 template <Real T>
 inline constexpr T useless_error = T(4.6);
 
@@ -208,10 +208,9 @@ private:
 
 }  // namespace detail
 
-/// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as
-/// [](T dimension) { return FractalLaw<T>(dimension); }.
-/// \throws domain_error for data or starting values that no model has, fewer points than parameters, and a D that is to
-/// be fitted of a law that is no DimensionalLaw.
+/// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as [](T dimension) { return
+/// FractalLaw<T>(dimension); }. \throws domain_error for data or starting values that no model has, fewer points than
+/// parameters, and a D that is to be fitted of a law that is no DimensionalLaw.
 template <Real T, class MakeLaw>
 [[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
                                          const ContactParameters<T>& start, const MakeLaw& law,

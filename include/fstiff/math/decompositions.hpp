@@ -84,7 +84,7 @@ public:
                 for (Index i = 0; i < rows; ++i) std::swap(qr_(i, k), qr_(i, pivot));
                 std::swap(order_[static_cast<std::size_t>(k)], order_[static_cast<std::size_t>(pivot)]);
             }
-            // the reflection 1 - v v^T / (length v_0): v of the column, its first element moved away from 0 by the length
+            // the reflection 1 - v v^T / (length v_0): v: the column, its first element moved away from 0
             T* v = &qr_(k, k);
             const T moved = v[0] < 0 ? -length : length;
             v[0] += moved;

@@ -9,8 +9,7 @@
 /// Fastest where M is 2^a 3^b 5^c and a multiple of 4. A length with a prime factor above 50 is a convolution of
 /// chirps, by transforms of a fast length of 2M or more, so that every length takes O(M log M).
 ///
-/// Reference   Borgerding, kissfft (in Eigen/unsupported, MPL2); Bluestein, IEEE Trans. Audio Electroacoust. 18 (1970)
-///             451
+/// Reference   Borgerding, kissfft (in Eigen, MPL2); Bluestein, IEEE Trans. Audio Electroacoust. 18 (1970) 451
 /// Units       those of the data
 /// Valid       M up to 2^30, 2^28 for a length with a large prime factor
 /// Accuracy    rms error for 2^20 points 4e-16 of the rms in double, 2e-15 by chirps; long double is no better, because
@@ -40,8 +39,7 @@
 
 namespace fstiff {
 
-/// The least multiple of 4 that has no prime factor above 5 and holds \p points.
-/// \throws domain_error beyond 2^30.
+/// The least multiple of 4 that has no prime factor above 5 and holds \p points. \throws domain_error beyond 2^30.
 [[nodiscard]] inline std::size_t fast_fft_size(std::size_t points) {
     constexpr std::size_t largest = std::size_t{1} << 30;
     require(points <= largest, "points", points, "at most 2^30");

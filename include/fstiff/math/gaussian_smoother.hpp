@@ -8,8 +8,7 @@
 /// Reference   ISO 16610-21:2011, 4.2 (weights)
 /// Units       the numbers': any; w in samples
 /// Valid       w > 0, as many numbers as were announced
-/// Accuracy    1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights below 1e-17 are
-///             left out
+/// Accuracy    1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights below 1e-17 are 0
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>

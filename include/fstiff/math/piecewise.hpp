@@ -45,8 +45,7 @@ template <Real T>
     return (bits_of(x) << 1) > (bits_of(std::numeric_limits<T>::infinity()) << 1);
 }
 
-/// One row: its polynomial and the derivative by s, each by two interleaved Horner rules in s^2, half the latency of
-/// one.
+/// One row: its polynomial and the derivative by s, by two interleaved Horner rules in s^2 at half the latency.
 struct Row {
     static constexpr int terms = 8;
 

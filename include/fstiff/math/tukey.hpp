@@ -75,9 +75,9 @@ template <Real T>
 
 namespace detail {
 
-/// Counts the spikes among \p heights, and with \p remove makes them NaN: those whose \p differences (NaN: none) are farther
-/// than \p limit robust standard deviations, 1.4826 times the median of |d - median d|, from their median. Finds none where
-/// that deviation is 0: more than half of the differences are equal, and rounded heights do not show their spread.
+/// Counts the spikes among \p heights, and with \p remove makes them NaN: those whose \p differences (NaN: none) are
+/// farther than \p limit robust standard deviations, 1.4826 times the median of |d - median d|, from their median.
+/// Finds none where that deviation is 0, because rounded heights do not show their spread.
 template <Real T>
 Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool remove) {
     std::vector<T> some;
@@ -97,8 +97,8 @@ Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool
     return repair;
 }
 
-/// Robust means of \p z, 0 where \p exists(i) is false. \p sum(delta, delta z) forms the weighted sums, of which
-/// \p weight(i) and \p value(i) are the weight left and the mean; both iterate until the scale of the weights changes by
+/// Robust means of \p z, 0 where \p exists(i) is false. \p sum(delta, delta z) forms the weighted sums, of which \p
+/// weight(i) and \p value(i) are the weight left and the mean; both iterate until the scale of the weights changes by
 /// less than 1e-4. A point with less than \p least_share of its first weight keeps its last mean.
 template <Real F, class Exists, class Sum, class Weight, class Value>
 [[nodiscard]] RobustWaviness<std::vector<F>> robust_means(const std::vector<F>& z, F least_share, const Exists& exists,

@@ -47,9 +47,8 @@ public:
         return {std::sqrt(2 / curvature) * slope, std::asin(std::sqrt(curvature / slope) / 2)};
     }
 
-    /// The peaks of a profile of exponential autocorrelation: 1 - r^2 = cot^2(theta).
-    /// \throws domain_error unless pi/4 <= theta <= pi/3: what rho2 = rho1^2 allows (a rounding beyond an end counts as
-    /// the end).
+    /// The peaks of a profile of exponential autocorrelation: 1 - r^2 = cot^2(theta). \throws domain_error unless pi/4
+    /// <= theta <= pi/3: what rho2 = rho1^2 allows (a rounding beyond an end counts as the end).
     static PeakDistribution exponential(T theta) {
         constexpr T pi = numbers::pi_v<T>;
         constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
@@ -59,8 +58,8 @@ public:
         return {std::sqrt((std::max)(T(0), (1 - cot) * (1 + cot))), theta};
     }
 
-    /// The peaks of an isotropic surface of Nayak's alpha, measured at a vanishing step: r = 1/sqrt(alpha) and theta = 0.001,
-    /// next to its limit 0 by 1e-6 of the density. \throws domain_error unless alpha > 1.
+    /// The peaks of an isotropic surface of Nayak's alpha, measured at a vanishing step: r = 1/sqrt(alpha) and theta =
+    /// 0.001, next to its limit 0 by 1e-6 of the density. \throws domain_error unless alpha > 1.
     static PeakDistribution isotropic(T alpha) {
         require(alpha > 1 && std::isfinite(alpha), "Nayak's alpha", alpha, "finite and greater than 1");
         return {1 / std::sqrt(alpha), T(1e-3)};

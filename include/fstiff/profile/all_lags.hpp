@@ -7,8 +7,7 @@
 ///     z_i = a + b i + r_i,  R_n = sum r_i r_(i+n),  A_n, B_n: sums of r_i^2 over the first and the last N_n points
 ///
 /// The line is removed first and put back in closed form. The rounding of A + B - 2R is bounded for every lag; a lag
-/// that may be wrong by 1e-10 of S is evaluated again, short lags in segments about their own mean, others from their
-/// pairs.
+/// that may be wrong by 1e-10 of S is evaluated again, short lags in segments, others from their pairs.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8)
 /// Units       lag [m], S [m^2]

@@ -66,8 +66,8 @@ template <Real T>
     return result;
 }
 
-/// Ral: the lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or a lag before has no
-/// pair. \throws domain_error unless 0 < threshold < 1.
+/// Ral: the lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or a lag before
+/// has no pair. \throws domain_error unless 0 < threshold < 1.
 template <Real T>
 [[nodiscard]] std::optional<T> autocorrelation_length(const Autocorrelation<T>& correlation,
                                                       std::type_identity_t<T> threshold = T(0.2)) {

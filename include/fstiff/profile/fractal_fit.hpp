@@ -138,8 +138,7 @@ template <Real T>
     return detail::fit_profile(profile, options);
 }
 
-/// D and G of a structure function, with the resamples that come with it; options.divisor, .seed and .resamples have no
-/// part in it.
+/// D and G of a structure function, with its resamples; options.divisor, .seed and .resamples are not used.
 /// \throws domain_error as above, and when options.tip_radius is given: a tip needs heights, see tip_cutoff().
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,

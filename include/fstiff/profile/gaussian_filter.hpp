@@ -21,8 +21,7 @@
 
 namespace fstiff {
 
-/// Share of a wave of \p wavelength that the waviness keeps.
-/// \throws domain_error unless both lengths are positive.
+/// Share of a wave of \p wavelength that the waviness keeps. \throws domain_error unless both lengths are positive.
 template <Real T>
 [[nodiscard]] T gaussian_transmission(T wavelength, T cutoff) {
     require_positive("wavelength", wavelength);

@@ -7,8 +7,7 @@
 /// 0.2 of the slope of the range, or within twice its sampling error; 0.2 becomes 0.3, then 0.45, where there is none.
 /// The slope must lie between 0.2 and 1.95. The search takes lags from 4 samples to a tenth of the points that
 /// resolution, lambda_s and tip (profile/tip_cutoff) allow, up to where S2 is three quarters of its saturation. A range
-/// behind a plateau (a shorter lag with a slope below 0.2 and 0.3 less than the range) is waviness and is the last
-/// choice.
+/// behind a plateau (a shorter lag with a slope below 0.2 and 0.3 less than the range) is the last choice.
 ///
 /// Units       lags [m]; inside, in samples
 /// Valid       4 lags at least at which S2 > 0
@@ -182,8 +181,8 @@ bool is_behind_plateau(T flattest, T slope) {
     return flattest < T(0.2) && slope > flattest + T(0.3);
 }
 
-/// The longest straight range among the lags \p within that are searched, where the local slopes may differ from that of
-/// the range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
+/// The longest straight range among the lags \p within that are searched, where the local slopes may differ from that
+/// of the range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
 template <Real T>
 std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool behind_plateau,
                                          const IndexRange& within) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A profile without its form, which knows what was removed: what is measured of it can take the profile before a filter.
+/// A profile without its form, with what was removed and the profile before the filters.
 ///
 ///     const auto flat = fstiff::level(profile, fstiff::Form::line);
 ///     const auto fit = fstiff::fit_fractal(flat);
@@ -35,10 +35,9 @@ struct LevelledProfile {
 };
 
 /// \p profile without the \p form, then, with \p lambda_s, without its short waves, and then, with a \p cutoff, without
-/// the waviness of the Gaussian filter.
-/// \p resolution [m] is the step in which the heights were printed or counted; 0 where it is not known.
-/// \throws domain_error as detrend(), gaussian_low_pass() and gaussian_roughness(), and for a profile that is constant, but for its rounding,
-/// once its form is removed.
+/// the waviness of the Gaussian filter. \p resolution [m] is the step in which the heights were printed or counted; 0
+/// where it is not known. \throws domain_error as detrend(), gaussian_low_pass() and gaussian_roughness(), and for a
+/// profile that is constant, but for its rounding, once its form is removed.
 template <Real T>
 [[nodiscard]] LevelledProfile<T> level(const Profile<T>& profile, Form form,
                                        std::optional<std::type_identity_t<T>> cutoff = {},

@@ -6,7 +6,7 @@
 ///     d_i = z_i - median(z_i-2, z_i-1, z_i+1, z_i+2);  a spike: |d_i - median d| > k 1.4826 MAD(d)
 ///     fill: the straight line between the nearest points that exist; at the ends the nearest height
 ///
-/// The median of four neighbours follows slopes, so the scale of d is that of the roughness at the step, not of the form.
+/// The median of four neighbours follows slopes, so that d has the scale of the roughness, not of the form.
 ///
 /// Reference   Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
 /// Units       heights [m]; k in standard deviations

@@ -18,8 +18,7 @@
 namespace fstiff {
 
 /// S2 of \p profile at \p lags (in samples, any order); a lag of which no triple exists is left out. `pairs` counts
-/// triples.
-/// \throws domain_error as structure_function(), for a lag above (N-1)/2.
+/// triples. \throws domain_error as structure_function(), for a lag above (N-1)/2.
 template <Real T>
 [[nodiscard]] StructureFunction<T> second_differences(const Profile<T>& profile, std::span<const std::size_t> lags) {
     const T scale = 2 * detail::height_scale(profile);  // a second difference is at most four heights

@@ -23,9 +23,8 @@
 
 namespace fstiff {
 
-/// Moments of \p profile about its mean: remove its form first, with detrend().
-/// \throws domain_error for a profile out of range, without a triple of neighbours, or whose moments leave the range of
-/// numbers.
+/// Moments of \p profile about its mean: remove its form first, with detrend(). \throws domain_error for a profile out
+/// of range, without a triple of neighbours, or whose moments leave the range of numbers.
 template <Real T>
 [[nodiscard]] SpectralMoments<T> spectral_moments(const Profile<T>& profile) {
     profile.validate(16);

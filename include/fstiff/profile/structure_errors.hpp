@@ -46,7 +46,7 @@ Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector
     }
     for (Eigen::Index row = 0; row < size; ++row) {
         const auto n = static_cast<std::size_t>(row);
-        // both halves of the spectrum: V twice, the integral twice; a lag of which little is there knows one value at least
+        // both halves of the spectrum: V twice, the integral twice; one value of a lag at least
         const T triples_of_it = (std::max)(static_cast<T>(triples[n]), T(1));
         shares.row(row) *= std::sqrt(turn / triples_of_it) / means[row];
     }

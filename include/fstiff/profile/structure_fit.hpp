@@ -10,8 +10,7 @@
 /// The terms a (waves missing below the resolution) and b (end of the spectrum) have a prior mean and deviation, so
 /// that their uncertainty enters the error of D. The log-periodic terms enter where they explain half of the scatter.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.5); Aitken, Proc. R. Soc. Edinburgh 55
-///             (1935) 42
+/// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eq. (2.5); Aitken, Proc. R. Soc. Edinb. 55 (1935) 42
 /// Valid       4 lags at least, 0 < p < 2
 /// Accuracy    1e-10 of data that are a line (tests/profile/structure_fit_test.cpp)
 
@@ -66,8 +65,8 @@ Matrix<T> forward_substituted(const Matrix<T>& l, Matrix<T> a) {
     return a;
 }
 
-/// A line through the values of ln S2 in one window. Rows are over all lags of the LogStructure, 0 beyond the window: what
-/// they give of the values, and of the columns a and b, tells how the line moves.
+/// A line through the values of ln S2 in one window. Rows are over all lags of the LogStructure, 0 beyond the window:
+/// what they give of the values, and of the columns a and b, tells how the line moves.
 template <Real T = double>
 struct LogFit {
     IndexRange range;

@@ -6,8 +6,7 @@
 ///     S(n h) = mean of (z_(i+n) - z_i)^2 over the pairs that exist                  eq. (2.8)
 ///
 /// A pair with a missing point is dropped. As printed, (2.8) divides the sum over N-n+1 pairs by N-n; Divisor::paper
-/// does the same (pairs - 1). Heights are subtracted directly, so that an offset cancels exactly; remove a tilt with
-/// detrend().
+/// does the same (pairs - 1). An offset cancels exactly; remove a tilt with detrend().
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8); deviation: docs/errata.md.
 /// Units       lag [m], S [m^2]
@@ -84,7 +83,7 @@ T mean_square(Accumulator<T> sum, Accumulator<T> count, Accumulator<T> scale) {
     return value;
 }
 
-/// Mean squares of \p difference(i, n), of heights in units of \p scale, at the lags n: over i from 0 to N - \p reach n.
+/// Mean squares of \p difference(i, n), of heights in units of \p scale, at the lags n, i from 0 to N - \p reach n.
 template <Real T, class Difference>
 StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std::size_t> lags, std::size_t reach,
                                   T scale, Divisor divisor, const Difference& difference) {
@@ -123,9 +122,8 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
 
 }  // namespace detail
 
-/// S of \p profile at \p lags (in samples, any order).
-/// \throws domain_error for a lag outside 1 ... N-1, a spacing that is not positive, an infinite height, or heights
-/// whose squares leave the range of numbers.
+/// S of \p profile at \p lags (in samples, any order). \throws domain_error for a lag outside 1 ... N-1, a spacing that
+/// is not positive, an infinite height, or heights whose squares leave the range of numbers.
 template <Real T>
 [[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
                                                       Divisor divisor = Divisor::pairs) {

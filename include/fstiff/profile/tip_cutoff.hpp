@@ -6,7 +6,7 @@
 ///     kappa_min(n h) = min of (z_(i-n) - 2 z_i + z_(i+n)) / (n h)^2                 the sharpest peak at that scale
 ///     cut-off        = 2 n h, the least stencil from which on kappa_min > -1/(2 R_tip)
 ///
-/// The trace of a tip of radius R has kappa_min >= -1/R at every scale; scales within a factor of two of it show the
+/// The trace of a tip of radius R has kappa_min >= -1/R at every scale; those within a factor of two of it show the
 /// tip.
 ///
 /// Reference   Sanner, Nohring, Thimons, Jacobs, Pastewka, Appl. Surf. Sci. Adv. 7 (2022) 100190,

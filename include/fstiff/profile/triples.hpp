@@ -3,8 +3,8 @@
 /// \file
 /// Sums over triples of neighbouring points: mean square slope and curvature, and peaks.
 ///
-/// Each triple gives both of its differences to the slope, so that the curvature is at most twice the slope whatever the
-/// heights. Units of the heights and of the step are the caller's.
+/// Each triple gives both of its differences to the slope, so that the curvature is at most twice the slope whatever
+/// the heights. Units of the heights and of the step are the caller's.
 ///
 /// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157
 /// Accuracy    that of the sums: those of compensated ones 1e-14 (tests/profile/triples_test.cpp)

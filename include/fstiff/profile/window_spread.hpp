@@ -43,7 +43,7 @@ bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const In
     return bends(2, 2 * width) || bends(3, 3 * width * width / 4);
 }
 
-/// Whether a part of the window is a plateau: a local slope below 0.2, less than \p slope of the fit by 0.3 and by more than
+/// Whether a part of the window is a plateau: a local slope below 0.2, below \p slope of the fit by 0.3 and more than
 /// chance.
 template <Real F>
 bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
@@ -148,8 +148,9 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& ma
     of_dimension /= weights, of_log_g /= weights, product /= weights;
     if (result.automatic_window &&
         log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<F>(min_window_ratio))) {
-        // In so short a window the search allows a bend that moves D by up to half the tolerance, of the standard deviation t.
-        // What the difference of the halves, with the error s, shows of it is in their share; t^2 s^2/(t^2 + s^2) is not.
+        // In so short a window the search allows a bend that moves D by up to half the tolerance, of the standard
+        // deviation t. What the difference of the halves, with the error s, shows of it is in their share; t^2 s^2/(t^2
+        // + s^2) is not.
         const F t = static_cast<F>(result.slope_tolerance) / std::sqrt(F(12));
         F s = 0;  // the halves depart from the whole in opposite directions
         int halves = 0;

@@ -10,12 +10,10 @@
 /// A section of the map is a profile of the same H, D = 2 - H. The random numbers of a wave depend on the seed and its
 /// waves per period alone: a finer grid over the same period has the same long waves.
 ///
-/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017)
-///             013001
+/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001
 /// Units       lengths, heights [m]
 /// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most
-/// Accuracy    sum of waves 1e-14 of rms in double (tests/synthetic/self_affine_test.cpp); random bits equal on every
-///             platform
+/// Accuracy    sum of waves 1e-14 of rms in double (tests/synthetic/self_affine_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>

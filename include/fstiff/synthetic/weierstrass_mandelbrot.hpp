@@ -10,8 +10,7 @@
 /// The longest wavelength lambda_0 is given, so that the profile does not depend on the unit of length. The paper's
 /// profile is {.longest_wavelength = 1, .shortest_wavelength = gamma^-n_max, .phases = Phases::zero}.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.1); Berry, Lewis, Proc. R. Soc. A 370
-///             (1980)
+/// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eq. (2.1); Berry, Lewis, Proc. R. Soc. A 370 (1980)
 /// Units       lengths [m]; phases in turns
 /// Valid       1 < D < 2, G > 0, gamma > 1, longest >= shortest > 0, at most 10000 terms
 /// Accuracy    1e-12 of the amplitudes for 2^16 points in double, 2e-11 where long double is double
@@ -96,8 +95,7 @@ public:
         return height;
     }
 
-    /// z at x = 0, spacing, 2 spacing, ... [m].
-    /// \throws domain_error unless \p spacing > 0.
+    /// z at x = 0, spacing, 2 spacing, ... [m]. \throws domain_error unless \p spacing > 0.
     [[nodiscard]] Profile<T> sample(std::size_t points, T spacing) const {
         require_positive("spacing", spacing);
         Profile<T> profile{std::vector<T>(points, T(0)), spacing};

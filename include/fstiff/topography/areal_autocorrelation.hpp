@@ -99,8 +99,8 @@ template <Real T>
 
 namespace detail {
 
-/// sum over the points of u(x) u(x + t) for |i| <= \p reach_x and 0 <= j < \p lags, of \p u(row, column) padded with zeros to
-/// \p width x \p height.
+/// sum over the points of u(x) u(x + t) for |i| <= \p reach_x and 0 <= j < \p lags, of \p u(row, column) padded with
+/// zeros to \p width x \p height.
 template <Real T, class Values>
 void correlate_map(const Values& u, Eigen::Index rows, Eigen::Index columns, std::size_t height, std::size_t width,
                    Eigen::Index reach_x, Eigen::Index lags, typename HeightMap<T>::Array& into) {
@@ -178,7 +178,8 @@ private:
         return (a_.at(i, j) * (1 - x) + a_.at(i + 1, j) * x) * (1 - y) +
                (a_.at(i, j + 1) * (1 - x) + a_.at(i + 1, j + 1) * x) * y;
     }
-    /// Where, from 0 to 1, the parabola through \p begin, \p middle and \p end first falls to the threshold; above 1: nowhere.
+    /// Where in [0, 1] the parabola through \p begin, \p middle and \p end first falls to the threshold; above 1:
+    /// nowhere.
     [[nodiscard]] T first_fall(T begin, T middle, T end) const {
         const T a = 2 * (begin - 2 * middle + end), b = 4 * middle - 3 * begin - end, c = begin - threshold_;
         if (end <= threshold_ && a == T(0)) return c / (begin - end);

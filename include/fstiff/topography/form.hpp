@@ -48,9 +48,9 @@ struct LevelledMap {
     [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
 };
 
-/// The same with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted; 0
-/// where it is not known.
-/// \throws domain_error as remove_form(), and for a map that is constant, but for its rounding, once its form is removed.
+/// The same with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted;
+/// 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, but for its
+/// rounding, once its form is removed.
 template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
     LevelledMap<T> flat{remove_form(map, form), form};
@@ -75,8 +75,7 @@ Eigen::Array<S, Eigen::Dynamic, 4> legendre_of_side(Eigen::Index points) {
 
 }  // namespace detail
 
-/// \p map without the \p form.
-/// \throws domain_error for a map out of range, or whose points do not determine the form.
+/// \p map without the \p form. \throws domain_error for a map out of range, or whose points do not determine the form.
 template <Real T>
 [[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
     using S = Accumulator<T>;

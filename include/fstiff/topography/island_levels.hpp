@@ -3,8 +3,8 @@
 /// \file
 /// The heights of given ranks of a map, and between which cutting levels each of its points lies, without sorting it.
 ///
-/// Heights fall into bins of one width; a rank is sought in its bin alone. The points between two levels come in the order
-/// of the map, which is that of the memory: a sweep over a few hundred levels needs no other order.
+/// Heights fall into bins of one width; a rank is sought in its bin alone. The points between two levels come in the
+/// order of the map, which is that of the memory: a sweep over a few hundred levels needs no other order.
 ///
 /// Units       heights and levels [m]
 /// Valid       maps as HeightMap::validate, whose range of heights does not leave the range of numbers
@@ -101,8 +101,8 @@ struct LevelBands {
     static constexpr std::uint8_t absent = 255;  ///< of a missing point
 };
 
-/// Of every point of \p map, how many of the falling \p levels, most_levels at most, are not below it: the first level that
-/// it stands above has that number.
+/// Of every point of \p map, how many of the falling \p levels, most_levels at most, are not below it: the first level
+/// that it stands above has that number.
 template <Real T>
 std::vector<std::uint8_t> level_bands(const HeightMap<T>& map, const HeightRange<T>& range,
                                       const std::vector<T>& levels) {

@@ -13,8 +13,7 @@
 /// Units       levels, heights, R [m], areas [m^2], densities [1/m^2], bearing area 0 to 1
 /// Valid       maps of 3 x 3 points at least, 2^31 - 1 points at most, heights that vary
 /// Accuracy    counts and areas exact, mean heights 1e-14 of the roughness (tests/topography/islands_test.cpp).
-///             Greatest density of narrow Gaussian bands 1.02 to 1.08 of (2 pi)^(-3/2) e^(-1/2) m2/m0, which counts
-///             islands less lakes
+///             Greatest density of narrow Gaussian bands 1.02 to 1.08 of (2 pi)^(-3/2) e^(-1/2) m2/m0
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/topography/island_forest.hpp>

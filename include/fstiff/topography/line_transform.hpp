@@ -10,8 +10,7 @@
 ///
 /// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform of type II)
 /// Units       those of the data
-/// Valid       2 points at least; lengths that are products of 2, 3 and 5 are fast, others take a transform of 2N or
-///             more
+/// Valid       2 points at least; lengths that are products of 2, 3 and 5 are fast, others take one of 2N or more
 /// Accuracy    that of math/fft (tests/topography/line_transform_test.cpp, tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/names.hpp>
@@ -53,8 +52,7 @@ template <Real T>
     return T(wave);
 }
 
-/// What coefficient \p k of a line of \p points adds to the mean square of the line, over (c_k/N)^2: 1 of the mean and of
-/// the zigzag, else 2.
+/// Share of coefficient \p k in the mean square of a line of \p points, over (c_k/N)^2: 1 for mean and zigzag, else 2.
 template <Real T>
 [[nodiscard]] T wave_weight(std::size_t k, std::size_t points, Edges edges) {
     return k == 0 || (edges == Edges::periodic && k + 1 == points && points % 2 == 0) ? T(1) : T(2);

@@ -32,8 +32,8 @@ namespace fstiff {
 
 namespace detail {
 
-/// Calls \p use(k, l, |h_q|^2) for the waves of \p heights [m] but their mean: k along x, l along y, in units of 2 pi over the
-/// side. A cosine and a sine are a wave each.
+/// Calls \p use(k, l, |h_q|^2) for the waves of \p heights [m] but their mean: k along x, l along y, in units of 2 pi
+/// over the side. A cosine and a sine are a wave each.
 template <Real T, class Use>
 void visit_waves(GridField<T> heights, Edges edges, const Use& use) {
     const auto columns = static_cast<std::size_t>(heights.cols()), rows = static_cast<std::size_t>(heights.rows());

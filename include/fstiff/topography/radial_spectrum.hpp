@@ -8,8 +8,8 @@
 ///     C_x(q) = 4 int_q^inf C(q') q'/sqrt(q'^2 - q^2) dq'  of an isotropic surface
 ///
 /// h_q are the waves of the heights about their mean times the window over its rms: a picture, since the window weighs
-/// sigma. Shells (topography/map_spectrum) end at the shortest wave of the coarser direction. Jacobs et al. write (2
-/// pi)^2 C and pi C_x.
+/// sigma. Shells (topography/map_spectrum) end at the shortest wave of the coarser side. Jacobs et al.: (2 pi)^2 C, pi
+/// C_x.
 ///
 /// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Persson et al., J. Phys. Condens. Matter 17 (2005) R1; Jacobs,
 ///             Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001
@@ -70,8 +70,7 @@ template <Real T>
 
 }  // namespace detail
 
-/// The spectra of \p map about its mean.
-/// \throws domain_error for missing points and what HeightMap::validate says.
+/// The spectra of \p map about its mean. \throws domain_error for missing points and what HeightMap::validate says.
 template <Real T>
 [[nodiscard]] RadialSpectrum<T> radial_spectrum(const HeightMap<T>& map, SpectrumWindow window = SpectrumWindow::hann) {
     using Index = Eigen::Index;

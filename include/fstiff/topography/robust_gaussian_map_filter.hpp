@@ -5,9 +5,8 @@
 ///
 ///     w_ji = sum s((l-i) dx, (k-j) dy) delta_kl z_kl / sum s((l-i) dx, (k-j) dy) delta_kl        regression of order 0
 ///
-/// s are the weights of topography/gaussian_map_filter, delta Tukey's (math/tukey), 0 for a missing point. A tilt is
-/// drawn inwards at the edges: remove the form first. A point with less than 1 % of the Gaussian weight left keeps its
-/// first w.
+/// s are the weights of topography/gaussian_map_filter, delta Tukey's (math/tukey), 0 for a missing point. Remove the
+/// form first: a tilt is drawn inwards. A point with less than 1 % of the Gaussian weight left keeps its first w.
 ///
 /// Reference   ISO 16610-71:2014 (order 0)
 /// Units       heights, cut-off [m]

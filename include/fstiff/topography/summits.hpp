@@ -60,8 +60,8 @@ struct PointShape {
     T z, z_x, z_y, z_xx, z_yy, z_xy;
 };
 
-/// Differences of fourth order over the 5 x 5 points about (\p j, \p i), of second order over 3 x 3 next to an edge or a missing
-/// point; over the height there.
+/// Differences of fourth order over the 5 x 5 points about (\p j, \p i), of second order over 3 x 3 next to an edge or
+/// a missing point; over the height there.
 template <Real T, class Heights>
 [[nodiscard]] PointShape<T> shape_by_differences(const Heights& z, Eigen::Index j, Eigen::Index i) {
     const auto at = [&](Eigen::Index down, Eigen::Index right) { return static_cast<T>(z(j + down, i + right) - z(j, i)); };
@@ -80,8 +80,8 @@ template <Real T, class Heights>
     return {T(0), odd(along_x), odd(along_y), even(along_x), even(along_y), odd(slope_x)};
 }
 
-/// The top of the paraboloid of \p shape: its height, principal curvatures and place in m, with the steps \p dx and \p dy [m].
-/// The step to the top is at most \p reach grid steps along x and y. Curvatures of both signs mean that there is no top.
+/// The top of the paraboloid of \p shape: height, curvatures and place in m, with the steps \p dx and \p dy [m], at
+/// most \p reach grid steps away. Curvatures of both signs: there is no top.
 template <Real T>
 [[nodiscard]] Summit<T> top_of(const PointShape<T>& shape, T dx, T dy, T reach) {
     const auto& [z, z_x, z_y, z_xx, z_yy, z_xy] = shape;
@@ -134,8 +134,8 @@ template <Real T>
     return found;
 }
 
-/// Another map of the same surface, as far as this one tells: \p tiles by \p tiles of it, drawn with replacement. \p state is
-/// that of splitmix64, and goes on.
+/// Another map of the same surface, as far as this one tells: \p tiles by \p tiles of it, drawn with replacement. \p
+/// state is that of splitmix64, and goes on.
 template <Real T>
 [[nodiscard]] Summits<T> resampled(const Summits<T>& of, std::size_t tiles, std::uint64_t& state) {
     std::vector<std::size_t> times(tiles * tiles, 0);

@@ -37,8 +37,8 @@ template <Real T>
     return r > 0 || c > 0 ? -share * passed / r / angular_frequency / detail::joint_impedance(media) : T(0);
 }
 
-/// |R| of the stiffness \p stiffness [Pa/m]; its error is that of the stiffness carried on to first order, and the rounding of
-/// R. \throws domain_error as reflection.
+/// |R| of the stiffness \p stiffness [Pa/m]; its error is that of the stiffness carried on to first order, and the
+/// rounding of R. \throws domain_error as reflection.
 template <Real T>
 [[nodiscard]] Estimate<T> reflection(const Estimate<T>& stiffness, const Impedances<T>& media, T angular_frequency) {
     const T r = reflection(stiffness.value, media, angular_frequency);

@@ -29,8 +29,7 @@ struct ResolvableStiffness {
 };
 
 /// The range of K whose |R| lies between \p least, or 1.01 times that of the perfect bond, and \p most; none where
-/// unlike bodies reflect so much that nothing is left. \throws domain_error unless 0 < least < most < 1, and as
-/// reflection.
+/// nothing is left. \throws domain_error unless 0 < least < most < 1, and as reflection.
 template <Real T>
 [[nodiscard]] std::optional<ResolvableStiffness<T>> resolvable_stiffness(const Impedances<T>& media,
                                                                          T angular_frequency, T least = T(0.1),

@@ -8,7 +8,7 @@
 ///     K = omega z1 z2 sqrt((1-R)(1+R)) / sqrt((R (z1+z2))^2 - (z1-z2)^2)        inverse, with R = |R|
 ///     K = (omega z/2) sqrt((1-R)(1+R)) / R                                      inverse, like media
 ///
-/// The wave comes from the body of impedance z1; amplitudes are of displacement, exp(+i omega t). |R|^2 + (z2/z1) |T|^2
+/// The wave comes from the body of impedance z1; amplitudes of displacement, exp(+i omega t). |R|^2 + (z2/z1) |T|^2
 /// = 1.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (5.1); unlike media: this project
