@@ -20,7 +20,7 @@ concept Contact = requires(const C& contact, T x, Quantity wanted) {
     { contact.point_at_pressure(x, wanted) } -> std::same_as<ContactPoint<T>>;
     { contact.point_at_separation(x, wanted) } -> std::same_as<ContactPoint<T>>;
     { contact.log_pressure(x) } -> std::same_as<LogSlope<T>>;
-    { contact.log_stiffness(x) } -> std::same_as<LogValue<T>>;
+    { contact.log_stiffness(x) } -> std::same_as<Estimate<T>>;
     { contact.rms_height() } -> std::convertible_to<T>;
     { contact.interaction() } -> std::convertible_to<Interaction<T>>;
     { contact.bulk_compliance() } -> std::convertible_to<T>;

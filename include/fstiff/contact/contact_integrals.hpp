@@ -49,11 +49,12 @@ struct ContactIntegrals {
 
 namespace detail {
 
+/// Logarithm of the factor that every integral over the peaks at \p eta leaves out.
 template <Real T>
-struct ScaledIntegrals {
-    std::array<Estimate<T>, 4> of_power;  ///< for a = i/2, without exp(log_scale)
-    T log_scale;
-};
+[[nodiscard]] T log_scale_at(T eta) {
+    const T floor = (std::max)(eta, T(0));
+    return -floor * floor / 2;
+}
 
 /// The integrals of a PowerSet for one density of peaks. What depends on it and on the tolerance alone is computed
 /// once, and erf at the nodes of the smooth map as long as a new eta takes the same ones.
@@ -71,14 +72,14 @@ public:
           problem_(peaks, S(0), log_accuracy_ + 5),
           sums_(problem_, minus_two_b, static_cast<S>(tolerance)) {}
 
-    /// \throws domain_error unless |eta| <= 1e6.
-    ScaledIntegrals<T> operator()(T eta) {
+    /// For a = i/2, without exp(log_scale_at(eta)). \throws domain_error unless |eta| <= 1e6.
+    std::array<Estimate<T>, 4> operator()(T eta) {
         require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
         problem_.move_to(static_cast<S>(eta));
         sums_.clear();
         const PeakSums<S> sums = sums_.result(visit_nodes(problem_, log_accuracy_, sums_));
         const T floor = (std::max)(eta, T(0));
-        ScaledIntegrals<T> out{{}, -floor * floor / 2};
+        std::array<Estimate<T>, 4> of_power{};
         // rounding (z inherits that of t), the coefficients left out, and what the extrapolation of the rule's error
         // may miss: more with few nodes
         const T least = std::numeric_limits<T>::epsilon() * (T(8) + floor) + static_cast<T>(sums_.cut()) +
@@ -88,9 +89,9 @@ public:
         for (std::size_t i = 0; i < 4; ++i, factor *= root_c) {
             if (minus_two_b_[i] == absent) continue;
             const T value = factor * static_cast<T>(sums.value[i]);
-            out.of_power[i] = {value, value * (static_cast<T>(sums.relative_error[i]) + least), sums.nodes};
+            of_power[i] = {value, value * (static_cast<T>(sums.relative_error[i]) + least), sums.nodes};
         }
-        return out;
+        return of_power;
     }
 
 private:
@@ -123,7 +124,7 @@ public:
     /// neither under- nor overflow. \throws domain_error unless |eta| <= 1e6.
     [[nodiscard]] ContactIntegrals<T> operator()(T eta) {
         const auto j = integrate_(eta);
-        return {j.of_power[0], j.of_power[3], j.of_power[1], j.of_power[2], j.log_scale};
+        return {j[0], j[3], j[1], j[2], detail::log_scale_at(eta)};
     }
 
 private:
@@ -138,21 +139,12 @@ private:
     detail::PeakIntegrator<T> integrate_;
 };
 
-/// The integrals of \p wanted at the separation \p eta, each to be multiplied by exp(log_scale).
-/// \throws domain_error unless |eta| <= 1e6 and the tolerance is within its range.
-template <Real T>
-[[nodiscard]] ContactIntegrals<T> scaled_contact_integrals(const PeakDistribution<T>& peaks, T eta,
-                                                           Quantity wanted = Quantity::all,
-                                                           const IntegralOptions<T>& options = {}) {
-    return ContactIntegrator<T>(peaks, wanted, options)(eta);
-}
-
-/// The integrals of \p wanted at the separation \p eta; log_scale is 0. \throws as scaled_contact_integrals.
+/// The integrals of \p wanted at the separation \p eta; log_scale is 0. \throws as ContactIntegrator.
 template <Real T>
 [[nodiscard]] ContactIntegrals<T> contact_integrals(const PeakDistribution<T>& peaks, T eta,
                                                     Quantity wanted = Quantity::all,
                                                     const IntegralOptions<T>& options = {}) {
-    const ContactIntegrals<T> j = scaled_contact_integrals(peaks, eta, wanted, options);
+    const ContactIntegrals<T> j = ContactIntegrator<T>(peaks, wanted, options)(eta);
     const T scale = detail::gaussian((std::max)(eta, T(0)));
     return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, T(0)};
 }
@@ -162,18 +154,7 @@ template <Real T>
 [[nodiscard]] Estimate<T> contact_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
                                            const IntegralOptions<T>& options = {}) {
     const auto j = detail::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
-    return j.of_power[static_cast<std::size_t>(2 * a)] * detail::gaussian((std::max)(eta, T(0)));
-}
-
-/// log J[a,b] and its absolute error: goes on where J itself underflows. \throws as contact_integral.
-template <Real T>
-[[nodiscard]] Estimate<T> log_contact_integral(T a, T b, const PeakDistribution<T>& peaks, T eta,
-                                               const IntegralOptions<T>& options = {}) {
-    const auto j = detail::PeakIntegrator<T>(detail::one_power(a, b), peaks, options.relative_tolerance)(eta);
-    const Estimate<T>& scaled = j.of_power[static_cast<std::size_t>(2 * a)];
-    const T value = std::log(scaled.value) + j.log_scale;
-    return {value, scaled.error / scaled.value + 2 * std::numeric_limits<T>::epsilon() * std::abs(value),
-            scaled.evaluations};
+    return j[static_cast<std::size_t>(2 * a)] * detail::gaussian((std::max)(eta, T(0)));
 }
 
 }  // namespace fstiff

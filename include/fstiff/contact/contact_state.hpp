@@ -77,26 +77,14 @@ struct LogSlope {
     T error;  ///< relative error of f
 };
 
-/// A positive function of eta as its logarithm.
-template <Real T = double>
-struct LogValue {
-    T log;    ///< log f(eta)
-    T error;  ///< relative error of f
-};
-
 namespace detail {
 
 inline constexpr int min_eta = -1000;  ///< separations that are searched for a pressure
 
-template <Real T>
-struct EtaEstimate {
-    T value, error;
-};
-
 /// What a search for eta came to.
 template <Real T>
 struct EtaSearch {
-    EtaEstimate<T> eta;
+    Estimate<T> eta;
     bool found = true;
     T log_lowest{},
         log_highest{};  ///< if not found: the least and the greatest log f there is, less the one looked for

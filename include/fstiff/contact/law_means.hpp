@@ -141,12 +141,10 @@ public:
                     return load(omega, radius) * ((excess + (eta - r * t)) / c2);
                 });
             });
-        const T floor = (std::max)(eta, T(0));
-        out.log_scale = -floor * floor / 2;
+        out.log_scale = log_scale_at(eta);
         if (has(wanted_, Quantity::contacts))
             out.contacts =
-                PeakIntegrator<T>({0, absent, absent, absent}, peaks_, 100 * std::numeric_limits<T>::epsilon())(eta)
-                    .of_power[0] *
+                PeakIntegrator<T>({0, absent, absent, absent}, peaks_, 100 * std::numeric_limits<T>::epsilon())(eta)[0] *
                 scales_.peak_density;
         return out;
     }

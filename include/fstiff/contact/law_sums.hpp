@@ -135,13 +135,13 @@ public:
 
     LawSums<T> operator()(T eta) {
         LawSums<T> out;
+        out.log_scale = log_scale_at(eta);
         for (std::size_t pass = 0; pass < passes && integrators_[pass]; ++pass) {
-            const ScaledIntegrals<T> j = (*integrators_[pass])(eta);
-            out.log_scale = j.log_scale;
+            const std::array<Estimate<T>, 4> j = (*integrators_[pass])(eta);
             for (std::size_t i = 0; i < terms_.size(); ++i)
                 if (pass_[i] == pass)
                     member_of(out, terms_[i].quantity) =
-                        j.of_power[static_cast<std::size_t>(terms_[i].powers.omega)] * terms_[i].scale;
+                        j[static_cast<std::size_t>(terms_[i].powers.omega)] * terms_[i].scale;
         }
         return out;
     }

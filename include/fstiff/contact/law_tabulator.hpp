@@ -104,7 +104,7 @@ private:
         if constexpr (proportional)
             return stiffness_of(found, One::all(eta)).p;
         else
-            return stiffness_in_series(One::all(std::exp(contact_.log_stiffness(eta).log))).p;
+            return stiffness_in_series(One::all(std::exp(contact_.log_stiffness(eta).value))).p;
     }
 
     [[nodiscard]] Nodes nodes(T from, T to) const {
@@ -146,11 +146,11 @@ private:
         T error = 0;
         const auto log_at = [&](T eta) {
             ++law_.evaluations;
-            const LogValue<T> k = contact_.log_stiffness(eta);
-            require(std::isfinite(k.log), "stiffness", std::exp(k.log),
+            const Estimate<T> k = contact_.log_stiffness(eta);
+            require(std::isfinite(k.value), "stiffness", std::exp(k.value),
                     "finite and greater than 0 for a tabulated law");
             error = (std::max)(error, k.error);
-            return k.log;
+            return k.value;
         };
         const T unit = log_at(closest_);
         stiffness_unit_ = std::exp(unit);

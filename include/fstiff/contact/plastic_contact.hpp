@@ -218,7 +218,7 @@ public:
     }
 
     /// log(K/(Pa/m)) at eta. \throws domain_error as log_pressure.
-    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+    [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
         const LogSlope<T> p = log_pressure(eta);
         const Estimate<T> K = at_pressure(std::exp(p.log), Quantity::stiffness).stiffness;
         return {std::log(K.value), p.error + K.error / K.value};

@@ -129,8 +129,8 @@ public:
         p.log += std::log(pressure_unit_);
         return p;
     }
-    /// log(K/(Pa/m)) without interaction at eta.
-    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+    /// log(K/(Pa/m)) without interaction at eta; its error is the relative one of K.
+    [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
         const detail::LawSums<T> j = sums(eta, Quantity::stiffness);
         return {std::log(j.stiffness.value) + j.log_scale, j.stiffness.error / j.stiffness.value};
     }
@@ -242,7 +242,7 @@ private:
 
     /// Without interaction; the error of eta enters by the slope |d log J/d eta| <= |d log J[0,0]/d eta|, about eta +
     /// 1.
-    ContactState<T> at_eta(const detail::EtaEstimate<T>& eta, Quantity wanted) const {
+    ContactState<T> at_eta(const Estimate<T>& eta, Quantity wanted) const {
         const detail::LawSums<T> j = unscaled(sums(eta.value, wanted), eta.value);
         const T relative = eta.error * (2 + (std::max)(eta.value, T(0)));
         const auto with_eta = [relative](Estimate<T> sum) {
@@ -285,7 +285,7 @@ private:
     }
 
     /// The root of eta_effective - Delta(eta_effective) = eta: increasing, between eta and eta + Delta(eta).
-    detail::EtaEstimate<T> effective_eta(T eta) const {
+    Estimate<T> effective_eta(T eta) const {
         const T shift = bulk_compliance_ / scales_.rms_height;  // Delta = shift p
         const T highest =
             (std::min)(eta + shift * unscaled(sums(eta, Quantity::pressure), eta).load.value, (std::max)(eta, T(1e6)));

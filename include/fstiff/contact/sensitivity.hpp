@@ -227,7 +227,7 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
 template <Real T, class Law, class Peaks>
 requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     using Pair = typename Exponents<T>::Pair;
-    const auto logs = [](const auto& at, T x) { return Pair{at.log_stiffness(x).log, at.log_pressure(x).log}; };
+    const auto logs = [](const auto& at, T x) { return Pair{at.log_stiffness(x).value, at.log_pressure(x).log}; };
     // \p f of z at a distance; the formula errs by h^6, rounding and the integrals by their errors over h
     const auto slopes = [](T h, const auto& f) -> Pair {
         Pair sum{};
@@ -254,7 +254,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
         });
     };
     Exponents<T> out;
-    out.k = std::exp(contact.log_stiffness(eta).log);
+    out.k = std::exp(contact.log_stiffness(eta).value);
     out.eta = slopes(T(0.05) / (1 + (std::max)(eta, T(0))), [&](T x) { return logs(contact, eta + x); });
     out.eta.load = contact.log_pressure(eta).slope;
     out.rms_height = of_surface(&Roughness<T>::rms_height);

@@ -33,7 +33,7 @@ public:
         return point([&] { return self().at_separation(separation, wanted); });
     }
     /// log(K/(Pa/m)) at eta, the separation over the rms height. \throws domain_error as log_pressure.
-    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+    [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
         const LogSlope<T> p = self().log_pressure(eta);
         return {p.log + std::log(-p.slope / self().rms_height()), 2 * p.error};
     }
