@@ -59,10 +59,8 @@
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/repair.hpp>
-#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/profile/roughness_cut_off.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
-#include <fstiff/profile/second_differences.hpp>
 #include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
@@ -71,7 +69,6 @@
 #include <fstiff/profile/triples.hpp>
 #include <fstiff/profile/window_spread.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
-#include <fstiff/topography/areal_parameters.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/coarsen.hpp>
 #include <fstiff/topography/form.hpp>
@@ -86,7 +83,6 @@
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/radial_spectrum.hpp>
 #include <fstiff/topography/repair.hpp>
-#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
@@ -118,7 +114,6 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/kinked_tables.hpp>
 #include <fstiff/contact/kinked_tabulator.hpp>
-#include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/contact/law_tables.hpp>

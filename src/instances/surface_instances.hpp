@@ -14,20 +14,17 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
-#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
-#include <fstiff/topography/areal_parameters.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/radial_spectrum.hpp>
-#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #include <fstiff/topography/summits.hpp>
 
 #ifndef FSTIFF_SCENE_INSTANCE

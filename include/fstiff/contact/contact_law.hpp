@@ -19,7 +19,6 @@
 
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/contact/law_tabulator.hpp>
 #include <fstiff/contact/law_text.hpp>
@@ -41,6 +40,57 @@
 #include <type_traits>
 
 namespace fstiff {
+
+namespace detail {
+
+/// \throws domain_error unless \p a and \p b, the sizes of two arrays, are equal.
+inline void require_same_size(Eigen::Index a, Eigen::Index b) {
+    if (a != b)
+        throw domain_error(Refusal{.parameter = "batch",
+                                   .reason = "the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
+                                             " elements: must have the same number"});
+}
+
+/// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
+/// where fewer are left, so that a result does not depend on where its element stands; the others go through \p one.
+template <class Pieces, ReadableReal T, std::size_t N, class FourAt, class OneAt>
+void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
+               const FourAt& four, const OneAt& one) {
+    const auto put = [&out](Eigen::Index i, const std::array<T, N>& value) {
+        for (std::size_t n = 0; n < N; ++n) out[n][i] = value[n];
+    };
+    const Eigen::Index count = x.size();
+    if constexpr (!four_at_once<T>) {
+        for (Eigen::Index i = 0; i < count; ++i) put(i, one(x[i]));
+    } else {
+        T given[4], found[N][4];
+        for (Eigen::Index i = 0; i < count; i += 4) {
+            const T* from = x.data() + i;
+            std::array<T*, N> to = out;
+            for (T*& at : to) at += i;
+            const bool whole = count - i >= 4 && pieces.contains(from[0]) && pieces.contains(from[1]) &&
+                               pieces.contains(from[2]) && pieces.contains(from[3]);
+            if (whole) [[likely]] {
+                four(pieces, from, to);
+                continue;
+            }
+            const Eigen::Index left = std::min<Eigen::Index>(count - i, 4);
+            for (Eigen::Index k = 0; k < 4; ++k)
+                given[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
+            for (std::size_t n = 0; n < N; ++n) to[n] = found[n];
+            four(pieces, given, to);
+            for (Eigen::Index k = 0; k < left; ++k) {
+                if (!pieces.contains(from[k])) {
+                    put(i + k, one(from[k]));
+                    continue;
+                }
+                for (std::size_t n = 0; n < N; ++n) out[n][i + k] = found[n][k];
+            }
+        }
+    }
+}
+
+}  // namespace detail
 
 namespace detail {
 

@@ -17,12 +17,11 @@
 #include <fstiff/measured/cut_offs.hpp>
 #include <fstiff/profile/level.hpp>
 #include <fstiff/profile/repair.hpp>
-#include <fstiff/profile/robust_gaussian_filter.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/repair.hpp>
-#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 
 #include <cmath>
 #include <memory>

@@ -19,7 +19,7 @@
 #include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/level.hpp>
-#include <fstiff/profile/second_differences.hpp>
+#include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Structure function of a profile at chosen lags.
+/// Structure function of a profile at chosen lags, of its heights and of their second differences.
 ///
-///     S(n h) = mean of (z_(i+n) - z_i)^2 over the pairs that exist                  eq. (2.8)
+///     S(n h)  = mean of (z_(i+n) - z_i)^2 over the pairs that exist                 eq. (2.8)
+///     S2(n h) = mean of (z_(i+n) - 2 z_i + z_(i-n))^2 over the triples that exist
+///             = 4 S(tau) - S(2 tau)  in the mean, (4 - 2^(4-2D)) C tau^(4-2D)  of a power law S = C tau^(4-2D)
 ///
-/// A pair with a missing point is dropped. As printed, (2.8) divides the sum over N-n+1 pairs by N-n; Divisor::paper
-/// does the same (pairs - 1). An offset cancels exactly; remove a tilt with detrend().
+/// As printed, (2.8) divides the sum over N-n+1 pairs by N-n; Divisor::paper does the same (pairs - 1). An offset
+/// cancels exactly. S2 does not see a tilt and waves longer than some eight lags: a wave enters S as (1 - cos q tau),
+/// S2 squared.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8); deviation: docs/errata.md.
-/// Units       lag [m], S [m^2]
-/// Valid       lags of 1 to N-1 samples, as many pairs as the divisor needs
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8), docs/errata.md; Istas, Lang, Ann.
+///             Inst. H. Poincare (B) 33 (1997) 407; Kent, Wood, J. R. Stat. Soc. B 59 (1997) 679
+/// Units       lag [m], S, S2 [m^2]
+/// Valid       lags of 1 to N-1 samples (S2: (N-1)/2), as many pairs as the divisor needs; heights finite or NaN
+///             (missing)
 /// Accuracy    1e-13 in double for 2^16 points, offset up to 1e6 times the roughness
-///             (tests/profile/structure_function_test.cpp)
+///             (tests/profile/structure_function_test.cpp, tests/profile/second_differences_test.cpp)
 
 #include <fstiff/profile/profile.hpp>
 
@@ -131,6 +136,17 @@ template <Real T>
     const T* const z = profile.heights.data();
     return detail::mean_squares(profile, lags, 1, scale, divisor,
                                 [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
+}
+
+/// S2 of \p profile at \p lags (in samples, any order); a lag of which no triple exists is left out. `pairs` counts
+/// triples. \throws domain_error as structure_function(), for a lag above (N-1)/2.
+template <Real T>
+[[nodiscard]] StructureFunction<T> second_differences(const Profile<T>& profile, std::span<const std::size_t> lags) {
+    const T scale = 2 * detail::height_scale(profile);  // a second difference is at most four heights
+    const T* const z = profile.heights.data();
+    return detail::mean_squares(profile, lags, 2, scale, Divisor::pairs, [=](std::size_t i, std::size_t n) {
+        return (z[i + 2 * n] - z[i + n]) / scale - (z[i + n] - z[i]) / scale;
+    });
 }
 
 }  // namespace fstiff
