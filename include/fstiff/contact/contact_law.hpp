@@ -264,7 +264,7 @@ public:
     /// Lines may end in LF or CRLF. \throws domain_error for text that to_text did not write.
     [[nodiscard]] static ContactLaw from_text(std::string_view text) {
         ContactLaw law;
-        law.tables_ = detail::read_law_text<T>(text);
+        law.tables_ = detail::LawTextReader<T>(text).read();
         return law;
     }
 

@@ -251,6 +251,59 @@ void set_fractal(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, cons
     result.roughness_error = static_cast<T>(absolute);
 }
 
+/// \p measured at the lags up to \p longest [m].
+template <Real T>
+StructureFunction<T> up_to(StructureFunction<T> measured, T longest) {
+    while (measured.size() > 0 && measured.lag.back() > longest * T(1.0001)) {
+        measured.step.pop_back();
+        measured.lag.pop_back();
+        measured.value.pop_back();
+        measured.pairs.pop_back();
+    }
+    return measured;
+}
+
+/// D of the ordinary straight line over \p range, and its error. Returns the slope.
+template <Real T>
+Accumulator<T> set_ordinary_line(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
+                                 const IndexRange& range) {
+    using F = Accumulator<T>;
+    const Vector<F> x = log.lag.segment(range.first, range.count()), y = log.value.segment(range.first, range.count());
+    const F slope = regression_slope(x, y, 0, x.size() - 1);
+    const auto centred = (x.array() - x.mean()).eval();
+    const F squares = (y.array() - y.mean() - slope * centred).square().sum();
+    result.line_dimension = static_cast<T>(2 - slope / 2);
+    result.regression_dimension_error =
+        static_cast<T>(std::sqrt(squares / static_cast<F>(result.lags - 2) / centred.square().sum()) / 2);
+    return slope;
+}
+
+/// \throws domain_error for a window that was found on a plateau.
+template <Real T>
+[[noreturn]] FSTIFF_COLD void refuse_plateau(const FractalFit<T>& found, T dimension) {
+    throw domain_error({.parameter = "fractal dimension of the window",
+                        .value = rounded_text(dimension, 4),
+                        .reason = "the slope goes from " + rounded_text(found.slope_shortest, 3) + " to " +
+                                  rounded_text(found.slope_longest, 3) + " between the lags " +
+                                  rounded_text(found.window.from, 3) + " m and " + rounded_text(found.window.to, 3) +
+                                  " m: a plateau; must be at most 1.9 in a window that is found"});
+}
+
+/// S2 of the fitted \p line at the lags of its window.
+template <Real T>
+void set_fitted(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, const LogStructure<Accumulator<T>>& log,
+                T spacing) {
+    using F = Accumulator<T>;
+    for (Eigen::Index k = 0; k < line.range.count(); ++k) {
+        const auto at = static_cast<std::size_t>(line.range.first + k);
+        result.fitted.step.push_back(log.step[at]);
+        result.fitted.pairs.push_back(log.pairs[at]);
+        result.fitted.lag.push_back(static_cast<T>(log.step[at]) * spacing);
+        result.fitted.value.push_back(
+            static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<F>(spacing)))));
+    }
+}
+
 }  // namespace detail
 
 template <Real T>
@@ -265,15 +318,9 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     ReliableLags<T> reliable{options.resolution, WindowEnd::resolution};
     if (options.lambda_s > reliable.from) reliable = {options.lambda_s, WindowEnd::lambda_s};
     if (tip_length > reliable.from) reliable = {tip_length, WindowEnd::tip};
-    StructureFunction<T> searched = measured.second_differences;
-    if (!options.window && options.longest > T(0))
-        while (searched.size() > 0 && searched.lag.back() > options.longest * T(1.0001)) {
-            searched.step.pop_back();
-            searched.lag.pop_back();
-            searched.value.pop_back();
-            searched.pairs.pop_back();
-        }
-    LogStructure<F> log = log_structure(searched, spacing, measured.points, reliable);
+    const T longest = !options.window && options.longest > T(0) ? options.longest : std::numeric_limits<T>::infinity();
+    LogStructure<F> log =
+        log_structure(up_to(measured.second_differences, longest), spacing, measured.points, reliable);
     log.profiles = static_cast<F>(measured.profiles);
     log.apart = static_cast<F>(measured.apart);
     if (measured.rms_height > T(0))  // the variance of z - 2 z' + z'' where the three have nothing in common
@@ -284,15 +331,7 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     set_window(result, log, chosen, spacing, reliable);
 
     const IndexRange& range = chosen.range;
-    const Vector<F> x = log.lag.segment(range.first, range.count()), y = log.value.segment(range.first, range.count());
-    const F ordinary = regression_slope(x, y, 0, x.size() - 1);
-    const auto centred = (x.array() - x.mean()).eval();
-    const F squares = (y.array() - y.mean() - ordinary * centred).square().sum();
-    result.line_dimension = static_cast<T>(2 - ordinary / 2);
-    result.regression_dimension_error =
-        static_cast<T>(std::sqrt(squares / static_cast<F>(result.lags - 2) / centred.square().sum()) / 2);
-
-    F power = std::clamp(ordinary, F(0.05), F(1.95));
+    F power = std::clamp(set_ordinary_line(result, log, range), F(0.05), F(1.95));
     const F log_gamma = std::log(static_cast<F>(options.gamma));
     std::optional<LineFitter<F>> fitter;
     LogFit<F> line;
@@ -308,30 +347,15 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     const F dimension = 2 - line.slope / 2;
     require(dimension > F(1) && dimension < F(2), "fractal dimension of the window", dimension,
             "between 1 and 2, both excluded: this window holds no fractal profile");
-    if (result.automatic_window && line.slope < F(0.2))
-        throw domain_error({.parameter = "fractal dimension of the window",
-                            .value = rounded_text(static_cast<T>(dimension), 4),
-                            .reason = "the slope goes from " + rounded_text(result.slope_shortest, 3) + " to " +
-                                      rounded_text(result.slope_longest, 3) + " between the lags " +
-                                      rounded_text(result.window.from, 3) + " m and " +
-                                      rounded_text(result.window.to, 3) +
-                                      " m: a plateau; must be at most 1.9 in a window that is found"});
+    if (result.automatic_window && line.slope < F(0.2)) refuse_plateau(result, static_cast<T>(dimension));
     Matrix<F> resampled;
     if (measured.resample) {
         resampled = measured.resample({log.step.begin() + range.first, log.step.begin() + range.last + 1});
         if (resampled.rows() != range.count() || resampled.cols() < 2 || !resampled.allFinite())
-            refuse("resamples of the structure function", "",
-                   "finite, a row for every lag asked for, two columns or more");
+            refuse("resamples of the structure function", "", "finite, a row for every lag, two columns or more");
     }
     set_fractal(result, line, log, *fitter, resampled, spacing, options);
-    for (Eigen::Index k = 0; k < range.count(); ++k) {
-        const auto at = static_cast<std::size_t>(range.first + k);
-        result.fitted.step.push_back(log.step[at]);
-        result.fitted.pairs.push_back(log.pairs[at]);
-        result.fitted.lag.push_back(static_cast<T>(log.step[at]) * spacing);
-        result.fitted.value.push_back(
-            static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<F>(spacing)))));
-    }
+    set_fitted(result, line, log, spacing);
     result.curved =
         is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < F(0.2) ||
         flattens(log, range, line.slope) ||

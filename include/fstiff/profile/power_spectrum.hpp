@@ -61,71 +61,6 @@ struct SpectralFit {
     std::size_t bins{};          ///< means of C that the line goes through
 };
 
-/// D from the slope of \p spectrum over \p window, by default from 16 spacings to an eighth of the length.
-/// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
-template <Real T>
-[[nodiscard]] SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
-                                          const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {}) {
-    using F = Accumulator<T>;
-    if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
-    require_positive("step of the wavenumber", spectrum.step);
-    const F turn = 2 * numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);
-    const F longest = turn / static_cast<F>(spectrum.step), shortest = longest / last;  // two spacings
-    SpectralFit<T> fit;
-    fit.window = window ? *window : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
-    require_positive("window from", fit.window.from);
-    require(fit.window.to > fit.window.from && fit.window.to <= (std::numeric_limits<T>::max)(), "window to",
-            fit.window.to, "finite and greater than the beginning of the window");
-
-    // bins of an eighth of an octave from the longest wavelength on; an index is the wavelength longest/k
-    const auto first = static_cast<std::size_t>(
-        std::clamp(std::ceil(longest / static_cast<F>(fit.window.to) * F(1 - 1e-6)), F(1), last + 1));
-    const auto end = static_cast<std::size_t>(
-        std::clamp(std::floor(longest / static_cast<F>(fit.window.from) * F(1 + 1e-6)), F(0), last) + 1);
-    F weights = 0, mean_x = 0, mean_y = 0;
-    struct Bin {
-        F x, y, weight;
-    };
-    std::vector<Bin> bins;
-    for (std::size_t k = first; k < end;) {
-        const std::size_t next =
-            (std::min)(end, (std::max)(k + 1, static_cast<std::size_t>(static_cast<F>(k) * std::exp2(F(0.125)))));
-        F sum = 0, log_q = 0;
-        for (std::size_t i = k; i < next; ++i) {
-            sum += static_cast<F>(spectrum.value[i]);
-            log_q += std::log(static_cast<F>(i));
-        }
-        const F count = static_cast<F>(next - k);
-        if (sum > 0) {
-            const F independent = count / static_cast<F>(spectrum.independent), degrees = (std::max)(F(1), independent);
-            // mean and variance of the logarithm of a mean of v exponentials: psi(v) - ln v and psi'(v)
-            const F low = degrees > F(1) ? 1 / (2 * degrees) + 1 / (12 * degrees * degrees) : F(0.5772156649);
-            const F variance = 1 / degrees + 1 / (2 * degrees * degrees) + 1 / (6 * degrees * degrees * degrees);
-            bins.push_back({log_q / count, std::log(sum / count) + low, independent / degrees / variance});
-        }
-        k = next;
-    }
-    fit.bins = bins.size();
-    if (bins.size() < 4 || bins.back().x - bins.front().x < std::log(F(3.1)))
-        throw domain_error("window of the power spectrum: holds " + std::to_string(bins.size()) +
-                           " bins; must hold at least 4 and half a decade");
-    for (const Bin& bin : bins) {
-        weights += bin.weight;
-        mean_x += bin.weight * bin.x;
-        mean_y += bin.weight * bin.y;
-    }
-    mean_x /= weights;
-    mean_y /= weights;
-    F moment = 0, product = 0;
-    for (const Bin& bin : bins) {
-        moment += bin.weight * (bin.x - mean_x) * (bin.x - mean_x);
-        product += bin.weight * (bin.x - mean_x) * (bin.y - mean_y);
-    }
-    fit.dimension = static_cast<T>((5 + product / moment) / 2);
-    fit.dimension_error = static_cast<T>(1 / std::sqrt(moment) / 2);
-    return fit;
-}
-
 namespace detail {
 
 /// Heights from the first to the last point that exists, gaps bridged.
@@ -147,6 +82,37 @@ std::vector<Accumulator<T>> bridged(const Profile<T>& profile, T mean, T scale) 
         heights.push_back(next);
     }
     return heights;
+}
+
+/// A mean of C over an eighth of an octave: mean ln q, ln C without the bias of its logarithm, and its weight.
+template <Real F>
+struct SpectralBin {
+    F x, y, weight;
+};
+
+/// Those of the values \p first to \p end - 1.
+template <Real T, Real F = Accumulator<T>>
+std::vector<SpectralBin<F>> spectral_bins(const PowerSpectrum<T>& spectrum, std::size_t first, std::size_t end) {
+    std::vector<SpectralBin<F>> bins;
+    for (std::size_t k = first; k < end;) {
+        const std::size_t next =
+            (std::min)(end, (std::max)(k + 1, static_cast<std::size_t>(static_cast<F>(k) * std::exp2(F(0.125)))));
+        F sum = 0, log_q = 0;
+        for (std::size_t i = k; i < next; ++i) {
+            sum += static_cast<F>(spectrum.value[i]);
+            log_q += std::log(static_cast<F>(i));
+        }
+        const F count = static_cast<F>(next - k);
+        if (sum > 0) {
+            const F independent = count / static_cast<F>(spectrum.independent), degrees = (std::max)(F(1), independent);
+            // mean and variance of the logarithm of a mean of v exponentials: psi(v) - ln v and psi'(v)
+            const F low = degrees > F(1) ? 1 / (2 * degrees) + 1 / (12 * degrees * degrees) : F(0.5772156649);
+            const F variance = 1 / degrees + 1 / (2 * degrees * degrees) + 1 / (6 * degrees * degrees * degrees);
+            bins.push_back({log_q / count, std::log(sum / count) + low, independent / degrees / variance});
+        }
+        k = next;
+    }
+    return bins;
 }
 
 }  // namespace detail
@@ -189,6 +155,50 @@ template <Real T>
         spectrum.value.push_back(value);
     }
     return spectrum;
+}
+
+/// D from the slope of \p spectrum over \p window, by default from 16 spacings to an eighth of the length.
+/// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
+template <Real T>
+[[nodiscard]] SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
+                                          const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {}) {
+    using F = Accumulator<T>;
+    if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
+    require_positive("step of the wavenumber", spectrum.step);
+    const F turn = 2 * numbers::pi_v<F>, last = static_cast<F>(spectrum.size() - 1);
+    const F longest = turn / static_cast<F>(spectrum.step), shortest = longest / last;  // two spacings
+    SpectralFit<T> fit;
+    fit.window = window ? *window : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
+    require_positive("window from", fit.window.from);
+    require(fit.window.to > fit.window.from && fit.window.to <= (std::numeric_limits<T>::max)(), "window to",
+            fit.window.to, "finite and greater than the beginning of the window");
+
+    // bins of an eighth of an octave from the longest wavelength on; an index is the wavelength longest/k
+    const auto first = static_cast<std::size_t>(
+        std::clamp(std::ceil(longest / static_cast<F>(fit.window.to) * F(1 - 1e-6)), F(1), last + 1));
+    const auto end = static_cast<std::size_t>(
+        std::clamp(std::floor(longest / static_cast<F>(fit.window.from) * F(1 + 1e-6)), F(0), last) + 1);
+    const auto bins = detail::spectral_bins(spectrum, first, end);
+    fit.bins = bins.size();
+    if (bins.size() < 4 || bins.back().x - bins.front().x < std::log(F(3.1)))
+        throw domain_error("window of the power spectrum: holds " + std::to_string(bins.size()) +
+                           " bins; must hold at least 4 and half a decade");
+    F weights = 0, mean_x = 0, mean_y = 0;
+    for (const auto& bin : bins) {
+        weights += bin.weight;
+        mean_x += bin.weight * bin.x;
+        mean_y += bin.weight * bin.y;
+    }
+    mean_x /= weights;
+    mean_y /= weights;
+    F moment = 0, product = 0;
+    for (const auto& bin : bins) {
+        moment += bin.weight * (bin.x - mean_x) * (bin.x - mean_x);
+        product += bin.weight * (bin.x - mean_x) * (bin.y - mean_y);
+    }
+    fit.dimension = static_cast<T>((5 + product / moment) / 2);
+    fit.dimension_error = static_cast<T>(1 / std::sqrt(moment) / 2);
+    return fit;
 }
 
 }  // namespace fstiff

@@ -31,6 +31,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fstiff {
@@ -62,6 +63,30 @@ std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_
     state = splitmix64(state) ^
             (static_cast<std::uint64_t>(static_cast<std::uint32_t>(ky)) << 32 | static_cast<std::uint32_t>(kx));
     return normal_pair<T>(state);
+}
+
+template <Real W>
+using Waves = Eigen::Array<std::complex<W>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Real part of the sum of \p waves, of which the first \p rows are not 0.
+template <Real W>
+Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_waves(Waves<W> waves, Eigen::Index rows) {
+    std::vector<std::complex<W>> in, out;
+    ComplexFft<W> along_x(static_cast<std::size_t>(waves.cols()));
+    for (Eigen::Index j = 0; j < rows; ++j) {
+        in.assign(waves.row(j).begin(), waves.row(j).end());
+        along_x.backward(in, out);
+        std::copy(out.begin(), out.end(), waves.row(j).begin());
+    }
+    if (waves.rows() == 1) return waves.real();
+    Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights(waves.rows(), waves.cols());
+    ComplexFft<W> along_y(static_cast<std::size_t>(waves.rows()));
+    for (Eigen::Index i = 0; i < waves.cols(); ++i) {
+        in.assign(waves.col(i).begin(), waves.col(i).end());
+        along_y.backward(in, out);
+        for (Eigen::Index j = 0; j < waves.rows(); ++j) heights(j, i) = out[static_cast<std::size_t>(j)].real();
+    }
+    return heights;
 }
 
 /// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.
@@ -97,10 +122,7 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
         if (q * shortest > longest * slack || (q * slack < 1 && options.long_waves == LongWaves::none)) return 0;
         return std::pow((std::max)(q, W(1)), power);
     };
-    using Complex = std::complex<W>;
-    Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> waves =
-        Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>::Zero(static_cast<Index>(rows),
-                                                                                     static_cast<Index>(columns));
+    Waves<W> waves = Waves<W>::Zero(static_cast<Index>(rows), static_cast<Index>(columns));
     W total = 0;
     for (std::int32_t ky = half_y; ky >= 0; --ky) {
         W row_total = 0;
@@ -116,25 +138,7 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
     require(total > W(0), "longest_wavelength", options.longest_wavelength,
             "so far above the shortest that a whole wave of the period lies between them");
 
-    ComplexFft<W> along_x(columns);
-    std::vector<Complex> in(columns), out;
-    for (Index j = 0; j <= half_y; ++j) {
-        std::copy(waves.row(j).begin(), waves.row(j).end(), in.begin());
-        along_x.backward(in, out);
-        std::copy(out.begin(), out.end(), waves.row(j).begin());
-    }
-    Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights(waves.rows(), waves.cols());
-    if (map) {
-        ComplexFft<W> along_y(rows);
-        in.resize(rows);
-        for (Index i = 0; i < waves.cols(); ++i) {
-            std::copy(waves.col(i).begin(), waves.col(i).end(), in.begin());
-            along_y.backward(in, out);
-            for (Index j = 0; j < waves.rows(); ++j) heights(j, i) = out[static_cast<std::size_t>(j)].real();
-        }
-    } else {
-        heights = waves.real();
-    }
+    const auto heights = heights_of_waves(std::move(waves), half_y + 1);
     W square = total;
     if (options.exact_rms) {
         square = 0;

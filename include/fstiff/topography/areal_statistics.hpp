@@ -4,7 +4,7 @@
 /// Statistics of a map by finite differences, and its parameters by ISO 25178-2: Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq,
 /// Sdr.
 ///
-///     m0 = <z^2> = Sq^2    Sa = <|z|>    Ssk = <z^3>/Sq^3    Sku = <z^4>/Sq^4    Sp = max z    Sv = -min z    Sz = Sp + Sv
+///     m0 = <z^2> = Sq^2   Sa = <|z|>   Ssk = <z^3>/Sq^3    Sku = <z^4>/Sq^4   Sp = max z   Sv = -min z   Sz = Sp + Sv
 ///     m2, m4: means along x and along y of the squares of (z_(i+1) - z_i)/dx and (z_(i+1) - 2 z_i + z_(i-1))/dx^2
 ///     alpha = m0 m4/m2^2    Sdq = sqrt(m2 along x + m2 along y)    Sdr = <area of a cell>/(dx dy) - 1
 ///     summit: higher than all its eight neighbours; its curvature -(d2z/dx2 + d2z/dy2)/2 by three points
@@ -56,6 +56,38 @@ struct DifferenceSums {
     std::size_t pairs{}, triples{};
 };
 
+/// Means of the squares along x (\p right 1) or y (\p down 1), in the unit of \p heights.
+/// \throws domain_error without three neighbours.
+template <Real T>
+DifferenceSums<Accumulator<T>> mean_differences(const HeightMap<T>& map, const MapHeights<T>& heights,
+                                                Eigen::Index down, Eigen::Index right) {
+    using S = Accumulator<T>;
+    DifferenceSums<S> d;
+    const auto height = [&](Eigen::Index j, Eigen::Index i) { return heights.of(map.heights(j, i)); };
+    for (Eigen::Index j = 0; j + down < map.rows(); ++j) {
+        S first = 0, second = 0;
+        for (Eigen::Index i = 0; i + right < map.columns(); ++i) {
+            const S a = height(j, i), b = height(j + down, i + right);
+            if (std::isnan(a) || std::isnan(b)) continue;
+            first += (b - a) * (b - a);
+            ++d.pairs;
+            if (j + 2 * down >= map.rows() || i + 2 * right >= map.columns()) continue;
+            const S c = height(j + 2 * down, i + 2 * right);
+            if (std::isnan(c)) continue;
+            second += ((c - b) - (b - a)) * ((c - b) - (b - a));
+            ++d.triples;
+        }
+        d.first += first;
+        d.second += second;
+    }
+    if (d.triples == 0)
+        throw domain_error(std::string("map has 0 triples of neighbouring points along ") + (right ? "x" : "y") +
+                           ": must be at least 1");
+    d.first /= static_cast<S>(d.pairs);
+    d.second /= static_cast<S>(d.triples);
+    return d;
+}
+
 /// Rows top to bottom - 1, columns left to right - 1.
 struct MapBlock {
     Eigen::Index top{}, bottom{}, left{}, right{};
@@ -90,32 +122,7 @@ template <Real T>
     const S mean = heights.mean, variance = heights.variance;
     const auto height = [&](Index j, Index i) { return heights.of(z(j, i)); };
 
-    const auto differences = [&](Index down, Index right) {
-        detail::DifferenceSums<S> d;
-        for (Index j = 0; j + down < rows; ++j) {
-            S first = 0, second = 0;
-            for (Index i = 0; i + right < columns; ++i) {
-                const S a = height(j, i), b = height(j + down, i + right);
-                if (std::isnan(a) || std::isnan(b)) continue;
-                first += (b - a) * (b - a);
-                ++d.pairs;
-                if (j + 2 * down >= rows || i + 2 * right >= columns) continue;
-                const S c = height(j + 2 * down, i + 2 * right);
-                if (std::isnan(c)) continue;
-                second += ((c - b) - (b - a)) * ((c - b) - (b - a));
-                ++d.triples;
-            }
-            d.first += first;
-            d.second += second;
-        }
-        if (d.triples == 0)
-            throw domain_error(std::string("map has 0 triples of neighbouring points along ") + (right ? "x" : "y") +
-                               ": must be at least 1");
-        d.first /= static_cast<S>(d.pairs);
-        d.second /= static_cast<S>(d.triples);
-        return d;
-    };
-    const auto x = differences(0, 1), y = differences(1, 0);
+    const auto x = detail::mean_differences(map, heights, 0, 1), y = detail::mean_differences(map, heights, 1, 0);
     const S slope_x = unit / static_cast<S>(map.dx), slope_y = unit / static_cast<S>(map.dy);
     const S m2_x = x.first * slope_x * slope_x, m2_y = y.first * slope_y * slope_y;
     const S bend_x = slope_x / static_cast<S>(map.dx), bend_y = slope_y / static_cast<S>(map.dy);

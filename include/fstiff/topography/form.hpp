@@ -73,6 +73,42 @@ Eigen::Array<S, Eigen::Dynamic, 4> legendre_of_side(Eigen::Index points) {
     return p;
 }
 
+/// Calls \p use(t, k, l) for the terms f_t = P_k(u) P_l(v), k + l <= degree.
+template <class Use>
+void each_term(Eigen::Index degree, const Use& use) {
+    Eigen::Index t = 0;
+    for (Eigen::Index k = 0; k <= degree; ++k)
+        for (Eigen::Index l = 0; k + l <= degree; ++l) use(t++, k, l);
+}
+
+/// 1 where a point of row \p j exists, 0 where it is missing: by rows, since a map may be as large as memory allows.
+template <Real S, Real T>
+Eigen::Array<S, 1, Eigen::Dynamic> existing(const HeightMap<T>& map, Eigen::Index j) {
+    return map.heights.row(j).isNaN().select(Eigen::Array<S, 1, Eigen::Dynamic>::Zero(map.columns()), S(1));
+}
+
+/// Means of f_s f_t over the points that exist; row by row, since v is constant along a row.
+template <Real T, class Polynomials>
+auto normal_matrix(const HeightMap<T>& map, const Polynomials& px, const Polynomials& py, Eigen::Index degree) {
+    using S = Accumulator<T>;
+    using Index = Eigen::Index;
+    const Index terms = (degree + 1) * (degree + 2) / 2;
+    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> normal =
+        Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Zero(terms, terms);
+    for (Index j = 0; j < map.rows(); ++j) {
+        Eigen::Matrix<S, 4, 4> products;  // of the polynomials along this row
+        const auto exists = existing<S>(map, j);
+        for (Index a = 0; a <= degree; ++a)
+            for (Index b = 0; b <= a; ++b)
+                products(a, b) = products(b, a) = (exists.transpose() * px.col(a) * px.col(b)).sum();
+        each_term(degree, [&](Index s, Index k, Index l) {
+            each_term(degree, [&](Index t, Index m, Index n) { normal(s, t) += products(k, m) * py(j, l) * py(j, n); });
+        });
+    }
+    normal /= static_cast<S>(map.present());
+    return normal;
+}
+
 }  // namespace detail
 
 /// \p map without the \p form. \throws domain_error for a map out of range, or whose points do not determine the form.
@@ -80,7 +116,6 @@ template <Real T>
 [[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
     using S = Accumulator<T>;
     using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
-    using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
     using Index = Eigen::Index;
     map.validate();
     if (form == MapForm::none) return map;
@@ -92,33 +127,11 @@ template <Real T>
     const auto px = detail::legendre_of_side<S>(map.columns()), py = detail::legendre_of_side<S>(map.rows());
     // so that no sum leaves the range of numbers
     const S unit = power_of_two_below(static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
-
-    // f_t = P_k(u) P_l(v), t counting k + l <= degree; row by row, since v is constant along a row
-    const auto each_term = [&](const auto& use) {
-        Index t = 0;
-        for (Index k = 0; k <= degree; ++k)
-            for (Index l = 0; k + l <= degree; ++l) use(t++, k, l);
-    };
+    const auto each_term = [&](const auto& use) { detail::each_term(degree, use); };
     using Array = Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    // 1 where a point of row j exists, 0 where it is missing: by rows, since a map may be as large as memory allows
-    Eigen::Array<S, 1, Eigen::Dynamic> exists(map.columns());
-    const auto find_existing = [&](Index j) {
-        for (Index i = 0; i < map.columns(); ++i) exists[i] = std::isnan(map.heights(j, i)) ? S(0) : S(1);
-    };
     Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>() / unit;
-    Matrix normal = Matrix::Zero(terms, terms);
-    for (Index j = 0; j < map.rows(); ++j) {
-        Eigen::Matrix<S, 4, 4> products;  // of the polynomials along this row
-        find_existing(j);
-        for (Index a = 0; a <= degree; ++a)
-            for (Index b = 0; b <= a; ++b)
-                products(a, b) = products(b, a) = (exists.transpose() * px.col(a) * px.col(b)).sum();
-        each_term([&](Index s, Index k, Index l) {
-            each_term([&](Index t, Index m, Index n) { normal(s, t) += products(k, m) * py(j, l) * py(j, n); });
-        });
-    }
-    normal /= static_cast<S>(map.present());
-    const PivotedQr<S> solver(normal, S(1e-12));  // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
+    // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
+    const PivotedQr<S> solver(detail::normal_matrix(map, px, py, degree), S(1e-12));
     if (solver.rank() < terms)
         throw domain_error("map whose points determine " + std::to_string(solver.rank()) + " of the " + terms_shown +
                            " terms of this form: must be spread over more rows and columns");
@@ -133,7 +146,7 @@ template <Real T>
         for (Index j = 0; j < map.rows(); ++j) {
             Eigen::Matrix<S, 4, 1> along = Eigen::Matrix<S, 4, 1>::Zero();
             each_term([&](Index t, Index k, Index l) { along[k] += c[t] * py(j, l); });
-            find_existing(j);
+            const auto exists = detail::existing<S>(map, j);
             for (Index k = degree; k >= 0; --k) z.row(j) -= along[k] * (px.col(k).transpose() * exists);
         }
     }

@@ -51,7 +51,7 @@ HeightRange<T> height_range(const T* z, Eigen::Index count) {
                 high[l] = height > high[l] ? height : high[l];
                 present[l] += height == height ? 1 : 0;  // NaN does not
             }
-        for (const Count count : present) range.present += count;
+        for (const Count lane : present) range.present += lane;
     }
     for (std::size_t k = whole; k < size; ++k) {
         if (z[k] < low[0]) low[0] = z[k];

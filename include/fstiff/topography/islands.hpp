@@ -103,11 +103,9 @@ inline std::vector<std::size_t> middles_of_parts(std::size_t size, std::size_t p
     return places;
 }
 
-/// The curve; the totals of every tile at every level go to \p record(level, forest).
-template <Real T, class Record>
-IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
-                             const Record& record) {
-    using S = Accumulator<T>;
+/// The range of the heights of \p map. \throws domain_error for a map or an option out of range.
+template <Real T>
+HeightRange<T> checked_range(const HeightMap<T>& map, const IslandOptions<T>& options) {
     map.validate();
     if (map.size() > (std::numeric_limits<std::int32_t>::max)())
         throw domain_error("map of " + std::to_string(map.size()) + " points: must be at most 2^31 - 1");
@@ -115,12 +113,41 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     for (const T level : options.levels)
         require(std::abs(level) <= (std::numeric_limits<T>::max)(), "cutting level", level, "finite");
     const HeightRange<T> range = height_range(map);
-    const auto present = static_cast<std::size_t>(range.present);
     // sums of as many heights, and of their doubles, stay in range
     const T largest = (std::max)(std::abs(range.high), std::abs(range.low));
     require(largest <= std::sqrt((std::numeric_limits<T>::max)()), "largest height", largest,
             "at most the root of the largest number");
+    return range;
+}
 
+/// Adds the islands \p total at \p level to \p curve.
+template <Real T, Real S>
+void add_level(IslandCurve<T>& curve, T level, T bearing_area, const IslandTotal<S>& total, S reference, T cell) {
+    T area = 0, height = 0, radius = 0;
+    if (total.islands > 0) {
+        const auto islands = static_cast<S>(total.islands);
+        area = static_cast<T>(static_cast<S>(total.points) / islands) * cell;
+        height = static_cast<T>((std::max)(S(0), total.height_above(reference) / islands));
+        radius = height > T(0) ? area / (2 * numbers::pi_v<T> * height) : T(0);
+        require(radius <= (std::numeric_limits<T>::max)(), "mean island height", height,
+                "larger: the radius leaves the range of numbers");
+    }
+    curve.level.push_back(level);
+    curve.bearing_area.push_back(bearing_area);
+    curve.islands.push_back(static_cast<std::size_t>(total.islands));
+    curve.density.push_back(static_cast<T>(total.islands) / curve.nominal_area);
+    curve.mean_area.push_back(area);
+    curve.mean_height.push_back(height);
+    curve.radius.push_back(radius);
+}
+
+/// The curve; the totals of every tile at every level go to \p record(level, forest).
+template <Real T, class Record>
+IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
+                             const Record& record) {
+    using S = Accumulator<T>;
+    const HeightRange<T> range = checked_range(map, options);
+    const auto present = static_cast<std::size_t>(range.present);
     std::vector<T> levels = options.levels;
     std::vector<IslandPoint<T>> points;  // from the highest, where they are sorted
     if (levels.empty() && (options.quantiles == 0 || options.quantiles >= present)) {
@@ -163,23 +190,8 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
         const T level = levels[k];
         if (options.progress) options.progress("islands", above, present);
         raise_to(k);
-        const IslandTotal<S>& total = forest.total();
-        T area = 0, height = 0, radius = 0;
-        if (total.islands > 0) {
-            const auto islands = static_cast<S>(total.islands);
-            area = static_cast<T>(static_cast<S>(total.points) / islands) * cell;
-            height = static_cast<T>((std::max)(S(0), total.height_above(forest.reference(level)) / islands));
-            radius = height > T(0) ? area / (2 * numbers::pi_v<T> * height) : T(0);
-            require(radius <= (std::numeric_limits<T>::max)(), "mean island height", height,
-                    "larger: the radius leaves the range of numbers");
-        }
-        curve.level.push_back(level);
-        curve.bearing_area.push_back(static_cast<T>(above) / static_cast<T>(present));
-        curve.islands.push_back(static_cast<std::size_t>(total.islands));
-        curve.density.push_back(static_cast<T>(total.islands) / curve.nominal_area);
-        curve.mean_area.push_back(area);
-        curve.mean_height.push_back(height);
-        curve.radius.push_back(radius);
+        add_level(curve, level, static_cast<T>(above) / static_cast<T>(present), forest.total(),
+                  static_cast<S>(forest.reference(level)), cell);
         record(level, forest);
     }
     return curve;
