@@ -61,12 +61,10 @@
 #include <fstiff/profile/repair.hpp>
 #include <fstiff/profile/roughness_cut_off.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
-#include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
-#include <fstiff/profile/triples.hpp>
 #include <fstiff/profile/window_spread.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
@@ -76,12 +74,10 @@
 #include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/island_forest.hpp>
-#include <fstiff/topography/island_levels.hpp>
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
-#include <fstiff/topography/radial_spectrum.hpp>
 #include <fstiff/topography/repair.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
 #include <fstiff/topography/summits.hpp>
@@ -112,7 +108,6 @@
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/contact/kinked_tables.hpp>
 #include <fstiff/contact/kinked_tabulator.hpp>
 #include <fstiff/contact/law_means.hpp>
 #include <fstiff/contact/law_sums.hpp>
@@ -122,15 +117,12 @@
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
-#include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/peak_nodes.hpp>
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/persson_contact.hpp>
-#include <fstiff/contact/persson_sensitivity.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/scaled_contact.hpp>
 #include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/contact/slope_contact.hpp>
@@ -139,7 +131,6 @@
 #include <fstiff/contact/tensor_nodes.hpp>
 #include <fstiff/contact/validity.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
-#include <fstiff/ultrasound/resolvable_stiffness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 #include <fstiff/measured/band_parts.hpp>
 #include <fstiff/measured/cut_offs.hpp>

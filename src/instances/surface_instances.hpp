@@ -24,7 +24,6 @@
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
-#include <fstiff/topography/radial_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
 
 #ifndef FSTIFF_SCENE_INSTANCE

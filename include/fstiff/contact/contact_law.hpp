@@ -7,7 +7,7 @@
 ///     const auto law = fstiff::ContactLaw<double>::tabulate(contact, {.min_pressure = 1e5, .max_pressure = 1e8});
 ///
 /// The tables are short polynomials (math/piecewise), uniform in d and in the binary exponent of p, or parabolas
-/// (contact/kinked_tables) where K has kinks. -dp/dd is the derivative of the returned p, the tangent of Newton's
+/// (contact/law_tables) where K has kinks. -dp/dd is the derivative of the returned p, the tangent of Newton's
 /// method; K has a table of its own where it is no constant times that. p falls and K rises monotonically.
 ///
 /// Units       SI: Pa, m, Pa/m; dK/dp in 1/m

@@ -8,7 +8,7 @@
 ///     A/A0    = P [1 + 0.36 (1-P)^(3/2)],  P = erf(sqrt(2) p/(E g)),  and n: of the whole band
 ///
 /// On a broad spectrum a contact is a hill with many peaks on it; the cut makes K independent of the shortest wave.
-/// Bearing curves of heights that are not Gaussian enter as in contact/scaled_contact.hpp.
+/// Bearing curves of heights that are not Gaussian enter as in contact/bearing_contact.hpp.
 ///
 /// Reference   this project: boundary elements (tools/make_broad.py); Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       SI
@@ -21,7 +21,7 @@
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/scaled_contact.hpp>
+#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/bearing_slope.hpp>

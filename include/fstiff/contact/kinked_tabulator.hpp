@@ -16,7 +16,6 @@
 /// Accuracy    2.5 times the largest relative error of K, p and d (over the rms height) of the last comparison, kept in
 ///             the tables: 1e-3 or less for every law of a map (tests/contact/kinked_law_test.cpp)
 
-#include <fstiff/contact/kinked_tables.hpp>
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/core/error.hpp>
 

@@ -19,8 +19,10 @@
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace fstiff {
 
@@ -74,6 +76,27 @@ template <Real T>
     const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));
     const T slope = -k * (passed / above) * (reflection / (reflection + c)) / ((1 - reflection) * (1 + reflection));
     return {k, -slope * reflection_error, slope, 2 * reflection_error < (std::min)(1 - reflection, above)};
+}
+
+/// Both ends, in stiffness and in reflection coefficient, which falls with the stiffness.
+template <Real T = double>
+struct ResolvableStiffness {
+    T low{}, high{};                       ///< K [Pa/m]
+    T min_reflection{}, max_reflection{};  ///< at high, at low
+};
+
+/// The range of K whose |R| lies between \p least, or 1.01 times that of the perfect bond, and \p most; none where
+/// nothing is left. \throws domain_error unless 0 < least < most < 1, and as reflection.
+template <Real T>
+[[nodiscard]] std::optional<ResolvableStiffness<T>> resolvable_stiffness(const Impedances<T>& media,
+                                                                         T angular_frequency, T least = T(0.1),
+                                                                         T most = T(0.99)) {
+    require(least > 0 && least < 1, "least", least, "greater than 0 and less than 1");
+    require(most > least && most < 1, "most", most, "greater than least and less than 1");
+    least = (std::max)(least, T(1.01) * welded_reflection(media));
+    if (least >= most) return std::nullopt;
+    return ResolvableStiffness<T>{stiffness_from_reflection(most, media, angular_frequency),
+                                  stiffness_from_reflection(least, media, angular_frequency), least, most};
 }
 
 }  // namespace fstiff
