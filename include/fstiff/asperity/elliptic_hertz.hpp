@@ -20,8 +20,6 @@
 #include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace fstiff {
 

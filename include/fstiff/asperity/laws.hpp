@@ -19,9 +19,6 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
 
-#include <cmath>
-#include <concepts>
-
 namespace fstiff {
 
 /// What a contact needs of an asperity law: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for

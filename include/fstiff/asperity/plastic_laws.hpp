@@ -27,9 +27,6 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 
-#include <array>
-#include <cmath>
-
 namespace fstiff {
 
 /// What is known of the softer of the two bodies, and the modulus of their contact.

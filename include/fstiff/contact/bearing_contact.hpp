@@ -24,14 +24,7 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <memory>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 

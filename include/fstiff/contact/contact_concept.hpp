@@ -7,8 +7,6 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
 
-#include <concepts>
-
 namespace fstiff {
 
 /// A contact in the scalar T: its state at a pressure [Pa] and at a separation [m], thrown out of or with a status, and

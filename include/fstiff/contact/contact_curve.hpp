@@ -15,8 +15,6 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/quantity.hpp>
 
-#include <cmath>
-#include <concepts>
 #include <vector>
 
 namespace fstiff {

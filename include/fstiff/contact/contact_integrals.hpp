@@ -23,12 +23,6 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <limits>
-
 namespace fstiff {
 
 /// How exact the contact integrals are to be.

@@ -11,14 +11,7 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
 
 namespace fstiff {
 

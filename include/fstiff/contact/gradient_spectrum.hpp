@@ -16,9 +16,6 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 
-#include <cmath>
-#include <vector>
-
 namespace fstiff::detail {
 
 /// The measure dG/q of a spectrum in pieces: q(G) = (low + rate (G^2 - from^2))^power, smooth within each piece.

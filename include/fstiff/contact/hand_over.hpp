@@ -20,12 +20,6 @@
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 /// From the summits of a map to its crowded contact.

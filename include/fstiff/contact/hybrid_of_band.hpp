@@ -28,11 +28,6 @@
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <type_traits>
-
 namespace fstiff {
 
 /// alpha at which the band is cut whose peaks carry light loads.

@@ -17,8 +17,6 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
 
-#include <cmath>
-
 namespace fstiff {
 
 /// How (4.11) is read.

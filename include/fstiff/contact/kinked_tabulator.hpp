@@ -19,14 +19,7 @@
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/core/error.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <functional>
-#include <iterator>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 

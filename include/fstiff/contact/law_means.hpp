@@ -15,14 +15,6 @@
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/math/double_exponential.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <tuple>
-#include <utility>
-
 namespace fstiff::detail {
 
 /// A function of excess height and curvature with \p count kinks, called through a virtual function: the rule in two

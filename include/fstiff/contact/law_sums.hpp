@@ -23,11 +23,6 @@
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-
 namespace fstiff {
 
 /// A law that any contact takes: given its powers, or as functions of an array of approaches and a radius.

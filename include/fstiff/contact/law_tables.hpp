@@ -21,14 +21,6 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 namespace detail {

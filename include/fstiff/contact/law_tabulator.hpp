@@ -21,14 +21,6 @@
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/math/piecewise.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <utility>
-
 namespace fstiff::detail {
 
 /// The work of ContactLaw::tabulate, in the order of its functions.

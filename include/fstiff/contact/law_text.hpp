@@ -16,19 +16,6 @@
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/core/error.hpp>
 
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <string>
-#include <string_view>
-#include <system_error>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace fstiff::detail {
 
 template <ReadableReal T>

@@ -14,8 +14,6 @@
 
 #include <fstiff/core/error.hpp>
 
-#include <limits>
-
 namespace fstiff {
 
 template <Real T>

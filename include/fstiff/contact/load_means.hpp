@@ -18,8 +18,6 @@
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
 
-#include <cmath>
-
 namespace fstiff {
 
 /// How deep the peaks are pressed in, as means over the load that they carry.

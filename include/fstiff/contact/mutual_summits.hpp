@@ -26,16 +26,6 @@
 #include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/topography/summits.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 /// What the push of the others does to the contacts, from which follows how far K can be trusted.

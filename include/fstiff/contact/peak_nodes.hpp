@@ -20,11 +20,6 @@
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
 namespace fstiff::detail {
 
 /// One evaluation: the parameters that all nodes share.

@@ -12,13 +12,6 @@
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-
 namespace fstiff::detail {
 
 /// J of up to four powers a = 0, 1/2, 1, 3/2 at once, without the factor c^a/(2 theta) exp(-floor^2/2), by a

@@ -25,15 +25,6 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 namespace detail {

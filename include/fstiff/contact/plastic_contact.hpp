@@ -25,17 +25,8 @@
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <limits>
 #include <memory>
-#include <span>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 

@@ -30,10 +30,6 @@
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness.hpp>
 
-#include <cmath>
-#include <concepts>
-#include <type_traits>
-
 namespace fstiff {
 
 /// How the rms curvature sigma_kappa follows from the mean peak radius R.

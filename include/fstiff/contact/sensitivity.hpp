@@ -25,13 +25,6 @@
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/roughness.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <limits>
-#include <type_traits>
-
 namespace fstiff {
 
 /// K at a pressure and its derivatives at constant pressure.

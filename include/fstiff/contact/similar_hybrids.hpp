@@ -17,16 +17,8 @@
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <functional>
-#include <limits>
 #include <map>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 

@@ -11,11 +11,6 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/root.hpp>
 
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-
 namespace fstiff {
 
 /// \p Derived has at_pressure, at_separation, log_pressure and rms_height.

@@ -21,15 +21,7 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/topography/summits.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 

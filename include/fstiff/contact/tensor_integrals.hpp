@@ -22,16 +22,7 @@
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <limits>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 
 namespace fstiff {
 

@@ -13,14 +13,6 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-
 namespace fstiff::detail {
 
 template <Real T>

@@ -18,13 +18,8 @@
 #include <fstiff/core/config.hpp>
 #include <fstiff/core/text.hpp>
 
-#include <concepts>
-#include <cstddef>
-#include <limits>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 namespace fstiff {

@@ -18,11 +18,7 @@
 #include <fstiff/core/error.hpp>
 
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
 
 namespace fstiff {
 

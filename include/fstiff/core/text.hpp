@@ -25,7 +25,6 @@
 #include <limits>
 #include <string>
 #include <system_error>
-#include <type_traits>
 
 namespace fstiff {
 

@@ -19,12 +19,6 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/fit/identify.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <string_view>
-#include <vector>
-
 namespace fstiff {
 
 /// What may be wrong about a fit.

@@ -15,17 +15,6 @@
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 /// Values of all parameters: those that are fitted start from here, the others stay.

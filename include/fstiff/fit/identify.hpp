@@ -21,11 +21,6 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 namespace fstiff {
 
 /// What was measured, and how the fit is done.

@@ -15,7 +15,6 @@
 #include <fstiff/math/lanes.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -31,10 +31,8 @@
 
 #include <algorithm>
 #include <complex>
-#include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace fstiff {

@@ -16,13 +16,6 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/lanes.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <vector>
-
 namespace fstiff::detail {
 
 /// Transforms of `width` complex lines of one length; keeps its phases and its working space.

@@ -20,12 +20,8 @@
 #include <fstiff/math/lanes.hpp>
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <concepts>
 #include <cstdint>
-#include <limits>
 
 namespace fstiff {
 

@@ -14,13 +14,6 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 namespace fstiff {
 
 /// The sums above for data of one size; keeps the transform of the weights from call to call.

@@ -14,7 +14,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <type_traits>
 
 namespace fstiff::detail {
 

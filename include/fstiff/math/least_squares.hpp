@@ -18,13 +18,7 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <utility>
 
 namespace fstiff {
 

@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace fstiff::detail {

@@ -16,11 +16,6 @@
 #include <fstiff/core/error.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <string_view>
 
 namespace fstiff::detail {
 

@@ -12,8 +12,6 @@
 #include <fstiff/math/random.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <span>
 #include <vector>
 

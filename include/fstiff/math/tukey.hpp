@@ -16,9 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace fstiff {

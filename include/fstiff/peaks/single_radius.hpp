@@ -17,10 +17,6 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace fstiff {
 
 /// How the heights of the peaks are distributed.

@@ -16,8 +16,6 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/profile.hpp>
 
-#include <optional>
-
 namespace fstiff {
 
 /// The autocorrelation of a profile at every lag.

@@ -15,8 +15,6 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/profile/profile.hpp>
 
-#include <array>
-
 namespace fstiff {
 
 /// Form that is removed from a profile.

@@ -25,8 +25,6 @@
 #include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/profile/window_spread.hpp>
 
-#include <functional>
-
 namespace fstiff {
 
 namespace detail {

@@ -25,8 +25,6 @@
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
-#include <array>
-
 namespace fstiff {
 
 /// Share of a wave of \p wavelength that the waviness keeps. \throws domain_error unless both lengths are positive.

@@ -19,14 +19,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 /// A range of lags [m], both ends included.

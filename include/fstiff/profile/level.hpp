@@ -14,9 +14,6 @@
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 
-#include <optional>
-#include <utility>
-
 namespace fstiff {
 
 /// A profile without its form, and behind which cut-offs.

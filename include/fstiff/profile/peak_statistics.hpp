@@ -24,10 +24,6 @@
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/surface/moments.hpp>
 
-#include <cstddef>
-#include <type_traits>
-#include <utility>
-
 namespace fstiff {
 
 namespace detail {

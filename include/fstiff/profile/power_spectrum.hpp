@@ -21,8 +21,6 @@
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/surface/spectrum_window.hpp>
 
-#include <optional>
-
 namespace fstiff {
 
 /// One-sided power spectrum; k = 0 ... M/2.

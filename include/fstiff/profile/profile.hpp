@@ -10,10 +10,6 @@
 #include <fstiff/math/accumulate.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace fstiff {

@@ -17,8 +17,6 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/surface/nesting_indices.hpp>
 
-#include <optional>
-
 namespace fstiff {
 
 /// Why lambda_c is what it is.

@@ -21,7 +21,6 @@
 
 #include <fstiff/profile/profile.hpp>
 
-#include <cmath>
 #include <span>
 
 namespace fstiff {

@@ -18,12 +18,6 @@
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace fstiff::detail {
 
 /// Whether ln S2 bends: its quadratic or its cubic term, each against its own sampling error.

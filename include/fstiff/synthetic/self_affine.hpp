@@ -23,17 +23,6 @@
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <Eigen/Core>
-
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 /// What stands beyond the longest wavelength: waves as strong as the longest one, or none.

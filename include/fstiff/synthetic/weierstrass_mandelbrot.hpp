@@ -22,12 +22,6 @@
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/surface/fractal.hpp>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <vector>
-
 namespace fstiff {
 
 /// Phases of the waves.

@@ -20,8 +20,6 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <optional>
-
 namespace fstiff {
 
 /// Which pairs of points a lag has.

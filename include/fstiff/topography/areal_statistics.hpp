@@ -21,12 +21,7 @@
 
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <optional>
-#include <string>
 
 namespace fstiff {
 

@@ -17,12 +17,7 @@
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <Eigen/Core>
-
-#include <cmath>
 #include <memory>
-#include <string>
-#include <type_traits>
 
 namespace fstiff {
 

@@ -22,11 +22,6 @@
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 /// \p map without its long waves. \throws domain_error as above.

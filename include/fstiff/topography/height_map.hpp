@@ -13,12 +13,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <string>
-#include <type_traits>
 
 namespace fstiff {
 

@@ -11,11 +11,6 @@
 #include <fstiff/core/progress.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace fstiff {

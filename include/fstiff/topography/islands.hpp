@@ -19,16 +19,8 @@
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/island_forest.hpp>
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <functional>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 namespace fstiff {
 

@@ -18,16 +18,6 @@
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <vector>
-
 namespace fstiff {
 
 /// How a map goes on beyond its edges.

@@ -25,12 +25,6 @@
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/line_transform.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
 namespace fstiff {
 
 namespace detail {

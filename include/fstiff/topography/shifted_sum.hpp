@@ -17,10 +17,6 @@
 #include <fstiff/math/random.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <string>
-
 namespace fstiff {
 
 /// Why two maps have no sum; empty where they have one.

@@ -20,10 +20,6 @@
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace fstiff {

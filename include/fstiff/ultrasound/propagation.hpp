@@ -19,9 +19,6 @@
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace fstiff {

@@ -20,9 +20,7 @@
 #include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
-#include <limits>
 
 namespace fstiff {
 
