@@ -117,7 +117,25 @@ public:
     /// \throws domain_error for a range that the model cannot reach or that is empty, for interaction as_printed, and
     /// for a K that is not greater than 0 or does not rise with p.
     template <Contact<T> Model>
-    [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range);
+    [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range) {
+        detail::require_range(range);
+        require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
+                "none or effective_separation for a tabulated law (as_printed is no function of one separation)");
+        ContactLaw law;
+        law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
+        law.tables_.outside = range.outside;
+        if (range.outside == OutsideRange::exact)
+            law.exact_ = [contact](T x, bool is_pressure) {
+                constexpr bool proportional = ProportionalContact<Model, T>;
+                constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
+                                            (proportional ? Quantity::none : Quantity::loading_stiffness);
+                const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
+                T slope = state.loading_stiffness.value;
+                if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
+                return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};
+            };
+        return law;
+    }
     /// Tabulates states at pressures [Pa] whose K need not be -dp/dd; the error of the separation is relative to \p
     /// rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
     [[nodiscard]] static ContactLaw tabulate_points(const std::function<LawPoint<T>(T pressure)>& law,
@@ -348,27 +366,5 @@ private:
     detail::LawTables<T> tables_;
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
 };
-
-template <ReadableReal T>
-template <Contact<T> Model>
-ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
-    detail::require_range(range);
-    require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
-            "none or effective_separation for a tabulated law (as_printed is no function of one separation)");
-    ContactLaw law;
-    law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
-    law.tables_.outside = range.outside;
-    if (range.outside == OutsideRange::exact)
-        law.exact_ = [contact](T x, bool is_pressure) {
-            constexpr bool proportional = ProportionalContact<Model, T>;
-            constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
-                                        (proportional ? Quantity::none : Quantity::loading_stiffness);
-            const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
-            T slope = state.loading_stiffness.value;
-            if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
-            return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};
-        };
-    return law;
-}
 
 }  // namespace fstiff

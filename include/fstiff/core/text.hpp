@@ -32,32 +32,6 @@ namespace fstiff {
 template <class T>
 concept ReadableReal = Real<T> && !std::is_same_v<T, long double>;
 
-/// The fewest digits that read back as \p value.
-template <ReadableReal T>
-[[nodiscard]] std::string shortest_text(T value);
-
-/// \p digits significant digits, trailing zeros dropped.
-template <Real T>
-[[nodiscard]] std::string rounded_text(T value, int digits);
-
-/// \p decimals digits after the point.
-template <Real T>
-[[nodiscard]] std::string fixed_text(T value, int decimals);
-
-/// Hexadecimal digits and a power of two, without 0x.
-template <ReadableReal T>
-[[nodiscard]] std::string hexadecimal_text(T value);
-
-/// Reads the decimal number that [\p first, \p last) begins with, as std::from_chars does: no blanks, no "+", as many
-/// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number
-/// too large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
-template <ReadableReal T>
-std::from_chars_result read_decimal(const char* first, const char* last, T& value);
-
-/// The same for what hexadecimal_text writes.
-template <ReadableReal T>
-std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value);
-
 namespace detail {
 
 inline bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
@@ -175,8 +149,23 @@ std::from_chars_result read_number(const char* first, const char* last, T& value
 
 }  // namespace detail
 
+/// Reads the decimal number that [\p first, \p last) begins with, as std::from_chars does: no blanks, no "+", as many
+/// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number
+/// too large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
 template <ReadableReal T>
-std::string shortest_text(T value) {
+std::from_chars_result read_decimal(const char* first, const char* last, T& value) {
+    return detail::read_number(first, last, value, false);
+}
+
+/// Reads, as read_decimal does, what hexadecimal_text writes.
+template <ReadableReal T>
+std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value) {
+    return detail::read_number(first, last, value, true);
+}
+
+/// The fewest digits that read back as \p value.
+template <ReadableReal T>
+[[nodiscard]] std::string shortest_text(T value) {
     if constexpr (detail::has_to_chars<T>) {
         return detail::text_by_to_chars(value);
     } else {
@@ -191,24 +180,27 @@ std::string shortest_text(T value) {
     }
 }
 
+/// \p digits significant digits, trailing zeros dropped.
 template <Real T>
-std::string rounded_text(T value, int digits) {
+[[nodiscard]] std::string rounded_text(T value, int digits) {
     if constexpr (detail::has_to_chars<T>)
         return detail::text_by_to_chars(value, std::chars_format::general, digits);
     else
         return detail::text_by_printf(value, 'g', digits);
 }
 
+/// \p decimals digits after the point.
 template <Real T>
-std::string fixed_text(T value, int decimals) {
+[[nodiscard]] std::string fixed_text(T value, int decimals) {
     if constexpr (detail::has_to_chars<T>)
         return detail::text_by_to_chars(value, std::chars_format::fixed, decimals);
     else
         return detail::text_by_printf(value, 'f', decimals);
 }
 
+/// Hexadecimal digits and a power of two, without 0x.
 template <ReadableReal T>
-std::string hexadecimal_text(T value) {
+[[nodiscard]] std::string hexadecimal_text(T value) {
     if constexpr (detail::has_to_chars<T>) {
         return detail::text_by_to_chars(value, std::chars_format::hex);
     } else {
@@ -216,16 +208,6 @@ std::string hexadecimal_text(T value) {
         if (const std::size_t prefix = text.find("0x"); prefix != std::string::npos) text.erase(prefix, 2);
         return text;
     }
-}
-
-template <ReadableReal T>
-std::from_chars_result read_decimal(const char* first, const char* last, T& value) {
-    return detail::read_number(first, last, value, false);
-}
-
-template <ReadableReal T>
-std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value) {
-    return detail::read_number(first, last, value, true);
 }
 
 }  // namespace fstiff
