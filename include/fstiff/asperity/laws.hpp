@@ -61,28 +61,43 @@ concept PowerLaw = requires(const Law& law) {
 
 namespace detail {
 
-/// The common form of the three laws; \p Derived supplies the two factors.
-template <class Derived>
-struct HertzianForm {
+/// The common form of the three laws.
+template <Real T>
+class HertzianForm {
+public:
     static constexpr HalfPowers load_powers{3, 1}, stiffness_powers{1, 1}, area_powers{2, 2};
+
+    [[nodiscard]] constexpr T load_factor() const { return load_factor_; }
+    [[nodiscard]] constexpr T stiffness_factor() const { return stiffness_factor_; }
+    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
+    /// d ln load/dD and d ln stiffness/dD.
+    [[nodiscard]] constexpr T log_load_slope() const { return load_slope_; }
+    [[nodiscard]] constexpr T log_stiffness_slope() const { return stiffness_slope_; }
 
     template <class Omega, class Radius>
     [[nodiscard]] auto load(const Omega& omega, const Radius& radius) const {
         using std::sqrt;
-        return self().load_factor() * omega * sqrt(radius * omega);
+        return load_factor_ * omega * sqrt(radius * omega);
     }
     template <class Omega, class Radius>
     [[nodiscard]] auto stiffness(const Omega& omega, const Radius& radius) const {
         using std::sqrt;
-        return self().stiffness_factor() * sqrt(radius * omega);
+        return stiffness_factor_ * sqrt(radius * omega);
     }
     template <class Omega, class Radius>
     [[nodiscard]] auto area(const Omega& omega, const Radius& radius) const {
-        return self().area_factor() * radius * omega;
+        return area_factor() * radius * omega;
     }
 
+protected:
+    constexpr HertzianForm(T load_factor, T stiffness_factor, T load_slope, T stiffness_slope)
+        : load_factor_(load_factor),
+          stiffness_factor_(stiffness_factor),
+          load_slope_(load_slope),
+          stiffness_slope_(stiffness_slope) {}
+
 private:
-    const Derived& self() const { return static_cast<const Derived&>(*this); }
+    T load_factor_, stiffness_factor_, load_slope_, stiffness_slope_;
 };
 
 }  // namespace detail
@@ -102,51 +117,30 @@ template <Real T>
     return 1 / ((2 - fractal_dimension) * (3 - fractal_dimension));
 }
 
-/// Hertz: the stiffness is the derivative of the load.
+/// Hertz: the stiffness is the derivative of the load. There is no D.
 template <Real T = double>
-struct HertzLaw : detail::HertzianForm<HertzLaw<T>> {
-    [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
-    [[nodiscard]] static constexpr T stiffness_factor() { return T(2); }
-    /// d ln load/dD and d ln stiffness/dD: there is no D here.
-    [[nodiscard]] static constexpr T log_load_slope() { return T(0); }
-    [[nodiscard]] static constexpr T log_stiffness_slope() { return T(0); }
-    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
+struct HertzLaw : detail::HertzianForm<T> {
+    constexpr HertzLaw() : detail::HertzianForm<T>(T(4) / 3, T(2), T(0), T(0)) {}
 };
 
 /// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
 template <Real T = double>
-class FractalLaw : public detail::HertzianForm<FractalLaw<T>> {
-public:
+struct FractalLaw : detail::HertzianForm<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalLaw(T fractal_dimension)
-        : factor_(fractal_stiffness_factor(fractal_dimension)), slope_(log_stiffness_factor_slope(fractal_dimension)) {}
-    /// d ln load/dD and d ln stiffness/dD.
-    [[nodiscard]] constexpr T log_load_slope() const { return T(0); }
-    [[nodiscard]] constexpr T log_stiffness_slope() const { return slope_; }
-    [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
-    [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
-    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
-
-private:
-    T factor_, slope_;
+        : detail::HertzianForm<T>(T(4) / 3, 2 * fractal_stiffness_factor(fractal_dimension), T(0),
+                                  log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
 template <Real T = double>
-class FractalConsistentLaw : public detail::HertzianForm<FractalConsistentLaw<T>> {
-public:
+struct FractalConsistentLaw : detail::HertzianForm<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalConsistentLaw(T fractal_dimension)
-        : factor_(fractal_stiffness_factor(fractal_dimension)), slope_(log_stiffness_factor_slope(fractal_dimension)) {}
-    /// d ln load/dD and d ln stiffness/dD.
-    [[nodiscard]] constexpr T log_load_slope() const { return slope_; }
-    [[nodiscard]] constexpr T log_stiffness_slope() const { return slope_; }
-    [[nodiscard]] constexpr T load_factor() const { return 4 * factor_ / 3; }
-    [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
-    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
-
-private:
-    T factor_, slope_;
+        : detail::HertzianForm<T>(4 * fractal_stiffness_factor(fractal_dimension) / 3,
+                                  2 * fractal_stiffness_factor(fractal_dimension),
+                                  log_stiffness_factor_slope(fractal_dimension),
+                                  log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 }  // namespace fstiff

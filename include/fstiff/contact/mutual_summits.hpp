@@ -270,13 +270,13 @@ private:
     [[nodiscard]] Solution settled(T delta, T pressure, T load) const {
         Solution found;
         for (const T apart : {T(1), T(0.4), T(0.15)}) {
-            found = settled(delta, pressure, load, apart);
+            found = settled_apart(delta, load, apart);
             if (found.stiffness > 0 || found.crowding.contacts > max_summits) break;
         }
         return checked(found, pressure);
     }
     /// With as many of the highest summits as touch: those that were left out are held against the deflected surface.
-    [[nodiscard]] Solution settled(T delta, T pressure, T load, T apart) const {
+    [[nodiscard]] Solution settled_apart(T delta, T load, T apart) const {
         Newton at = start(higher_than(delta - T(0.1) * (of_.summits.front().height - delta)), delta);
         // of a start that is too stiff both of a close pair cannot move: roughly, they are kept farther apart
         for (Aim aim = Aim::rough;; aim = Aim::exact) {

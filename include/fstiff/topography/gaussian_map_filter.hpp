@@ -38,14 +38,13 @@ template <Real F>
 using FilteredHeights = Eigen::Array<F, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The weighted sums of every row of \p z, then of every column.
-template <Real F>
-void smooth_both_ways(F* z, Eigen::Index rows, Eigen::Index columns, GaussianSmoother<F>& along_x,
-                      GaussianSmoother<F>& along_y) {
+template <Real F, Real T>
+void smooth_both_ways(F* z, const HeightMap<T>& map, std::pair<GaussianSmoother<F>, GaussianSmoother<F>>& along) {
     constexpr std::size_t lines = GaussianSmoother<F>::lines;
-    const auto height = static_cast<std::size_t>(rows), width = static_cast<std::size_t>(columns);
+    const auto height = static_cast<std::size_t>(map.rows()), width = static_cast<std::size_t>(map.columns());
     for (std::size_t j = 0; j < height; j += lines)
-        along_x.of_lines(z + j * width, 1, width, (std::min)(lines, height - j));
-    for (std::size_t i = 0; i < width; i += lines) along_y.of_lines(z + i, width, 1, (std::min)(lines, width - i));
+        along.first.of_lines(z + j * width, 1, width, (std::min)(lines, height - j));
+    for (std::size_t i = 0; i < width; i += lines) along.second.of_lines(z + i, width, 1, (std::min)(lines, width - i));
 }
 
 /// \throws domain_error for a map out of range, or a cut-off that it cannot hold.
@@ -88,21 +87,21 @@ template <Real T>
     using F = Accumulator<T>;
     detail::require_cut_off(map, cutoff);
     const detail::MapHeights<T> heights(map);
-    auto [along_x, along_y] = detail::smoothers(map, cutoff);
+    auto along = detail::smoothers(map, cutoff);
     detail::FilteredHeights<F> z = detail::present_or_zero(map, heights);
-    detail::smooth_both_ways(z.data(), map.rows(), map.columns(), along_x, along_y);
+    detail::smooth_both_ways(z.data(), map, along);
     if (map.present() == map.size()) {  // the weights are a product as well
         std::vector<F> of_x(static_cast<std::size_t>(map.columns()), F(1)),
             of_y(static_cast<std::size_t>(map.rows()), F(1));
-        along_x(of_x);
-        along_y(of_y);
+        along.first(of_x);
+        along.second(of_y);
         for (Eigen::Index j = 0; j < map.rows(); ++j)
             for (Eigen::Index i = 0; i < map.columns(); ++i)
                 z(j, i) /= of_x[static_cast<std::size_t>(i)] * of_y[static_cast<std::size_t>(j)];
     } else {
         detail::FilteredHeights<F> weights =
             map.heights.isNaN().select(T(0), HeightMap<T>::Array::Ones(map.rows(), map.columns())).template cast<F>();
-        detail::smooth_both_ways(weights.data(), map.rows(), map.columns(), along_x, along_y);
+        detail::smooth_both_ways(weights.data(), map, along);
         z /= weights;  // of a missing point it may be 0/0, and is not used
     }
     HeightMap<T> low;
@@ -129,14 +128,14 @@ template <Real T>
     using F = Accumulator<T>;
     detail::require_cut_off(map, cutoff);
     const detail::MapHeights<T> scaled(map);
-    auto [along_x, along_y] = detail::smoothers(map, cutoff);
+    auto along = detail::smoothers(map, cutoff);
     const auto exists = [&](std::size_t k) { return !std::isnan(map.heights.data()[k]); };
     const auto z = detail::present_or_zero(map, scaled);
     std::vector<F> sums, weights;
     const auto sum = [&](const std::vector<F>& delta, const std::vector<F>& weighted) {
         weights = delta, sums = weighted;
-        detail::smooth_both_ways(sums.data(), map.rows(), map.columns(), along_x, along_y);
-        detail::smooth_both_ways(weights.data(), map.rows(), map.columns(), along_x, along_y);
+        detail::smooth_both_ways(sums.data(), map, along);
+        detail::smooth_both_ways(weights.data(), map, along);
     };
     const auto found = detail::robust_means(
         std::vector<F>(z.data(), z.data() + z.size()), F(0.01), exists, sum,
