@@ -38,7 +38,7 @@ struct HalfPowers {
 
 namespace detail {
 
-/// Of which the integral over heights and curvatures has one dimension; a load has a slope of that kind too.
+/// Whether the integrals over heights and curvatures, that of the slope of the load too, have one dimension.
 [[nodiscard]] constexpr bool reduces_to_one_dimension(HalfPowers load, HalfPowers stiffness, HalfPowers area) {
     const auto offered = [](HalfPowers p) { return p.omega >= 0 && p.omega <= 3 && p.radius >= 0 && p.radius <= 2; };
     return offered(load) && offered({load.omega - 2, load.radius}) && offered(stiffness) && offered(area);
@@ -59,11 +59,9 @@ concept PowerLaw = requires(const Law& law) {
 }
 &&detail::reduces_to_one_dimension(Law::load_powers, Law::stiffness_powers, Law::area_powers);
 
-namespace detail {
-
-/// The common form of the three laws.
-template <Real T>
-class HertzianForm {
+/// The elastic laws by their factors, and any of them copied into one type.
+template <Real T = double>
+class ElasticLaw {
 public:
     static constexpr HalfPowers load_powers{3, 1}, stiffness_powers{1, 1}, area_powers{2, 2};
 
@@ -90,7 +88,7 @@ public:
     }
 
 protected:
-    constexpr HertzianForm(T load_factor, T stiffness_factor, T load_slope, T stiffness_slope)
+    constexpr ElasticLaw(T load_factor, T stiffness_factor, T load_slope, T stiffness_slope)
         : load_factor_(load_factor),
           stiffness_factor_(stiffness_factor),
           load_slope_(load_slope),
@@ -99,8 +97,6 @@ protected:
 private:
     T load_factor_, stiffness_factor_, load_slope_, stiffness_slope_;
 };
-
-}  // namespace detail
 
 /// f = (2/3) (3-D)/(2-D): how many times the stiffness (3.14) exceeds that of one Hertzian asperity. At least 4/3.
 /// \throws domain_error unless 1 < D < 2.
@@ -119,25 +115,25 @@ template <Real T>
 
 /// Hertz: the stiffness is the derivative of the load. There is no D.
 template <Real T = double>
-struct HertzLaw : detail::HertzianForm<T> {
-    constexpr HertzLaw() : detail::HertzianForm<T>(T(4) / 3, T(2), T(0), T(0)) {}
+struct HertzLaw : ElasticLaw<T> {
+    constexpr HertzLaw() : ElasticLaw<T>(T(4) / 3, T(2), T(0), T(0)) {}
 };
 
 /// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
 template <Real T = double>
-struct FractalLaw : detail::HertzianForm<T> {
+struct FractalLaw : ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalLaw(T fractal_dimension)
-        : detail::HertzianForm<T>(T(4) / 3, 2 * fractal_stiffness_factor(fractal_dimension), T(0),
+        : ElasticLaw<T>(T(4) / 3, 2 * fractal_stiffness_factor(fractal_dimension), T(0),
                                   log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
 template <Real T = double>
-struct FractalConsistentLaw : detail::HertzianForm<T> {
+struct FractalConsistentLaw : ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalConsistentLaw(T fractal_dimension)
-        : detail::HertzianForm<T>(4 * fractal_stiffness_factor(fractal_dimension) / 3,
+        : ElasticLaw<T>(4 * fractal_stiffness_factor(fractal_dimension) / 3,
                                   2 * fractal_stiffness_factor(fractal_dimension),
                                   log_stiffness_factor_slope(fractal_dimension),
                                   log_stiffness_factor_slope(fractal_dimension)) {}

@@ -55,7 +55,7 @@ class PlasticLaw {
 public:
     static constexpr HalfPowers load_powers{2, 2}, stiffness_powers{1, 1}, area_powers{2, 2};
 
-    /// Of the hardness H and the effective modulus E [Pa]. \throws domain_error unless both are finite and positive.
+    /// Takes the hardness H and the effective modulus E [Pa]. \throws domain_error unless both are finite and positive.
     constexpr PlasticLaw(T hardness, T effective_modulus)
         : hardness_(hardness), load_factor_(2 * numbers::pi_v<T> * (hardness / effective_modulus)) {
         require_positive("hardness", hardness);

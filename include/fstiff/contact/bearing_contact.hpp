@@ -83,12 +83,12 @@ private:
 template <Real T = double>
 class BearingContact : public SlopeContact<BearingContact<T>, T> {
 public:
-    /// Of a Gaussian surface: Persson's contact as it is.
+    /// Contact of a Gaussian surface: Persson's.
     BearingContact(PerssonContact<T> gaussian)  // NOLINT(google-explicit-constructor): one is the other
         : gaussian_(std::move(gaussian)), rms_height_(gaussian_.rms_height()) {}
 
-    /// Of the surface f(zeta) = \p curve with the rms height \p rms_height [m]: \p gaussian is that of rms_height zeta.
-    /// \throws domain_error unless \p rms_height is finite and positive.
+    /// Contact of the surface f(zeta) = \p curve with the rms height \p rms_height [m]: \p gaussian is that of
+    /// rms_height zeta. \throws domain_error unless \p rms_height is finite and positive.
     BearingContact(PerssonContact<T> gaussian, BearingSlope<T> curve, std::type_identity_t<T> rms_height)
         : gaussian_(std::move(gaussian)), rms_height_(rms_height) {
         require_positive("rms_height", rms_height);

@@ -46,7 +46,7 @@ public:
         if (peaks_.interaction().reading != InteractionReading::none)
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
     }
-    /// Of a surface without a bearing curve: a Gaussian one.
+    /// Contact of a Gaussian surface, without a bearing curve.
     HybridContact(Peaks peaks, PerssonContact<T> crowded)
         : HybridContact(std::move(peaks), BearingContact<T>(std::move(crowded))) {}
 
@@ -118,12 +118,12 @@ public:
 private:
     static constexpr int e_folds = 24;  ///< of pressure below 2 E g: 4e-11 of it
 
-    /// Of ln p: where K has kinks short panels by few points take them in better than a long one by many.
+    /// Panels of ln p: short ones with few points where K has kinks.
     [[nodiscard]] T width_of_panel() const { return has_kinks() ? T(1) / 32 : T(1); }
 
     [[nodiscard]] T log_end() const { return std::log(crowded_.full_pressure()); }
 
-    /// Of the separation.
+    /// Error of the separation over the rms height.
     [[nodiscard]] T error_share() const { return has_kinks() ? T(1e-5) : T(1e-11); }
 
     /// int p/K d ln p

@@ -42,7 +42,7 @@ public:
     };
 
     KinkedTables() = default;
-    /// Of pieces in the order of their pressures; the last one is the end of the table.
+    /// Takes pieces in the order of their pressures; the last one is the end of the table.
     explicit KinkedTables(std::vector<Parabola<T>> pieces) : pieces_(std::move(pieces)) {
         const Parabola<T>&first = pieces_.front(), &last = pieces_.back();
         low_ = bits_of(first.pressure), count_ = bits_of(last.pressure) - low_ + 1;
@@ -173,7 +173,7 @@ struct LawTables {
     [[nodiscard]] T furthest() const { return kinked.empty() ? by_separation.end : kinked.furthest(); }
     [[nodiscard]] bool has_own_stiffness() const noexcept { return stiffness_over_slope == T(0); }
 
-    /// Of polynomials.
+    /// State by polynomials.
     [[nodiscard]] Whole at_separation(T g) const {
         const auto [pressure, derivative] = by_separation(g);
         T k = derivative * stiffness_scale;
@@ -181,7 +181,7 @@ struct LawTables {
             k = own_stiffness(g).value;
         return {pressure, k, derivative * slope_scale};
     }
-    /// Of two tables, so that at the ends of the range the last digits may differ: never beyond those of by_separation.
+    /// Separation by its own table, never beyond the ends of by_separation.
     [[nodiscard]] T separation_at(T pressure) const {
         return within(separation.value(pressure), by_separation.begin, by_separation.end);
     }
@@ -189,7 +189,7 @@ struct LawTables {
     [[nodiscard]] AtPressure at_pressure(T pressure) const {
         return {separation_at(pressure), stiffness.value(pressure), stiffness.derivative(pressure)};
     }
-    /// Of parabolas.
+    /// State by parabolas.
     [[nodiscard]] Whole kinked_at_separation(T g) const {
         const auto at = kinked.at_separation(g);
         return {at.pressure, at.stiffness, at.slope};

@@ -96,7 +96,7 @@ private:
         std::vector<char> holds{};  ///< of all
         std::optional<PointForces<T, QuickSplit>> forces{};
 
-        /// Of a force on each of all, which is 0 on those that it does not hold.
+        /// Deflections by a force on each of all, 0 on those that it does not hold.
         [[nodiscard]] Values deflections(const Values& force) {
             Values u = Values::Zero(force.size());
             u(of) = forces->deflections(force(of));
@@ -179,7 +179,7 @@ private:
         }
     }
 
-    /// Of two contacts of which either could carry alone the higher does.
+    /// Opens the lower of two contacts either of which could carry alone.
     static void part(Newton& at, T threshold, bool reopen) {
         const Values k = at.slopes();
         for (Eigen::Index i = 0; i < k.size(); ++i) {

@@ -130,7 +130,7 @@ public:
         rough_ ? add_by<rough_terms>(nodes) : add_by<MomentTable<T>::terms>(nodes);
     }
 
-    /// Of the shorter polynomials, relative.
+    /// Relative error of the shorter polynomials.
     [[nodiscard]] T cut() const { return rough_ ? T(MomentTable<T>::cut[rough_terms] + by_.error) : T(0); }
     PeakSums<T> result(T step) const { return finish(sums_, first_, last_, step, count_); }
 

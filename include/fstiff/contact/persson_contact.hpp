@@ -90,7 +90,7 @@ class PerssonContact : public SlopeContact<PerssonContact<T>, T> {
     using S = detail::Tabulated<T>;
 
 public:
-    /// Of a spectrum and the effective modulus [Pa]. \throws domain_error naming the parameter that is out of range.
+    /// Takes a spectrum and the effective modulus [Pa]. \throws domain_error naming the parameter that is out of range.
     PerssonContact(const BandSpectrum<T>& spectrum, std::type_identity_t<T> effective_modulus,
                    std::type_identity_t<T> gamma = T(0.45), std::type_identity_t<T> closing = T(0.25))
         : PerssonContact(detail::gradient_pieces<S>(spectrum), spectrum.rms_height(), effective_modulus, gamma,

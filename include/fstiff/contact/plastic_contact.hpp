@@ -38,7 +38,7 @@ concept CutSurface = requires(const C& cut, T x) {
     { cut.share_above(x) } -> std::convertible_to<std::pair<T, T>>;
 };
 
-/// Of a Gaussian surface.
+/// Cut of a Gaussian surface.
 template <Real T = double>
 class GaussianCut {
 public:
@@ -102,7 +102,7 @@ private:
 
 }  // namespace detail
 
-/// Of a map, K by knots 5 % of the share apart, so that it is continuous. Copies share what was made of it.
+/// Cut of a map, K by knots 5 % of the share apart, so that it is continuous. Copies share what was made of it.
 template <Real T = double>
 class MapCut {
 public:
@@ -113,7 +113,7 @@ public:
               std::span<const T>(map.heights.data(), static_cast<std::size_t>(map.heights.size()))))),
           mean_(mean_height(map)) {}
 
-    /// Of a map \p factor times as high: the same points.
+    /// Cut of a map \p factor times as high: the same points.
     [[nodiscard]] MapCut scaled(T factor) const {
         MapCut taller = *this;
         taller.factor_ *= factor;

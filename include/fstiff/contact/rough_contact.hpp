@@ -138,7 +138,7 @@ public:
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
     [[nodiscard]] const Law& law() const { return law_; }
     [[nodiscard]] const Interaction<T>& interaction() const { return options_.interaction; }
-    /// Of the bulk in series with the interface, L/E [m/Pa]: 0 without interaction.
+    /// Compliance of the bulk in series, L/E [m/Pa]: 0 without interaction.
     [[nodiscard]] T bulk_compliance() const { return bulk_compliance_; }
     /// Whether K is a constant times -dp/dd without interaction, at every separation.
     static constexpr bool stiffness_follows_slope = [] {
@@ -216,7 +216,7 @@ private:
         return Integrator(law_, peaks_, scales_, wanted, options_.integrals.relative_tolerance)(eta);
     }
 
-    /// Of the load over pressure_unit_.
+    /// Logarithm of the load over pressure_unit_, and its slope.
     LogSlope<T> log_slope(const detail::LawSums<T>& j) const {
         return {std::log(j.load.value / pressure_unit_) + j.log_scale,
                 -j.loading.value * scales_.rms_height / j.load.value, j.load.error / j.load.value};

@@ -155,7 +155,7 @@ LogDerivatives<T> log_derivatives(const PeakDistribution<T>& peaks, T eta) {
     return {sums.stiffness.log_derivatives(p, log_factor), sums.load.log_derivatives(p, log_factor)};
 }
 
-/// Of peaks of one radius: closed.
+/// The same for peaks of one radius: closed.
 template <class Law, Real T>
 LogDerivatives<T> log_derivatives(const SingleRadius<T>& peaks, T eta) {
     const auto one = [&]<int twice>() -> typename LogDerivatives<T>::One {

@@ -5,7 +5,8 @@
 ///
 ///     enum class Divisor { pairs, paper };
 ///     template <>
-///     inline constexpr auto names<Divisor> = name_list<Divisor>({{Divisor::pairs, "pairs"}, {Divisor::paper, "paper"}});
+///     inline constexpr auto names<Divisor> =
+///         name_list<Divisor>({{Divisor::pairs, "pairs"}, {Divisor::paper, "paper"}});
 ///
 ///     name_of(Divisor::paper)                     "paper"
 ///     parse<Divisor>("paper", "divisor")          Divisor::paper

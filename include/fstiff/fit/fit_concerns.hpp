@@ -66,8 +66,8 @@ template <Real T = double>
 struct FitFinding {
     FitConcern concern{};
     std::vector<Parameter> parameters{};  ///< in the order of the fit; none of not_converged to outlier, no_errors
-    /// Of misfit chi^2 over the degrees of freedom, of scattered the scatter, of outlier the residual over the median,
-    /// of far_from_start value/start, of unresolved high/low, of correlated the correlation.
+    /// misfit: chi^2 over the degrees of freedom; scattered: scatter; outlier: residual over the median;
+    /// far_from_start: value/start; unresolved: high/low; correlated: correlation.
     T value{};
     std::size_t point{};  ///< of outlier: the observation
 };

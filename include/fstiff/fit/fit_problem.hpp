@@ -139,7 +139,7 @@ public:
             u(static_cast<Eigen::Index>(i)) = ParameterScale<T>(wanted_[i]).variable(start_[wanted_[i]]);
         return u;
     }
-    /// Of the last evaluation that was within the reach of the model.
+    /// Model at the last point within its reach.
     [[nodiscard]] const std::vector<T>& values() const { return values_; }
 
     /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within reach

@@ -6,8 +6,8 @@
 ///     p_peak(zeta, t) = erf(t tan(theta)/sqrt 2)/(2 theta c) exp(-(zeta - r t)^2/(2 c^2)) exp(-t^2/2)   eq. (4.4)
 ///     c^2 = 1 - r^2,   zeta height over the rms height,  t curvature over the rms curvature of the ordinates
 ///     sin^2(theta) = (3 - 4 rho1 + rho2)/(4 (1 - rho1))      r^2 = 2 (1 - rho1)^2/(3 - 4 rho1 + rho2)
-///     E t   = sqrt(pi/2) sin(theta)/theta            E t^2 = 1 + sin(2 theta)/(2 theta)
-///     E t^3 = 3 sqrt(pi/2) (sin(theta) - sin^3(theta)/3)/theta, E t^4 = 3 + 2 sin(2 theta)/theta + sin(4 theta)/4/theta
+///     E t   = sqrt(pi/2) sin(theta)/theta    E t^2 = 1 + sin(2 theta)/(2 theta)
+///     E t^3 = sqrt(9 pi/2) (sin(theta)-sin(theta)^3/3)/theta; E t^4 = 3 + 2 sin(2 theta)/theta + sin(4 theta)/4/theta
 ///
 /// rho1, rho2: autocorrelation at one and two steps. r and theta are independent (docs/errata.md).
 ///

@@ -3,7 +3,7 @@
 /// \file
 /// Peaks of one radius, their heights Gaussian or exponential: the distribution of Greenwood and Williamson.
 ///
-///     G_n(h) = int_h^inf (s-h)^n phi(s) ds            Gaussian: F_n(h)/sqrt(2 pi);  exponential: exp(-h) Gamma(n+1, max(-h, 0))
+///     G_n(h) = int_h^inf (s-h)^n phi(s) ds   Gaussian: F_n(h)/sqrt(2 pi);  exponential: exp(-h) Gamma(n+1, max(-h, 0))
 ///
 /// h is the separation over sigma. Exponential heights begin at the mean plane: phi(s) = exp(-s), s >= 0.
 ///

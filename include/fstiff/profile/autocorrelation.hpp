@@ -28,7 +28,7 @@ struct Autocorrelation {
     [[nodiscard]] std::size_t size() const { return value.size(); }
 };
 
-/// Of \p profile. \throws domain_error for a profile out of range.
+/// Autocorrelation of \p profile. \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
     using F = Accumulator<T>;

@@ -3,10 +3,10 @@
 /// \file
 /// Spectral moments and three-point statistics of a profile, from which the density of its peaks follows.
 ///
-///     m0 = <(z - <z>)^2>   m2 = <((z_(i+1) - z_i)/h)^2>   m4 = <((z_(i-1) - 2 z_i + z_(i+1))/h^2)^2>   alpha = m0 m4/m2^2
+///     m0 = <(z - <z>)^2>  m2 = <((z_(i+1) - z_i)/h)^2>  m4 = <((z_(i-1) - 2 z_i + z_(i+1))/h^2)^2>  alpha = m0 m4/m2^2
 ///     sigma_m^2     = mean (z_(i+1) - z_i)^2 / h^2                = 2 sigma^2 (1 - rho1) / h^2
 ///     sigma_kappa^2 = mean (z_(i-1) - 2 z_i + z_(i+1))^2 / h^4    = sigma^2 (6 - 8 rho1 + 2 rho2) / h^4
-///     r = sigma_m^2 / (sigma sigma_kappa)    sin(theta) = h sigma_kappa / (2 sigma_m)    peaks over ordinates = theta/pi
+///     r = sigma_m^2 / (sigma sigma_kappa)   sin(theta) = h sigma_kappa / (2 sigma_m)   peaks over ordinates = theta/pi
 ///
 /// The moments are means over the pairs and triples that exist; sigma_m takes both differences of each triple, so that
 /// sin(theta) <= 1. Where waves are shorter than the spacing, all of them depend on it.

@@ -81,7 +81,7 @@ template <Real F>
 
 }  // namespace detail
 
-/// Of \p profile, whose waves above \p cutoff [m] were filtered away, if any were.
+/// Parameters of \p profile, filtered with \p cutoff [m] or not at all.
 /// \throws domain_error for a profile out of range, or a cut-off that is not positive.
 template <Real T>
 [[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,

@@ -55,7 +55,7 @@ struct FractalLine {
     Vector<F> dimension_row, log_g_row;
 };
 
-/// Of a line whose slope is between 0 and 2; else without G.
+/// D and G of a line; without G unless its slope is between 0 and 2.
 template <Real F>
 FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention convention, F gamma) {
     FractalLine<F> found;

@@ -194,7 +194,7 @@ private:
 
 }  // namespace detail
 
-/// Of \p map. \throws domain_error for a map out of range, and for a periodic one with missing points.
+/// Autocorrelation of \p map. \throws domain_error for a map out of range, and for a periodic one with missing points.
 template <Real T>
 [[nodiscard]] ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map,
                                                             LagPairs pairs = LagPairs::measured) {

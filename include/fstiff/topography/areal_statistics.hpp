@@ -175,7 +175,7 @@ struct ArealParameters {
     std::optional<T> developed_area_ratio;  ///< Sdr; none where no cell has its four points
 };
 
-/// Of \p map. \throws domain_error for a map out of range.
+/// Parameters of \p map. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map) {
     return areal_parameters(map, areal_statistics(map));
@@ -213,7 +213,7 @@ template <Real T>
 
 }  // namespace detail
 
-/// Of \p map, whose statistics \p known are. \throws domain_error for a map out of range.
+/// Parameters of \p map with the statistics \p known. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const ArealStatistics<T>& known) {
     using S = Accumulator<T>;

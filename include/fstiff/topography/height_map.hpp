@@ -19,14 +19,14 @@ namespace fstiff {
 
 namespace detail {
 
-/// Of the heights that exist; where none does, low is the largest number and high the lowest.
+/// Range of the heights that exist; without any, low is the largest number and high the lowest.
 template <Real T>
 struct HeightRange {
     T low = (std::numeric_limits<T>::max)(), high = std::numeric_limits<T>::lowest();
     Eigen::Index present{};
 };
 
-/// Of \p count heights \p z, in one pass, in lanes that compilers turn into vectors.
+/// Range of \p count heights \p z in one pass, in lanes that compilers turn into vectors.
 template <Real T>
 HeightRange<T> height_range(const T* z, Eigen::Index count) {
     constexpr std::size_t lanes = 16;

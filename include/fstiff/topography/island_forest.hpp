@@ -140,7 +140,7 @@ public:
 
     const IslandTotal<S>& total() const { return total_; }
     const std::vector<IslandTotal<S>>& tile_totals() const { return tile_totals_; }
-    /// Of a level, what the sums of the totals count heights from.
+    /// Height from which the totals count at \p level.
     S reference(T level) const { return twice_mean_ ? 2 * (static_cast<S>(level) - datum_) : static_cast<S>(level); }
 
 private:
@@ -159,7 +159,7 @@ private:
 
     bool is_higher(std::int32_t a, std::int32_t b) const { return z_[a] > z_[b] || (z_[a] == z_[b] && a < b); }
 
-    /// Of up to four islands.
+    /// Roots of up to four islands.
     struct Islands {
         std::array<std::int32_t, 4> root;
         std::size_t count = 0;

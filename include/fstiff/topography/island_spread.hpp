@@ -44,7 +44,7 @@ struct RepresentativeIslands {
 
 namespace detail {
 
-/// Of one tile at one level: islands, points, height above the level of all of them together.
+/// Islands, points and summed height above the level, of one tile at one level.
 template <Real S>
 struct TileTotal {
     S islands{}, points{}, height{};

@@ -104,8 +104,7 @@ struct LevelBands {
     static constexpr std::uint8_t absent = 255;  ///< of a missing point
 };
 
-/// Of every point of \p map, how many of the falling \p levels, most_levels at most, are not below it: the first level
-/// that it stands above has that number.
+/// For every point of \p map the number of the falling \p levels, most_levels at most, that are not below it.
 template <Real T>
 std::vector<std::uint8_t> level_bands(const HeightMap<T>& map, const HeightRange<T>& range,
                                       const std::vector<T>& levels) {
@@ -144,7 +143,7 @@ struct IslandCurve {
     T nominal_area{};            ///< [m^2]
 
     [[nodiscard]] std::size_t size() const { return level.size(); }
-    /// Of the greatest density; of equal ones the highest level.
+    /// Index of the greatest density; of equal ones the highest level.
     [[nodiscard]] std::size_t representative() const {
         return static_cast<std::size_t>(std::max_element(density.begin(), density.end()) - density.begin());
     }

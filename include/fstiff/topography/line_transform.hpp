@@ -203,7 +203,7 @@ private:
         z.re.store(values + (k == 0 ? 0 : 2 * k - 1) * lines);
         if (k > 0 && 2 * k < points_) z.im.store(values + 2 * k * lines);
     }
-    /// And back.
+    /// The inverse of keep().
     [[nodiscard]] EIGEN_ALWAYS_INLINE Pair kept(std::size_t k, std::size_t l) const {
         const T* const values = values_.data() + l;
         const V none = V::all(0);

@@ -30,7 +30,7 @@ struct Summit {
     T height;                        ///< of the top above the mean of the map [m]
     T max_curvature, min_curvature;  ///< k1, k2 of the principal directions [1/m]
     T x, y;                          ///< of the top, from the first point [m]
-    /// Of an ellipse of Hertz with these curvatures [m^(1/2), m], where with_hertz_factors() found them; else 0.
+    /// Factors of the ellipse of Hertz [m^(1/2), m], by with_hertz_factors(); else 0.
     T load_factor{}, area_factor{};
 
     /// R of the sphere of the same mean curvature [m].
