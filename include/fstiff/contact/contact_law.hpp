@@ -297,7 +297,7 @@ private:
         return tables_.kinked.contains_pressure(pressure) ? of_tables(tables_.kinked_at_pressure(pressure))
                                                           : outside_pressure(pressure, with_slope);
     }
-    AtPressure outside_pressure(T pressure, bool with_slope) const {
+    FSTIFF_COLD AtPressure outside_pressure(T pressure, bool with_slope) const {
         require_filled();
         if (!detail::is_nan(pressure)) {
             if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
@@ -315,7 +315,7 @@ private:
         return {at.separation, at.stiffness,
                 with_slope ? (stiffness_at(pressure + step) - stiffness_at(pressure - step)) / (2 * step) : T(0)};
     }
-    Whole outside_separation(T separation) const {
+    FSTIFF_COLD Whole outside_separation(T separation) const {
         require_filled();
         if (!detail::is_nan(separation)) {
             if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
