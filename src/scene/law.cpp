@@ -32,7 +32,7 @@ public:
     virtual ContactState<double> at_pressure(double pressure, Quantity wanted) const = 0;
     virtual ContactState<double> at_separation(double separation, Quantity wanted) const = 0;
     virtual LogSlope<double> log_pressure(double eta) const = 0;
-    virtual LogValue<double> log_stiffness(double eta) const = 0;
+    virtual Estimate<double> log_stiffness(double eta) const = 0;
 };
 template <class Contact>
 class ModelOf final : public Model {
@@ -45,7 +45,7 @@ public:
         return contact_.at_separation(separation, wanted);
     }
     LogSlope<double> log_pressure(double eta) const override { return contact_.log_pressure(eta); }
-    LogValue<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
+    Estimate<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
 
 private:
     Contact contact_;
@@ -74,7 +74,7 @@ public:
         return ContactPoint<double>::of(at_separation(separation, wanted));
     }
     LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
-    LogValue<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
+    Estimate<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
     double rms_height() const { return rms_height_; }
     bool has_kinks() const { return has_kinks_; }
     double bulk_compliance() const { return bulk_compliance_; }
@@ -223,29 +223,12 @@ RoughContactOptions<double> options_of(const ContactInputs& inputs) {
     return options;
 }
 
-/// The elastic asperity laws with their factors as numbers: one contact and one fit are compiled for all three.
-class ElasticLaw : public detail::HertzianForm<ElasticLaw> {
-public:
-    template <class Law>
-    explicit ElasticLaw(const Law& law)
-        : load_(law.load_factor()),
-          stiffness_(law.stiffness_factor()),
-          log_load_slope_(law.log_load_slope()),
-          log_stiffness_slope_(law.log_stiffness_slope()) {}
-    [[nodiscard]] double load_factor() const { return load_; }
-    [[nodiscard]] double stiffness_factor() const { return stiffness_; }
-    [[nodiscard]] double log_load_slope() const { return log_load_slope_; }
-    [[nodiscard]] double log_stiffness_slope() const { return log_stiffness_slope_; }
-    [[nodiscard]] static double area_factor() { return HertzLaw<double>::area_factor(); }
+// one contact and one fit are compiled for all three elastic laws
+using LawOfDimension = ElasticLaw<double> (*)(double dimension);
 
-private:
-    double load_, stiffness_, log_load_slope_, log_stiffness_slope_;
-};
-using LawOfDimension = ElasticLaw (*)(double dimension);
-
-ElasticLaw fractal(double dimension) { return ElasticLaw(FractalLaw<double>(dimension)); }
-ElasticLaw fractal_consistent(double dimension) { return ElasticLaw(FractalConsistentLaw<double>(dimension)); }
-ElasticLaw hertz(double) { return ElasticLaw(HertzLaw<double>{}); }
+ElasticLaw<double> fractal(double dimension) { return FractalLaw<double>(dimension); }
+ElasticLaw<double> fractal_consistent(double dimension) { return FractalConsistentLaw<double>(dimension); }
+ElasticLaw<double> hertz(double) { return HertzLaw<double>{}; }
 
 /// A contact of joint peaks with the asperity law that \p of_dimension makes of the fractal dimension.
 template <LawOfDimension of_dimension>

@@ -5,7 +5,8 @@
 ///
 ///     enum class Divisor { pairs, paper };
 ///     template <>
-///     inline constexpr auto names<Divisor> = name_list<Divisor>({{Divisor::pairs, "pairs"}, {Divisor::paper, "paper"}});
+///     inline constexpr auto names<Divisor> =
+///         name_list<Divisor>({{Divisor::pairs, "pairs"}, {Divisor::paper, "paper"}});
 ///
 ///     name_of(Divisor::paper)                     "paper"
 ///     parse<Divisor>("paper", "divisor")          Divisor::paper
@@ -18,11 +19,7 @@
 #include <fstiff/core/error.hpp>
 
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
 
 namespace fstiff {
 
@@ -86,8 +83,7 @@ template <NamedEnum Enum>
     return text;
 }
 
-/// The value whose word is \p text.
-/// \throws domain_error with \p parameter, \p text and the words that are allowed.
+/// The value whose word is \p text. \throws domain_error with \p parameter, \p text and the words that are allowed.
 template <NamedEnum Enum>
 [[nodiscard]] Enum parse(std::string_view text, std::string_view parameter) {
     if (const auto found = find_named<Enum>(text)) return *found;

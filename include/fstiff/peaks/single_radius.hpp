@@ -3,7 +3,7 @@
 /// \file
 /// Peaks of one radius, their heights Gaussian or exponential: the distribution of Greenwood and Williamson.
 ///
-///     G_n(h) = int_h^inf (s-h)^n phi(s) ds            Gaussian: F_n(h)/sqrt(2 pi);  exponential: exp(-h) Gamma(n+1, max(-h, 0))
+///     G_n(h) = int_h^inf (s-h)^n phi(s) ds   Gaussian: F_n(h)/sqrt(2 pi);  exponential: exp(-h) Gamma(n+1, max(-h, 0))
 ///
 /// h is the separation over sigma. Exponential heights begin at the mean plane: phi(s) = exp(-s), s >= 0.
 ///
@@ -16,10 +16,6 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace fstiff {
 
@@ -42,8 +38,7 @@ T scaled_upper_gamma(T x) {
 
 }  // namespace detail
 
-/// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2 or 5/2, h a
-/// number.
+/// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2, 5/2.
 template <Real T>
 [[nodiscard]] T height_moment(T n, T h, Heights heights = Heights::gaussian) {
     if (heights == Heights::gaussian) return gaussian_moment(n, h) / (numbers::sqrt2_v<T> / numbers::inv_sqrtpi_v<T>);

@@ -13,14 +13,70 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <string>
-#include <type_traits>
 
 namespace fstiff {
+
+namespace detail {
+
+/// Range of the heights that exist; without any, low is the largest number and high the lowest.
+template <Real T>
+struct HeightRange {
+    T low = (std::numeric_limits<T>::max)(), high = std::numeric_limits<T>::lowest();
+    Eigen::Index present{};
+};
+
+/// Range of \p count heights \p z in one pass, in lanes that compilers turn into vectors.
+template <Real T>
+HeightRange<T> height_range(const T* z, Eigen::Index count) {
+    constexpr std::size_t lanes = 16;
+    using Count = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+    constexpr std::size_t run = std::size_t(1) << 24;  // after which the counts are emptied
+    std::array<T, lanes> low, high;
+    HeightRange<T> range;
+    low.fill(range.low);
+    high.fill(range.high);
+    const auto size = static_cast<std::size_t>(count), whole = size - size % lanes;
+    for (std::size_t begin = 0; begin < whole; begin += run) {
+        std::array<Count, lanes> present{};
+        for (std::size_t k = begin; k < (std::min)(whole, begin + run); k += lanes)
+            for (std::size_t l = 0; l < lanes; ++l) {
+                const T height = z[k + l];
+                low[l] = height < low[l] ? height : low[l];
+                high[l] = height > high[l] ? height : high[l];
+                present[l] += height == height ? 1 : 0;  // NaN does not
+            }
+        for (const Count lane : present) range.present += lane;
+    }
+    for (std::size_t k = whole; k < size; ++k) {
+        if (z[k] < low[0]) low[0] = z[k];
+        if (z[k] > high[0]) high[0] = z[k];
+        range.present += std::isnan(z[k]) ? 0 : 1;
+    }
+    range.low = *std::min_element(low.begin(), low.end());
+    range.high = *std::max_element(high.begin(), high.end());
+    return range;
+}
+
+/// HeightMap::validate() of heights \p z, row after row, wherever they are.
+template <Real T>
+void validate_map(const T* z, Eigen::Index rows, Eigen::Index columns, T dx, T dy, Eigen::Index least) {
+    require_positive("dx", dx);
+    require_positive("dy", dy);
+    if (rows < least || columns < least)
+        throw domain_error("map of " + std::to_string(columns) + " x " + std::to_string(rows) +
+                           " points: must have at least " + std::to_string(least) + " a side");
+    const HeightRange<T> range = height_range(z, rows * columns);
+    if (range.present > 0 &&
+        (range.low < std::numeric_limits<T>::lowest() || (std::numeric_limits<T>::max)() < range.high))
+        throw domain_error("map with an infinite height: must be finite, or NaN where missing");
+    if (range.present < least)
+        throw domain_error("map of which " + std::to_string(range.present) + " points exist: must be at least " +
+                           std::to_string(least));
+    require(range.high > range.low, "map of constant height", range.low, "of varying height");
+}
+
+}  // namespace detail
 
 /// A map in SI units. heights(j, i) is the height at x = i dx, y = j dy: a row of the array is a profile along x.
 template <Real T = double>
@@ -42,81 +98,31 @@ struct HeightMap {
 
     /// \throws domain_error unless both spacings are positive, no height is infinite, the map has \p least points a
     /// side, as many exist, and they are not all of one height.
-    void validate(Eigen::Index least = 3) const;
+    void validate(Eigen::Index least = 3) const {
+        detail::validate_map(heights.data(), rows(), columns(), dx, dy, least);
+    }
     /// \throws domain_error "map with N missing points: must be filled \p before".
-    void require_whole(const char* before) const;
+    void require_whole(const char* before) const {
+        if (const Eigen::Index missing = size() - present(); missing > 0)
+            throw domain_error("map with " + std::to_string(missing) + " missing points: must be filled " + before);
+    }
 };
 
 /// Mean of the heights that exist [m]. \throws domain_error when there is none.
 template <Real T>
-[[nodiscard]] T mean_height(const HeightMap<T>& map);
-
-/// Sq: root of the mean square of the heights about their mean [m]. \throws domain_error for a map out of range.
-template <Real T>
-[[nodiscard]] T rms_height(const HeightMap<T>& map);
+[[nodiscard]] T mean_height(const HeightMap<T>& map) {
+    CompensatedSum<Accumulator<T>> sum;
+    for (Eigen::Index k = 0; k < map.size(); ++k)
+        if (!std::isnan(map.heights.data()[k])) sum.add(map.heights.data()[k]);
+    if (map.present() == 0) throw domain_error("map of which 0 points exist: must be at least 1");
+    return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(map.present()));
+}
 
 namespace detail {
-
-/// Of the heights that exist; where none does, low is the largest number and high the lowest.
-template <Real T>
-struct HeightRange {
-    T low = (std::numeric_limits<T>::max)(), high = std::numeric_limits<T>::lowest();
-    Eigen::Index present{};
-};
-
-/// Of \p count heights \p z, in one pass, in lanes that compilers turn into vectors.
-template <Real T>
-HeightRange<T> height_range(const T* z, Eigen::Index count) {
-    constexpr std::size_t lanes = 16;
-    using Count = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-    constexpr std::size_t run = std::size_t(1) << 24;  // after which the counts are emptied
-    std::array<T, lanes> low, high;
-    HeightRange<T> range;
-    low.fill(range.low);
-    high.fill(range.high);
-    const auto size = static_cast<std::size_t>(count), whole = size - size % lanes;
-    for (std::size_t begin = 0; begin < whole; begin += run) {
-        std::array<Count, lanes> present{};
-        for (std::size_t k = begin; k < (std::min)(whole, begin + run); k += lanes)
-            for (std::size_t l = 0; l < lanes; ++l) {
-                const T height = z[k + l];
-                low[l] = height < low[l] ? height : low[l];
-                high[l] = height > high[l] ? height : high[l];
-                present[l] += height == height ? 1 : 0;  // NaN does not
-            }
-        for (const Count count : present) range.present += count;
-    }
-    for (std::size_t k = whole; k < size; ++k) {
-        if (z[k] < low[0]) low[0] = z[k];
-        if (z[k] > high[0]) high[0] = z[k];
-        range.present += std::isnan(z[k]) ? 0 : 1;
-    }
-    range.low = *std::min_element(low.begin(), low.end());
-    range.high = *std::max_element(high.begin(), high.end());
-    return range;
-}
 
 template <Real T>
 HeightRange<T> height_range(const HeightMap<T>& map) {
     return height_range(map.heights.data(), map.size());
-}
-
-/// HeightMap::validate() of heights \p z, row after row, wherever they are.
-template <Real T>
-void validate_map(const T* z, Eigen::Index rows, Eigen::Index columns, T dx, T dy, Eigen::Index least) {
-    require_positive("dx", dx);
-    require_positive("dy", dy);
-    if (rows < least || columns < least)
-        throw domain_error("map of " + std::to_string(columns) + " x " + std::to_string(rows) +
-                           " points: must have at least " + std::to_string(least) + " a side");
-    const HeightRange<T> range = height_range(z, rows * columns);
-    if (range.present > 0 &&
-        (range.low < std::numeric_limits<T>::lowest() || (std::numeric_limits<T>::max)() < range.high))
-        throw domain_error("map with an infinite height: must be finite, or NaN where missing");
-    if (range.present < least)
-        throw domain_error("map of which " + std::to_string(range.present) + " points exist: must be at least " +
-                           std::to_string(least));
-    require(range.high > range.low, "map of constant height", range.low, "of varying height");
 }
 
 /// Power of two near the range of the heights: squares of scaled heights stay in range, and scaling is exact.
@@ -161,31 +167,12 @@ struct MapHeights {
 
 }  // namespace detail
 
+/// Sq: root of the mean square of the heights about their mean [m]. \throws domain_error for a map out of range.
 template <Real T>
-T mean_height(const HeightMap<T>& map) {
-    CompensatedSum<Accumulator<T>> sum;
-    for (Eigen::Index k = 0; k < map.size(); ++k)
-        if (!std::isnan(map.heights.data()[k])) sum.add(map.heights.data()[k]);
-    if (map.present() == 0) throw domain_error("map of which 0 points exist: must be at least 1");
-    return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(map.present()));
-}
-
-template <Real T>
-T rms_height(const HeightMap<T>& map) {
+[[nodiscard]] T rms_height(const HeightMap<T>& map) {
     map.validate();
     const detail::MapHeights<T> heights(map);
     return static_cast<T>(std::sqrt(heights.variance) * heights.unit);
-}
-
-template <Real T>
-void HeightMap<T>::require_whole(const char* before) const {
-    if (const Eigen::Index missing = size() - present(); missing > 0)
-        throw domain_error("map with " + std::to_string(missing) + " missing points: must be filled " + before);
-}
-
-template <Real T>
-void HeightMap<T>::validate(Eigen::Index least) const {
-    detail::validate_map(heights.data(), rows(), columns(), dx, dy, least);
 }
 
 }  // namespace fstiff
