@@ -71,10 +71,10 @@ void append_law(std::string& text, const std::string& begin, const Curve& curve)
 void append_missed(std::string& text, const std::string& begin, const Curve& curve, const scene::Scene& scene,
                    const scene::MissedPoint& missed) {
     append_law(text, begin, curve);
-    const std::string_view known = scene.at_separations ? "separation_m" : "pressure_Pa";
+    const auto known = scene.at_separations ? scene::CurveQuantity::separation : scene::CurveQuantity::pressure;
     for (const scene::Column& column : curve.columns) {
-        append_key(text, column.key);
-        append_optional(text, column.key == known ? std::optional(scene.points[missed.place]) : std::nullopt);
+        append_key(text, column.key());
+        append_optional(text, column.quantity == known ? std::optional(scene.points[missed.place]) : std::nullopt);
     }
     append_key(text, "error");
     text += json_text("law " + std::string(curve.law->name) + ": " + missed.reason) + "}\n";
@@ -84,7 +84,7 @@ void append_missed(std::string& text, const std::string& begin, const Curve& cur
 void append_row(std::string& text, const std::string& begin, const Curve& curve, std::size_t i) {
     append_law(text, begin, curve);
     for (const scene::Column& column : curve.columns) {
-        append_key(text, column.key);
+        append_key(text, column.key());
         if (column.values.empty())
             text += "null";
         else

@@ -49,7 +49,7 @@ TEST_CASE("The lines of a grid are those of its scenes, each read and computed b
                 INFO(line);
                 CHECK(row["index"] == index);
                 CHECK(row["law"] == curve.law->name);
-                for (const scene::Column& column : curve.columns) CHECK(row[column.key] == column.values.at(0));
+                for (const scene::Column& column : curve.columns) CHECK(row[column.key()] == column.values.at(0));
             }
         } catch (const fstiff::domain_error& error) {
             REQUIRE(std::getline(lines, line));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/drawing.hpp"
 
-#include "picture/unit.hpp"
+#include "document/shown_unit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ void choose_unit(Panel& panel, bool of_y) {
     const double size = !(range.low <= range.high) ? 0
                         : axis.logarithmic         ? std::sqrt(range.low) * std::sqrt(range.high)
                                                    : std::max(std::abs(range.low), std::abs(range.high));
-    const Unit unit = axis.unit ? *axis.unit : unit_for(axis.si, size);
+    const ShownUnit unit = axis.unit ? *axis.unit : shown_unit(size, axis.si);
     const auto convert = [&](auto&... values) { ((values /= unit.size), ...); };
     for (PlotLine& line : panel.lines) {
         if (!of_y) std::for_each(line.x.begin(), line.x.end(), convert);
@@ -58,7 +58,7 @@ void choose_unit(Panel& panel, bool of_y) {
     if (auto& image = panel.image) of_y ? convert(image->y_low, image->y_high) : convert(image->x_low, image->x_high);
     if (axis.low) convert(*axis.low);
     if (axis.high) convert(*axis.high);
-    axis.label += " [" + std::string(unit.name) + "]";
+    axis.label = unit.heading(axis.label);
     axis.si.clear();
 }
 
@@ -101,13 +101,9 @@ Figure in_units(Figure figure) {
     return figure;
 }
 
-std::size_t characters(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
-}
-
 std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
     std::vector<std::string> lines;
-    while (characters(text) > most) {
+    while (shown_width(text) > most) {
         std::size_t end = 0, space = 0;
         for (std::size_t count = 0; count <= most; ++end) {
             if (text[end] == ' ') space = end;

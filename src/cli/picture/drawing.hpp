@@ -59,8 +59,6 @@ private:
     bool covers(const PlotLine& upper, const PlotLine& lower) const;
 };
 
-/// Characters of UTF-8 text.
-std::size_t characters(std::string_view text);
 /// \p text in lines of at most \p most characters, broken at spaces where there are any.
 std::vector<std::string> wrapped(std::string_view text, std::size_t most);
 

@@ -256,7 +256,7 @@ Size size_of(const Panel& panel, bool legend_below) {
     const std::vector<Entry> legend = Drawing(panel).legend();
     std::size_t widest = 0;
     for (const Entry& entry : legend)
-        for (const auto& text : entry.text) widest = std::max(widest, characters(text));
+        for (const auto& text : entry.text) widest = std::max(widest, shown_width(text));
     const double title = panel.title.empty() ? 12 : title_height;
     if (legend.empty() || legend_below)
         return {left + panel.width + 24, title + panel.height + below + height_of(legend)};
