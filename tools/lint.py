@@ -24,9 +24,7 @@ import sys
 PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
           "ultrasound", "measured", "fit", "io")
 PRIVATE = ("io", "document", "instances", "surface", "scene", "sweep c", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
-UPWARD = {  # includes of src that go upward all the same, and why
-    ("src/cli/document/output.hpp", "input/arguments.hpp"): "--format and --output are declared with what they fill",
-}
+UPWARD = {}  # includes of src that go upward all the same, and why
 OPT_IN = ("math/gaussian_moment_table_extended.hpp",)  # not in fstiff.hpp
 OF_THREADS = "barrier condition_variable future latch mutex semaphore shared_mutex stop_token thread".split()
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)

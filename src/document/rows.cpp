@@ -11,6 +11,9 @@ namespace {
 
 using Kind = Cell::Kind;
 
+/// Whether \p byte of UTF-8 is the first of a character.
+bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }
+
 /// \p real where the cell holds a number; \p nothing where it holds none.
 template <class Real>
 std::string cell_text(const Cell& cell, const char* nothing, const Real& real) {
@@ -36,8 +39,24 @@ Json json_of(const Cell& cell) {
 }  // namespace
 
 std::size_t shown_width(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
+    std::vector<std::string> lines;
+    while (shown_width(text) > most) {
+        std::size_t end = 0, space = 0;
+        for (std::size_t count = 0; count <= most; ++end) {
+            if (text[end] == ' ') space = end;
+            count += begins_character(text[end]);
+        }
+        --end;  // the first character too many
+        const std::size_t at = space > 0 ? space : end;
+        lines.emplace_back(text.substr(0, at));
+        text.remove_prefix(space > 0 ? at + 1 : at);
+    }
+    lines.emplace_back(text);
+    return lines;
 }
 
 std::string TextTable::str(std::string_view indent) const {

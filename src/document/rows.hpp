@@ -22,6 +22,8 @@ namespace fstiff::scene {
 
 /// Number of characters of UTF-8 text: all bytes but the continuation bytes.
 [[nodiscard]] std::size_t shown_width(std::string_view text);
+/// \p text in lines of at most \p most characters, broken at spaces where there are any.
+[[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t most);
 
 /// Rows of text for people, the first one their headings.
 using TextRows = std::vector<std::vector<std::string>>;

@@ -19,7 +19,7 @@ struct ShownUnit {
     [[nodiscard]] std::string heading(std::string_view of) const;
 };
 
-/// The unit for a value of about \p size in the SI unit \p si: of "m" nm from 0.001 nm, µm from 0.1 µm, mm from 1 mm, and m for
+/// The unit for a value of about \p size in the SI unit \p si: of "m" nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm, and m for
 /// what is smaller or from 1 m; "m along" is the same for what is as long as a profile, mm from 0.1 mm; "m^2"; "/m^2" or
 /// "1/m^2" /mm² from 0.01 /mm², /µm² from 0.1 /µm²; "Pa" kPa from 0.1 kPa, MPa from 0.1 MPa, GPa from 1 GPa; "Pa/m" GPa/µm from
 /// 0.01 GPa/µm; "Hz". A plain number or any other unit stays. Of 0 the usual one.

@@ -5,7 +5,6 @@
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
-#include "picture/drawing.hpp"
 #include "picture/panels.hpp"
 #include "surface/documents.hpp"
 #include "scene/result_rows.hpp"

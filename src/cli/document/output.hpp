@@ -2,12 +2,11 @@
 #pragma once
 // What a subcommand hands back, and how it is written: one document, numbers that no locale touches and never NaN.
 
-#include "input/arguments.hpp"
 #include "document/file.hpp"
 #include "document/rows.hpp"
 
-#include <functional>
-#include <span>
+#include <fstiff/core/names.hpp>
+
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -48,14 +47,8 @@ struct OutputOptions {
     [[nodiscard]] std::string target() const;
 };
 
-/// Adds --format and --output; \p initial is the format without --format.
-void add_output_options(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
-/// --output alone, for a subcommand that has one form.
-void add_output_option(Arguments& arguments, OutputOptions& options);
 /// \throws Usage where \p output is "-" and cannot be: it must be \p wanted.
 void refuse_standard_output(const std::string& output, std::string_view wanted);
-/// --format alone, for a subcommand that writes a folder: its document goes to standard output.
-void add_format_option(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
 
 /// The one document of a subcommand, what else there is to say (on standard error), and how it ended.
 struct Report {
@@ -66,13 +59,6 @@ struct Report {
 
 /// Puts a line about each of \p files before what else is said.
 void say_written(Report& report, const std::vector<std::string>& files);
-
-/// A subcommand: what CLI11 parsed it into, and what to do then.
-struct Command {
-    CLI::App* app;
-    const OutputOptions* output;
-    std::function<Report()> execute;
-};
 
 /// A file to write, and what goes into it.
 struct OutputFile {

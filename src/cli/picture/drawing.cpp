@@ -11,8 +11,6 @@
 namespace fstiff::cli {
 namespace {
 
-bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }
-
 std::vector<PlotLine> coloured(const Panel& panel) {
     std::vector<PlotLine> lines = panel.lines;
     int next = 0;
@@ -99,23 +97,6 @@ Figure in_units(Figure figure) {
     for (Panel& panel : figure.panels)
         for (const bool of_y : {false, true}) choose_unit(panel, of_y);
     return figure;
-}
-
-std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
-    std::vector<std::string> lines;
-    while (shown_width(text) > most) {
-        std::size_t end = 0, space = 0;
-        for (std::size_t count = 0; count <= most; ++end) {
-            if (text[end] == ' ') space = end;
-            count += begins_character(text[end]);
-        }
-        --end;  // the first character too many
-        const std::size_t at = space > 0 ? space : end;
-        lines.emplace_back(text.substr(0, at));
-        text.remove_prefix(space > 0 ? at + 1 : at);
-    }
-    lines.emplace_back(text);
-    return lines;
 }
 
 Drawing::Drawing(const Panel& drawn)
