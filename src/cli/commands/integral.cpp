@@ -45,21 +45,26 @@ struct Input {
 Input read_input(const std::string& file) {
     Input input;
     input.name = display_name(file);
-    const std::string text = io::detail::text_of(read_all(file), input.name, "a CSV table");
+    std::string text = read_all(file);
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    if (text.find('\0') != std::string::npos)
+        throw domain_error(input.name + ": is a binary file; must be a CSV table");
+    const auto refuse = [&](std::size_t line, const std::string& reason) {
+        throw domain_error(reason).with_place({.file = input.name, .line = line, .before_line = ":"});
+    };
     std::size_t count = 0;
     for (const auto& [line, number] : io::detail::lines_of(text, input.name, count)) {
         auto cells = csv_cells(line);
         if (input.header.empty() && cells.size() == 1 && line.find_first_of(";\t") != std::string_view::npos)
-            io::detail::refuse_line(input.name, number,
-                                    {"has ", line.find(';') != std::string_view::npos ? "semicolons" : "tabs",
-                                     " between its cells; must have commas, and points as decimal marks"});
+            refuse(number, std::string("has ") + (line.find(';') != std::string_view::npos ? "semicolons" : "tabs") +
+                               " between its cells; must have commas, and points as decimal marks");
         if (input.header.empty()) {
             input.header = std::move(cells);
             continue;
         }
         if (cells.size() != input.header.size())
-            io::detail::refuse_line(input.name, number, {"has ", cells.size(), " cells; must have ",
-                                                         input.header.size(), " as the header"});
+            refuse(number, "has " + std::to_string(cells.size()) + " cells; must have " +
+                               std::to_string(input.header.size()) + " as the header");
         input.rows.push_back(std::move(cells));
         input.lines.push_back(number);
     }
