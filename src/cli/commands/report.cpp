@@ -2,6 +2,7 @@
 // fstiff report: a scene and all that follows from it, on one page that needs nothing else.
 #include "commands/commands.hpp"
 #include "commands/measured_section.hpp"
+#include "document/document.hpp"
 #include "commands/scales.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
@@ -308,23 +309,19 @@ Report execute(const Options& options) {
     const Results results = compute(scene, progress_bar());
     const std::string document = page_of(scene, results);
     deliver({{file, page_mark + document}}, options.folder);
-    Report report;
-    report.status = results.doubtful ? doubtful_result : success;
-    const Format format = options.output.format;
-    if (format == Format::json) {
-        Json answer = json_document("report");
-        answer["scene"] = scene_json(scene);
-        answer["files"] = {file};
-        answer["warnings"] = results.warnings;
-        report.document = answer.str();
-    } else {
-        report.document = format == Format::csv ? csv_line({"file"}) + csv_line({file})
-                                                : "fstiff " FSTIFF_VERSION ": report of " +
-                                                      printable(scene.name + " (" + scene.file + ")") + "\n  " +
-                                                      printable(file) + "\n";
-        for (const std::string& warning : results.warnings) report.diagnostics.push_back("warning: " + warning);
-    }
-    return report;
+    return report({.table = [&] {
+                       return "fstiff " FSTIFF_VERSION ": report of " + scene.name + " (" + scene.file + ")\n  " + file + "\n";
+                   },
+                   .csv = [&] { return csv_line({"file"}) + csv_line({file}); },
+                   .json = [&] {
+                       Json answer = json_document("report");
+                       answer["scene"] = scene_json(scene);
+                       answer["files"] = {file};
+                       return answer;
+                   },
+                   .warnings = results.warnings,
+                   .status = results.doubtful ? doubtful_result : success},
+                  options.output.format);
 }
 
 }  // namespace
