@@ -13,16 +13,9 @@
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
-#include <vector>
 
 namespace fstiff::scene {
 namespace {
-
-/// Files that are going to be written.
-std::vector<std::filesystem::path>& outputs() {
-    static std::vector<std::filesystem::path> files;
-    return files;
-}
 
 /// Bytes of the character of UTF-8 that \p text begins with; 0 where it begins with none.
 std::size_t length_of_utf8(std::string_view text) {
@@ -71,22 +64,7 @@ std::filesystem::path output_target(const std::string& file) {
     return error ? at : target;
 }
 
-void keep_for_output(const std::string& file) {
-    std::error_code error;
-    const std::filesystem::path path = output_target(file);
-    for (const auto& other : outputs())
-        if (path == other && (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error)))
-            throw file_error(file, "would be written twice; give every output a name of its own");
-    outputs().push_back(path);
-}
-
 std::string read_all(const std::string& file) {
-    std::error_code ignored;
-    for (const auto& output : outputs())
-        if (std::filesystem::is_regular_file(output, ignored) &&
-            std::filesystem::equivalent(file == "-" ? "/dev/stdin" : file, output, ignored))
-            throw file_error(output.string(),
-                             "is an input of this command and would be written over; give the output another name");
     std::string bytes;
     if (file == "-") {
         io::detail::append_bytes(std::cin, "standard input", bytes);

@@ -74,6 +74,9 @@ private:
     CLI::App* app_;
 };
 
+/// What the options of \p command were given that take any text, but for its outputs: files among it.
+[[nodiscard]] std::vector<std::string> given_texts(const CLI::App& command);
+
 /// Name of a subcommand.
 [[nodiscard]] std::string command_name(const CLI::App& command);
 
