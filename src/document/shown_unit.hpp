@@ -19,10 +19,10 @@ struct ShownUnit {
     [[nodiscard]] std::string heading(std::string_view of) const;
 };
 
-/// The unit for a value of about \p size in the SI unit \p si: of "m" nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm, and m for
-/// what is smaller or from 1 m; "m along" is the same for what is as long as a profile, mm from 0.1 mm; "m^2"; "/m^2" or
-/// "1/m^2" /mm² from 0.01 /mm², /µm² from 0.1 /µm²; "Pa" kPa from 0.1 kPa, MPa from 0.1 MPa, GPa from 1 GPa; "Pa/m" GPa/µm from
-/// 0.01 GPa/µm; "Hz". A plain number or any other unit stays. Of 0 the usual one.
+/// The unit for a value of about \p size in the SI unit \p si; of 0 the usual one. A plain number or any other unit stays.
+/// "m": nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm, m for what is smaller or from 1 m; "m along", of what is as long as
+/// a profile, has mm from 0.1 mm. "/m^2" or "1/m^2": /mm² from 0.01 /mm², /µm² from 0.1 /µm². "m^2". "Pa": kPa from
+/// 0.1 kPa, MPa from 0.1 MPa, GPa from 1 GPa. "Pa/m": GPa/µm from 0.01 GPa/µm. "Hz".
 [[nodiscard]] ShownUnit shown_unit(double size, std::string_view si);
 /// The unit of \p si in which most of \p values are between 1 and 1000, for a table that has one unit.
 [[nodiscard]] ShownUnit shown_unit(std::span<const double> values, std::string_view si);

@@ -47,7 +47,8 @@ std::span<const CurveQuantityRow> curve_quantities() {
          {tangential_stiffness, "tangential_stiffness", "_Pa_per_m", "Pa/m", "Kt/A0", Quantity::stiffness,
           &Scene::tangential_stiffness, true},
          {reflection, "reflection", "", "", "|R|", Quantity::stiffness, &Scene::reflection, true},
-         {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, &Scene::shear_reflection, true},
+         {shear_reflection, "shear_reflection", "", "", "shear |R|", Quantity::stiffness, &Scene::shear_reflection,
+          true},
          {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area, &Scene::real_area},
          {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contacts, &Scene::contacts}}};
     return table;
@@ -73,14 +74,15 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
         const bool given = row.of_law == Quantity::none || has(curve.law->quantities, row.of_law);
         if (!given || (of_band && curve.band.empty())) return;
         const bool falls = row.unit.empty();  // a reflection, while K rises
-        const auto end = (statistic == Statistic::p05) != falls ? &SampledBand<double>::low : &SampledBand<double>::high;
+        using Band = SampledBand<double>;
+        const auto end = (statistic == Statistic::p05) != falls ? &Band::low : &Band::high;
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
             const Estimate<double> found = estimate_of(row.quantity, scene, tangential_ratio, state);
             column.values.push_back(statistic == Statistic::error ? found.error : found.value);
         }
-        if (row.quantity == CurveQuantity::loading_stiffness &&  // plastic boundary elements know that of unloading alone
+        if (row.quantity == CurveQuantity::loading_stiffness &&  // plastic boundary elements know unloading alone
             std::all_of(column.values.begin(), column.values.end(), [](double value) { return value == 0; }))
             column.values.clear();
     };

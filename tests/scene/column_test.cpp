@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Columns: names, units and headings of every quantity; CSV and JSON of any bytes. Truth: lists by hand, nlohmann's reader.
+// Columns: names, units and headings of every quantity; CSV and JSON of any bytes. Truth: lists by hand, nlohmann.
 #include "scene/result_rows.hpp"
 
 #include "support/accuracy.hpp"
@@ -106,7 +106,9 @@ TEST_CASE("A line of CSV reads back as its cells") {
 }
 
 TEST_CASE("A JSON document is valid whatever its bytes are, and numbers are finite") {
-    const auto read = [](const std::string& bytes) { return nlohmann::json::parse(json_text(bytes)).get<std::string>(); };
+    const auto read = [](const std::string& bytes) {
+        return nlohmann::json::parse(json_text(bytes)).get<std::string>();
+    };
     const std::string plain = "a \"b\" \\ \n\t \x7f \xC2\x85 5 \xC2\xB5m \xE2\x80\x93 \xF0\x9F\x94\xA9";
     CHECK(read(plain) == plain);
     CHECK(json_text("\x7f\xC2\x85\x01") == "\"\\u007f\\u0085\\u0001\"");

@@ -44,7 +44,7 @@ TEST_CASE("The scenes of data/ have the numbers that fstiff run prints") {
             for (std::size_t i = 0; i < curve.states.size(); ++i, ++row) {
                 differences += printed.text(row, "law") != curve.law->name;
                 for (const auto& column : curve.columns) {
-                    differences += printed.number(row, column.key()) != column.values[i];  // 17 digits read back exactly
+                    differences += printed.number(row, column.key()) != column.values[i];  // 17 digits are exact
                     ++compared;
                 }
             }

@@ -180,7 +180,9 @@ std::string csv(const Work& work) {
     for (const auto& [law, theta, r, start, points, found] : work.found.fits)
         for (const auto& p : found.parameters) {
             const bool has_errors = found.covariance.size() > 0;
-            const auto if_known = [&](double value) { return has_errors && std::isfinite(value) ? Cell(value) : Cell(); };
+            const auto if_known = [&](double value) {
+                return has_errors && std::isfinite(value) ? Cell(value) : Cell();
+            };
             std::vector<Cell> cells{law->name,
                                     theta,
                                     r,

@@ -155,7 +155,8 @@ void judge(Report& report, const Options& options, const Input& input, const std
     report.diagnostics.push_back(
         input.name + ": " + std::to_string(std::count_if(first, computed.end(), misses)) + " of " +
         std::to_string(computed.size()) + " values have an error above " + shortest(allowed) +
-        " of their size, the first at line " + std::to_string(input.lines[static_cast<std::size_t>(first - computed.begin())]));
+        " of their size, the first at line " +
+        std::to_string(input.lines[static_cast<std::size_t>(first - computed.begin())]));
 }
 
 Report execute(const Options& options) {
@@ -168,7 +169,8 @@ Report execute(const Options& options) {
     std::vector<Estimate<double>> computed;
     for (std::size_t i = 0; i < input.rows.size(); ++i) computed.push_back(compute(input, i, method));
     const Rows rows = rows_of(input, computed);
-    Report made = report({.table = [&] { return "J[a,b](eta; r, theta), method " + options.method + "\n" + rows.text(); },
+    const std::string title = "J[a,b](eta; r, theta), method " + options.method + "\n";
+    Report made = report({.table = [&] { return title + rows.text(); },
                           .csv = [&] { return rows.csv(); },
                           .json = [&] {
                               Json document = json_document("integral");

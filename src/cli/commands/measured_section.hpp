@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The part of a report that shows a measured surface: its parameters, heights, bearing curve, structure function and peaks.
+// The part of a report that shows a measured surface: parameters, heights, bearing curve, structure function and peaks.
 
 #include "picture/page.hpp"
 #include "surface/measured_surface.hpp"

@@ -230,11 +230,13 @@ std::vector<ModelCurve> plastic_curves(const Surface& surface) {
     };
     return {{"plastic peaks (not in the paper): plastic", 3, Stroke::solid,
              of(PlasticLaw<double>(material.hardness_or_default(), modulus))},
-            {"plastic peaks (not in the paper): jackson_green", 4, Stroke::solid, of(JacksonGreenLaw<double>(material))}};
+            {"plastic peaks (not in the paper): jackson_green", 4, Stroke::solid,
+             of(JacksonGreenLaw<double>(material))}};
 }
 
 Panel stiffness_panel_of(const char* title, const std::vector<ModelCurve>& curves) {
-    Panel panel{.title = title, .x = {.label = "nominal pressure p [MPa]"}, .y = {.label = "K/A₀ [GPa/µm]"}, .height = 300};
+    Panel panel{
+        .title = title, .x = {.label = "nominal pressure p [MPa]"}, .y = {.label = "K/A₀ [GPa/µm]"}, .height = 300};
     const std::vector<double> points = pressures();
     for (const ModelCurve& curve : curves) {
         PlotLine line = line_of(
@@ -282,8 +284,8 @@ Picture stiffness_figure(const Surface& surface, Reproduction& all) {
     const std::string number(1, surface.figure[3]);
     return {surface.figure,
             "Fig. " + number + ": normal contact stiffness of the surface " + surface.name + ". " + no_points +
-                " The curves of plastic peaks are not in the paper: peaks that flow (H = 2.8 Y, θ = π/4, r = 0) as a wave "
-                "sees them, by unloading.",
+                " The curves of plastic peaks are not in the paper: peaks that flow (H = 2.8 Y, θ = π/4, r = 0) as a "
+                "wave sees them, by unloading.",
             {.title = "Fig. " + number + ": normal contact stiffness, " + surface.name,
              .panels = {stiffness_panel_of("The interface alone", alone),
                         stiffness_panel_of("With the interaction (4.11), L = √A₀, η_old effective", with)},
@@ -310,7 +312,8 @@ std::vector<Conclusion> judge(const std::vector<Finding>& findings) {
     return {
         {1, "The fractal model is close to the experiment, the statistical elastic models are far below it.",
          same_factor ? "not testable: only that the models differ by a constant factor" : "the factor is not constant",
-         "The two differ by (2/3)(3-D)/(2-D) at every pressure, " + range(Measure::over_elastic, 4) + " with D alone; Greenwood-Williamson lies lower by " + range(Measure::over_greenwood_williamson) +
+         "The two differ by (2/3)(3-D)/(2-D) at every pressure, " + range(Measure::over_elastic, 4) +
+             " with D alone; Greenwood-Williamson lies lower by " + range(Measure::over_greenwood_williamson) +
              ". That the fractal model is closer says that such a factor was missing. The experimental points are not "
              "in the text."},
         {2, "The stiffness is almost independent of θ.",

@@ -310,8 +310,8 @@ Report execute(const Options& options) {
     const std::string document = page_of(scene, results);
     deliver({{file, page_mark + document}}, options.folder);
     return report({.table = [&] {
-                       return "fstiff " FSTIFF_VERSION ": report of " + printable(scene.name + " (" + scene.file + ")") +
-                              "\n  " + printable(file) + "\n";
+                       return "fstiff " FSTIFF_VERSION ": report of " +
+                              printable(scene.name + " (" + scene.file + ")") + "\n  " + printable(file) + "\n";
                    },
                    .csv = [&] { return csv_line({"file"}) + csv_line({file}); },
                    .json = [&] {

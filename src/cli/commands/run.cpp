@@ -268,7 +268,6 @@ private:
     /// \p cell of every curve and point, below \p what.
     template <class Cell>
     [[nodiscard]] std::string table(std::string what, const Cell& cell) const {
-        const auto widen = [&](std::string& text) { text += std::string(first_ - std::min(first_, shown_width(text)), ' '); };
         TextRows rows{{std::move(what)}};
         for (const std::size_t i : points_)
             rows[0].push_back(with_unit(scene_.points[i], scene_.at_separations ? "m" : "Pa", 3));
@@ -276,7 +275,7 @@ private:
             rows.push_back({label_of(curve)});
             for (const std::size_t i : points_) rows.back().push_back(cell(curve, i));
         }
-        for (auto& row : rows) widen(row.front());
+        for (auto& row : rows) row[0] += std::string(first_ - std::min(first_, shown_width(row[0])), ' ');
         return TextTable(std::move(rows)).str();
     }
 

@@ -78,8 +78,8 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder = "
 void require_own(const std::string& file);
 /// What the command line names besides its outputs: files, as far as they are there.
 void name_inputs(std::vector<std::string> texts);
-/// Before anything is read: this process is going to write \p file, which is none of the inputs, whatever the names that lead
-/// to it. \throws file_error where it is one, or was to be written before.
+/// Before anything is read: this process is going to write \p file, which is none of the inputs, whatever the names
+/// that lead to it. \throws file_error where it is one, or was to be written before.
 void keep_for_output(const std::string& file);
 /// For a file that an input names. \throws file_error where it is kept for the output.
 void require_no_output(const std::string& input);
