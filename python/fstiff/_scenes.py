@@ -36,6 +36,7 @@ class Curves(Table["npt.NDArray[Any]"]):
         import numpy as np
 
         self._values = {key: np.asarray(column) for key, column in found["columns"]}
+        self._bands: dict[str, tuple[str, str]] = found["bands"]
         self._curves: list[tuple[str, float | None, float | None, int]] = found["curves"]
         self.name = name
         self.warnings: list[str] = found["warnings"]
@@ -62,13 +63,12 @@ class Curves(Table["npt.NDArray[Any]"]):
 
         ax = axes(ax)
         by_x, by_y = label_axes(ax, x, y)
-        stem, unit = (y[: -len("_Pa_per_m")], "_Pa_per_m") if y.endswith("_Pa_per_m") else (y, "")
         for title, columns in self.parts():
             if np.all(np.isnan(columns[y])):
                 continue
             (line,) = ax.plot(columns[x] * by_x, columns[y] * by_y, label=title)
-            low, high = (columns.get(f"{stem}_{quantile}{unit}") for quantile in ("p05", "p95"))
-            if low is not None and high is not None and not np.all(np.isnan(low)):
+            low, high = (columns[key] for key in self._bands.get(y, (y, y)))
+            if y in self._bands and not np.all(np.isnan(low)):
                 ax.fill_between(columns[x] * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=0)
         ax.legend(fontsize="small")
         return ax

@@ -71,8 +71,14 @@ nb::dict run(const Scene& scene) {
     nb::list curves;
     for (const Curve& curve : results.curves)
         curves.append(nb::make_tuple(std::string(curve.law->name), curve.theta, curve.r, curve.states.size()));
+    nb::dict bands;  // of a column: those of the ends of its band
+    for (const Column& column : results.curves.front().columns)
+        if (column.statistic == Statistic::p05)
+            bands[Column{column.quantity}.key().c_str()] =
+                nb::make_tuple(column.key(), Column{column.quantity, Statistic::p95}.key());
     nb::dict all;
     all["columns"] = columns_of(results);
+    all["bands"] = bands;
     all["curves"] = curves;
     all["warnings"] = results.warnings;
     all["verdict"] = results.verdict;

@@ -20,10 +20,11 @@ using fstiff::scene::option_error;
 void say(const std::string& message) { std::cerr << "fstiff: " << printable(message) << '\n'; }
 
 int execute(const Command& command) {
+    name_inputs(given_texts(*command.app));
     const std::string file = command.output->target();
     if (!file.empty()) {
         require_writable(file);
-        fstiff::scene::keep_for_output(file);
+        keep_for_output(file);
     }
     const Report report = command.execute();
     deliver(report.document, file);

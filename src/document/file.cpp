@@ -13,30 +13,9 @@
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
-#include <vector>
 
 namespace fstiff::scene {
 namespace {
-
-/// Files that are going to be written.
-std::vector<std::filesystem::path>& outputs() {
-    static std::vector<std::filesystem::path> files;
-    return files;
-}
-
-/// Bytes of the character of UTF-8 that \p text begins with; 0 where it begins with none.
-std::size_t length_of_utf8(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-    const unsigned first = byte(0);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3
-                             : first >= 0xf0 && first < 0xf5 ? 4 : 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xc0u) != 0x80u) return 0;
-    const bool is_overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
-    const bool is_beyond = (first == 0xed && byte(1) >= 0xa0) || (first == 0xf4 && byte(1) >= 0x90);
-    return is_overlong || is_beyond ? 0 : length;
-}
 
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
@@ -71,22 +50,7 @@ std::filesystem::path output_target(const std::string& file) {
     return error ? at : target;
 }
 
-void keep_for_output(const std::string& file) {
-    std::error_code error;
-    const std::filesystem::path path = output_target(file);
-    for (const auto& other : outputs())
-        if (path == other && (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error)))
-            throw file_error(file, "would be written twice; give every output a name of its own");
-    outputs().push_back(path);
-}
-
 std::string read_all(const std::string& file) {
-    std::error_code ignored;
-    for (const auto& output : outputs())
-        if (std::filesystem::is_regular_file(output, ignored) &&
-            std::filesystem::equivalent(file == "-" ? "/dev/stdin" : file, output, ignored))
-            throw file_error(output.string(),
-                             "is an input of this command and would be written over; give the output another name");
     std::string bytes;
     if (file == "-") {
         io::detail::append_bytes(std::cin, "standard input", bytes);
@@ -120,7 +84,7 @@ std::string printable(std::string_view text, std::string_view kept) {
     std::string shown;
     shown.reserve(text.size());
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = length_of_utf8(text.substr(at));
+        const std::size_t length = io::detail::utf8_length(text.substr(at));
         const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
         const auto byte = static_cast<unsigned char>(character[0]);
         const bool is_control = byte < 0x20 || byte == 0x7f ||

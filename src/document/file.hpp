@@ -21,14 +21,11 @@ public:
     using domain_error::domain_error;
 };
 
-/// From now on read_all() refuses \p file, which this process is going to write: no output replaces an input, whatever
-/// the names that lead to it. \throws file_error where \p file was named to be written before.
-void keep_for_output(const std::string& file);
 /// Where \p file is written: behind symbolic links, which stay links, also where the last one leads to a file that is not
 /// there yet. \throws file_error for links that lead in a circle.
 [[nodiscard]] std::filesystem::path output_target(const std::string& file);
-/// All bytes of \p file; "-" is standard input. \throws file_error for a file that is missing, unreadable or kept for
-/// the output, domain_error for one that is empty or too long.
+/// All bytes of \p file; "-" is standard input. \throws file_error for a file that is missing or unreadable,
+/// domain_error for one that is empty or too long.
 [[nodiscard]] std::string read_all(const std::string& file);
 /// How messages call \p file.
 [[nodiscard]] std::string display_name(const std::string& file);

@@ -8,13 +8,80 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 namespace fstiff::scene {
-namespace {
 
-/// \p value in quotation marks, with all control characters as \u00XX; JSON itself asks that of those below U+0020 only.
-std::string in_quotes(const std::string& value) {
+Json::Json(double value) : value_(value) {
+    if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
+}
+
+Json::Json(std::initializer_list<Json> items) : value_(Items(items)) {
+    const auto is_member = [](const Json& item) {
+        const auto* pair = std::get_if<Items>(&item.value_);
+        return pair && pair->size() == 2 && std::holds_alternative<std::string>(pair->front().value_);
+    };
+    if (!std::all_of(items.begin(), items.end(), is_member)) return;
+    value_ = Members();
+    for (const Json& item : items) {
+        const Items& pair = std::get<Items>(item.value_);
+        (*this)[std::get<std::string>(pair[0].value_)] = pair[1];
+    }
+}
+
+Json& Json::operator[](std::string_view key) {
+    if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Members();
+    Members& members = std::get<Members>(value_);
+    const auto found = std::find_if(members.begin(), members.end(), [&](const auto& one) { return one.first == key; });
+    return found != members.end() ? found->second : members.emplace_back(key, Json()).second;
+}
+
+void Json::push_back(Json item) {
+    if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Items();
+    std::get<Items>(value_).push_back(std::move(item));
+}
+
+void Json::update(const Json& object) {
+    for (const auto& [key, value] : std::get<Members>(object.value_)) (*this)[key] = value;
+}
+
+std::string Json::str() const {
+    std::string out;
+    write(out, "\n");
+    return out + '\n';
+}
+
+void Json::write(std::string& out, const std::string& line) const {
+    const auto write_all = [&](const auto& items, char open, char close, const auto& write_one) {
+        out += open;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            out += (i ? "," : "") + line + "  ";
+            write_one(items[i]);
+        }
+        if (!items.empty()) out += line;
+        out += close;
+    };
+    if (const auto* items = std::get_if<Items>(&value_))
+        write_all(*items, '[', ']', [&](const Json& item) { item.write(out, line + "  "); });
+    else if (const auto* members = std::get_if<Members>(&value_))
+        write_all(*members, '{', '}', [&](const auto& member) {
+            out += json_text(member.first) + ": ";
+            member.second.write(out, line + "  ");
+        });
+    else if (const auto* text = std::get_if<std::string>(&value_))
+        out += json_text(*text);
+    else if (const auto* real = std::get_if<double>(&value_))
+        out += nlohmann::json(*real).dump();
+    else if (const auto* whole = std::get_if<std::int64_t>(&value_))
+        out += std::to_string(*whole);
+    else if (const auto* count = std::get_if<std::uint64_t>(&value_))
+        out += std::to_string(*count);
+    else if (const auto* truth = std::get_if<bool>(&value_))
+        out += *truth ? "true" : "false";
+    else
+        out += "null";
+}
+
+std::string json_text(std::string_view value) {
     using nlohmann::json;
     std::string text = json(value).dump(-1, ' ', false, json::error_handler_t::replace);
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -29,136 +96,8 @@ std::string in_quotes(const std::string& value) {
     return text;
 }
 
-}  // namespace
-
-struct Json::Rest {
-    std::string text;
-    std::vector<Json> items;
-    std::vector<std::string> keys;  ///< of an object: one an item
-};
-
-Json::Json(std::nullptr_t) : whole_(0) {}
-Json::Json(bool value) : kind_(Kind::boolean), whole_(value) {}
-Json::Json(double value) : kind_(Kind::real), real_(value) {
-    if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
-}
-Json::Json(Whole value) : kind_(value.negative ? Kind::negative : Kind::whole), whole_(value.size) {}
-Json::Json(const char* text) : Json(std::string(text)) {}
-Json::Json(std::string_view text) : Json(std::string(text)) {}
-Json::Json(std::string text) : kind_(Kind::text), whole_(0), rest_(new Rest{std::move(text), {}, {}}) {}
-Json::Json(const std::vector<std::string>& texts) : Json(array()) { rest_->items.assign(texts.begin(), texts.end()); }
-Json::Json(const std::vector<std::size_t>& counts) : Json(array()) {
-    rest_->items.assign(counts.begin(), counts.end());
-}
-
-Json::Json(const std::vector<double>& numbers) : Json(array()) { rest_->items.assign(numbers.begin(), numbers.end()); }
-
-Json::Json(std::initializer_list<Json> items) : Json(array()) {
-    const bool pairs = std::all_of(items.begin(), items.end(), [](const Json& item) {
-        return item.kind_ == Kind::array && item.rest_->items.size() == 2 &&
-               item.rest_->items.front().kind_ == Kind::text;
-    });
-    if (!pairs) {
-        rest_->items = items;
-        return;
-    }
-    kind_ = Kind::object;
-    for (const Json& item : items) (*this)[item.rest_->items[0].text()] = item.rest_->items[1];
-}
-
-Json::Json(const Json& other) : kind_(other.kind_), whole_(other.whole_) {
-    if (other.rest_) rest_ = std::make_unique<Rest>(*other.rest_);
-}
-Json::Json(Json&& other) noexcept = default;
-Json& Json::operator=(const Json& other) { return *this = Json(other); }
-Json& Json::operator=(Json&& other) noexcept = default;
-Json::~Json() = default;
-
-Json Json::array() {
-    Json list;
-    list.kind_ = Kind::array;
-    list.rest_ = std::make_unique<Rest>();
-    return list;
-}
-
-Json Json::object() {
-    Json made = array();
-    made.kind_ = Kind::object;
-    return made;
-}
-
-Json& Json::operator[](std::string_view key) {
-    if (kind_ == Kind::null) *this = object();
-    if (kind_ != Kind::object) throw std::logic_error("a JSON value that is no object has no keys");
-    const auto found = std::find(rest_->keys.begin(), rest_->keys.end(), key);
-    if (found != rest_->keys.end()) return rest_->items[static_cast<std::size_t>(found - rest_->keys.begin())];
-    rest_->keys.emplace_back(key);
-    return rest_->items.emplace_back();
-}
-
-void Json::push_back(Json item) {
-    if (kind_ == Kind::null) *this = array();
-    if (kind_ != Kind::array) throw std::logic_error("a JSON value that is no array takes no items");
-    rest_->items.push_back(std::move(item));
-}
-
-void Json::update(const Json& object) {
-    for (std::size_t i = 0; i < object.rest_->keys.size(); ++i) (*this)[object.rest_->keys[i]] = object.rest_->items[i];
-}
-
-const std::string& Json::text() const {
-    if (kind_ != Kind::text) throw std::logic_error("a JSON value that is no text");
-    return rest_->text;
-}
-
-std::string Json::str() const {
-    std::string out;
-    write(out, "\n");
-    return out + '\n';
-}
-
-void Json::write(std::string& out, const std::string& line) const {
-    using nlohmann::json;
-    switch (kind_) {
-        case Kind::null:
-            out += "null";
-            return;
-        case Kind::boolean:
-            out += whole_ ? "true" : "false";
-            return;
-        case Kind::negative:
-            out += '-';
-            [[fallthrough]];
-        case Kind::whole:
-            out += std::to_string(whole_);
-            return;
-        case Kind::real:
-            out += json(real_).dump();
-            return;
-        case Kind::text:
-            out += in_quotes(rest_->text);
-            return;
-        case Kind::array:
-        case Kind::object:
-            break;
-    }
-    const bool is_object = kind_ == Kind::object;
-    out += is_object ? '{' : '[';
-    for (std::size_t i = 0; i < rest_->items.size(); ++i) {
-        out += (i ? "," : "") + line + "  ";
-        if (is_object) out += in_quotes(rest_->keys[i]) + ": ";
-        rest_->items[i].write(out, line + "  ");
-    }
-    if (!rest_->items.empty()) out += line;
-    out += is_object ? '}' : ']';
-}
-
 Json json_document(std::string_view command) {
-    Json document;
-    document["schema_version"] = 1;
-    document["fstiff_version"] = FSTIFF_VERSION;
-    document["command"] = command;
-    return document;
+    return {{"schema_version", 1}, {"fstiff_version", FSTIFF_VERSION}, {"command", command}};
 }
 
 }  // namespace fstiff::scene

@@ -6,40 +6,35 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace fstiff::scene {
 
 class Json {
 public:
-    Json(std::nullptr_t = nullptr);
-    Json(bool value);
+    Json(std::nullptr_t = nullptr) {}
+    Json(bool value) : value_(value) {}
     /// \throws std::logic_error for NaN and infinity, which JSON has not: a defect of fstiff.
     Json(double value);
     template <std::integral Integer>
     requires(!std::same_as<Integer, bool>) Json(Integer value)
-        : Json(value < 0 ? Whole{true, static_cast<std::uint64_t>(-static_cast<std::int64_t>(value))}
-                         : Whole{false, static_cast<std::uint64_t>(value)}) {}
-    Json(const char* text);
-    Json(std::string text);
-    Json(std::string_view text);
-    Json(const std::vector<std::string>& texts);
-    Json(const std::vector<std::size_t>& counts);
-    Json(const std::vector<double>& numbers);
+        : value_(std::conditional_t<std::signed_integral<Integer>, std::int64_t, std::uint64_t>(value)) {}
+    Json(const char* text) : value_(std::string(text)) {}
+    Json(std::string text) : value_(std::move(text)) {}
+    Json(std::string_view text) : value_(std::string(text)) {}
+    /// Texts or numbers: an array.
+    template <class Item>
+    Json(const std::vector<Item>& items) : value_(Items(items.begin(), items.end())) {}
     /// {{"key", value}, ...} is an object, any other list an array.
     Json(std::initializer_list<Json> items);
-    Json(const Json& other);
-    Json(Json&& other) noexcept;
-    Json& operator=(const Json& other);
-    Json& operator=(Json&& other) noexcept;
-    ~Json();
 
-    static Json array();
-    static Json object();
+    static Json array() { return Json(Items()); }
+    static Json object() { return Json(Members()); }
 
     /// The value of \p key, which is made where there is none; null becomes an object.
     Json& operator[](std::string_view key);
@@ -47,30 +42,24 @@ public:
     void push_back(Json item);
     /// Takes over all keys of \p object.
     void update(const Json& object);
-    /// The text of a value that is one.
-    [[nodiscard]] const std::string& text() const;
 
     /// Indented by two, with a line end. Bytes that are no UTF-8 (of a file name, a header line) become U+FFFD: a document
     /// is always valid JSON.
     [[nodiscard]] std::string str() const;
 
 private:
-    enum class Kind : unsigned char { null, boolean, negative, whole, real, text, array, object };
-    struct Whole {
-        bool negative;
-        std::uint64_t size;
-    };
-    struct Rest;  // of a value that is no number
-    explicit Json(Whole value);
+    using Items = std::vector<Json>;
+    using Members = std::vector<std::pair<std::string, Json>>;
+    explicit Json(Items items) : value_(std::move(items)) {}
+    explicit Json(Members members) : value_(std::move(members)) {}
     void write(std::string& out, const std::string& line) const;
 
-    Kind kind_ = Kind::null;
-    union {
-        double real_;
-        std::uint64_t whole_;
-    };
-    std::unique_ptr<Rest> rest_;
+    std::variant<std::nullptr_t, bool, double, std::int64_t, std::uint64_t, std::string, Items, Members> value_;
 };
+
+/// \p text in quotation marks, with all control characters as \\u00XX but those that have a letter, such as \\n; JSON
+/// itself asks that of those below U+0020 only. Bytes that are no UTF-8 become U+FFFD.
+[[nodiscard]] std::string json_text(std::string_view text);
 
 /// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
 [[nodiscard]] Json json_document(std::string_view command);

@@ -2,6 +2,7 @@
 #include "document/rows.hpp"
 
 #include "document/file.hpp"
+#include "io/number.hpp"
 
 #include <algorithm>
 
@@ -9,6 +10,9 @@ namespace fstiff::scene {
 namespace {
 
 using Kind = Cell::Kind;
+
+/// Whether \p byte of UTF-8 is the first of a character.
+bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }
 
 /// \p real where the cell holds a number; \p nothing where it holds none.
 template <class Real>
@@ -35,8 +39,24 @@ Json json_of(const Cell& cell) {
 }  // namespace
 
 std::size_t shown_width(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
+    std::vector<std::string> lines;
+    while (shown_width(text) > most) {
+        std::size_t end = 0, space = 0;
+        for (std::size_t count = 0; count <= most; ++end) {
+            if (text[end] == ' ') space = end;
+            count += begins_character(text[end]);
+        }
+        --end;  // the first character too many
+        const std::size_t at = space > 0 ? space : end;
+        lines.emplace_back(text.substr(0, at));
+        text.remove_prefix(space > 0 ? at + 1 : at);
+    }
+    lines.emplace_back(text);
+    return lines;
 }
 
 std::string TextTable::str(std::string_view indent) const {
@@ -65,19 +85,45 @@ std::string csv_line(const std::vector<std::string>& cells) {
     return text + '\n';
 }
 
-std::string Rows::text(const Select& select) const {
-    std::vector<std::string> header;
-    for (const Column& column : columns_)
-        if (!column.heading.shown.empty()) header.push_back(column.heading.shown);
-    TextTable table(std::move(header));
+std::vector<std::string> csv_cells(std::string_view line) {
+    constexpr std::string_view blanks = " \t\r\n";
+    std::vector<std::string> cells{""};
+    bool open = false, quoted = false;  // inside quotation marks; in a cell that had them
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        std::string& cell = cells.back();
+        if (open && c == '"' && line.substr(i + 1).starts_with('"')) {
+            cell += line[++i];
+        } else if (open ? c == '"' : c == '"' && !quoted && cell.find_first_not_of(blanks) == std::string::npos) {
+            if (!open) cell.clear();
+            open = !open;
+            quoted = true;
+        } else if (open || c != ',') {
+            if (open || !quoted || blanks.find(c) == std::string_view::npos) cell += c;
+        } else {
+            if (!quoted) cell = std::string(io::detail::trimmed(cell));
+            cells.emplace_back();
+            quoted = false;
+        }
+    }
+    if (!quoted) cells.back() = std::string(io::detail::trimmed(cells.back()));
+    return cells;
+}
+
+TextRows Rows::table(const Select& select) const {
+    TextRows rows(1);
+    std::vector<const Column*> shown;
+    for (const Column& column : columns_) {
+        if (column.heading.shown.empty()) continue;
+        shown.push_back(&column);
+        rows.front().push_back(column.heading.shown);
+    }
     for (std::size_t i = 0; i < size(); ++i) {
         if (select && !select(i)) continue;
-        std::vector<std::string> row;
-        for (const Column& column : columns_)
-            if (!column.heading.shown.empty()) row.push_back(text_of(column.cells[i], column.heading));
-        table.add(std::move(row));
+        rows.emplace_back();
+        for (const Column* column : shown) rows.back().push_back(text_of(column->cells[i], column->heading));
     }
-    return table.str();
+    return rows;
 }
 
 std::string Rows::csv(bool with_header, const Select& select) const {

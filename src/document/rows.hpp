@@ -22,21 +22,29 @@ namespace fstiff::scene {
 
 /// Number of characters of UTF-8 text: all bytes but the continuation bytes.
 [[nodiscard]] std::size_t shown_width(std::string_view text);
+/// \p text in lines of at most \p most characters, broken at spaces where there are any.
+[[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t most);
+
+/// Rows of text for people, the first one their headings.
+using TextRows = std::vector<std::vector<std::string>>;
 
 /// Columns of text for people, right-aligned under one header line.
 class TextTable {
 public:
     explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+    explicit TextTable(TextRows rows) : rows_(std::move(rows)) {}
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
     std::string str(std::string_view indent = "  ") const;
 
 private:
-    std::vector<std::vector<std::string>> rows_;
+    TextRows rows_;
 };
 
 /// Cells joined by commas, with a line end: the one writer of CSV. A cell with a comma, a quotation mark or a line end is quoted
 /// (RFC 4180).
-std::string csv_line(const std::vector<std::string>& cells);
+[[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
+/// The cells of such a line, without the blanks about them.
+[[nodiscard]] std::vector<std::string> csv_cells(std::string_view line);
 
 /// A value of a column.
 struct Cell {
@@ -58,6 +66,7 @@ struct Cell {
     Cell(Integer value) : kind(Kind::count), whole(static_cast<long long>(value)) {}
     Cell(std::string text) : kind(Kind::text), words(std::move(text)) {}
     Cell(std::string_view text) : Cell(std::string(text)) {}
+    Cell(const char* text) : Cell(std::string(text)) {}
     /// An optional value: absent where there is none.
     Cell(const std::optional<double>& value) : Cell(value ? Cell(*value) : Cell()) {}
 };
@@ -74,10 +83,23 @@ struct Heading {
 /// Columns of equal length.
 class Rows {
 public:
+    /// A column of \p values; without any its cells are absent.
     template <class Values>
     void add(Heading heading, const Values& values) {
-        Column& column = columns_.emplace_back(Column{std::move(heading), {}});
-        for (const auto& value : values) column.cells.emplace_back(value);
+        std::vector<Cell> cells;
+        for (const auto& value : values) cells.emplace_back(value);
+        if (cells.empty()) cells.resize(size());
+        columns_.push_back({std::move(heading), std::move(cells)});
+    }
+    /// Columns that add_row fills.
+    [[nodiscard]] static Rows under(std::vector<Heading> headings) {
+        Rows rows;
+        for (Heading& heading : headings) rows.columns_.push_back({std::move(heading), {}});
+        return rows;
+    }
+    /// A cell for every column.
+    void add_row(std::vector<Cell> cells) {
+        for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i].cells.push_back(std::move(cells.at(i)));
     }
     /// The same value \p count times.
     void repeat(Heading heading, const Cell& value, std::size_t count) {
@@ -86,8 +108,9 @@ public:
     [[nodiscard]] std::size_t size() const { return columns_.empty() ? 0 : columns_.front().cells.size(); }
 
     using Select = std::function<bool(std::size_t row)>;
-    /// The columns that people read, under their headings; of all rows, or of those that \p select takes.
-    [[nodiscard]] std::string text(const Select& select = {}) const;
+    /// The columns that people read; of all rows, or of those that \p select takes.
+    [[nodiscard]] TextRows table(const Select& select = {}) const;
+    [[nodiscard]] std::string text(const Select& select = {}) const { return TextTable(table(select)).str(); }
     [[nodiscard]] std::string csv(bool with_header = true, const Select& select = {}) const;
     /// Appends an object for every row to \p list.
     void append_to(Json& list) const;

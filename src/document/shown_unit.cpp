@@ -3,36 +3,86 @@
 
 #include "document/file.hpp"
 
+#include <fstiff/core/text.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace fstiff::scene {
+namespace {
 
-std::string ShownUnit::operator()(double value, int digits) const {
-    return rounded(value * factor, digits) + (name.empty() ? "" : " ") + std::string(name);
+struct Step {
+    ShownUnit unit;
+    double from;  ///< the least size [SI] that is shown in it
+};
+struct Ladder {
+    std::string_view si;
+    std::vector<Step> steps;  ///< rising
+    std::size_t usual;        ///< of 0
+};
+
+const Ladder* ladder_of(std::string_view si) {
+    static const std::vector<Ladder> all{
+        {"m", {{{"m"}, 0}, {{"nm", 1e-9}, 1e-11}, {{"µm", 1e-6}, 1e-7}, {{"mm", 1e-3}, 1e-3}, {{"m"}, 1}}, 2},
+        {"m along", {{{"nm", 1e-9}, 0}, {{"µm", 1e-6}, 1e-6}, {{"mm", 1e-3}, 1e-4}, {{"m"}, 1}}, 2},
+        {"m^2", {{{"nm²", 1e-18}, 0}, {{"µm²", 1e-12}, 1e-14}, {{"mm²", 1e-6}, 1e-6}, {{"m²"}, 1}}, 1},
+        {"/m^2", {{{"/m²"}, 0}, {{"/mm²", 1e6}, 1e4}, {{"/µm²", 1e12}, 1e11}}, 1},
+        {"Pa", {{{"Pa"}, 0}, {{"kPa", 1e3}, 100}, {{"MPa", 1e6}, 1e5}, {{"GPa", 1e9}, 1e9}}, 2},
+        {"Pa/m",
+         {{{"kPa/µm", 1e9}, 0}, {{"MPa/µm", 1e12}, 1e12}, {{"GPa/µm", 1e15}, 1e13}, {{"TPa/µm", 1e18}, 1e18}},
+         2},
+        {"Hz", {{{"Hz"}, 0}, {{"kHz", 1e3}, 1e3}, {{"MHz", 1e6}, 1e4}, {{"GHz", 1e9}, 1e9}}, 2}};
+    if (si == "1/m^2") si = "/m^2";
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Ladder& ladder) { return ladder.si == si; });
+    return found == all.end() ? nullptr : &*found;
 }
 
-ShownUnit unit_of_length(double metres) {
-    const double size = std::abs(metres);
-    if (size == 0) return {"µm", 1e6};
-    if (size < 1e-11 || size >= 1) return {"m", 1};
-    return size < 1e-7 ? ShownUnit{"nm", 1e9} : size < 1e-3 ? ShownUnit{"µm", 1e6} : ShownUnit{"mm", 1e3};
+/// \p digits of the value, without a power of ten where people write none.
+std::string plain(double value, int digits) {
+    const double size = std::abs(value);
+    if (!(size >= std::pow(10.0, digits)) || size >= 1e7) return rounded(value, digits);
+    const double last = std::pow(10.0, std::floor(std::log10(size)) - digits + 1);
+    return fixed_text(std::round(value / last) * last, 0);
 }
 
-std::string shown_length(double metres, int digits) { return unit_of_length(metres)(metres, digits); }
+}  // namespace
 
-ShownUnit unit_of_density(double per_area) {
-    return per_area < 1e11 ? ShownUnit{"/mm²", 1e-6} : ShownUnit{"/µm²", 1e-12};
+std::string ShownUnit::operator()(double value, int digits, double error) const {
+    return plain(value * factor, digits) + (error > 0 ? " ± " + plain(error * factor, 2) : "") +
+           (name.empty() ? "" : " ") + std::string(name);
 }
 
-ShownUnit unit_of_pressure(double pressure) {
-    const double size = std::abs(pressure);
-    if (size < 100) return {"Pa", 1};
-    return size < 1e5 ? ShownUnit{"kPa", 1e-3} : size < 1e9 ? ShownUnit{"MPa", 1e-6} : ShownUnit{"GPa", 1e-9};
+std::string ShownUnit::heading(std::string_view of) const {
+    if (name.empty()) return std::string(of);
+    return std::string(of) + (name.front() == '/' ? " [1" : " [") + std::string(name) + "]";
 }
 
-ShownUnit shown_unit(double value, std::string_view si) {
-    return si == "m" ? unit_of_length(value) : si == "/m^2" ? unit_of_density(value) : ShownUnit{si, 1};
+ShownUnit shown_unit(double size, std::string_view si) {
+    const Ladder* const ladder = ladder_of(si);
+    if (!ladder) return {si};
+    if (size == 0) return ladder->steps[ladder->usual].unit;
+    ShownUnit best = ladder->steps.front().unit;
+    for (const auto& [unit, from] : ladder->steps)
+        if (std::abs(size) >= 0.999999 * from) best = unit;
+    return best;
+}
+
+ShownUnit shown_unit(std::span<const double> values, std::string_view si) {
+    ShownUnit best{si};
+    const Ladder* const ladder = ladder_of(si);
+    if (!ladder) return best;
+    std::ptrdiff_t most = -1;
+    for (const auto& [unit, from] : ladder->steps) {
+        const auto fits = [&](double value) { return value >= unit.size && value < 1000 * unit.size; };
+        const auto count = std::count_if(values.begin(), values.end(), fits);
+        if (count > most) best = unit, most = count;
+    }
+    return best;
+}
+
+std::string with_unit(double value, std::string_view si, int digits, double error) {
+    return shown_unit(value, si)(value, digits, error);
 }
 
 std::string shown_change(double factor) {

@@ -16,10 +16,12 @@ std::string printable(std::string_view text, std::size_t longest) {
         const std::size_t length = utf8_length(text);
         const std::string_view taken = text.substr(0, std::max<std::size_t>(length, 1));
         const auto first = static_cast<unsigned char>(taken[0]);
-        // controls; and the signs of U+2000 to U+206F and U+FE00 to U+FFFF, some of which hide or turn text round
+        // controls; and the signs of U+2000 to U+206F, U+FE00 to U+FFFF and U+C0000 to U+FFFFF, some of which hide or
+        // turn text round
         const bool hidden =
             (first == 0xC2 && length == 2 && static_cast<unsigned char>(taken[1]) < 0xA0) ||
-            (length == 3 && (taken.starts_with("\xE2\x80") || taken.starts_with("\xE2\x81") || first == 0xEF));
+            (length == 3 && (taken.starts_with("\xE2\x80") || taken.starts_with("\xE2\x81") || first == 0xEF)) ||
+            (length == 4 && first == 0xF3);
         if (length == 1 ? first >= ' ' && first <= '~' : length > 1 && !hidden)
             shown += taken;
         else if (length == 0 && first >= 0xA0)

@@ -36,12 +36,15 @@ std::string lower_case(std::string_view text);
 constexpr std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (text.empty()) return 0;
-    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xC2 ? 0 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 0;
+    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xC2 || byte(0) > 0xF4 ? 0 : byte(0) < 0xE0 ? 2
+                                                : byte(0) < 0xF0 ? 3 : 4;
     if (length == 0 || length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xC0) != 0x80) return 0;
     if (byte(0) == 0xE0 && byte(1) < 0xA0) return 0;  // two bytes would do
     if (byte(0) == 0xED && byte(1) > 0x9F) return 0;  // half a character of UTF-16
+    if (byte(0) == 0xF0 && byte(1) < 0x90) return 0;  // three bytes would do
+    if (byte(0) == 0xF4 && byte(1) > 0x8F) return 0;  // beyond U+10FFFF
     return length;
 }
 

@@ -34,9 +34,9 @@ MeasuredSurface measured_from(const MeasureOptions& options, const std::vector<s
 }
 
 /// \p file, which the scene names relative to itself; "-" is standard input.
-std::string beside_scene(const Source& source, const std::filesystem::path& file) {
+std::string beside_scene(Source& source, const std::filesystem::path& file) {
     const std::filesystem::path scene(source.file);
-    return (file != "-" && file.is_relative() && scene.has_parent_path() ? scene.parent_path() / file : file).string();
+    return source.files.emplace_back((file == "-" ? file : scene.parent_path() / file).string());
 }
 
 /// The files that \p from names, relative to the scene.

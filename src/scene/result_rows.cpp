@@ -43,56 +43,40 @@ Units units_of(const Scene& scene, const Results& results) {
             unit_of_density(scene.surface.peak_density)};
 }
 
-Heading heading_of(const std::string& key, const Units& units) {
-    const auto in = [&](const char* name, const ShownUnit& unit, int digits = 5) {
-        return Heading{key, name + (" [" + std::string(unit.name) + "]"), unit.factor, digits};
-    };
-    if (key == "pressure_Pa") return in("p", units.pressure);
-    if (key == "separation_m") return in("separation", units.height);
-    if (key == "stiffness_Pa_per_m") return in("K/A0", unit_of_stiffness);
-    if (key == "stiffness_error_Pa_per_m") return in("numerical error", {"Pa/m", 1}, 2);
-    if (key == "stiffness_p05_Pa_per_m") return in("5 %", unit_of_stiffness);
-    if (key == "stiffness_p95_Pa_per_m") return in("95 %", unit_of_stiffness);
-    if (key == "loading_stiffness_Pa_per_m") return in("-dp/dd", unit_of_stiffness);
-    if (key == "tangential_stiffness_Pa_per_m") return in("Kt/A0", unit_of_stiffness);
-    if (key == "contacts_per_m2") {
-        const ShownUnit& unit = units.density;
-        return {key, "contacts [1" + std::string(unit.name) + "]", unit.factor};
+Heading heading_of(const Column& column, const Units& units) {
+    const auto& [quantity, name, suffix, si, symbol, of_law, asked, has_band] = column.row();
+    const ShownUnit unit = si == "Pa"      ? units.pressure
+                           : si == "m"     ? units.height
+                           : si == "1/m^2" ? units.density
+                           : si == "Pa/m"  ? units.stiffness
+                                           : ShownUnit{};
+    switch (column.statistic) {
+        case Statistic::value: return {column.key(), unit.heading(symbol), unit.factor};
+        case Statistic::error:  // the others have that of K
+            if (quantity != CurveQuantity::stiffness) return {column.key()};
+            return {column.key(), "numerical error [Pa/m]", 1, 2};
+        case Statistic::p05: return {column.key(), unit.heading("5 %"), unit.factor};
+        case Statistic::p95: return {column.key(), unit.heading("95 %"), unit.factor};
     }
-    static const std::vector<Heading> plain{{"eta", "eta"},
-                                            {"reflection", "|R|"},
-                                            {"reflection_p05", "5 %"},
-                                            {"reflection_p95", "95 %"},
-                                            {"shear_reflection", "shear |R|"},
-                                            {"shear_reflection_p05", "5 %"},
-                                            {"shear_reflection_p95", "95 %"},
-                                            {"real_area_fraction", "real area"}};
-    const auto found = std::find_if(plain.begin(), plain.end(), [&](const auto& one) { return one.key == key; });
-    return found == plain.end() ? Heading{key} : *found;
+    return {};
 }
 
 Rows rows_of(const Results& results, const Curve& curve, const Units& units) {
     Rows rows;
     const std::size_t size = curve.states.size();
-    const auto put = [&](Heading heading, const std::vector<double>& values) {
-        if (values.empty())
-            rows.repeat(std::move(heading), Cell(), size);
-        else
-            rows.add(std::move(heading), values);
-    };
     rows.repeat({"law"}, curve.law->name, size);
     rows.repeat({"theta"}, curve.theta, size);
     rows.repeat({"r"}, curve.r, size);
     for (const Column& column : curve.columns) {
-        put(heading_of(column.key, units), column.values);
-        if (column.key == "pressure_Pa" && curve.rms_gradient) {
+        rows.add(heading_of(column, units), column.values);
+        if (column.quantity == CurveQuantity::pressure && curve.rms_gradient) {
             std::vector<double> relative;
             for (const double p : column.values)
                 relative.push_back(dimensionless_pressure(p, results.modulus, *curve.rms_gradient));
-            put({"", "p*", 1, 3}, relative);
-        } else if (column.key == "stiffness_Pa_per_m") {
-            put({"", "K/A0 [Pa/m]", 1, 6}, column.values);
-        } else if (column.key == "real_area_fraction") {
+            rows.add({"", "p*", 1, 3}, relative);
+        } else if (column.quantity == CurveQuantity::stiffness && column.statistic == Statistic::value) {
+            rows.add({"", "K/A0 [Pa/m]", 1, 6}, column.values);
+        } else if (column.quantity == CurveQuantity::real_area) {
             rows.add({"", "mean pressure [GPa]", 1e-9}, mean_pressures(curve));
         }
     }

@@ -14,15 +14,15 @@ namespace fstiff::scene {
 
 /// The units of the columns, by the sizes of the scene.
 struct Units {
-    ShownUnit pressure, height, density;
+    ShownUnit pressure, height, density, stiffness = unit_of_stiffness;
 };
 
 /// The name, the file and the SHA-256 of \p scene, for a JSON document.
 [[nodiscard]] Json scene_json(const Scene& scene);
 
 [[nodiscard]] Units units_of(const Scene& scene, const Results& results);
-/// How people read the column \p key of a curve; one that is not for them stands in CSV and JSON alone.
-[[nodiscard]] Heading heading_of(const std::string& key, const Units& units);
+/// How people read \p column; one that is not for them is in CSV and JSON alone.
+[[nodiscard]] Heading heading_of(const Column& column, const Units& units);
 /// Every column of \p curve: law, theta, r, and what the scene asks for; the same keys for every curve of \p results.
 [[nodiscard]] Rows rows_of(const Results& results, const Curve& curve, const Units& units = {});
 

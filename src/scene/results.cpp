@@ -8,7 +8,6 @@
 
 #include <fstiff/asperity/mindlin.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/ultrasound/propagation.hpp>
 
 #include <algorithm>
 #include <array>
@@ -183,74 +182,6 @@ void add_warnings(const Scene& scene, Results& results) {
         results.doubtful = true;
 }
 
-/// The columns of \p curve in the order in which documents show them; law, theta and r stand before them.
-std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio, bool bands) {
-    std::vector<Column> columns;
-    const auto add = [&](const std::string& name, const std::string& suffix, const std::string& unit, Quantity quantity,
-                         const auto& value) {
-        Column& column = columns.emplace_back(Column{name + suffix, unit, {}});
-        if (quantity != Quantity::none && !has(curve.law->quantities, quantity)) return;
-        for (std::size_t i = 0; i < curve.states.size(); ++i) column.values.push_back(value(i));
-    };
-    const auto add_state = [&](const std::string& name, const std::string& suffix, const std::string& unit,
-                               Quantity quantity, const auto& value) {
-        add(name, suffix, unit, quantity, [&](std::size_t i) { return value(curve.states[i]); });
-    };
-    using State = ContactState<double>;
-    const auto with_error_and_band = [&](const std::string& name, const std::string& suffix, const std::string& unit,
-                                         const auto& estimate, bool falls) {
-        add_state(name, suffix, unit, Quantity::stiffness, [&](const State& s) { return estimate(s.stiffness).value; });
-        add_state(name + "_error", suffix, unit, Quantity::stiffness,
-                  [&](const State& s) { return estimate(s.stiffness).error; });
-        if (!bands) return;
-        const auto end = [&](double SampledBand<double>::*of) {
-            return [&, of](std::size_t i) { return estimate(Estimate<double>{curve.band[i].*of, 0}).value; };
-        };
-        using Band = SampledBand<double>;
-        if (curve.band.empty()) {  // of a law that does not vary with the surface drawn
-            for (const char* quantile : {"_p05", "_p95"}) columns.push_back({name + quantile + suffix, unit, {}});
-            return;
-        }
-        add(name + "_p05", suffix, unit, Quantity::stiffness, end(falls ? &Band::high : &Band::low));
-        add(name + "_p95", suffix, unit, Quantity::stiffness, end(falls ? &Band::low : &Band::high));
-    };
-    add_state("pressure", "_Pa", "Pa", Quantity::none, [](const State& s) { return s.pressure.value; });
-    add_state("eta", "", "", Quantity::none, [](const State& s) { return s.eta; });
-    if (scene.separation)
-        add_state("separation", "_m", "m", Quantity::none, [](const State& s) { return s.separation.value; });
-    if (scene.stiffness)
-        with_error_and_band(
-            "stiffness", "_Pa_per_m", "Pa/m", [](const Estimate<double>& k) { return k; }, false);
-    if (scene.loading_stiffness) {
-        add_state("loading_stiffness", "_Pa_per_m", "Pa/m", Quantity::loading_stiffness,
-                  [](const State& s) { return s.loading_stiffness.value; });
-        std::vector<double>& values = columns.back().values;  // plastic boundary elements know that of unloading alone
-        if (std::count(values.begin(), values.end(), 0) == std::ssize(values)) values.clear();
-    }
-    if (scene.tangential_stiffness)
-        with_error_and_band(
-            "tangential_stiffness", "_Pa_per_m", "Pa/m",
-            [&](const Estimate<double>& k) {
-                return Estimate<double>{tangential_ratio * k.value, tangential_ratio * k.error};
-            },
-            false);
-    const auto add_reflection = [&](const std::string& name, const Impedances<double>& media, double factor) {
-        with_error_and_band(
-            name, "", "",
-            [&](const Estimate<double>& k) { return reflection(k * factor, media, scene.ultrasound->angular()); },
-            true);  // R falls with K
-    };
-    if (scene.reflection) add_reflection("reflection", scene.ultrasound->longitudinal, 1);
-    if (scene.shear_reflection) add_reflection("shear_reflection", *scene.ultrasound->shear, tangential_ratio);
-    if (scene.real_area)
-        add_state("real_area_fraction", "", "", Quantity::real_area,
-                  [](const State& s) { return s.real_area_fraction.value; });
-    if (scene.contacts)
-        add_state("contacts", "_per_m2", "1/m^2", Quantity::contacts,
-                  [](const State& s) { return s.contact_density.value; });
-    return columns;
-}
-
 /// Bands, where the surface has errors, and the columns of every curve, which has its states.
 void finish(const Scene& scene, Results& results, const ProgressHook& progress) {
     if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);
@@ -270,6 +201,14 @@ std::optional<std::size_t> Curve::state_at(std::size_t place) const {
     const auto found = std::lower_bound(places.begin(), places.end(), place);
     if (found == places.end() || *found != place) return std::nullopt;
     return static_cast<std::size_t>(found - places.begin());
+}
+
+std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity, Statistic statistic) const {
+    const auto at = state_at(place);
+    for (const Column& column : columns)
+        if (at && column.quantity == quantity && column.statistic == statistic && !column.values.empty())
+            return column.values[*at];
+    return std::nullopt;
 }
 
 std::vector<Parameter> unknown_parameters(const Scene& scene) {

@@ -5,8 +5,9 @@
 //     const Scene scene = read_scene(text, {.name = "scene.toml"});
 //     const Results results = compute(scene);
 //     for (const Curve& curve : results.curves)
-//         for (const Column& column : curve.columns) use(curve.law->name, column.key, column.values);
+//         for (const Column& column : curve.columns) use(curve.law->name, column.key(), column.values);
 
+#include "scene/column.hpp"
 #include "scene/scene.hpp"
 
 #include <fstiff/contact/contact_state.hpp>
@@ -22,13 +23,6 @@
 #include <vector>
 
 namespace fstiff::scene {
-
-/// One quantity of a curve at every point.
-struct Column {
-    std::string key;             ///< with the unit at its end, such as "stiffness_Pa_per_m"
-    std::string unit;            ///< SI, such as "Pa/m"; empty: a plain number
-    std::vector<double> values;  ///< one a point; empty: the law does not give the quantity
-};
 
 /// A point of the scene that a law does not reach.
 struct MissedPoint {
@@ -52,6 +46,9 @@ struct Curve {
 
     /// Which of the states is that of the point \p place of the scene; none where the law does not reach it.
     [[nodiscard]] std::optional<std::size_t> state_at(std::size_t place) const;
+    /// \p statistic of \p quantity at the point \p place of the scene; none where there is no such column or state.
+    [[nodiscard]] std::optional<double> value_at(std::size_t place, CurveQuantity quantity,
+                                                 Statistic statistic = Statistic::value) const;
 };
 
 /// "fractal, theta = 0.7854, r = 0.5".

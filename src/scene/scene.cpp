@@ -594,7 +594,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     warn_of_gradients(scene);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
-    scene.inputs = std::move(source.inputs);
+    scene.inputs.swap(source.inputs), scene.files.swap(source.files);
     return scene;
 }
 

@@ -120,6 +120,7 @@ struct Scene : Face {
         return stiffness || tangential_stiffness || reflection || shear_reflection;
     }
 
+    std::vector<std::string> files;  ///< that the scene names: surfaces and masks
     std::vector<Input> inputs;  ///< every key that was written or filled in by a default
 };
 

@@ -52,6 +52,7 @@ struct Source {
     bool builtin = false;  ///< the scene is the built-in one, whose laws nobody chose
     bool has_band = true;  ///< asked for: a measured surface needs its neighbours
     bool needs_dimension_of_maps = true;  ///< some law takes D of a map, or a band of its numbers, for which H is
+    std::vector<std::string> files{};  ///< that it names
 
     std::string at(const toml::node& node) const {
         const auto line = node.source().begin.line;

@@ -297,31 +297,29 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Found>& found
 
 /// Appends the sha256 of \p file to \p text, and of the files of a folder.
 void add_hash(std::string& text, const std::filesystem::path& file) {
-    if (!std::filesystem::is_directory(file)) {
-        text += scene::sha256(scene::read_all(file.string())) + "\n";
-        return;
-    }
+    const auto hash = [](const auto& one) { return scene::sha256(scene::read_all(one.string())) + "\n"; };
+    if (!std::filesystem::is_directory(file)) return void(text += hash(file));
     std::set<std::filesystem::path> inside;
     for (const auto& entry : std::filesystem::directory_iterator(file))
         if (entry.is_regular_file()) inside.insert(entry.path());
     for (const auto& one : inside)
-        text += one.filename().string() + " " + scene::sha256(scene::read_all(one.string())) + "\n";
+        text += one.filename().string() + " " + hash(one);
 }
 
-/// Appends the files that \p node names at the keys from and mask.
-void add_files(const Source& source, const toml::node& node, bool is_file, std::string& text) {
+/// Appends the files that \p node names at the keys from and mask to \p files.
+void add_files(const Source& source, const toml::node& node, bool is_file, std::vector<std::string>& files) {
     if (const auto* table = node.as_table()) {
         if (is_range(*table)) return;
         for (const auto& [key, child] : *table)
             add_files(source, child, key.str() == "from" || key.str() == "mask" || (is_file && key.str() == "values"),
-                      text);
+                      files);
     } else if (const auto* list = node.as_array()) {
-        for (const toml::node& item : *list) add_files(source, item, is_file, text);
+        for (const toml::node& item : *list) add_files(source, item, is_file, files);
     } else if (is_file && node.is_string()) {
         const std::filesystem::path file = scene::written(node), beside(source.file);
         if (file == "-")
             throw domain_error(source.at(node) + ": is standard input, which only one scene can read; must be a file");
-        add_hash(text, file.is_relative() && beside.has_parent_path() ? beside.parent_path() / file : file);
+        files.push_back((beside.parent_path() / file).string());
     }
 }
 
@@ -385,7 +383,8 @@ Grid read_grid(const std::string& text, const std::string& file) {
     read_sweep(source, sweep ? sweep->as_table() : nullptr, grid);
     grid.size = count_scenes(source, finder.all, grid);
     std::string hashed = "fstiff sweep " FSTIFF_VERSION "\n" + scene::sha256(text) + "\n";
-    if (const toml::node* surface = root.get("surface")) add_files(source, *surface, false, hashed);
+    if (const toml::node* surface = root.get("surface")) add_files(source, *surface, false, grid.files);
+    for (const std::string& named : grid.files) add_hash(hashed, named);
     grid.hash = scene::sha256(hashed);
     root.erase("sweep");
     form->root = std::move(root);

@@ -55,6 +55,7 @@ struct Template;  // the TOML of the scene
 
 struct Grid {
     std::string file;  ///< as messages call it
+    std::vector<std::string> files;  ///< that it names
     std::string hash;  ///< of the text, of the files it names, and of the version of fstiff
     Mode mode = Mode::product;
     std::uint64_t samples = 1;  ///< draws at each point of the grid

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/lines.hpp"
 
-#include "io/number.hpp"
 #include "document/file.hpp"
+#include "document/json.hpp"
 #include "scene/results.hpp"
 
 #include <fstiff/core/text.hpp>
@@ -42,7 +42,7 @@ std::string beginning(const Grid& grid, std::uint64_t index, const std::vector<V
     for (std::size_t i = 0; i < grid.axes.size(); ++i) {
         const Axis& axis = grid.axes[i];
         append_key(text, axis.key);
-        text += axis.is_text() ? json_text(axis.texts[values[i].place]) : scene::shortest(values[i].number);
+        text += axis.is_text() ? scene::json_text(axis.texts[values[i].place]) : scene::shortest(values[i].number);
     }
     return text;
 }
@@ -71,20 +71,20 @@ void append_law(std::string& text, const std::string& begin, const Curve& curve)
 void append_missed(std::string& text, const std::string& begin, const Curve& curve, const scene::Scene& scene,
                    const scene::MissedPoint& missed) {
     append_law(text, begin, curve);
-    const std::string_view known = scene.at_separations ? "separation_m" : "pressure_Pa";
+    const auto known = scene.at_separations ? scene::CurveQuantity::separation : scene::CurveQuantity::pressure;
     for (const scene::Column& column : curve.columns) {
-        append_key(text, column.key);
-        append_optional(text, column.key == known ? std::optional(scene.points[missed.place]) : std::nullopt);
+        append_key(text, column.key());
+        append_optional(text, column.quantity == known ? std::optional(scene.points[missed.place]) : std::nullopt);
     }
     append_key(text, "error");
-    text += json_text("law " + std::string(curve.law->name) + ": " + missed.reason) + "}\n";
+    text += scene::json_text("law " + std::string(curve.law->name) + ": " + missed.reason) + "}\n";
 }
 
 /// The line of the state \p i of \p curve behind \p begin.
 void append_row(std::string& text, const std::string& begin, const Curve& curve, std::size_t i) {
     append_law(text, begin, curve);
     for (const scene::Column& column : curve.columns) {
-        append_key(text, column.key);
+        append_key(text, column.key());
         if (column.values.empty())
             text += "null";
         else
@@ -121,7 +121,7 @@ std::string lines_of_one(const Grid& grid, SceneMaker& maker, SceneMaker::Work& 
         ++failed;
         text = begin;
         append_key(text, "error");
-        text += json_text(error.what()) + "}\n";
+        text += scene::json_text(error.what()) + "}\n";
     };
     try {
         maker.make(values, work);
@@ -196,40 +196,7 @@ private:
     }
 };
 
-/// How many bytes the UTF-8 character takes that \p text begins with; 0 where there is none.
-std::size_t utf8_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    if (byte(0) < 0xF0) return io::detail::utf8_length(text);
-    if (byte(0) > 0xF4 || text.size() < 4) return 0;
-    for (std::size_t i = 1; i < 4; ++i)
-        if ((byte(i) & 0xC0) != 0x80) return 0;
-    if (byte(0) == 0xF0 && byte(1) < 0x90) return 0;  // three bytes would do
-    if (byte(0) == 0xF4 && byte(1) > 0x8F) return 0;  // beyond U+10FFFF
-    return 4;
-}
-
 }  // namespace
-
-std::string json_text(std::string_view text) {
-    std::string quoted = "\"";
-    while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        const char c = text.front();
-        if (c == '"' || c == '\\') quoted += '\\';
-        if (length == 0) {
-            quoted += "\xEF\xBF\xBD";  // U+FFFD, as in the documents of all commands
-        } else if (static_cast<unsigned char>(c) < 32) {
-            constexpr const char* digits = "0123456789abcdef";
-            quoted += "\\u00";
-            quoted += digits[c / 16];
-            quoted += digits[c % 16];
-        } else {
-            quoted += text.substr(0, length);
-        }
-        text.remove_prefix(std::max<std::size_t>(length, 1));
-    }
-    return quoted + '"';
-}
 
 Block lines_of(const Grid& grid, SceneMaker& maker, SceneMaker::Work& work, std::uint64_t first, std::uint64_t count) {
     Scenes scenes{first, std::vector<std::vector<Value>>(count), std::vector<std::size_t>(count)};

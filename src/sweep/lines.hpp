@@ -25,7 +25,4 @@ struct Block {
 [[nodiscard]] Block lines_of(const Grid& grid, SceneMaker& maker, SceneMaker::Work& work, std::uint64_t first,
                              std::uint64_t count);
 
-/// \p text in quotation marks, as JSON has it; bytes that are no UTF-8 become U+FFFD.
-[[nodiscard]] std::string json_text(std::string_view text);
-
 }  // namespace fstiff::sweep

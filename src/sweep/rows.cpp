@@ -6,6 +6,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <system_error>
@@ -35,11 +36,11 @@ std::size_t end_of_text(std::string_view line, std::size_t at) {
         if (static_cast<unsigned char>(line[at]) < 32) return std::string_view::npos;
         if (line[at] != '\\') continue;
         const std::string_view escape = line.substr(++at, 5);
-        if (escape.starts_with('"') || escape.starts_with('\\')) continue;
-        if (escape.size() < 5 || !escape.starts_with("u00") || !detail::is_hexadecimal_digit(escape[3]) ||
-            !detail::is_hexadecimal_digit(escape[4]))
+        if (escape.size() == 5 && escape[0] == 'u' &&
+            std::all_of(escape.begin() + 1, escape.end(), detail::is_hexadecimal_digit))
+            at += 4;
+        else if (escape.empty() || std::string_view("\"\\bfnrt").find(escape[0]) == std::string_view::npos)
             return std::string_view::npos;
-        at += 4;
     }
     return at < line.size() ? at + 1 : std::string_view::npos;
 }
@@ -73,26 +74,6 @@ bool is_object(std::string_view line) {
 }
 
 }  // namespace
-
-void for_each_field(std::string_view line,
-                    const std::function<void(std::string_view key, std::string_view value)>& call) {
-    for (std::size_t at = 1; at < line.size() && line[at] == '"';) {
-        const std::size_t key_end = line.find('"', at + 1);
-        if (key_end == std::string_view::npos || key_end + 2 >= line.size()) return;
-        const std::size_t begin = key_end + 2;
-        std::size_t end = begin + 1;
-        if (line[begin] == '"') {
-            for (; end < line.size() && line[end] != '"'; ++end)
-                if (line[end] == '\\') ++end;
-            ++end;
-        } else {
-            end = line.find_first_of(",}", begin);
-        }
-        if (end >= line.size()) return;
-        call(line.substr(at + 1, key_end - at - 1), line.substr(begin, end - begin));
-        at = end + 1;
-    }
-}
 
 std::optional<std::uint64_t> index_of_line(std::string_view line) {
     constexpr std::string_view begin = "{\"index\":";

@@ -25,10 +25,6 @@ struct Row {
 /// and holds texts, numbers and null alone.
 [[nodiscard]] std::optional<std::uint64_t> index_of_line(std::string_view line);
 
-/// Calls \p call with every key of a line of results and the characters of its value, a text in its quotation marks.
-void for_each_field(std::string_view line,
-                    const std::function<void(std::string_view key, std::string_view value)>& call);
-
 /// Calls \p call with every line of \p file and the index of its scene, until it returns false.
 /// \throws file_error where the file cannot be read, and naming the first line that is not whole or not in its order.
 void for_each_line(const std::string& file, const std::function<bool(std::string_view line, std::uint64_t index)>& call);

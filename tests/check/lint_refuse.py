@@ -16,7 +16,6 @@ TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 sys.path.insert(0, str(TOOLS))
 import lint  # noqa: E402
 
-lint.UPWARD = {("src/cli/document/a.hpp", "input/a.hpp"): "known"}
 lint.LONG_FILES = {"src/io/long.cpp": 402}
 lint.LONG_FUNCTIONS = {"src/io/long.cpp Long": 62}
 lint.TOTALS = {"include": 500, "src without io": 500, "tools": 10}
@@ -39,7 +38,7 @@ TREE = {
     "src/io/text.hpp": "#include <fstiff/io/text.hpp>\n#include <zlib.h>\n",
     "src/sweep/a.cpp": "#include \"io/text.hpp\"\n",
     "src/cli/input/a.hpp": "#include \"document/a.hpp\"\n",
-    "src/cli/document/a.hpp": "#include \"input/a.hpp\"\n",
+    "src/cli/document/a.hpp": "\n",
     "docs/architecture.md": "before\n" + TABLES + "after; with a semicolon\n" + ROWS,
 }
 WRITTEN = {  # by --update, in its order
@@ -114,11 +113,12 @@ LAYERS = [
     ("must hold the lines <!-- folders of src -->", "docs/architecture.md", "<!-- layers -->\n<!-- /layers -->\n"),
     ("src/io may include only io", "src/io/text.hpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
     ("src/io may include only io", "src/io/text.hpp", "#  include <sweep/a.hpp>\n", "src/sweep/a.hpp", ""),
-    ("src/c may include only io, document, instances, surface, scene, c", "src/c/a.cpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
+    ("src/c may include only io, document, instances, surface, scene, c", "src/c/a.cpp",
+     '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
     ("src/cli/input may include", "src/cli/input/a.hpp", '#include "picture/a.hpp"\n', "src/cli/picture/a.hpp", ""),
     ("none.hpp is neither in src nor in src/cli", "src/io/text.hpp", '#include "io/none.hpp"\n'),
     ("must stand in one of src/io", "src/other/a.cpp", "\n"),
-    ("input/a.hpp is no longer included", "src/cli/document/a.hpp", "\n"),
+    ("src/cli/document may include only", "src/cli/document/a.hpp", "#include \"input/a.hpp\"\n"),
     ("", "docs/more.md", "[](../include/fstiff/math/root.hpp), math/root `f`, io/text.hpp; docs/*.md, and/or, 1/2\n"),
     ("'math/none' does not exist", "docs/more.md", "| math/none | nothing |\n"),
     ("'docs/none.md' does not exist", "include/fstiff/math/root.hpp", "/// docs/none.md\n#include <Eigen/Core>\n"),

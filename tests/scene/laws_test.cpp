@@ -94,7 +94,7 @@ TEST_CASE("plastic laws take the hardness of the softer body, and print loading 
     CHECK(test::relative_error(state.real_area_fraction.value, area) < 1e-9);
     bool found = false;
     for (const auto& column : results.curves[0].columns)
-        if (column.key == "loading_stiffness_Pa_per_m") {
+        if (column.key() == "loading_stiffness_Pa_per_m") {
             found = true;
             CHECK(column.values[0] == state.loading_stiffness.value);
             CHECK(column.values[0] > 0);

@@ -44,7 +44,7 @@ TEST_CASE("The scenes of data/ have the numbers that fstiff run prints") {
             for (std::size_t i = 0; i < curve.states.size(); ++i, ++row) {
                 differences += printed.text(row, "law") != curve.law->name;
                 for (const auto& column : curve.columns) {
-                    differences += printed.number(row, column.key) != column.values[i];  // 17 digits read back exactly
+                    differences += printed.number(row, column.key()) != column.values[i];  // 17 digits are exact
                     ++compared;
                 }
             }
@@ -70,14 +70,14 @@ TEST_CASE("Every column of a curve names its unit and has a value a point") {
     for (const auto& curve : results.curves) {
         REQUIRE(curve.columns.size() == results.curves.front().columns.size());
         for (std::size_t k = 0; k < curve.columns.size(); ++k) {
-            CHECK(curve.columns[k].key == results.curves.front().columns[k].key);
+            CHECK(curve.columns[k].key() == results.curves.front().columns[k].key());
             CHECK(curve.columns[k].values.size() == 2);
         }
         const auto& columns = curve.columns;
         const auto stiffness = std::find_if(columns.begin(), columns.end(),
-                                            [](const auto& one) { return one.key == "stiffness_p05_Pa_per_m"; });
+                                            [](const auto& one) { return one.key() == "stiffness_p05_Pa_per_m"; });
         REQUIRE(stiffness != columns.end());
-        CHECK(stiffness->unit == "Pa/m");
+        CHECK(stiffness->row().unit == "Pa/m");
         CHECK(stiffness->values[0] == curve.band[0].low);
     }
 }

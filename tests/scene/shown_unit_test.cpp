@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <vector>
+
 namespace shown_unit_test {
 
 namespace scene = fstiff::scene;
@@ -41,6 +43,17 @@ TEST_CASE("A value is shown in the unit of its size") {
     CHECK(scene::shown_unit(3e-8, "m").name == "nm");
     CHECK(scene::shown_unit(3e12, "/m^2").name == "/µm²");
     CHECK(scene::shown_unit(0.5, "")(0.5) == "0.5");
+    CHECK(scene::with_unit(0.832e-6, "m", 5, 0.08e-6) == "0.832 ± 0.08 µm");
+    CHECK(scene::with_unit(123456, "") == "123460");
+    CHECK(scene::with_unit(5e9, "1/m^2") == "5000 /mm²");
+    CHECK(scene::with_unit(0.5e-12, "m^2") == "0.5 µm²");
+    CHECK(scene::with_unit(7e6, "Hz") == "7 MHz");
+    CHECK(scene::shown_unit(2e-4, "m along").name == "mm");
+    CHECK(scene::shown_unit(0.99e13, "Pa/m").name == "MPa/µm");
+    CHECK(scene::shown_unit(std::vector<double>{2e12, 3e13, 2e15}, "Pa/m").name == "MPa/µm");
+    CHECK(scene::shown_unit(std::vector<double>{2e15, 3e16, 2e12}, "Pa/m").name == "GPa/µm");
+    CHECK(scene::unit_of_density(1).heading("contacts") == "contacts [1/m²]");
+    CHECK(scene::ShownUnit{}.heading("eta") == "eta");
 }
 
 TEST_CASE("A rounded number has no exponent below 1e5") {

@@ -48,8 +48,8 @@ TEST_CASE("A line of results is one whole object, and no part of it or anything 
     CHECK_FALSE(index_of_line(good + "}"));
     for (const char* bad : {"{\"index\":1,}", "{\"index\":1,\"a\":}", "{\"index\":1,\"a\":nul}", "{\"index\":1,\"a\":1e}",
                             "{\"index\":1,\"a\":inf}", "{\"index\":1 \"a\":1}", "{\"index\":1,\"a\":\"\\u12\"}",
-                            "{\"index\":1,\"a\":\"\\n\"}", "{\"index\":1,\"a\":\"\n\"}", "{\"index\":-1}", "{\"index\":1.5}",
-                            "{\"a\":1,\"index\":1}"}) {
+                            "{\"index\":1,\"a\":\"\\x\"}", "{\"index\":1,\"a\":\"\n\"}", "{\"index\":-1}",
+                            "{\"index\":1.5}", "{\"a\":1,\"index\":1}"}) {
         INFO(bad);
         CHECK_FALSE(index_of_line(bad));
     }

@@ -2,9 +2,18 @@
 #pragma once
 // The subcommands, one file each: they parse, call the library and print.
 
-#include "document/output.hpp"
+#include "input/output_options.hpp"
+
+#include <functional>
 
 namespace fstiff::cli {
+
+/// A subcommand: what CLI11 parsed it into, and what to do then.
+struct Command {
+    CLI::App* app;
+    const OutputOptions* output;
+    std::function<Report()> execute;
+};
 
 Command add_run(CLI::App& app);
 Command add_measure(CLI::App& app);

@@ -4,8 +4,7 @@
 #include "document/document.hpp"
 #include "input/scene_options.hpp"
 #include "io/number.hpp"
-#include "picture/panels.hpp"
-#include "surface/documents.hpp"
+#include "picture/fit_figure.hpp"
 #include "scene/identification.hpp"
 #include "scene/result_rows.hpp"
 
@@ -16,7 +15,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace fstiff::cli {
@@ -171,40 +169,39 @@ std::string table(const Work& work) {
     return text + "\n";
 }
 
+/// One row a parameter of a fit.
 std::string csv(const Work& work) {
-    std::vector<std::string> header{"law",       "theta", "r",     "status", "chi_squared",    "degrees_of_freedom",
-                                    "parameter", "unit",  "start", "value",  "standard_error", "low",
-                                    "high"};
-    for (const Parameter p : work.wanted) header.push_back("correlation_" + std::string(row_of(p).short_name));
-    std::string text = csv_line(header);
-    for (const Fit& fit : work.found.fits)
-        for (std::size_t i = 0; i < fit.found.parameters.size(); ++i) {
-            const auto& p = fit.found.parameters[i];
-            const bool singular = fit.found.status == FitStatus::singular;
-            const bool has_errors = fit.found.covariance.size() > 0;
-            const auto cell = [&](double value) {
-                return has_errors && std::isfinite(value) ? exact(value) : std::string();
+    std::vector<Heading> headings;
+    for (const char* key : {"law", "theta", "r", "status", "chi_squared", "degrees_of_freedom", "parameter", "unit",
+                            "start", "value", "standard_error", "low", "high"})
+        headings.push_back({key});
+    for (const Parameter p : work.wanted) headings.push_back({"correlation_" + std::string(row_of(p).short_name)});
+    Rows rows = Rows::under(std::move(headings));
+    for (const auto& [law, theta, r, start, points, found] : work.found.fits)
+        for (const auto& p : found.parameters) {
+            const bool has_errors = found.covariance.size() > 0;
+            const auto if_known = [&](double value) {
+                return has_errors && std::isfinite(value) ? Cell(value) : Cell();
             };
-            std::vector<std::string> cells{std::string(fit.law->name),
-                                           exact(fit.theta),
-                                           exact(fit.r),
-                                           std::string(name_of(fit.found.status)),
-                                           exact(fit.found.chi_squared),
-                                           std::to_string(fit.found.degrees_of_freedom),
-                                           std::string(row_of(p.parameter).short_name),
-                                           std::string(row_of(p.parameter).unit),
-                                           exact(fit.start[p.parameter]),
-                                           singular ? "" : exact(p.value),
-                                           cell(p.standard_error),
-                                           cell(p.low),
-                                           cell(p.high)};
-            for (std::size_t k = 0; k < work.wanted.size(); ++k)
-                cells.push_back(has_errors ? exact(fit.found.correlation(static_cast<Eigen::Index>(i),
-                                                                         static_cast<Eigen::Index>(k)))
-                                           : "");
-            text += csv_line(cells);
+            std::vector<Cell> cells{law->name,
+                                    theta,
+                                    r,
+                                    name_of(found.status),
+                                    found.chi_squared,
+                                    found.degrees_of_freedom,
+                                    row_of(p.parameter).short_name,
+                                    row_of(p.parameter).unit,
+                                    start[p.parameter],
+                                    found.status == FitStatus::singular ? Cell() : Cell(p.value),
+                                    if_known(p.standard_error),
+                                    if_known(p.low),
+                                    if_known(p.high)};
+            const auto i = &p - found.parameters.data();
+            for (std::ptrdiff_t k = 0; k < std::ssize(work.wanted); ++k)
+                cells.push_back(has_errors ? Cell(found.correlation(i, k)) : Cell());
+            rows.add_row(std::move(cells));
         }
-    return text;
+    return rows.csv();
 }
 
 Json matrix_json(const Eigen::MatrixXd& matrix) {
@@ -273,116 +270,11 @@ Json json(const Work& work) {
     return document;
 }
 
-/// \p points from the least pressure on.
-std::vector<std::size_t> rising(const std::vector<MeasuredPoint>& points) {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return points[a].pressure < points[b].pressure; });
-    return order;
-}
-
-/// The measured points and, where they have errors, a bar through each.
-void draw_measured(Panel& panel, const MeasuredCurve& curve, double factor) {
-    PlotLine measured{.label = "measured", .x = {}, .y = {}};
-    measured.colour = neutral;
-    measured.stroke = Stroke::none;
-    measured.marker = Marker::circle;
-    for (const std::size_t i : rising(curve.points)) {
-        const MeasuredPoint& point = curve.points[i];
-        measured.x.push_back(point.pressure / 1e6);
-        measured.y.push_back(point.value * factor);
-        if (!curve.has_errors) continue;
-        PlotLine bar{.label = "", .x = {}, .y = {}};
-        bar.colour = neutral;
-        for (const double end : {std::max(point.value - point.error, point.value / 10), point.value + point.error}) {
-            bar.x.push_back(point.pressure / 1e6);
-            bar.y.push_back(end * factor);
-        }
-        panel.lines.push_back(std::move(bar));
-    }
-    if (curve.has_errors) measured.label += ", ± standard error";
-    panel.lines.push_back(std::move(measured));
-}
-
-/// The fitted model from the least pressure to the greatest, many points, so that it is smooth.
-PlotLine model_line(const Work& work, const Fit& fit, double factor) {
-    const auto& all = fit.found.all;
-    const auto order = rising(fit.points);
-    const double least = fit.points[order.front()].pressure, greatest = fit.points[order.back()].pressure;
-    std::vector<double> pressures, loads;
-    for (int k = 0; k <= 100; ++k) {
-        pressures.push_back(least * std::pow(greatest / least, k / 100.0));
-        loads.push_back(std::max(pressures.back() + all.offset, 1e-6 * pressures.back()));
-    }
-    const PeakDistribution<double> peaks(all.r, all.theta);
-    const auto contact = fit.law->contact({.surface = {all.rms_height, all.peak_radius, all.peak_density},
-                                           .effective_modulus = all.effective_modulus,
-                                           .peaks = &peaks,
-                                           .fractal_dimension = all.fractal_dimension});
-    PlotLine line{.label = legend_of(fit.law->name, fit.theta, fit.r), .x = {}, .y = {}};
-    const auto states = contact->at_pressures(loads, Quantity::stiffness);
-    for (std::size_t k = 0; k < states.size(); ++k) {
-        if (!states[k].ok()) continue;
-        const double stiffness = states[k].state.stiffness.value;
-        const auto& wave = work.found.wave;
-        const double value =
-            wave ? reflection(wave->stiffness_ratio * stiffness, wave->media, wave->angular_frequency) : stiffness;
-        line.x.push_back(pressures[k] / 1e6);
-        line.y.push_back(value * factor);
-    }
-    return line;
-}
-
-/// The measured curve with those that were fitted, and the residuals below.
-Figure picture(const Work& work) {
-    const MeasuredCurve& curve = work.curve;
-    const Shown y = shown(curve);
-    Panel above{.title = curve.is_reflection ? "Reflection: measured points and fitted models"
-                                             : "Stiffness: measured points and fitted models",
-                .x = {.label = "nominal pressure p [MPa]"},
-                .y = {.label = curve.is_reflection ? "|R|" : "K/A₀ [GPa/µm]", .logarithmic = !curve.is_reflection},
-                .height = 300};
-    Panel below{.title = "Residuals",
-                .x = {.label = "nominal pressure p [MPa]"},
-                .y = {.label = curve.has_errors ? "(model - measured)/error" : "(model - measured)/scatter",
-                      .logarithmic = false},
-                .windows = {{.label = "±2", .low = -2, .high = 2, .of_y = true}},
-                .height = 180,
-                .legend = false};
-    draw_measured(above, curve, y.factor);
-    double widest = 3;
-    constexpr std::array<Marker, 4> markers{Marker::square, Marker::triangle, Marker::diamond, Marker::cross};
-    int colour = 0;
-    for (const Fit& fit : work.found.fits) {
-        if (fit.found.status == FitStatus::singular) continue;
-        PlotLine model = model_line(work, fit, y.factor);
-        PlotLine residual{.label = model.label, .x = {}, .y = {}};
-        residual.colour = model.colour = colour;
-        residual.stroke = Stroke::none;
-        residual.marker = markers[static_cast<std::size_t>(colour) % markers.size()];
-        for (const std::size_t i : rising(fit.points)) {
-            residual.x.push_back(fit.points[i].pressure / 1e6);
-            residual.y.push_back(fit.found.residuals[i]);
-            widest = std::max(widest, 1.1 * std::abs(fit.found.residuals[i]));
-        }
-        above.lines.push_back(std::move(model));
-        below.lines.push_back(std::move(residual));
-        ++colour;
-    }
-    below.y.low = -widest;
-    below.y.high = widest;
-    Figure figure{.title = "Parameters of " + work.scene.name + " from " + shown_file(curve.name), .panels = {above}};
-    if (!below.lines.empty()) figure.panels.push_back(std::move(below));
-    figure.note = "fstiff " FSTIFF_VERSION ", " + work.scene.file + ", " + curve.name;
-    return figure;
-}
-
 Report execute(const Options& options) {
     if (!options.picture.empty()) keep_for_picture(options.picture);
     const Work work = work_of(options);
     std::vector<std::string> files;
-    if (!options.picture.empty()) files = write_figure(picture(work), options.picture);
+    if (!options.picture.empty()) files = write_figure(fit_figure(work.scene, work.curve, work.found), options.picture);
     Report made = report({.table = [&] { return table(work); },
                           .csv = [&] { return csv(work); },
                           .json = [&] { return json(work); },

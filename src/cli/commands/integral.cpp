@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff integral: the contact integrals J[a,b](eta; r, theta) of rows of numbers, a gauge that anybody can check.
 #include "commands/commands.hpp"
+#include "document/document.hpp"
 #include "instances/contact_instances.hpp"
+#include "io/lines.hpp"
 
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
@@ -30,39 +32,6 @@ struct Options {
 constexpr std::array<std::string_view, 5> inputs{"a", "b", "r", "theta", "eta"};
 constexpr std::array<std::string_view, 3> results{"value", "error", "evaluations"};
 
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
-    return text;
-}
-
-/// What a cell holds, without quotation marks about it.
-std::string plain(std::string_view cell) {
-    cell = trimmed(cell);
-    if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return std::string(cell);
-    std::string text;
-    for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
-        text += cell[i];
-        if (cell[i] == '"' && i + 2 < cell.size() && cell[i + 1] == '"') ++i;  // "" stands for one
-    }
-    return text;
-}
-
-/// The cells of a CSV line; a comma inside quotation marks does not end a cell.
-std::vector<std::string> split(std::string_view line) {
-    std::vector<std::string> cells{""};
-    bool quoted = false;
-    for (const char c : trimmed(line)) {
-        if (c == '"') quoted = !quoted;
-        if (c == ',' && !quoted)
-            cells.emplace_back();
-        else
-            cells.back() += c;
-    }
-    for (std::string& cell : cells) cell = plain(cell);
-    return cells;
-}
-
 /// The rows of a table with a header; lines are counted for messages.
 struct Input {
     std::string name;
@@ -73,34 +42,30 @@ struct Input {
 };
 
 Input read_input(const std::string& file) {
-    std::string text = read_all(file);
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
     Input input;
     input.name = display_name(file);
+    std::string text = read_all(file);
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
     if (text.find('\0') != std::string::npos)
         throw domain_error(input.name + ": is a binary file; must be a CSV table");
-    std::size_t line_number = 0;
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t end = std::min(text.find('\n', start), text.size());
-        const std::string_view line = std::string_view(text).substr(start, end - start);
-        start = end + 1;
-        ++line_number;
-        if (trimmed(line).empty()) continue;
-        auto cells = split(line);
+    const auto refuse = [&](std::size_t line, const std::string& reason) {
+        throw domain_error(reason).with_place({.file = input.name, .line = line, .before_line = ":"});
+    };
+    std::size_t count = 0;
+    for (const auto& [line, number] : io::detail::lines_of(text, input.name, count)) {
+        auto cells = csv_cells(line);
+        if (input.header.empty() && cells.size() == 1 && line.find_first_of(";\t") != std::string_view::npos)
+            refuse(number, std::string("has ") + (line.find(';') != std::string_view::npos ? "semicolons" : "tabs") +
+                               " between its cells; must have commas, and points as decimal marks");
         if (input.header.empty()) {
-            if (cells.size() == 1 && line.find_first_of(";\t") != std::string_view::npos)
-                throw domain_error(input.name + ":" + std::to_string(line_number) + ": has " +
-                                   (line.find(';') != std::string_view::npos ? "semicolons" : "tabs") +
-                                   " between its cells; must have commas, and points as decimal marks");
             input.header = std::move(cells);
             continue;
         }
         if (cells.size() != input.header.size())
-            throw domain_error(input.name + ":" + std::to_string(line_number) + ": has " +
-                               std::to_string(cells.size()) + " cells; must have " +
+            refuse(number, "has " + std::to_string(cells.size()) + " cells; must have " +
                                std::to_string(input.header.size()) + " as the header");
         input.rows.push_back(std::move(cells));
-        input.lines.push_back(line_number);
+        input.lines.push_back(number);
     }
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const auto found = std::find(input.header.begin(), input.header.end(), inputs[i]);
@@ -150,6 +115,49 @@ Estimate<double> compute(const Input& input, std::size_t row, const Integral& me
     });
 }
 
+/// The rows of the input with what was computed of each.
+Rows rows_of(const Input& input, const std::vector<Estimate<double>>& computed) {
+    Rows rows;
+    for (std::size_t k = 0; k < input.header.size(); ++k) {
+        const bool is_input = std::find(input.column.begin(), input.column.end(), k) != input.column.end();
+        std::vector<std::string> texts;
+        std::vector<double> numbers;
+        for (const auto& row : input.rows) {
+            texts.push_back(row[k]);
+            if (is_input) numbers.push_back(io::parse_number(row[k], input.header[k]));
+        }
+        rows.add({.key = input.header[k], .shown = input.header[k], .json = !is_input}, texts);
+        if (is_input) rows.add({.key = input.header[k], .csv = false}, numbers);
+    }
+    const auto add = [&](const char* name, int digits, const auto& of) {
+        std::vector<Cell> cells;
+        for (const Estimate<double>& one : computed) cells.push_back(of(one));
+        rows.add({name, name, 1, digits}, cells);
+    };
+    add("value", 15, [](const auto& one) { return one.value; });
+    add("error", 2, [](const auto& one) { return one.error; });
+    add("evaluations", 15, [](const auto& one) { return one.evaluations; });
+    return rows;
+}
+
+/// The paper's rule has no tolerance to meet; the others aim at one, and have failed where they miss it by far: their
+/// estimates are on the safe side.
+void judge(Report& report, const Options& options, const Input& input, const std::vector<Estimate<double>>& computed) {
+    if (options.method == "paper") return;
+    const double allowed = std::max(1e-6, 1000 * options.tolerance.value_or(0));
+    const auto misses = [&](const Estimate<double>& one) {
+        return one.error > allowed * std::abs(one.value) && one.error > std::numeric_limits<double>::min();
+    };
+    const auto first = std::find_if(computed.begin(), computed.end(), misses);
+    if (first == computed.end()) return;
+    report.status = doubtful_result;
+    report.diagnostics.push_back(
+        input.name + ": " + std::to_string(std::count_if(first, computed.end(), misses)) + " of " +
+        std::to_string(computed.size()) + " values have an error above " + shortest(allowed) +
+        " of their size, the first at line " +
+        std::to_string(input.lines[static_cast<std::size_t>(first - computed.begin())]));
+}
+
 Report execute(const Options& options) {
     if (options.tolerance && !(*options.tolerance >= min_tolerance && *options.tolerance <= max_tolerance))
         throw Usage("--tolerance = " + shortest(*options.tolerance) + ": must be between " + shortest(min_tolerance) +
@@ -157,66 +165,24 @@ Report execute(const Options& options) {
     const Integral method = integral(options);
     const Input input = read_input(options.file);
 
-    // The paper's rule has no tolerance to meet; the others aim at one, and have failed where they miss it by far: their
-    // estimates are on the safe side.
-    const double allowed = std::max(1e-6, 1000 * options.tolerance.value_or(0));
     std::vector<Estimate<double>> computed;
-    Report report;
-    std::size_t missed = 0, first_missed = 0;
-    for (std::size_t i = 0; i < input.rows.size(); ++i) {
-        computed.push_back(compute(input, i, method));
-        const Estimate<double>& value = computed.back();
-        const double floor = std::numeric_limits<double>::min();
-        if (options.method != "paper" && value.error > allowed * std::abs(value.value) && value.error > floor &&
-            missed++ == 0)
-            first_missed = input.lines[i];
-    }
-    if (missed > 0) {
-        report.status = doubtful_result;
-        report.diagnostics.push_back(input.name + ": " + std::to_string(missed) + " of " +
-                                     std::to_string(computed.size()) + " values have an error above " +
-                                     shortest(allowed) + " of their size, the first at line " +
-                                     std::to_string(first_missed));
-    }
-
-    const auto with_results = [&](std::size_t i, auto value, auto error) {
-        auto cells = input.rows[i];
-        cells.insert(cells.end(),
-                     {value(computed[i].value), error(computed[i].error), std::to_string(computed[i].evaluations)});
-        return cells;
-    };
-    std::vector<std::string> header = input.header;
-    header.insert(header.end(), results.begin(), results.end());
-    if (options.output.format == Format::json) {
-        Json document = json_document("integral");
-        document["method"] = options.method;
-        if (options.tolerance) document["relative_tolerance"] = *options.tolerance;
-        document["equations"] = {"(4.5)", "(4.9)"};
-        Json& rows = document["rows"] = Json::array();
-        for (std::size_t i = 0; i < computed.size(); ++i) {
-            Json row;
-            for (std::size_t k = 0; k < input.header.size(); ++k) {
-                const bool number = std::find(input.column.begin(), input.column.end(), k) != input.column.end();
-                const std::string& cell = input.rows[i][k];
-                row[input.header[k]] = number ? io::parse_number(cell, input.header[k]) : Json(cell);
-            }
-            row["value"] = computed[i].value;
-            row["error"] = computed[i].error;
-            row["evaluations"] = computed[i].evaluations;
-            rows.push_back(std::move(row));
-        }
-        report.document = document.str();
-    } else if (options.output.format == Format::csv) {
-        report.document = csv_line(header);
-        for (std::size_t i = 0; i < computed.size(); ++i) report.document += csv_line(with_results(i, exact, exact));
-    } else {
-        TextTable table(header);
-        for (std::size_t i = 0; i < computed.size(); ++i)
-            table.add(with_results(
-                i, [](double v) { return rounded(v, 15); }, [](double v) { return rounded(v, 2); }));
-        report.document = "J[a,b](eta; r, theta), method " + options.method + "\n" + table.str();
-    }
-    return report;
+    for (std::size_t i = 0; i < input.rows.size(); ++i) computed.push_back(compute(input, i, method));
+    const Rows rows = rows_of(input, computed);
+    const std::string title = "J[a,b](eta; r, theta), method " + options.method + "\n";
+    Report made = report({.table = [&] { return title + rows.text(); },
+                          .csv = [&] { return rows.csv(); },
+                          .json = [&] {
+                              Json document = json_document("integral");
+                              document["method"] = options.method;
+                              if (options.tolerance) document["relative_tolerance"] = *options.tolerance;
+                              document["equations"] = {"(4.5)", "(4.9)"};
+                              rows.append_to(document["rows"]);
+                              return document;
+                          },
+                          .json_warnings = false},
+                         options.output.format);
+    judge(made, options, input, computed);
+    return made;
 }
 
 }  // namespace

@@ -105,32 +105,20 @@ std::string in_lines(const std::string& first, const std::vector<std::string>& p
 /// Which law to believe, in lines of at most \p widest: what stands first after the name of the scene.
 std::string believed(const Results& results) {
     std::string text;
-    for (const std::string& sentence : results.verdict) {
-        std::string line = text.empty() ? "  believe " : "          ";
-        for (std::size_t from = 0; from < sentence.size();) {
-            const std::size_t to = std::min(sentence.find(' ', from), sentence.size());
-            if (shown_width(line) + 1 + shown_width(std::string_view(sentence).substr(from, to - from)) > widest) {
-                text += line + "\n";
-                line = "          ";
-            }
-            line += " " + sentence.substr(from, to - from);
-            from = to + 1;
-        }
-        text += line + "\n";
-    }
+    for (const std::string& sentence : results.verdict)
+        for (const std::string& line : wrapped(sentence, widest - 11))
+            text += (text.empty() ? "  believe  " : "           ") + line + "\n";
     return text;
 }
 
-/// What was computed of what: the lines above the curves.
-std::string introduction(const Scene& scene, const Results& results) {
+/// The surface that the contact is of, and what was assumed of it.
+std::vector<std::string> surface_parts(const Scene& scene) {
     const auto& s = scene.surface;
     const std::vector<Parameter> unknown = unknown_parameters(scene);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
-    const auto pressure = [](double x) { return unit_of_pressure(x)(x); };
-    std::vector<std::string> parts{
-        "sigma " + shown_length(s.rms_height, digits(Parameter::rms_height)),
-        "R " + shown_length(s.peak_radius, digits(Parameter::peak_radius)),
-        "D_p " + unit_of_density(s.peak_density)(s.peak_density, digits(Parameter::peak_density))};
+    std::vector<std::string> parts{"sigma " + shown_length(s.rms_height, digits(Parameter::rms_height)),
+                                   "R " + shown_length(s.peak_radius, digits(Parameter::peak_radius)),
+                                   "D_p " + with_unit(s.peak_density, "/m^2", digits(Parameter::peak_density))};
     if (s.max_peak_height > 0) parts.push_back("R_p " + shown_length(s.max_peak_height));
     if (scene.fractal_dimension)
         parts.push_back("D " + rounded(*scene.fractal_dimension, digits(Parameter::fractal_dimension)));
@@ -145,33 +133,19 @@ std::string introduction(const Scene& scene, const Results& results) {
     for (const Assumed& one : assumed(scene))
         parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
     if (scene.faces.empty()) parts.push_back("the other face smooth");
-    std::string text = "fstiff " FSTIFF_VERSION ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
-    text += believed(results) + in_lines("surface", parts);
-    if (!scene.faces.empty()) {
-        parts = {"of the sum of two rough faces"};
-        if (scene.map)
-            parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) + " random shifts");
-        text += in_lines("", parts);
-    }
-    for (const auto& [name, face] : measured_faces(scene)) {
-        parts.clear();
-        const MeasuredSurface& measured = *face->measured;
-        const auto& u = face->uncertain;
-        for (std::size_t i = 0; i < surface_parameter_count; ++i)
-            if (u.known[i])
-                parts.push_back(std::string(parameter_table[i].symbol) + " " +
-                                shown_percent(u.error[i] / u.value[i]));
-        parts.front() = printable(measured.file) + " (" + measured.kind + "), errors of " + parts.front();
-        if (measured.cut_offs.any()) parts.push_back(sentence_of(measured.cut_offs));
-        text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
-    }
+    return parts;
+}
+
+/// The bodies, the nominal area and the waves.
+std::string bodies_text(const Scene& scene, const Results& results) {
+    const auto pressure = [](double x) { return with_unit(x, "Pa"); };
     const auto material = [&](const Material<double>& m) {
         return pressure(m.youngs_modulus) + ", nu " + rounded(m.poisson_ratio);
     };
-    parts = {"upper " + material(scene.upper) + "; lower " + material(scene.lower),
-             "effective modulus " + pressure(results.modulus)};
+    std::vector<std::string> parts{"upper " + material(scene.upper) + "; lower " + material(scene.lower),
+                                   "effective modulus " + pressure(results.modulus)};
     if (scene.yield_strength) parts.push_back("yield strength " + pressure(*scene.yield_strength));
-    text += in_lines("material", parts);
+    std::string text = in_lines("material", parts);
     parts.clear();
     if (scene.nominal_area) parts.push_back("nominal area " + rounded(*scene.nominal_area * 1e6) + " mm²");
     const auto how = interaction(scene);
@@ -193,6 +167,31 @@ std::string introduction(const Scene& scene, const Results& results) {
         text += in_lines("waves", parts);
     }
     return text;
+}
+
+/// What was computed of what: the lines above the curves.
+std::string introduction(const Scene& scene, const Results& results) {
+    std::string text = "fstiff " FSTIFF_VERSION ": " + printable(scene.name + " (" + scene.file + ")") + "\n";
+    text += believed(results) + in_lines("surface", surface_parts(scene));
+    if (!scene.faces.empty()) {
+        std::vector<std::string> parts{"of the sum of two rough faces"};
+        if (scene.map)
+            parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) + " random shifts");
+        text += in_lines("", parts);
+    }
+    for (const auto& [name, face] : measured_faces(scene)) {
+        std::vector<std::string> parts;
+        const MeasuredSurface& measured = *face->measured;
+        const auto& u = face->uncertain;
+        for (std::size_t i = 0; i < surface_parameter_count; ++i)
+            if (u.known[i])
+                parts.push_back(std::string(parameter_table[i].symbol) + " " +
+                                shown_percent(u.error[i] / u.value[i]));
+        parts.front() = printable(measured.file) + " (" + measured.kind + "), errors of " + parts.front();
+        if (measured.cut_offs.any()) parts.push_back(sentence_of(measured.cut_offs));
+        text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
+    }
+    return text + bodies_text(scene, results);
 }
 
 /// What the symbols of the tables mean, and where a band comes from.
@@ -237,72 +236,47 @@ public:
         for (const Curve& curve : results.curves) first_ = std::max(first_, label_of(curve).size());
     }
 
-    /// The column \p key of every curve, with its band.
-    [[nodiscard]] std::string block(const std::string& key, const Heading& heading) const {
-        const bool band = has_band(results_) && key.ends_with("_Pa_per_m");
-        const std::string stem = key.substr(0, key.find("_Pa_per_m"));
-        TextTable table = headed(heading.shown + (band ? ", 5 % to 95 %" : ""));
-        for (const Curve& curve : results_.curves) {
-            const auto value = [&](const std::string& of, std::size_t place) -> std::optional<double> {
-                const auto at = curve.state_at(place);
-                for (const scene::Column& column : curve.columns)
-                    if (column.key == of && at && !column.values.empty()) return column.values[*at] * heading.factor;
-                return std::nullopt;
+    /// \p quantity of every curve, of a stiffness with its band.
+    [[nodiscard]] std::string block(CurveQuantity quantity, const Units& units) const {
+        const Column column{quantity};
+        const Heading heading = heading_of(column, units);
+        const bool band = has_band(results_) && column.row().unit == "Pa/m";
+        return table(heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
+            const auto value = [&](Statistic statistic) {
+                const auto found = curve.value_at(i, quantity, statistic);
+                return found ? std::optional(*found * heading.factor) : found;
             };
-            std::vector<std::string> row{padded(label_of(curve))};
-            for (const std::size_t i : points_) {
-                const auto middle = value(key, i);
-                const auto low = value(stem + "_p05_Pa_per_m", i), high = value(stem + "_p95_Pa_per_m", i);
-                if (!middle) {
-                    row.emplace_back("-");
-                } else if (band && low && high) {
-                    const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // as many as tell the ends apart
-                    row.push_back(rounded(*middle, 3) + " (" + rounded(*low, digits) + "–" + rounded(*high, digits) +
-                                  ")");
-                } else {
-                    row.push_back(rounded(*middle));
-                }
-            }
-            table.add(std::move(row));
-        }
-        return table.str();
+            const auto middle = value(Statistic::value), low = value(Statistic::p05), high = value(Statistic::p95);
+            if (!middle || !band || !low || !high) return middle ? rounded(*middle) : "-";
+            const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // as many as tell the ends apart
+            return rounded(*middle, 3) + " (" + rounded(*low, digits) + "–" + rounded(*high, digits) + ")";
+        });
     }
 
     /// p* of the points, and K of every curve over that of boundary elements there; every curve has a gradient.
     [[nodiscard]] std::string validity() const {
-        TextTable table = headed("p*, K over boundary elements");
-        for (const Curve& curve : results_.curves) {
-            std::vector<std::string> row{padded(label_of(curve))};
-            for (const std::size_t i : points_) {
-                const auto at = curve.state_at(i);
-                if (!at) {  // out of the law's reach
-                    row.emplace_back("-");
-                    continue;
-                }
-                const double p =
-                    dimensionless_pressure(curve.states[*at].pressure.value, results_.modulus, *curve.rms_gradient);
-                const auto ratio = validated_ratio(curve.law->name, p);
-                row.push_back(rounded(p, 2) + ": " +
-                              (ratio ? rounded(ratio->low, 3) + "–" + rounded(ratio->high, 3) : "-"));
-            }
-            table.add(std::move(row));
-        }
-        return table.str();
+        return table("p*, K over boundary elements", [&](const Curve& curve, std::size_t i) -> std::string {
+            const auto pressure = curve.value_at(i, CurveQuantity::pressure);
+            if (!pressure) return "-";  // out of the law's reach
+            const double p = dimensionless_pressure(*pressure, results_.modulus, *curve.rms_gradient);
+            const auto ratio = validated_ratio(curve.law->name, p);
+            return rounded(p, 2) + ": " + (ratio ? rounded(ratio->low, 3) + "–" + rounded(ratio->high, 3) : "-");
+        });
     }
 
 private:
-    [[nodiscard]] std::string padded(std::string label) const {
-        label.resize(std::max(label.size(), first_), ' ');
-        return label;
-    }
-    [[nodiscard]] TextTable headed(const std::string& what) const {
-        std::vector<std::string> header{what +
-                                        std::string(first_ > shown_width(what) ? first_ - shown_width(what) : 0, ' ')};
-        for (const std::size_t i : points_) {
-            const double x = scene_.points[i];
-            header.push_back((scene_.at_separations ? unit_of_length(x) : unit_of_pressure(x))(x, 3));
+    /// \p cell of every curve and point, below \p what.
+    template <class Cell>
+    [[nodiscard]] std::string table(std::string what, const Cell& cell) const {
+        TextRows rows{{std::move(what)}};
+        for (const std::size_t i : points_)
+            rows[0].push_back(with_unit(scene_.points[i], scene_.at_separations ? "m" : "Pa", 3));
+        for (const Curve& curve : results_.curves) {
+            rows.push_back({label_of(curve)});
+            for (const std::size_t i : points_) rows.back().push_back(cell(curve, i));
         }
-        return TextTable(std::move(header));
+        for (auto& row : rows) row[0] += std::string(first_ - std::min(first_, shown_width(row[0])), ' ');
+        return TextTable(std::move(rows)).str();
     }
 
     const Scene& scene_;
@@ -349,18 +323,14 @@ std::string validity(const Scene& scene, const Results& results) {
 
 /// The tables of the summary.
 std::string blocks(const Scene& scene, const Results& results) {
+    using enum CurveQuantity;
     const Units units = units_of(scene, results);
-    const auto& all = results.curves.front().columns;
-    std::vector<std::string_view> keys{"stiffness_Pa_per_m", "tangential_stiffness_Pa_per_m", "reflection",
-                                       "shear_reflection"};
-    if (!scene.needs_stiffness()) keys = {"separation_m", "real_area_fraction", "contacts_per_m2"};
+    std::vector<CurveQuantity> shown{stiffness, tangential_stiffness, reflection, shear_reflection};
+    if (!scene.needs_stiffness()) shown = {separation, real_area, contacts};
     std::string text;
-    for (const std::string_view view : keys) {
-        const std::string key(view);
-        if (std::none_of(all.begin(), all.end(), [&](const scene::Column& one) { return one.key == key; })) continue;
-        text += "\n" + in_parts(scene, results, [&](const Summary& summary) {
-            return summary.block(key, heading_of(key, units));
-        });
+    for (const CurveQuantity quantity : shown) {
+        if (const auto asked = Column{quantity}.row().asked; !(scene.*asked)) continue;
+        text += "\n" + in_parts(scene, results, [&](const Summary& summary) { return summary.block(quantity, units); });
     }
     return text + (scene.needs_stiffness() ? "\n" + validity(scene, results) : "");
 }

@@ -10,8 +10,6 @@
 
 namespace fstiff::cli {
 
-using namespace scene;
-
 /// One row a pair of cut-offs, those of lambda_s first.
 [[nodiscard]] Rows scales_rows(const Scales& scales);
 /// The same for people, with what of K is settled.

@@ -79,6 +79,25 @@ public:
     void keep() { has_partials = 0; }
 };
 
+/// Files that are going to be written, and what may be read.
+struct NamedFiles {
+    std::vector<fs::path> outputs;
+    std::vector<std::string> inputs;
+};
+NamedFiles& named_files() {
+    static NamedFiles files;
+    return files;
+}
+
+void require_apart(const fs::path& output, const std::string& input) {
+    std::error_code none;
+    const fs::path file = input == "-" ? "/dev/stdin" : input;
+    if (fs::is_regular_file(output, none) &&
+        fs::equivalent(fs::is_directory(file, none) ? output.parent_path() : output, file, none))
+        throw file_error(output.string(),
+                         "is an input of this command and would be written over; give the output another name");
+}
+
 /// \p folder and those above it that are not there, the innermost first.
 std::vector<std::string> missing_folders(const fs::path& folder) {
     std::vector<std::string> missing;
@@ -91,22 +110,6 @@ std::vector<std::string> missing_folders(const fs::path& folder) {
 
 }  // namespace
 
-void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
-    options.format = initial;
-    arguments.option("--format", options.format, "table, csv or json; default " + std::string(name_of(initial)))
-        .type_name("FORMAT");
-}
-
-void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {
-    add_format_option(arguments, options, initial);
-    add_output_option(arguments, options);
-}
-
-void add_output_option(Arguments& arguments, OutputOptions& options) {
-    arguments.option("-o,--output", options.file, "write to FILE instead of standard output, which - is")
-        .type_name("FILE");
-}
-
 std::string OutputOptions::target() const { return file == "-" ? std::string() : file; }
 
 void refuse_standard_output(const std::string& output, std::string_view wanted) {
@@ -118,6 +121,26 @@ void say_written(Report& report, const std::vector<std::string>& files) {
     std::vector<std::string> lines;
     for (const std::string& file : files) lines.push_back("wrote " + file);
     report.diagnostics.insert(report.diagnostics.begin(), lines.begin(), lines.end());
+}
+
+void name_inputs(std::vector<std::string> texts) {
+    named_files().inputs = std::move(texts);
+    named_files().inputs.emplace_back("-");
+}
+
+void keep_for_output(const std::string& file) {
+    std::error_code error;
+    const fs::path path = output_target(file);
+    auto& [outputs, inputs] = named_files();
+    for (const auto& other : outputs)
+        if (path == other && (!fs::exists(path, error) || fs::is_regular_file(path, error)))
+            throw file_error(file, "would be written twice; give every output a name of its own");
+    for (const std::string& input : inputs) require_apart(path, input);
+    outputs.push_back(path);
+}
+
+void require_no_output(const std::string& input) {
+    for (const fs::path& output : named_files().outputs) require_apart(output, input);
 }
 
 void require_writable(const std::string& file) {

@@ -2,12 +2,11 @@
 #pragma once
 // What a subcommand hands back, and how it is written: one document, numbers that no locale touches and never NaN.
 
-#include "input/arguments.hpp"
 #include "document/file.hpp"
 #include "document/rows.hpp"
 
-#include <functional>
-#include <span>
+#include <fstiff/core/names.hpp>
+
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -48,14 +47,8 @@ struct OutputOptions {
     [[nodiscard]] std::string target() const;
 };
 
-/// Adds --format and --output; \p initial is the format without --format.
-void add_output_options(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
-/// --output alone, for a subcommand that has one form.
-void add_output_option(Arguments& arguments, OutputOptions& options);
 /// \throws Usage where \p output is "-" and cannot be: it must be \p wanted.
 void refuse_standard_output(const std::string& output, std::string_view wanted);
-/// --format alone, for a subcommand that writes a folder: its document goes to standard output.
-void add_format_option(Arguments& arguments, OutputOptions& options, Format initial = Format::table);
 
 /// The one document of a subcommand, what else there is to say (on standard error), and how it ended.
 struct Report {
@@ -66,13 +59,6 @@ struct Report {
 
 /// Puts a line about each of \p files before what else is said.
 void say_written(Report& report, const std::vector<std::string>& files);
-
-/// A subcommand: what CLI11 parsed it into, and what to do then.
-struct Command {
-    CLI::App* app;
-    const OutputOptions* output;
-    std::function<Report()> execute;
-};
 
 /// A file to write, and what goes into it.
 struct OutputFile {
@@ -90,6 +76,13 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder = "
 /// For a file that nobody named, such as one beside a picture, and for a law that may lie beside a model. \throws file_error
 /// where \p file holds something and its first line does not say that fstiff made it.
 void require_own(const std::string& file);
+/// What the command line names besides its outputs: files, as far as they are there.
+void name_inputs(std::vector<std::string> texts);
+/// Before anything is read: this process is going to write \p file, which is none of the inputs, whatever the names
+/// that lead to it. \throws file_error where it is one, or was to be written before.
+void keep_for_output(const std::string& file);
+/// For a file that an input names. \throws file_error where it is kept for the output.
+void require_no_output(const std::string& input);
 /// Before a long computation. \throws file_error where the folder of \p file is not there, or \p file is a folder or
 /// protected from writing.
 void require_writable(const std::string& file);

@@ -193,6 +193,17 @@ void Arguments::flag(const std::string& name, bool& target, const std::string& h
 }
 void Arguments::footer(const std::string& text) { app_->footer(text); }
 
+std::vector<std::string> given_texts(const CLI::App& command) {
+    std::vector<std::string> texts;
+    for (const CLI::Option* option : command.get_options()) {
+        const bool is_choice = option->get_type_name().find('{') != std::string::npos;
+        if (is_choice || option->check_lname("output") || option->check_lname("plot")) continue;
+        const std::vector<std::string> given = option->results();
+        texts.insert(texts.end(), given.begin(), given.end());
+    }
+    return texts;
+}
+
 Program::Program(const std::string& name, const std::string& version, const std::string& description,
                  const std::string& footer)
     : app_(std::make_unique<CLI::App>(description, name)), version_(version) {

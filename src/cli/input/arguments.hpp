@@ -70,6 +70,9 @@ private:
     CLI::App* app_;
 };
 
+/// What the options of \p command were given that take any text, but for its outputs: files among it.
+[[nodiscard]] std::vector<std::string> given_texts(const CLI::App& command);
+
 /// The command line of the program, all of its subcommands.
 class Program {
 public:

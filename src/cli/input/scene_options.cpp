@@ -23,10 +23,12 @@ Scene read_scene(const SceneOptions& options) {
     if (options.scene == "-" && options.surface == "-")
         throw Usage("the scene and --surface are both standard input; one of them must be a file");
     const bool builtin = options.scene.empty();
-    return scene::read_scene(builtin ? builtin_scene : read_all(options.scene),
-                             {.name = builtin ? "built-in scene" : display_name(options.scene),
-                              .surface = options.surface,
-                              .progress = progress_bar()});
+    Scene scene = scene::read_scene(builtin ? builtin_scene : read_all(options.scene),
+                                    {.name = builtin ? "built-in scene" : display_name(options.scene),
+                                     .surface = options.surface,
+                                     .progress = progress_bar()});
+    for (const std::string& file : scene.files) require_no_output(file);
+    return scene;
 }
 
 }  // namespace fstiff::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/drawing.hpp"
 
-#include "picture/unit.hpp"
+#include "document/shown_unit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,6 @@
 
 namespace fstiff::cli {
 namespace {
-
-bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }
 
 std::vector<PlotLine> coloured(const Panel& panel) {
     std::vector<PlotLine> lines = panel.lines;
@@ -45,7 +43,7 @@ void choose_unit(Panel& panel, bool of_y) {
     const double size = !(range.low <= range.high) ? 0
                         : axis.logarithmic         ? std::sqrt(range.low) * std::sqrt(range.high)
                                                    : std::max(std::abs(range.low), std::abs(range.high));
-    const Unit unit = axis.unit ? *axis.unit : unit_for(axis.si, size);
+    const ShownUnit unit = axis.unit ? *axis.unit : shown_unit(size, axis.si);
     const auto convert = [&](auto&... values) { ((values /= unit.size), ...); };
     for (PlotLine& line : panel.lines) {
         if (!of_y) std::for_each(line.x.begin(), line.x.end(), convert);
@@ -58,7 +56,7 @@ void choose_unit(Panel& panel, bool of_y) {
     if (auto& image = panel.image) of_y ? convert(image->y_low, image->y_high) : convert(image->x_low, image->x_high);
     if (axis.low) convert(*axis.low);
     if (axis.high) convert(*axis.high);
-    axis.label += " [" + std::string(unit.name) + "]";
+    axis.label = unit.heading(axis.label);
     axis.si.clear();
 }
 
@@ -99,23 +97,6 @@ Figure in_units(Figure figure) {
     for (Panel& panel : figure.panels)
         for (const bool of_y : {false, true}) choose_unit(panel, of_y);
     return figure;
-}
-
-std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
-    std::vector<std::string> lines;
-    while (shown_width(text) > most) {
-        std::size_t end = 0, space = 0;
-        for (std::size_t count = 0; count <= most; ++end) {
-            if (text[end] == ' ') space = end;
-            count += begins_character(text[end]);
-        }
-        --end;  // the first character too many
-        const std::size_t at = space > 0 ? space : end;
-        lines.emplace_back(text.substr(0, at));
-        text.remove_prefix(space > 0 ? at + 1 : at);
-    }
-    lines.emplace_back(text);
-    return lines;
 }
 
 Drawing::Drawing(const Panel& drawn)

@@ -59,7 +59,4 @@ private:
     bool covers(const PlotLine& upper, const PlotLine& lower) const;
 };
 
-/// \p text in lines of at most \p most characters, broken at spaces where there are any.
-std::vector<std::string> wrapped(std::string_view text, std::size_t most);
-
 }  // namespace fstiff::cli

@@ -42,7 +42,7 @@ public:
         body_ += "</figure>\n";
     }
     /// The first row is the header.
-    void table(const std::vector<std::vector<std::string>>& rows) {
+    void table(const TextRows& rows) {
         body_ += "<div class=\"wide\"><table>\n";
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const std::string cell = i == 0 ? "th" : "td";

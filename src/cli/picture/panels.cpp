@@ -2,7 +2,7 @@
 #include "picture/panels.hpp"
 
 #include "picture/scale.hpp"
-#include "picture/unit.hpp"
+#include "document/shown_unit.hpp"
 
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/core/error.hpp>

@@ -12,8 +12,6 @@
 
 namespace fstiff::cli {
 
-using namespace scene;
-
 /// "π/4", or the angle in five digits.
 std::string shown_angle(double theta);
 /// "fractal, θ = π/4, r = 0" for a legend.

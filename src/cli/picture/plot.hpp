@@ -3,10 +3,10 @@
 // Pictures of curves as SVG that needs nothing else: no script, no font, no file beside it. Colours follow the reader's
 // light or dark setting. The same figure is written as CSV. The same figure gives the same bytes.
 //
-// svg.cpp draws it; scale.hpp chooses its ticks, unit.hpp its units, drawing.hpp its colours and legend; raster.cpp makes maps.
+// svg.cpp draws it; scale.hpp chooses its ticks, drawing.hpp its colours and legend; raster.cpp makes maps.
 
 #include "document/output.hpp"
-#include "picture/unit.hpp"
+#include "document/shown_unit.hpp"
 
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ struct Axis {
     std::optional<double> low = {}, high = {};  ///< none: from the curves
     bool ticks = true;
     std::string si = {};  ///< unit of the values, such as "Pa": the picture chooses nm or mm and adds it to the label
-    std::optional<Unit> unit = {};  ///< of \p si, where something next to the picture has chosen one
+    std::optional<ShownUnit> unit = {};  ///< of \p si, where something next to the picture has chosen one
 };
 
 enum class Stroke { solid, dashed, dotted, none };

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/output_options.hpp"
+
+namespace fstiff::cli {
+
+void add_format_option(Arguments& arguments, OutputOptions& options, Format initial) {
+    options.format = initial;
+    arguments.option("--format", options.format, "table, csv or json; default " + std::string(name_of(initial)))
+        .type_name("FORMAT");
+}
+
+void add_output_options(Arguments& arguments, OutputOptions& options, Format initial) {
+    add_format_option(arguments, options, initial);
+    add_output_option(arguments, options);
+}
+
+void add_output_option(Arguments& arguments, OutputOptions& options) {
+    arguments.option("-o,--output", options.file, "write to FILE instead of standard output, which - is")
+        .type_name("FILE");
+}
+
+}  // namespace fstiff::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The columns of a curve, each by what it holds: names, units and headings follow from one table.
+
+#include <fstiff/contact/quantity.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::scene {
+
+struct Curve;
+struct Scene;
+
+/// What a column holds, in the order of the columns.
+enum class CurveQuantity {
+    pressure,
+    eta,
+    separation,
+    stiffness,
+    loading_stiffness,
+    tangential_stiffness,
+    reflection,
+    shear_reflection,
+    real_area,
+    contacts
+};
+/// Which number of the quantity: what was computed, its numerical error, or an end of its band.
+enum class Statistic { value, error, p05, p95 };
+
+/// A row of the table of quantities.
+struct CurveQuantityRow {
+    CurveQuantity quantity;
+    std::string_view name, suffix;  ///< of the key, which has a statistic between them
+    std::string_view unit;          ///< SI, such as "Pa/m"; empty: a plain number
+    std::string_view symbol;        ///< in headings
+    Quantity of_law;                ///< that the law must give; none: every law has it
+    bool Scene::*asked;             ///< of output.quantities; null: always
+    bool has_band = false;          ///< follows from K, so that it has an error and a band
+};
+/// In the order of CurveQuantity.
+[[nodiscard]] std::span<const CurveQuantityRow> curve_quantities();
+
+/// One quantity of a curve at every state.
+struct Column {
+    CurveQuantity quantity;
+    Statistic statistic = Statistic::value;
+    std::vector<double> values{};  ///< [SI] one a state; empty: the law does not give the quantity
+
+    [[nodiscard]] const CurveQuantityRow& row() const {
+        return curve_quantities()[static_cast<std::size_t>(quantity)];
+    }
+    /// Of CSV and JSON, with the unit at its end, such as "stiffness_p05_Pa_per_m".
+    [[nodiscard]] const std::string& key() const;
+};
+
+/// The columns that \p scene asks for, of the states and the band of \p curve; with \p bands some curve has a band.
+[[nodiscard]] std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double tangential_ratio,
+                                             bool bands);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Columns: names, units and headings of every quantity; CSV and JSON of any bytes. Truth: lists by hand, nlohmann.
+#include "scene/result_rows.hpp"
+
+#include "support/accuracy.hpp"
+#include "support/catch.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace column_test {
+
+using namespace fstiff::scene;
+
+TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
+    using enum CurveQuantity;
+    struct Expected {
+        CurveQuantity quantity;
+        std::string key, band_key, unit, heading;
+    };
+    const std::vector<Expected> all{
+        {pressure, "pressure_Pa", "pressure_p05_Pa", "Pa", "p [MPa]"},
+        {eta, "eta", "eta_p05", "", "eta"},
+        {separation, "separation_m", "separation_p05_m", "m", "separation [µm]"},
+        {stiffness, "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "Pa/m", "K/A0 [GPa/µm]"},
+        {loading_stiffness, "loading_stiffness_Pa_per_m", "loading_stiffness_p05_Pa_per_m", "Pa/m", "-dp/dd [GPa/µm]"},
+        {tangential_stiffness, "tangential_stiffness_Pa_per_m", "tangential_stiffness_p05_Pa_per_m", "Pa/m",
+         "Kt/A0 [GPa/µm]"},
+        {reflection, "reflection", "reflection_p05", "", "|R|"},
+        {shear_reflection, "shear_reflection", "shear_reflection_p05", "", "shear |R|"},
+        {real_area, "real_area_fraction", "real_area_fraction_p05", "", "real area"},
+        {contacts, "contacts_per_m2", "contacts_p05_per_m2", "1/m^2", "contacts [1/mm²]"}};
+    REQUIRE(curve_quantities().size() == all.size());
+    const Units units{unit_of_pressure(3e6), unit_of_length(1e-6), unit_of_density(5e8)};
+    for (const Expected& one : all) {
+        INFO(one.key);
+        const Column value{one.quantity}, low{one.quantity, Statistic::p05};
+        CHECK(value.row().quantity == one.quantity);
+        CHECK(value.key() == one.key);
+        CHECK(low.key() == one.band_key);
+        CHECK(value.row().unit == one.unit);
+        CHECK(heading_of(value, units).shown == one.heading);
+        CHECK(heading_of(value, units).key == one.key);
+        const std::size_t bracket = one.heading.find(" [");
+        const std::string unit = bracket == std::string::npos ? "" : one.heading.substr(bracket);
+        CHECK(heading_of(low, units).shown == "5 %" + unit);
+    }
+    CHECK(heading_of({separation}, units).factor == 1e6);
+    CHECK(heading_of({stiffness, Statistic::error}, units).shown == "numerical error [Pa/m]");
+    CHECK(heading_of({reflection, Statistic::error}, units).shown.empty());
+}
+
+TEST_CASE("The columns of a curve are its states, and the band of a reflection is that of K turned round") {
+    Scene scene;
+    scene.stiffness = scene.reflection = scene.tangential_stiffness = true;
+    scene.ultrasound = Waves{.frequency = 5e6, .longitudinal = {46e6, 46e6}, .shear = {}};
+    Curve curve{.law = find_law("hertz")};
+    fstiff::ContactState<double> state;
+    state.pressure.value = 1e6;
+    state.stiffness = {2e14, 1e5, 0};
+    curve.states = {state};
+    curve.places = {3};
+    curve.band = {{.low = 1e14, .high = 4e14}};
+    curve.columns = columns_of(scene, curve, 0.8, true);
+    const auto at = [&](CurveQuantity quantity, Statistic statistic = Statistic::value) {
+        return curve.value_at(3, quantity, statistic).value();
+    };
+    using enum CurveQuantity;
+    CHECK(at(pressure) == 1e6);
+    CHECK(at(stiffness, Statistic::p05) == 1e14);
+    CHECK(at(tangential_stiffness, Statistic::p95) == 0.8 * 4e14);
+    CHECK(at(tangential_stiffness, Statistic::error) == 0.8 * 1e5);
+    const auto reflected = [](double k) { return 1 / std::hypot(1, 2 * k / (2 * std::acos(-1.0) * 5e6 * 46e6)); };
+    CHECK(test::relative_error(at(reflection), reflected(2e14)) < 1e-14);
+    CHECK(test::relative_error(at(reflection, Statistic::p05), reflected(4e14)) < 1e-14);
+    CHECK(test::relative_error(at(reflection, Statistic::p95), reflected(1e14)) < 1e-14);
+    CHECK(!curve.value_at(2, pressure));
+    CHECK(!curve.value_at(3, separation));
+    CHECK(columns_of(scene, curve, 0.8, false).size() == curve.columns.size() - 6);
+    curve.band.clear();  // of a law that does not vary: the same columns, without values
+    CHECK(columns_of(scene, curve, 0.8, true).size() == curve.columns.size());
+}
+
+TEST_CASE("A line of CSV reads back as its cells") {
+    const std::vector<std::string> cells{"plain", "", "b,c.csv", "5\" pipe", "\"all\"", " kept ", "a\"\"b", ","};
+    std::vector<std::string> read = csv_cells(csv_line(cells));
+    CHECK(read[5] == "kept");  // blanks about a cell are of the line
+    read[5] = cells[5];
+    CHECK(read == cells);
+    CHECK(csv_cells(" \"x, y\" ,2,\" a \",+0.5\r") == std::vector<std::string>{"x, y", "2", " a ", "+0.5"});
+    CHECK(csv_cells("one") == std::vector<std::string>{"one"});
+    CHECK(csv_cells("a,") == std::vector<std::string>{"a", ""});
+
+    Rows rows = Rows::under({{"name", "name"}, {"length_m", "length [mm]", 1e3, 2}, {.key = "count", .csv = false}});
+    rows.add_row({"a,b", 0.0125, 3});
+    rows.add_row({"c", Cell(), 4});
+    CHECK(rows.csv() == "name,length_m\n\"a,b\",0.012500000000000001\nc,\n");
+    CHECK(rows.table() == TextRows{{"name", "length [mm]"}, {"a,b", "12"}, {"c", "-"}});
+    Json list;
+    rows.append_to(list);
+    const auto parsed = nlohmann::json::parse(list.str());
+    CHECK(parsed[0] == nlohmann::json{{"name", "a,b"}, {"length_m", 0.0125}, {"count", 3}});
+    CHECK(!parsed[1].contains("length_m"));
+}
+
+TEST_CASE("A JSON document is valid whatever its bytes are, and numbers are finite") {
+    const auto read = [](const std::string& bytes) {
+        return nlohmann::json::parse(json_text(bytes)).get<std::string>();
+    };
+    const std::string plain = "a \"b\" \\ \n\t \x7f \xC2\x85 5 \xC2\xB5m \xE2\x80\x93 \xF0\x9F\x94\xA9";
+    CHECK(read(plain) == plain);
+    CHECK(json_text("\x7f\xC2\x85\x01") == "\"\\u007f\\u0085\\u0001\"");
+    const std::string unknown = "\xEF\xBF\xBD";
+    CHECK(read("5 \xB5m") == "5 " + unknown + "m");  // Latin-1
+    CHECK(read("\xE2\x80").find(unknown) == 0);
+    const auto whole = std::numeric_limits<std::uint64_t>::max();
+    Json document{{"\xB5", nullptr}, {"all", {true, -3, whole, 0.1, "x"}}, {"none", Json::array()}, {"of", {{"a", 1}}}};
+    document["of"]["b"] = Json(std::vector<double>{1.5, 2});
+    document.update({{"all", 7}});
+    CHECK(document.str() == "{\n  \"" + unknown +
+                                "\": null,\n  \"all\": 7,\n  \"none\": [],\n  \"of\": {\n    \"a\": 1,\n    \"b\": "
+                                "[\n      1.5,\n      2.0\n    ]\n  }\n}\n");
+    CHECK(Json{true, -3, whole, 0.1}.str() == "[\n  true,\n  -3,\n  18446744073709551615,\n  0.1\n]\n");
+    CHECK_THROWS_AS(Json(std::nan("")), std::logic_error);
+    CHECK_THROWS_AS(Json(std::numeric_limits<double>::infinity()), std::logic_error);
+    CHECK_THROWS(Json(1)["a"]);
+}
+
+}  // namespace column_test
