@@ -22,7 +22,7 @@ import sys
 
 # layers: a folder includes itself and the levels before its own; folders on one level never include each other.
 PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
-          "ultrasound", "measured", "fit", "io")
+          "ultrasound", "measured", "validity", "fit", "io")
 PRIVATE = ("io", "document", "instances", "surface", "scene", "sweep c", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
 UPWARD = {  # includes of src that go upward all the same, and why
     ("src/cli/document/output.hpp", "input/arguments.hpp"): "--format and --output are declared with what they fill",

@@ -105,6 +105,7 @@
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/boundary_element_contact.hpp>
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
@@ -126,6 +127,7 @@
 #include <fstiff/contact/law_text.hpp>
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/load_means.hpp>
+#include <fstiff/contact/mean_over_shifts.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/peak_nodes.hpp>
@@ -142,7 +144,6 @@
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/contact/tensor_nodes.hpp>
-#include <fstiff/contact/validity.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/resolvable_stiffness.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
@@ -166,6 +167,9 @@
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/measured/widened_band.hpp>
+#include <fstiff/validity/checks.hpp>
+#include <fstiff/validity/law_findings.hpp>
+#include <fstiff/validity/validated_ratio.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>
 #include <fstiff/fit/identify.hpp>

@@ -71,9 +71,9 @@ Scene with_face(Scene scene, const Face& face) {
 /// to 2.
 std::vector<double> stiffnesses(const Scene& scene, double modulus) {
     std::vector<double> all;
-    for_each_contact(scene, modulus, {}, [&](const Curve&, const auto& contact) {
+    for_each_contact(scene, modulus, {}, [&](const Curve& curve, const auto& contact) {
         try {
-            for (const auto& point : points_of(scene, *contact(), Quantity::pressure | Quantity::stiffness))
+            for (const auto& point : points_of(scene, *curve.law, *contact(), Quantity::pressure | Quantity::stiffness))
                 all.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
         } catch (const domain_error&) {
             all.insert(all.end(), scene.points.size(), std::numeric_limits<double>::quiet_NaN());
@@ -90,12 +90,10 @@ Scene lean_scene(const Scene& scene) {
     lean.heights.reset();
     lean.faces.clear();
     lean.neighbours.clear();
-    std::erase_if(lean.laws, [](const ChosenLaw& chosen) { return !chosen.law->varies; });
-    for (ChosenLaw& chosen : lean.laws)
-        if (!chosen.law->quick_options.empty())
-            chosen.options.assign(chosen.law->quick_options.begin(), chosen.law->quick_options.end());
+    std::erase_if(lean.laws, [](const Law* law) { return !law->varies; });
+    lean.law_options.mutual = false;
     if (std::none_of(lean.laws.begin(), lean.laws.end(),
-                     [](const ChosenLaw& chosen) { return chosen.law->needs_map || chosen.law->needs_spectrum; }))
+                     [](const Law* law) { return law->needs_map || law->needs_spectrum; }))
         lean.map.reset();  // nothing takes its tiles
     return lean;
 }
@@ -144,7 +142,7 @@ std::string dominating(const Scene& scene, const Curve& curve) {
 void add_bands(const Scene& scene, Results& results, const ProgressHook& progress) {
     const Scene lean = lean_scene(scene);
     Scene to_draw_about = lean;
-    to_draw_about.similar = std::make_shared<const SimilarHybrids<double>>(lean.bearing.get(), lean.gamma);
+    to_draw_about.similar = std::make_shared<const SimilarHybrids<double>>(lean.bearing.get(), lean.law_options.gamma);
     RandomStates random{scene.seed, ~scene.seed};
     const auto bands =
         sampled_band(scene.uncertain,
@@ -167,7 +165,7 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
             SampledBand<double> band = bands[at];
             failed = std::max(failed, band.failed);
             const double value = curve.states[i].stiffness.value, factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
-            if (!curve.law->quick_options.empty()) band.low *= factor, band.median *= factor, band.high *= factor;
+            if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
             if (!of_neighbours.empty()) {
                 const auto at_point = [&](const std::vector<std::vector<double>>& of) {
                     std::vector<double> all;

@@ -15,10 +15,11 @@
 
 namespace fstiff::scene {
 
-/// Every point stands by itself, so that they may be computed in parts, with \p progress told between them.
-inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact& contact, Quantity quantities,
-                                                   const ProgressHook& progress = {}) {
-    constexpr std::size_t part = 64;
+/// Every point stands by itself, so that they may be computed in parts, one by one where \p law takes seconds for each, with
+/// \p progress told between them.
+inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const Law& law, const AnyContact& contact,
+                                                   Quantity quantities, const ProgressHook& progress = {}) {
+    const std::size_t part = law.varies ? 64 : 1;
     std::vector<ContactPoint<double>> points;
     for (std::span<const double> rest = scene.points; !rest.empty();) {
         if (progress) progress("points", scene.points.size() - rest.size(), scene.points.size());
@@ -61,9 +62,9 @@ void for_each_contact(const Scene& scene, double modulus, const ProgressHook& pr
                          .effective_modulus = modulus,
                          .fractal_dimension = scene.fractal_dimension.value_or(0),
                          .interaction = interaction(scene),
+                         .options = scene.law_options,
                          .moments = spectral_moments(scene),
                          .hurst = hurst_exponent(scene),
-                         .gamma = scene.gamma,
                          .map = scene.map.get(),
                          .spectrum_of_map = scene.spectrum_of_map,
                          .bearing = scene.bearing.get(),
@@ -72,21 +73,15 @@ void for_each_contact(const Scene& scene, double modulus, const ProgressHook& pr
                                       .yield_strength = scene.yield_strength.value_or(0),
                                       .poisson_ratio = scene.softer_poisson,
                                       .hardness = scene.hardness.value_or(0)},
-                         .elements = scene.elements,
                          .progress = progress};
     const std::optional<double> slope = gradient(scene);
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law& law = *chosen.law;
-        inputs.options = chosen.options;
-        if (!law.has_peaks) {
-            visit(Curve{.law = &law, .rms_gradient = slope}, [&] { return law.contact(inputs); });
-            continue;
-        }
-        for (const Peaks& of : peaks_of(law, scene)) {
+    for (const Law* law : scene.laws) {
+        const auto make = [&] { return law->contact(inputs); };
+        if (!law->has_peaks) visit(Curve{.law = law, .rms_gradient = slope}, make);
+        for (const Peaks& of : peaks_of(*law, scene)) {
             const PeakDistribution<double> peaks = peak_density(of);
             inputs.peaks = &peaks;
-            visit(Curve{.law = &law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = slope},
-                  [&] { return law.contact(inputs); });
+            visit(Curve{.law = law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = slope}, make);
         }
     }
 }

@@ -4,7 +4,7 @@
 #include "document/file.hpp"
 
 #include <fstiff/contact/summit_contact.hpp>
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/shifted_sum.hpp>

@@ -121,8 +121,7 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
                          std::vector<std::string>& warnings) {
     std::vector<Fit> fits;
     std::string skipped;
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law* law = chosen.law;
+    for (const Law* law : scene.laws) {
         if (!request.law.empty() && request.law != law->name) continue;
         if (!law->fit) {
             skipped = law->name;

@@ -21,7 +21,7 @@ OneContact contact_of(Scene of, double modulus, std::size_t law, std::size_t pea
     if (law >= kept.laws.size()) refuse_entry("law", law, "an entry of contact.laws");
     std::size_t wanted = peaks;
     for (std::size_t i = 0; i <= law; ++i) {
-        const Law& one_law = *kept.laws[i].law;
+        const Law& one_law = *kept.laws[i];
         const std::size_t curves = one_law.has_peaks ? peaks_of(one_law, kept).size() : 1;
         if (i < law)
             wanted += curves;
@@ -82,9 +82,7 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
     of.reading = numbers.reading;
     of.length = InteractionLength::given;
     of.given_length = numbers.interaction_length;
-    ChosenLaw chosen{found, {}};
-    for (const LawOption& option : found->options) chosen.options.push_back(option.otherwise.value_or(0));
-    of.laws.push_back(std::move(chosen));
+    of.laws.push_back(found);
     return of;
 }
 

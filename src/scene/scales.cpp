@@ -19,9 +19,7 @@ Scene scene_of(const Face& face, const Law& law, const ScalesOptions& how) {
     scene.points = {how.pressure};
     scene.stiffness = true;
     scene.samples = 0;
-    std::vector<double> options;
-    for (const LawOption& option : law.options) options.push_back(option.otherwise.value_or(0));
-    scene.laws = {{&law, options}};
+    scene.laws = {&law};
     if (face.r) scene.peaks = {{*face.theta, face.r, true, {}, "surface."}};
     return scene;
 }

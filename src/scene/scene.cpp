@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 
 #include "document/file.hpp"
+#include "scene/law_options.hpp"
 #include "scene/range.hpp"
 #include "scene/read_face.hpp"
 #include "scene/read_table.hpp"
@@ -225,35 +226,7 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
                            ": is missing; interaction length \"nominal\" is its square root");
 }
 
-/// true or false, or 1 or 0, as 1 or 0.
-double read_flag(Source& source, const toml::node& node, const std::string& key) {
-    const auto flag = node.is_boolean() ? std::optional(node.as_boolean()->get() ? 1.0 : 0.0) : node.value<double>();
-    if (!flag || (*flag != 0 && *flag != 1)) source.refuse(node, key, "must be true or false, or 1 or 0");
-    source.record(key, written(node), *flag);
-    return *flag;
-}
-
-/// What the section contact.<law> says, in the order of Law::options.
-std::vector<double> read_law_options(Source& source, const Section& contact, const Law& law) {
-    std::vector<double> values;
-    if (law.options.empty()) return values;
-    std::vector<std::string_view> keys;
-    for (const LawOption& option : law.options) keys.push_back(option.key);
-    static const toml::table none;
-    const Section section(source, contact.find(law.name) ? contact.subtable(law.name) : none, contact.key(law.name),
-                          keys);
-    for (const LawOption& option : law.options) {
-        const toml::node* node = option.otherwise ? section.find(option.key) : &section.at(option.key);
-        values.push_back(!node              ? *option.otherwise
-                         : option.is_flag   ? read_flag(source, *node, section.key(option.key))
-                         : option.dimension ? section.positive(option.key, *option.dimension)
-                                            : source.number(*node, section.key(option.key)));
-        if (!node) source.record(section.key(option.key), shortest(values.back()) + " (default)", values.back());
-    }
-    return values;
-}
-
-void read_laws(Source& source, const Section& contact, Scene& scene, bool replaced) {
+void read_laws(Source& source, const Section& root, const Section& contact, Scene& scene, bool replaced) {
     std::vector<const Law*> chosen;
     if (const auto* node = contact.find("laws")) {
         const auto names = law_names();
@@ -285,7 +258,8 @@ void read_laws(Source& source, const Section& contact, Scene& scene, bool replac
         if (const std::string why = refusal_of(*law, scene); !why.empty())
             throw domain_error((contact.find("laws") ? source.at(*contact.find("laws")) : source.file) + ": " +
                                contact.key("laws") + ": \"" + std::string(law->name) + "\" " + why);
-        scene.laws.push_back({law, read_law_options(source, contact, *law)});
+        scene.laws.push_back(law);
+        if (!is_shared(law->which)) read_law_options(source, root, law->which, scene);
     }
 }
 
@@ -316,28 +290,10 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
     }
 }
 
-/// Laws whose section may also stand at the root of the scene.
-constexpr std::array<std::string_view, 2> sections_of_laws{"persson", "boundary_elements"};
-
-/// The section contact.\p law, or \p law at the root; null where there is neither. \p path is where it was found.
-const toml::table* section_of_law(Source& source, const Section& root, std::string_view law, std::string& path) {
-    const toml::node* contact = root.find("contact");
-    const toml::node* within = contact && contact->is_table() ? contact->as_table()->get(law) : nullptr;
-    path = std::string(within ? "contact." : "") + std::string(law);
-    if (!within) return root.find(law) ? &root.subtable(law) : nullptr;
-    if (root.find(law))
-        throw domain_error(source.at(*root.find(law)) + ": " + std::string(law) + ": must not stand next to " + path +
-                           "; give one of the two");
-    if (!within->is_table()) source.refuse(*within, path, "must be a section of keys");
-    return within->as_table();
-}
-
-void read_contact(Source& source, const toml::table& table, Scene& scene, bool replaced) {
+void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
     std::vector<std::string_view> keys{"nominal_area", "pressures", "separations", "laws", "peaks", "interaction"};
-    for (const Law& law : laws())
-        if (!law.options.empty()) keys.push_back(law.name);
-    keys.insert(keys.end(), sections_of_laws.begin(), sections_of_laws.end());
-    const Section contact(source, table, "contact", keys);
+    for (const LawName law : laws_with_options()) keys.push_back(name_of(law));
+    const Section contact(source, root.subtable("contact"), "contact", keys);
     scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
 
     const toml::node* pressures = contact.find("pressures");
@@ -353,7 +309,7 @@ void read_contact(Source& source, const toml::table& table, Scene& scene, bool r
     scene.points = read_points(source, points, key, separations ? Dimension::length : Dimension::pressure);
     scene.points_where = source.at(points) + ": " + key + ": ";
 
-    read_laws(source, contact, scene, replaced);
+    read_laws(source, root, contact, scene, replaced);
     read_peaks(source, contact, scene, replaced);
     read_interaction(source, contact, scene);
 }
@@ -407,42 +363,6 @@ void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
     if (const auto seed = whole("seed", (1LL << 53) - 1)) scene.seed = static_cast<std::uint64_t>(*seed);
 }
 
-void read_persson(Source& source, const Section& root, Scene& scene) {
-    std::string path;
-    const toml::table* table = section_of_law(source, root, "persson", path);
-    if (!table) return;
-    const Section section(source, *table, path, {"gamma", "spectrum"});
-    if (const toml::node* node = section.find("gamma")) {
-        scene.gamma = source.number(*node, section.key("gamma"));
-        if (!(scene.gamma > 0 && scene.gamma <= 1))
-            source.refuse(*node, section.key("gamma"), "must be greater than 0 and at most 1");
-    }
-    if (const toml::node* node = section.find("spectrum")) {
-        constexpr std::array<std::string_view, 2> sources{"map", "moments"};
-        scene.spectrum_of_map = source.choice(*node, section.key("spectrum"), sources) == 0;
-        if (scene.spectrum_of_map && !scene.map)
-            source.refuse(*node, section.key("spectrum"),
-                          "needs a map: surface.from, or --surface, must name the file of one");
-    }
-}
-
-void read_elements(Source& source, const Section& root, Scene& scene) {
-    std::string path;
-    const toml::table* table = section_of_law(source, root, "boundary_elements", path);
-    if (!table) return;
-    const Section section(source, *table, path, {"points", "edges", "hardness"});
-    if (const toml::node* node = section.find("points")) {
-        const auto* points = node->as_integer();
-        if (!points || points->get() < 16 || points->get() > 4096)
-            source.refuse(*node, section.key("points"), "must be a whole number from 16 to 4096");
-        scene.elements.points = points->get();
-        source.record(section.key("points"), written(*node), static_cast<double>(points->get()));
-    }
-    if (const toml::node* node = section.find("edges"))
-        scene.elements.edges = source.choice<Edges>(*node, section.key("edges"));
-    scene.elements.hardness = section.optional_positive("hardness", Dimension::pressure).value_or(0);
-}
-
 /// Of a Hurst exponent and a fractal dimension that do not belong together.
 void warn_of_hurst(const Face& face, const std::string& path, std::vector<std::string>& warnings) {
     if (!face.hurst || !face.fractal_dimension) return;
@@ -476,7 +396,7 @@ std::vector<Assumed> assumed(const Scene& scene) {
     std::vector<Assumed> all;
     const bool of_map = scene.map && scene.spectrum_of_map;
     if (of_map || std::none_of(scene.laws.begin(), scene.laws.end(),
-                               [](const ChosenLaw& chosen) { return chosen.law->needs_spectrum; }))
+                               [](const Law* law) { return law->needs_spectrum; }))
         return all;
     if (!scene.hurst) {
         const double hurst = hurst_exponent(scene), least = least_hurst(spectral_moments(scene), scene.widest_band);
@@ -583,9 +503,10 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
         scene.has_lay = scene.has_lay || is_profile_with_lay(*face->measured);
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.subtable("material"), scene);
-    read_persson(source, top, scene);
-    read_elements(source, top, scene);
-    read_contact(source, top.subtable("contact"), scene, replaced);
+    for (const LawName law : laws_with_options())
+        if (is_shared(law)) read_law_options(source, top, law, scene);
+    if (scene.law_options.spectrum) scene.spectrum_of_map = scene.law_options.spectrum == SpectrumSource::map;
+    read_contact(source, top, scene, replaced);
     for (const Assumed& one : assumed(scene))
         source.record("surface." + std::string(one.key), one.how + " (default)", one.value);
     if (scene.faces.empty()) warn_of_hurst(scene, "surface", scene.warnings);

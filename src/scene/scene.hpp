@@ -33,12 +33,6 @@ struct Input {
     std::string unit;  ///< SI unit of value; empty when it has none
 };
 
-/// A law of contact.laws, and what its section of the scene says.
-struct ChosenLaw {
-    const Law* law = nullptr;
-    std::vector<double> options{};  ///< [SI], in the order of Law::options
-};
-
 /// One peak density to compute; the values are checked when the PeakDistribution is made.
 struct Peaks {
     double theta = 0;         ///< [rad]
@@ -84,8 +78,7 @@ struct Scene : Face {
     std::vector<Face> faces;
     int shifts = 1;  ///< of the lower map over the upper one
 
-    double gamma = 0.45;     ///< [persson] gamma
-    ElementInputs elements;  ///< [boundary_elements]
+    LawOptions law_options;
     int samples = 400;       ///< of the band; 0: no band
     std::uint64_t seed = 2014;
     std::shared_ptr<const SimilarHybrids<double>> similar;  ///< of a scene that a surface was drawn for
@@ -102,7 +95,7 @@ struct Scene : Face {
     bool at_separations = false;         ///< points are separations [m], not pressures [Pa]
     std::vector<double> points;
     std::string points_where;  ///< file, line and key for messages
-    std::vector<ChosenLaw> laws;
+    std::vector<const Law*> laws;
     std::vector<Peaks> peaks;
     bool default_peaks = false;  ///< contact.peaks was not there, and those of the surface are not known
     InteractionReading reading = InteractionReading::none;

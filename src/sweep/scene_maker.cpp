@@ -96,8 +96,7 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
                          return axis.key.starts_with("output.");
                      });
     folds_ = first->points.size() == 1;
-    for (const scene::ChosenLaw& chosen : first->laws)  // boundary elements begin with the solution of the point before
-        folds_ = folds_ && chosen.law->varies;
+    for (const scene::Law* law : first->laws) folds_ = folds_ && law->varies;  // boundary elements take seconds a point
     bool found = false;
     for (std::size_t i = 0; i < setters_.size(); ++i) {
         if (setters_[i].put == put_point) point_axis_ = i, found = true;

@@ -114,8 +114,8 @@ TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
     const auto with = [&](const std::string& mutual) {
         return text_of(from, "laws = [\"summits\"]\n[contact.summits]\nmutual = " + mutual + "\n");
     };
-    for (const char* yes : {"true", "1", "1.0"}) CHECK(read(with(yes)).laws.front().options.front() == 1);
-    for (const char* no : {"false", "0"}) CHECK(read(with(no)).laws.front().options.front() == 0);
+    for (const char* yes : {"true", "1", "1.0"}) CHECK(read(with(yes)).law_options.mutual);
+    for (const char* no : {"false", "0"}) CHECK_FALSE(read(with(no)).law_options.mutual);
     for (const char* other : {"-1", "0.5", "1e9", "\"yes\""}) {
         INFO(other);
         CHECK(contains(refused(with(other)), "contact.summits.mutual = "));
@@ -125,12 +125,12 @@ TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
 
 TEST_CASE("The options of persson and of boundary_elements are below contact, as those of summits, or at the root") {
     for (const char* path : {"persson", "contact.persson"}) {
-        CHECK(read(text_of(moments, "[" + std::string(path) + "]\ngamma = 0.5\n")).gamma == 0.5);
+        CHECK(read(text_of(moments, "[" + std::string(path) + "]\ngamma = 0.5\n")).law_options.gamma == 0.5);
         CHECK(contains(refused(text_of(moments, "[" + std::string(path) + "]\ngamma = 2\n")),
                        std::string(path) + ".gamma = 2"));
     }
     for (const char* path : {"boundary_elements", "contact.boundary_elements"})
-        CHECK(read(text_of(moments, "[" + std::string(path) + "]\npoints = 64\n")).elements.points == 64);
+        CHECK(read(text_of(moments, "[" + std::string(path) + "]\npoints = 64\n")).law_options.points == 64);
     CHECK(contains(refused(text_of(moments, "[persson]\ngamma = 0.5\n[contact.persson]\ngamma = 0.5\n")),
                    "must not stand next to contact.persson"));
     CHECK(contains(refused(text_of(moments, "persson = 3\n")), "contact.persson = 3: must be a section"));

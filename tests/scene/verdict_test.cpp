@@ -4,8 +4,6 @@
 
 #include "cli/command.hpp"
 
-#include "scene/validated_ratio.hpp"
-
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/write.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
@@ -64,7 +62,7 @@ TEST_CASE("The verdict advises no law that the scene cannot have") {
         REQUIRE(law);
         CHECK(scene::refusal_of(*law, builtin).empty());
         scene::Scene added = builtin;
-        added.laws = {{law, {}}};
+        added.laws = {law};
         CHECK_NOTHROW(scene::compute(added));
     }
     CHECK(contains(verdict_of(read(scene_of(moments, "\"10 MPa\""))), "believe hybrid (add \"hybrid\""));
@@ -88,13 +86,13 @@ TEST_CASE("The side of the error is not taken from a skewness that is zero withi
 }
 
 TEST_CASE("The accuracy of hybrid is one number, that of docs/validation.md") {
-    const std::string percent = std::to_string(scene::hybrid_accuracy_percent) + " %";
+    const std::string percent = std::to_string(fstiff::hybrid_accuracy_percent) + " %";
     std::ifstream table(FSTIFF_SCENES "/../bench/map_validation.csv");
     int points = 0, within = 0;
     for (std::string line; std::getline(table, line);) {
         if (!line.starts_with("hybrid,")) continue;
         ++points;
-        within += std::abs(std::stod(line.substr(line.rfind(',') + 1)) - 1) <= scene::hybrid_accuracy_percent / 100.0;
+        within += std::abs(std::stod(line.substr(line.rfind(',') + 1)) - 1) <= fstiff::hybrid_accuracy_percent / 100.0;
     }
     CHECK(points == 750);
     CHECK(within >= 0.96 * points);
@@ -140,7 +138,7 @@ TEST_CASE("Where points are missing, the way to fill them is named, and hybrid i
     CHECK_FALSE(contains(sentences, "add \"hybrid\""));
     CHECK_FALSE(contains(sentences, "add \"boundary_elements\""));
     CHECK(contains(test::refusal([&] { (void)read(with("", "laws = [\"boundary_elements\"]")); }), "fill = true"));
-    CHECK(read(with("fill = true\n", "")).laws.front().law->name == "hybrid");
+    CHECK(read(with("fill = true\n", "")).laws.front()->name == "hybrid");
 }
 
 TEST_CASE("A profile across grooves is told to be no measure of K, and its band reaches 20 times as high") {

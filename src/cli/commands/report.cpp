@@ -12,7 +12,7 @@
 #include "scene/results.hpp"
 #include "instances/surface_instances.hpp"
 
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 #include <fstiff/core/version.hpp>
 #include <fstiff/measured/sections.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
@@ -517,11 +517,9 @@ void inputs_section(Page& page, const Scene& scene) {
 void equations_section(Page& page, const Scene& scene, const Results& results) {
     page.heading("Equations");
     Rows rows{{"law", "load", "stiffness", "peaks"}};
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law& law = *chosen.law;
+    for (const Law* law : scene.laws)
         rows.push_back(
-            {std::string(law.name), std::string(law.load), std::string(law.stiffness), std::string(law.peaks)});
-    }
+            {std::string(law->name), std::string(law->load), std::string(law->stiffness), std::string(law->peaks)});
     page.table(rows);
     std::string rest = "Effective modulus " + rounded(results.modulus / 1e9) +
                        " GPa from both bodies. Rms curvature of the peaks by (4.10). Interaction " +
@@ -579,10 +577,10 @@ Report execute(const Options& options) {
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
     // of a map a report shows the truth beside the laws
-    const scene::Law& elements = *scene::find_law("boundary_elements");
+    const scene::Law& elements = scene::find_law(LawName::boundary_elements);
     if (refusal_of(elements, scene).empty() && !scene.at_separations &&
-        std::none_of(scene.laws.begin(), scene.laws.end(), [&](const ChosenLaw& one) { return one.law == &elements; }))
-        scene.laws.push_back({&elements, {}});
+        std::find(scene.laws.begin(), scene.laws.end(), &elements) == scene.laws.end())
+        scene.laws.push_back(&elements);
     // a report shows everything, whatever output.quantities asks of run
     scene.stiffness = scene.separation = scene.real_area = scene.contacts = true;
     if (scene.ultrasound) {

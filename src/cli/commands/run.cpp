@@ -9,9 +9,9 @@
 #include "surface/documents.hpp"
 #include "scene/result_rows.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/validated_ratio.hpp"
 
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
+#include <fstiff/validity/validated_ratio.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <algorithm>
@@ -74,10 +74,8 @@ Json json(const Scene& scene, const Results& results) {
         }
     }
     Json& laws = document["laws"] = Json::object();
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law& law = *chosen.law;
-        laws[law.name] = {{"load", law.load}, {"stiffness", law.stiffness}, {"peaks", law.peaks}};
-    }
+    for (const Law* law : scene.laws)
+        laws[law->name] = {{"load", law->load}, {"stiffness", law->stiffness}, {"peaks", law->peaks}};
     Json& rows = document["rows"] = Json::array();
     for (const Curve& curve : results.curves) rows_of(results, curve).append_to(rows);
     return document;
@@ -281,7 +279,7 @@ public:
                 }
                 const double p =
                     dimensionless_pressure(curve.states[*at].pressure.value, results_.modulus, *curve.rms_gradient);
-                const auto ratio = validated_ratio(curve.law->name, p);
+                const auto ratio = validated_ratio(curve.law->which, p);
                 row.push_back(rounded(p, 2) + ": " +
                               (ratio ? rounded(ratio->low, 3) + "–" + rounded(ratio->high, 3) : "-"));
             }
@@ -368,8 +366,8 @@ std::string blocks(const Scene& scene, const Results& results) {
 /// Each law at the points of the summary, what it is and how far it may be believed.
 std::string table(const Scene& scene, const Results& results) {
     std::string text = introduction(scene, results) + blocks(scene, results) + "\n";
-    for (const ChosenLaw& chosen : scene.laws)
-        text += "  " + std::string(chosen.law->name) + " is " + std::string(chosen.law->nature) + "\n";
+    for (const Law* law : scene.laws)
+        text += "  " + std::string(law->name) + " is " + std::string(law->nature) + "\n";
     return text + "\n" + explanations(scene, results) +
            "every point and quantity: --full, --format csv, --format json\n";
 }
