@@ -7,6 +7,7 @@
 
 #include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/math/random.hpp>
+#include <fstiff/measured/widened_band.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -166,19 +167,10 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
             failed = std::max(failed, band.failed);
             const double value = curve.states[i].stiffness.value, factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
             if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
-            if (!of_neighbours.empty()) {
-                const auto at_point = [&](const std::vector<std::vector<double>>& of) {
-                    std::vector<double> all;
-                    for (const auto& one : of) all.push_back(one[at] * factor);
-                    return all;
-                };
-                const std::vector<double> others = at_point(of_neighbours), windows = at_point(of_windows);
-                BandParts<double>& parts =
-                    curve.band_parts.emplace_back(widen(band, value, std::span<const double>(others)));
-                spread_of(value, std::span<const double>(windows), parts.window_low, parts.window_high);
-            }
-            if (scene.has_lay) widen_by_lay(band);
-            curve.band.push_back(band);
+            const WidenedBand<double> wide =
+                widened(value, band, of_neighbours, of_windows, at, scene.has_lay, factor);
+            if (!of_neighbours.empty()) curve.band_parts.push_back(wide.parts);
+            curve.band.push_back(wide.band);
         }
         next += scene.points.size();
     }

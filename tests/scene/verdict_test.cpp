@@ -7,6 +7,7 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/write.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/validity/law_findings.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/half_space_maps.hpp"

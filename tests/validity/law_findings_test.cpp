@@ -142,7 +142,7 @@ TEST_CASE("The scatter of one surface is that of its fewest contacts") {
     ContactState<double> state;
     state.pressure.value = 1e6, state.contact_density.value = 5e6;
     of_states.add_states(std::vector{state}, 1e10, 0.1, 1e-6);
-    CHECK(test::relative_error(of_states.fewest_contacts, 5) < 1e-15);
+    CHECK(test::relative_error(of_states.fewest_contacts, 5.0) < 1e-15);
     CHECK(test::relative_error(of_states.least_pressure, 1e-3) < 1e-15);
 }
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ratios that fstiff run shows, against the table of docs/validation.md.
-#include "scene/validated_ratio.hpp"
+// Truth: the table of docs/validation.md, which tools/make_validation.py makes.
+#include <fstiff/validity/validated_ratio.hpp>
 
-#include "cli/command.hpp"
+#include "support/catch.hpp"
 
+#include <fstream>
+#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace validated_ratio_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -22,53 +26,55 @@ std::vector<std::string> cells(const std::string& line) {
     return all;
 }
 
+/// The table of ratios by p*, its heading first.
+std::vector<std::vector<std::string>> table() {
+    std::ifstream document(FSTIFF_SCENES "/../docs/validation.md");
+    std::vector<std::vector<std::string>> rows;
+    for (std::string line; std::getline(document, line);) {
+        if (rows.empty() && !line.starts_with("| p* |")) continue;
+        if (!line.starts_with("|")) break;
+        if (!line.starts_with("| ---")) rows.push_back(cells(line));
+    }
+    return rows;
+}
+
 }  // namespace
 
 TEST_CASE("The ratios of each law are those of docs/validation.md, which has no other law of the command") {
-    std::vector<std::string> laws;
-    std::size_t compared = 0;
-    double least = 1, most = 0;
-    for (const std::string& line : test::lines(test::read(FSTIFF_SCENES "/../docs/validation.md"))) {
-        if (line.starts_with("| p* |")) {
-            laws = cells(line);
-            continue;
-        }
-        if (laws.empty() || line.starts_with("| ---")) continue;
-        if (!line.starts_with("|")) {
-            if (compared > 0) break;
-            continue;
-        }
-        const auto row = cells(line);
-        const double p = std::stod(row[0]);
-        least = std::min(least, p), most = std::max(most, p);
-        for (std::size_t i = 1; i < row.size(); ++i) {
-            const std::string law = laws[i].substr(0, laws[i].find(','));
-            const auto ratio = scene::validated_ratio(law, p);
-            if (law.starts_with("p/")) {  // no law of the command
-                CHECK(!ratio);
-                continue;
-            }
-            INFO(law << " at p* = " << p);
+    const auto rows = table();
+    REQUIRE(rows.size() == 9);
+    CHECK(std::stod(rows[1][0]) == min_validated_pressure);
+    CHECK(std::stod(rows.back()[0]) == max_validated_pressure);
+    std::set<LawName> compared;
+    for (std::size_t i = 1; i < rows[0].size(); ++i) {
+        const auto law = find_named<LawName>(rows[0][i].substr(0, rows[0][i].find(',')));
+        CHECK(law.has_value() != rows[0][i].starts_with("p/"));
+        if (!law) continue;
+        compared.insert(*law);
+        for (std::size_t j = 1; j < rows.size(); ++j) {
+            INFO(rows[0][i] << " at p* = " << rows[j][0]);
+            const auto ratio = validated_ratio(*law, std::stod(rows[j][0]));
             REQUIRE(ratio);
             const std::string dash = "\xE2\x80\x93";
-            CHECK(ratio->low == std::stod(row[i]));
-            CHECK(ratio->high == std::stod(row[i].substr(row[i].find(dash) + dash.size())));
-            ++compared;
+            CHECK(ratio->low == std::stod(rows[j][i]));
+            CHECK(ratio->high == std::stod(rows[j][i].substr(rows[j][i].find(dash) + dash.size())));
         }
     }
-    CHECK(compared == 6 * 8);
-    CHECK(least == scene::min_validated_pressure);
-    CHECK(most == scene::max_validated_pressure);
+    CHECK(compared.size() == 6);
+    for (const auto& [law, word] : names<LawName>) CHECK(validated_ratio(law, 0.03).has_value() == compared.contains(law));
 }
 
-TEST_CASE("Between two rows the ratio covers both, and outside of the table there is none") {
-    const auto between = scene::validated_ratio("hertz", 0.02);
+TEST_CASE("Between two rows the ratio covers both, next to one it is that row, and outside there is none") {
+    const auto between = validated_ratio(LawName::hertz, 0.02);
     REQUIRE(between);
     CHECK(between->low == 0.63);
     CHECK(between->high == 0.97);
-    CHECK(!scene::validated_ratio("hertz", 0.0019));
-    CHECK(!scene::validated_ratio("hertz", 0.26));
-    CHECK(!scene::validated_ratio("gauss", 0.02));
+    CHECK(validated_ratio(LawName::hertz, 0.0301)->low == 0.63);
+    CHECK(validated_ratio(LawName::hertz, 0.0305)->low == 0.49);
+    CHECK(validated_ratio(LawName::hertz, 0.00199)->low == 0.87);
+    CHECK(validated_ratio(LawName::hertz, 0.2515)->low == 0.18);
+    CHECK_FALSE(validated_ratio(LawName::hertz, 0.0019));
+    CHECK_FALSE(validated_ratio(LawName::hertz, 0.26));
 }
 
 }  // namespace validated_ratio_test

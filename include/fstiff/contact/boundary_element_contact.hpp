@@ -17,6 +17,7 @@
 ///             (tests/contact/boundary_element_contact_test.cpp)
 
 #include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/math/root.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -49,8 +50,8 @@ public:
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity = Quantity::all) const {
         require_positive("pressure", pressure);
         if (options_.hardness > T(0) && !(pressure < options_.hardness))
-            return ContactPoint<T>::out_of_reach(
-                detail::refusal_of("pressure", pressure, "less than the hardness (Pa)").what());
+            return ContactPoint<T>::out_of_reach("pressure = " + shortest_text(pressure) +
+                                                 ": must be less than the hardness (Pa)");
         const TruthPoint<T> solved = truth(map_, modulus_, std::array{pressure}, options_).front();
         if (std::isinf(solved.state.stiffness))
             return ContactPoint<T>::out_of_reach("all points of the map are in contact");
@@ -62,8 +63,8 @@ public:
     [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity = Quantity::all) const {
         const T highest = map_.heights.maxCoeff() - map_.heights.mean();
         if (!(separation > T(0) && separation < highest))
-            return ContactPoint<T>::out_of_reach(
-                detail::refusal_of("separation", separation, "greater than 0 and less than the highest point (m)").what());
+            return ContactPoint<T>::out_of_reach("separation = " + shortest_text(separation) +
+                                                 ": must be greater than 0 and less than the highest point (m)");
         TruthOptions<T> one_grid = options_;
         one_grid.grid_error = false;
         one_grid.progress = {};
@@ -77,8 +78,8 @@ public:
         const T guess = std::log(modulus_ * rms_height_ / std::sqrt(area_)) - 3 * separation / rms_height_;
         const auto found = newton_bracketed(excess, (std::min)(guess, most) - 60, most, guess, T(1e-8));
         if (!found.converged())
-            return ContactPoint<T>::out_of_reach(
-                detail::refusal_of("separation", separation, "that of some pressure (m)").what());
+            return ContactPoint<T>::out_of_reach("separation = " + shortest_text(separation) +
+                                                 ": must be that of some pressure (m)");
         return point_at_pressure(std::exp(found.root));
     }
     /// \throws domain_error where there is no point.

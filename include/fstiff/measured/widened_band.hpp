@@ -34,6 +34,26 @@ struct WidenedBand {
     BandParts<T> parts;
 };
 
+/// \p band of \p stiffness widened by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows, those of D,
+/// are curves of K over many points, of which \p point counts, each times \p factor.
+template <Real T>
+[[nodiscard]] WidenedBand<T> widened(T stiffness, const SampledBand<T>& band,
+                                     const std::vector<std::vector<T>>& of_neighbours,
+                                     const std::vector<std::vector<T>>& of_windows, std::size_t point,
+                                     bool has_lay = false, T factor = T(1)) {
+    const auto at_point = [&](const std::vector<std::vector<T>>& curves) {
+        std::vector<T> all;
+        for (const auto& curve : curves) all.push_back(curve[point] * factor);
+        return all;
+    };
+    WidenedBand<T> one{stiffness, band, {}};
+    const std::vector<T> neighbours = at_point(of_neighbours), windows = at_point(of_windows);
+    if (!neighbours.empty()) one.parts = widen(one.band, stiffness, std::span<const T>(neighbours));
+    spread_of(stiffness, std::span<const T>(windows), one.parts.window_low, one.parts.window_high);
+    if (has_lay) widen_by_lay(one.band);
+    return one;
+}
+
 /// Whether \p surface is a profile that repeats itself, which cannot know K of its face.
 template <Real T>
 [[nodiscard]] bool is_profile_with_lay(const Surface<T>& surface) {
@@ -105,19 +125,8 @@ std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pres
             of_windows.push_back(at(other));
         }
     std::vector<WidenedBand<T>> all;
-    for (std::size_t i = 0; i < bands.size(); ++i) {
-        WidenedBand<T> one{own[i], bands[i], {}};
-        const auto column = [i](const std::vector<std::vector<T>>& of) {
-            std::vector<T> at_pressure;
-            for (const auto& curve : of) at_pressure.push_back(curve[i]);
-            return at_pressure;
-        };
-        const std::vector<T> neighbours = column(of_neighbours), windows = column(of_windows);
-        if (!neighbours.empty()) one.parts = widen(one.band, one.stiffness, std::span<const T>(neighbours));
-        spread_of(one.stiffness, std::span<const T>(windows), one.parts.window_low, one.parts.window_high);
-        if (is_profile_with_lay(surface)) widen_by_lay(one.band);
-        all.push_back(one);
-    }
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        all.push_back(widened(own[i], bands[i], of_neighbours, of_windows, i, is_profile_with_lay(surface)));
     return all;
 }
 
