@@ -3,6 +3,7 @@
 
 #include "document/file.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,48 +24,39 @@ constexpr LawOption rows[] = {
 };
 // clang-format on
 
-/// Reads the value of one row at \p node.
-class Reader {
-public:
-    Reader(Source& source, const LawOption& row, const toml::node& node, std::string key, const Scene& scene)
-        : source_(source), row_(row), node_(node), key_(std::move(key)), scene_(scene) {}
+/// What \p node says of \p row, into \p field of the options of \p scene.
+struct Reader {
+    Source& source;
+    const LawOption& row;
+    const toml::node& node;
+    std::string key;
+    Scene& scene;
 
-    void operator()(bool& flag) const {
-        const auto value =
-            node_.is_boolean() ? std::optional(node_.as_boolean()->get() ? 1.0 : 0.0) : node_.value<double>();
-        if (!value || (*value != 0 && *value != 1)) source_.refuse(node_, key_, "must be true or false, or 1 or 0");
-        source_.record(key_, written(node_), *value);
-        flag = *value == 1;
+    void operator()(bool Of::*field) const {
+        const auto value = node.is_boolean() ? std::optional(node.as_boolean()->get() ? 1.0 : 0.0) : node.value<double>();
+        if (!value || (*value != 0 && *value != 1)) source.refuse(node, key, "must be true or false, or 1 or 0");
+        source.record(key, written(node), *value);
+        scene.law_options.*field = *value == 1;
     }
-    void operator()(double& number) const {
-        if (row_.dimension) {
-            number = source_.positive(node_, key_, *row_.dimension);
-            return;
-        }
-        number = source_.number(node_, key_);
-        if (!(number > row_.low && number <= row_.high))
-            source_.refuse(node_, key_, "must be greater than " + shortest(row_.low) + " and at most " + shortest(row_.high));
+    void operator()(double Of::*field) const {
+        const double value = row.dimension ? source.positive(node, key, *row.dimension) : source.number(node, key);
+        if (!row.dimension && !(value > row.low && value <= row.high))
+            source.refuse(node, key, "must be greater than " + shortest(row.low) + " and at most " + shortest(row.high));
+        scene.law_options.*field = value;
     }
-    void operator()(int& count) const {
-        const auto* whole = node_.as_integer();
-        if (!whole || !(static_cast<double>(whole->get()) >= row_.low && static_cast<double>(whole->get()) <= row_.high))
-            source_.refuse(node_, key_, "must be a whole number from " + shortest(row_.low) + " to " + shortest(row_.high));
-        source_.record(key_, written(node_), static_cast<double>(whole->get()));
-        count = static_cast<int>(whole->get());
+    void operator()(int Of::*field) const {
+        const auto whole = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+        if (!whole || !(static_cast<double>(*whole) >= row.low && static_cast<double>(*whole) <= row.high))
+            source.refuse(node, key, "must be a whole number from " + shortest(row.low) + " to " + shortest(row.high));
+        source.record(key, written(node), static_cast<double>(*whole));
+        scene.law_options.*field = static_cast<int>(*whole);
     }
-    void operator()(Edges& edges) const { edges = source_.choice<Edges>(node_, key_); }
-    void operator()(std::optional<SpectrumSource>& spectrum) const {
-        spectrum = source_.choice<SpectrumSource>(node_, key_);
-        if (spectrum == SpectrumSource::map && !scene_.map)
-            source_.refuse(node_, key_, "needs a map: surface.from, or --surface, must name the file of one");
+    void operator()(Edges Of::*field) const { scene.law_options.*field = source.choice<Edges>(node, key); }
+    void operator()(std::optional<SpectrumSource> Of::*field) const {
+        scene.law_options.*field = source.choice<SpectrumSource>(node, key);
+        if (scene.law_options.*field == SpectrumSource::map && !scene.map)
+            source.refuse(node, key, "needs a map: surface.from, or --surface, must name the file of one");
     }
-
-private:
-    Source& source_;
-    const LawOption& row_;
-    const toml::node& node_;
-    std::string key_;
-    const Scene& scene_;
 };
 
 /// The section contact.\p law, or \p law at the root where it is shared; null where there is neither. \p path is where it was
@@ -108,8 +100,7 @@ void read_law_options(Source& source, const Section& root, LawName law, Scene& s
     for (const LawOption& row : rows) {
         if (row.law != law) continue;
         if (const toml::node* node = section.find(row.key))
-            std::visit([&](auto field) { Reader(source, row, *node, section.key(row.key), scene)(scene.law_options.*field); },
-                       row.field);
+            std::visit(Reader{source, row, *node, section.key(row.key), scene}, row.field);
         else if (const auto* flag = std::get_if<bool LawOptions::*>(&row.field); flag && !is_shared(law))
             source.record(section.key(row.key), scene.law_options.**flag ? "1 (default)" : "0 (default)",
                           scene.law_options.**flag ? 1 : 0);

@@ -15,7 +15,6 @@
 /// Accuracy    the thresholds have one or two digits, the ratios are those of their sources
 ///             (tests/validity/law_findings_test.cpp reaches every finding and every threshold from both sides)
 
-#include <fstiff/core/names.hpp>
 #include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/measure.hpp>
 #include <fstiff/measured/widened_band.hpp>
@@ -27,6 +26,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <span>
@@ -56,8 +56,9 @@ inline constexpr double max_compared_pressure = 0.75;
 inline constexpr StiffnessRatio within_hybrid_accuracy{1 - hybrid_accuracy_percent / 100.0,
                                                        1 + hybrid_accuracy_percent / 100.0},
     within_quarter{0.75, 1.25}, within_half{1 / 1.5, 1.5}, within_factor_of_two{0.5, 2};
-/// K of a sum over independent peaks at p* of 0.1 (docs/validation.md).
-inline constexpr StiffnessRatio ratio_of_crowded_peaks{0.5, 1};
+/// K of a sum over independent peaks at p* of 0.1, and p* from and to which hertz is within a fifth (docs/validation.md).
+inline constexpr StiffnessRatio ratio_of_crowded_peaks{0.5, 1}, within_fifth{0.8, 1.2};
+inline constexpr double hertz_from = 0.002, hertz_to = 0.008;
 
 /// Contacts below which the departure of one surface from a law counts, and its rms by the number of contacts
 /// (docs/accuracy.md).
@@ -82,22 +83,6 @@ enum class Finding {
     few_contacts,        ///< value: the fewest contacts; ratio: of one surface over the law, rms
     no_contact           ///< value: the fewest contacts, less than one: a mean over many surfaces
 };
-template <>
-inline constexpr auto names<Finding> = name_list<Finding>({{Finding::profile_with_lay, "profile_with_lay"},
-                                                           {Finding::far_from_gaussian, "far_from_gaussian"},
-                                                           {Finding::sums_too_stiff, "sums_too_stiff"},
-                                                           {Finding::sums_too_compliant, "sums_too_compliant"},
-                                                           {Finding::sums_off, "sums_off"},
-                                                           {Finding::peaks_flow, "peaks_flow"},
-                                                           {Finding::hybrid_holds, "hybrid_holds"},
-                                                           {Finding::hybrid_missing, "hybrid_missing"},
-                                                           {Finding::crowded_peaks, "crowded_peaks"},
-                                                           {Finding::beyond_comparison, "beyond_comparison"},
-                                                           {Finding::few_contacts, "few_contacts"},
-                                                           {Finding::no_contact, "no_contact"}});
-/// p* from and to which hertz is good to a fifth (docs/validation.md).
-inline constexpr double hertz_from = 0.002, hertz_to = 0.008;
-inline constexpr StiffnessRatio within_fifth{0.8, 1.2};
 
 /// One finding.
 template <Real T = double>
@@ -130,6 +115,12 @@ struct LawQuestion {
 
     [[nodiscard]] bool can(LawName law) const {
         return std::find(available.begin(), available.end(), law) != available.end();
+    }
+    /// The first of \p laws that is available.
+    [[nodiscard]] std::optional<LawName> first_of(std::initializer_list<LawName> laws) const {
+        for (const LawName law : laws)
+            if (can(law)) return law;
+        return std::nullopt;
     }
     /// Whether the p* are known.
     [[nodiscard]] bool has_pressures() const { return least_pressure <= greatest_pressure; }
@@ -173,13 +164,9 @@ template <Real T>
     const Measurement<T>&skewness = *question.skewness, &kurtosis = *question.kurtosis;
     const T over_gaussian =
         question.summits > 0 ? question.highest_point / highest_gaussian_summit<T>(question.summits) : T(0);
-    const auto elements = [&]() -> std::optional<LawName> {
-        for (const LawName law : {LawName::boundary_elements, LawName::hybrid})
-            if (question.can(law)) return law;
-        return std::nullopt;
-    };
     const auto departed = [&](T value, double limit) {
-        return LawFinding<T>{Finding::far_from_gaussian, value, T(limit), elements(), ratio_far_from_gaussian};
+        return LawFinding<T>{Finding::far_from_gaussian, value, T(limit),
+                             question.first_of({LawName::boundary_elements, LawName::hybrid}), ratio_far_from_gaussian};
     };
     if (departs(skewness, T(0), T(far_skewness))) return departed(skewness.value, far_skewness);
     if (departs(kurtosis, T(3), T(far_kurtosis))) return departed(kurtosis.value - 3, far_kurtosis);
@@ -209,12 +196,11 @@ template <Real T>
 void add_pressures(const LawQuestion<T>& question, std::vector<LawFinding<T>>& findings) {
     if (!question.has_pressures()) return;
     const T low = question.least_pressure, high = question.greatest_pressure;
-    const bool hybrid = question.can(LawName::hybrid);
-    const auto hybrid_law = hybrid ? std::optional(LawName::hybrid) : std::nullopt;
+    const std::optional<LawName> hybrid = question.first_of({LawName::hybrid});
     LawFinding<T> beyond{Finding::beyond_comparison, high, T(max_validated_pressure)};
-    if (high <= T(max_compared_pressure)) beyond.law = hybrid_law, beyond.ratio = within_hybrid_accuracy;
+    if (high <= T(max_compared_pressure)) beyond.law = hybrid, beyond.ratio = within_hybrid_accuracy;
     if (low > T(max_validated_pressure)) return findings.push_back(beyond);
-    findings.push_back(hybrid ? LawFinding<T>{Finding::hybrid_holds, low, T(min_validated_pressure), hybrid_law,
+    findings.push_back(hybrid ? LawFinding<T>{Finding::hybrid_holds, low, T(min_validated_pressure), hybrid,
                                               ratio_of_hybrid(question.heights, low)}
                               : LawFinding<T>{Finding::hybrid_missing, low, T(hertz_from), {}, within_fifth});
     if (high > max_dimensionless_pressure<T>)
@@ -245,9 +231,8 @@ template <Real T>
     else if (heights)
         findings.push_back(*heights);
     if (question.plasticity_index && *question.plasticity_index > max_elastic_plasticity_index<T>) {
-        LawFinding<T> flow{Finding::peaks_flow, *question.plasticity_index, max_elastic_plasticity_index<T>};
-        for (const LawName law : {LawName::plastic_peaks, LawName::plastic})
-            if (question.can(law)) flow.law = law;
+        LawFinding<T> flow{Finding::peaks_flow, *question.plasticity_index, max_elastic_plasticity_index<T>,
+                           question.first_of({LawName::plastic, LawName::plastic_peaks})};
         if (flow.law == LawName::plastic) flow.ratio = within_fifth;  // p from 0.003 to 0.1 H (docs/validation.md)
         findings.push_back(flow);
     }
