@@ -15,12 +15,12 @@ using Of = LawOptions;
 
 // clang-format off
 constexpr LawOption rows[] = {
-    {summits, "mutual", &Of::mutual, "summits push each other down"},
-    {persson, "gamma", &Of::gamma, "share of the elastic energy of full contact", 0, 1},
-    {persson, "spectrum", &Of::spectrum, "spectrum of persson and hybrid: that of the map, or of the moments"},
-    {boundary_elements, "points", &Of::points, "points along the longer side of the grid", 16, 4096},
-    {boundary_elements, "edges", &Of::edges, "how the map goes on beyond its edges"},
-    {boundary_elements, "hardness", &Of::hardness, "pressure at which contacts flow", 0, 0, Dimension::pressure},
+    {summits, "mutual", &Of::mutual},
+    {persson, "gamma", &Of::gamma, 0, 1},
+    {persson, "spectrum", &Of::spectrum},
+    {boundary_elements, "points", &Of::points, 16, 4096},
+    {boundary_elements, "edges", &Of::edges},
+    {boundary_elements, "hardness", &Of::hardness, 0, 0, Dimension::pressure},
 };
 // clang-format on
 

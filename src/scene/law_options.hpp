@@ -18,7 +18,6 @@ struct LawOption {
     std::variant<bool LawOptions::*, double LawOptions::*, int LawOptions::*, Edges LawOptions::*,
                  std::optional<SpectrumSource> LawOptions::*>
         field;
-    std::string_view help;
     double low = 0, high = 0;                ///< of a number greater than low and at most high; of a whole one both allowed
     std::optional<Dimension> dimension = {};  ///< of a number: with a unit, and greater than 0
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of laws are one table: every row is in docs/scene.md, is read, and has its default there.
+// The options of laws are one table: every row is in docs/scene.md with its kind and range, and is read.
 #include "scene/law_options.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
+
+#include <fstiff/core/text.hpp>
 
 namespace law_options_test {
 
@@ -17,14 +19,20 @@ std::string with(const std::string& option) {
            "poisson_ratio = 0\n[contact]\npressures = [\"1 MPa\"]\nlaws = [\"hertz\"]\n" +
            option;
 }
-/// A value that the option of \p row may have, and one that it may not.
-std::pair<std::string, std::string> examples(const scene::LawOption& row) {
+/// What a row is in docs/scene.md: kind and range; a value that it may have, and one that it may not.
+struct Expected {
+    std::string cells, good, bad;
+};
+Expected expected(const scene::LawOption& row) {
+    const std::string low = fstiff::shortest_text(row.low), high = fstiff::shortest_text(row.high), key(row.key);
     switch (row.field.index()) {
-        case 0: return {"false", "0.5"};
-        case 1: return row.dimension ? std::pair("\"5 MPa\"", "\"0 MPa\"") : std::pair("0.5", "1.5");
-        case 2: return {"64", "8"};
-        case 3: return {"\"periodic\"", "\"closed\""};
-        default: return {"\"moments\"", "\"map\""};  // there is no map
+        case 0: return {"true or false, or 1 or 0 | ", "false", "0.5"};
+        case 1:
+            return row.dimension ? Expected{"pressure | > 0", "\"5 MPa\"", "\"0 MPa\""}
+                                 : Expected{"number | " + low + " < " + key + " <= " + high, "0.5", "1.5"};
+        case 2: return {"whole number | " + low + " to " + high, "64", "8"};
+        case 3: return {"text | `\"mirrored\"`, `\"periodic\"`", "\"periodic\"", "\"closed\""};
+        default: return {"text | `\"map\"`, `\"moments\"`", "\"moments\"", "\"map\""};  // there is no map
     }
 }
 
@@ -35,8 +43,8 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
     for (const scene::LawOption& row : scene::law_option_table()) {
         const std::string section = "contact." + std::string(name_of(row.law)), key = section + "." + std::string(row.key);
         INFO(key);
-        CHECK(test::contains(page, "| `" + key + "` |"));
-        const auto [good, bad] = examples(row);
+        const auto [cells, good, bad] = expected(row);
+        CHECK(test::contains(page, "| `" + key + "` | " + cells));
         if (!scene::is_shared(row.law)) continue;  // is read where its law is computed: read_scene_test.cpp
         const auto read = [&](const std::string& value) {
             return scene::read_scene(with("[" + section + "]\n" + std::string(row.key) + " = " + value + "\n"),
