@@ -165,7 +165,8 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
             const std::size_t at = next + curve.places[i];
             SampledBand<double> band = bands[at];
             failed = std::max(failed, band.failed);
-            const double value = curve.states[i].stiffness.value, factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
+            const double value = curve.states[i].stiffness.value;
+            const double factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
             if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
             const WidenedBand<double> wide =
                 widened(value, band, of_neighbours, of_windows, at, scene.has_lay, factor);

@@ -99,8 +99,9 @@ BearingContact<double> crowded(const ContactInputs& inputs, std::size_t shift) {
 
 std::unique_ptr<AnyContact> summits(const ContactInputs& inputs) {
     if (!inputs.options.mutual)
-        return over_shifts(
-            inputs, [&](const Summits<double>& of, std::size_t) { return SummitContact<double>(of, inputs.effective_modulus); });
+        return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
+            return SummitContact<double>(of, inputs.effective_modulus);
+        });
     return over_shifts(inputs, [&](const Summits<double>& of, std::size_t) {
         return MutualSummits<double>(of, inputs.effective_modulus, inputs.options.edges);
     });
@@ -112,7 +113,8 @@ auto hybrid_of_map(const ContactInputs& inputs, const Summits<double>& of, std::
     SummitContact<double> peaks(of, inputs.effective_modulus);
     BearingContact<double> crowded_contact = crowded(inputs, shift);
     HandOver<double> hand_over =
-        map.bearings->hand_over(map.first_bearing + shift, inputs.options.edges, inputs.effective_modulus, inputs.options.gamma)
+        map.bearings
+            ->hand_over(map.first_bearing + shift, inputs.options.edges, inputs.effective_modulus, inputs.options.gamma)
             .of(peaks, map.taller);
     return HybridContact(std::move(peaks), std::move(crowded_contact), std::move(hand_over));
 }
@@ -341,7 +343,8 @@ const std::array<Law, 12> table{{
 }  // namespace
 
 ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
-    throw domain_error("this law cannot be tabulated: each of its points is a solution by boundary elements; must be another");
+    throw domain_error(
+        "this law cannot be tabulated: each of its points is a solution by boundary elements; must be another");
 }
 
 std::span<const Law> laws() { return table; }

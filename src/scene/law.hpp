@@ -141,7 +141,7 @@ struct Law {
     bool needs_summits = false, needs_whole_map = false;  ///< of the map; the latter of 16 points a side at least
     bool holds_when_crowded = false;  ///< peaks that push each other down are in it
     bool ends = false;                ///< has no state above some pressure: the curve ends there, with a warning
-    bool has_quick_form = false;      ///< without LawOptions::mutual, where it is computed 400 times for the shape of a band
+    bool has_quick_form = false;      ///< without LawOptions::mutual, for the shape of a band
     bool varies = true;    ///< can be computed of surfaces drawn about the measured one, for a band
     PlasticRange range{};  ///< of a law whose contact has means_at
 };
@@ -161,6 +161,7 @@ namespace fstiff {
 
 template <>
 inline constexpr auto names<scene::SpectrumSource> =
-    name_list<scene::SpectrumSource>({{scene::SpectrumSource::map, "map"}, {scene::SpectrumSource::moments, "moments"}});
+    name_list<scene::SpectrumSource>({{scene::SpectrumSource::map, "map"},
+                                      {scene::SpectrumSource::moments, "moments"}});
 
 }  // namespace fstiff

@@ -33,7 +33,8 @@ struct Reader {
     Scene& scene;
 
     void operator()(bool Of::*field) const {
-        const auto value = node.is_boolean() ? std::optional(node.as_boolean()->get() ? 1.0 : 0.0) : node.value<double>();
+        const auto value =
+            node.is_boolean() ? std::optional(node.as_boolean()->get() ? 1.0 : 0.0) : node.value<double>();
         if (!value || (*value != 0 && *value != 1)) source.refuse(node, key, "must be true or false, or 1 or 0");
         source.record(key, written(node), *value);
         scene.law_options.*field = *value == 1;
@@ -41,7 +42,8 @@ struct Reader {
     void operator()(double Of::*field) const {
         const double value = row.dimension ? source.positive(node, key, *row.dimension) : source.number(node, key);
         if (!row.dimension && !(value > row.low && value <= row.high))
-            source.refuse(node, key, "must be greater than " + shortest(row.low) + " and at most " + shortest(row.high));
+            source.refuse(node, key,
+                          "must be greater than " + shortest(row.low) + " and at most " + shortest(row.high));
         scene.law_options.*field = value;
     }
     void operator()(int Of::*field) const {
@@ -59,8 +61,8 @@ struct Reader {
     }
 };
 
-/// The section contact.\p law, or \p law at the root where it is shared; null where there is neither. \p path is where it was
-/// found.
+/// The section contact.\p law, or \p law at the root where it is shared; null where there is neither. \p path is where
+/// it was found.
 const toml::table* section_of_law(Source& source, const Section& root, LawName law, std::string& path) {
     const std::string name(name_of(law));
     const toml::node* contact = root.find("contact");

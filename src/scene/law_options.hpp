@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The table of what the sections contact.<law> of a scene may hold: reading, refusals and docs/scene.md follow its rows.
+// The table of what the sections contact.<law> of a scene may hold: reading, refusals and docs/scene.md follow its
+// rows.
 
 #include "scene/scene.hpp"
 #include "scene/source.hpp"
@@ -18,7 +19,7 @@ struct LawOption {
     std::variant<bool LawOptions::*, double LawOptions::*, int LawOptions::*, Edges LawOptions::*,
                  std::optional<SpectrumSource> LawOptions::*>
         field;
-    double low = 0, high = 0;                ///< of a number greater than low and at most high; of a whole one both allowed
+    double low = 0, high = 0;                ///< of a number (low, high], of a whole one [low, high]
     std::optional<Dimension> dimension = {};  ///< of a number: with a unit, and greater than 0
 };
 
@@ -29,8 +30,8 @@ struct LawOption {
 /// The laws that have options.
 [[nodiscard]] std::vector<LawName> laws_with_options();
 
-/// Reads the section contact.\p law, or \p law at \p root, into \p scene.law_options. Of a section that is not shared the
-/// defaults are recorded.
+/// Reads the section contact.\p law, or \p law at \p root, into \p scene.law_options. Of a section that is not shared
+/// the defaults are recorded.
 void read_law_options(Source& source, const Section& root, LawName law, Scene& scene);
 
 }  // namespace fstiff::scene

@@ -57,11 +57,13 @@ public:
                 return "the heights are far from Gaussian (" + heights() +
                        "): no law over a distribution of peaks is near the truth here, and K may be wrong by " +
                        rounded(found.ratio.high) + " times; " + without_distribution();
-            case Finding::sums_too_stiff: return not_gaussian("is too large, 1.05 to 1.9 times at skewnesses of 0.35 to 0.9");
+            case Finding::sums_too_stiff:
+                return not_gaussian("is too large, 1.05 to 1.9 times at skewnesses of 0.35 to 0.9");
             case Finding::sums_too_compliant:
                 return not_gaussian("is too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23");
             case Finding::sums_off:
-                return not_gaussian("is off, and the skewness, zero within two standard errors, leaves open to which side");
+                return not_gaussian(
+                    "is off, and the skewness, zero within two standard errors, leaves open to which side");
             case Finding::peaks_flow: return flow(found);
             case Finding::hybrid_holds:
                 return "of elastic contacts believe " + advised(LawName::hybrid) +
@@ -90,7 +92,7 @@ public:
         switch (found.finding) {
             case Finding::profile_with_lay: return "A profile of a face with a lay cannot tell K: measure a map.";
             case Finding::far_from_gaussian:
-                return std::string("Heights far from Gaussian: use boundary_elements") + (scene_.map ? "" : " of a map") +
+                return "Heights far from Gaussian: use boundary_elements" + std::string(scene_.map ? "" : " of a map") +
                        "; other laws may be wrong by " + rounded(found.ratio.high) + " times.";
             case Finding::sums_too_stiff:
             case Finding::sums_too_compliant:
@@ -124,7 +126,8 @@ private:
     /// "x (add "x" to contact.laws)", without the advice where it is there; empty where the scene cannot have the law.
     [[nodiscard]] std::string advised(LawName law) const {
         const std::string name(name_of(law));
-        return !question_.can(law) ? "" : has_law(scene_, law) ? name : name + " (add \"" + name + "\" to contact.laws)";
+        if (!question_.can(law)) return "";
+        return has_law(scene_, law) ? name : name + " (add \"" + name + "\" to contact.laws)";
     }
     [[nodiscard]] std::string heights() const {
         const auto with_error = [](const Measurement<double>& one) {
@@ -152,7 +155,8 @@ private:
         const std::string elements = advised(LawName::boundary_elements), hybrid = advised(LawName::hybrid);
         const std::string own = hybrid.empty() ? "" : hybrid + ", which takes the map's own summits and bearing curve";
         if (!elements.empty()) return "believe " + elements + (own.empty() ? "" : ", then " + own);
-        return (own.empty() ? "" : "believe " + own + "; ") + "boundary_elements " + refusal(LawName::boundary_elements);
+        return (own.empty() ? "" : "believe " + own + "; ") + "boundary_elements " +
+               refusal(LawName::boundary_elements);
     }
     [[nodiscard]] std::string flow(const Found& found) const {
         if (!found.law) return "";

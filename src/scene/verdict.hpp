@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which law to believe of a scene, and to about what: the findings of validity/law_findings.hpp as sentences for people, the
-// most important one first.
+// Which law to believe of a scene, and to about what: the findings of validity/law_findings.hpp as sentences for
+// people, the most important one first.
 
 #include "scene/results.hpp"
 

@@ -6,13 +6,14 @@
 ///     const fstiff::BoundaryElementContact contact(map, 112e9, {.points = 256});
 ///     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7});
 ///
-/// The separation is the mean gap of the deformed faces. At a separation the pressure is sought by Newton's method, with K
-/// as the slope. Each state is one solution on two grids (halfspace/truth), so that no table and no fit is made of it.
+/// The separation is the mean gap of the deformed faces. At a separation the pressure is sought by Newton's method,
+/// with K as the slope. Each state is one solution on two grids (halfspace/truth), so that no table and no fit is made
+/// of it.
 ///
 /// Reference   halfspace/truth.hpp
 /// Units       SI
-/// Valid       as truth(): a map without missing points whose form is removed, of 16 points a side at least; separations
-///             greater than 0 and less than the height of the highest point of the grid
+/// Valid       as truth(): a map without missing points whose form is removed, of 16 points a side at least;
+///             separations greater than 0 and less than the height of the highest point of the grid
 /// Accuracy    that of truth(), bit for bit; at a separation the pressure to 1e-7
 ///             (tests/contact/boundary_element_contact_test.cpp)
 
@@ -45,8 +46,8 @@ public:
         map_ = detail::map_for_truth(map, options.points);
     }
 
-    /// The state under \p pressure [Pa], of all quantities but those that a hardness leaves unknown; out of reach where all
-    /// points touch, and from the hardness on. \throws domain_error for a pressure that is not positive.
+    /// The state under \p pressure [Pa], of all quantities but those that a hardness leaves unknown; out of reach where
+    /// all points touch, and from the hardness on. \throws domain_error for a pressure that is not positive.
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity = Quantity::all) const {
         require_positive("pressure", pressure);
         if (options_.hardness > T(0) && !(pressure < options_.hardness))

@@ -11,8 +11,8 @@
 ///
 /// Reference   JCGM 100:2008, 4.2.2 (the scatter s of one shift, not of the mean)
 /// Units       SI
-/// Valid       contacts of one kind, one at least; of a single one the mean is that contact. A point that one of them does
-///             not reach has no mean
+/// Valid       contacts of one kind, one at least; of a single one the mean is that contact. A point that one of them
+///             does not reach has no mean
 /// Accuracy    rounding (tests/contact/mean_over_shifts_test.cpp)
 
 #include <fstiff/contact/contact_concept.hpp>

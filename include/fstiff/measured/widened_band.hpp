@@ -34,8 +34,8 @@ struct WidenedBand {
     BandParts<T> parts;
 };
 
-/// \p band of \p stiffness widened by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows, those of D,
-/// are curves of K over many points, of which \p point counts, each times \p factor.
+/// \p band of \p stiffness widened by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows,
+/// those of D, are curves of K over many points, of which \p point counts, each times \p factor.
 template <Real T>
 [[nodiscard]] WidenedBand<T> widened(T stiffness, const SampledBand<T>& band,
                                      const std::vector<std::vector<T>>& of_neighbours,

@@ -7,7 +7,8 @@
 ///     if (advice.law) use(*advice.law);                          such as LawName::hybrid
 ///     for (const auto& one : advice.findings) use(one.finding, one.value, one.limit, one.ratio);
 ///
-/// Every threshold is a constant below, next to its source; those that check_curve() uses too are in validity/checks.hpp.
+/// Every threshold is a constant below, next to its source; those that check_curve() uses too are in
+/// validity/checks.hpp.
 ///
 /// Reference   docs/validation.md: boundary elements of Gaussian maps, skewed ones and plastic ones; docs/accuracy.md
 /// Units       p* = p/(E g_rms), heights over the rms height, numbers of contacts
@@ -38,7 +39,8 @@ namespace fstiff {
 
 /// Departures from Gaussian heights beyond which K of a law over Gaussian peaks is off, and beyond which no law over a
 /// distribution of peaks is near: of skewness, of kurtosis - 3, and of the highest point over that of Gaussian summits.
-/// The numbers are those of the maps of docs/validation.md that are not Gaussian; two standard errors are asked for too.
+/// The numbers are those of the maps of docs/validation.md that are not Gaussian; two standard errors are asked for
+/// too.
 inline constexpr double gaussian_skewness = 0.3, gaussian_kurtosis = 1;
 inline constexpr double far_skewness = 1, far_kurtosis = 2, far_peak = 1.6;
 /// K over boundary elements of laws over Gaussian peaks, on skewed maps of docs/validation.md: at skewnesses of 0.35 to
@@ -56,7 +58,8 @@ inline constexpr double max_compared_pressure = 0.75;
 inline constexpr StiffnessRatio within_hybrid_accuracy{1 - hybrid_accuracy_percent / 100.0,
                                                        1 + hybrid_accuracy_percent / 100.0},
     within_quarter{0.75, 1.25}, within_half{1 / 1.5, 1.5}, within_factor_of_two{0.5, 2};
-/// K of a sum over independent peaks at p* of 0.1, and p* from and to which hertz is within a fifth (docs/validation.md).
+/// K of a sum over independent peaks at p* of 0.1, and p* from and to which hertz is within a fifth
+/// (docs/validation.md).
 inline constexpr StiffnessRatio ratio_of_crowded_peaks{0.5, 1}, within_fifth{0.8, 1.2};
 inline constexpr double hertz_from = 0.002, hertz_to = 0.008;
 
@@ -70,7 +73,7 @@ inline constexpr std::array<ContactScatter, 4> contact_scatter{{{100, 0.07}, {40
 
 /// What is found of a contact and its laws.
 enum class Finding {
-    profile_with_lay,    ///< no law: a profile does not know how far the ridges reach; value: how many times K may be higher
+    profile_with_lay,    ///< no law: K may be higher by value, since a profile does not know how far the ridges reach
     far_from_gaussian,   ///< no law over a distribution of peaks; value: what is beyond its limit
     sums_too_stiff,      ///< heights not Gaussian: K of laws over Gaussian peaks is too large
     sums_too_compliant,  ///< heights not Gaussian: K of laws over Gaussian peaks is too small
@@ -90,7 +93,7 @@ struct LawFinding {
     Finding finding{};
     T value{}, limit{};            ///< the number that decided, and what it was held against
     std::optional<LawName> law{};  ///< recommended by it
-    StiffnessRatio ratio{};        ///< of K of the law, or of the laws concerned, over that of the contact; 0: not known
+    StiffnessRatio ratio{};        ///< of K of the laws concerned over that of the contact; 0: not known
 };
 
 /// How hybrid knows the heights.
@@ -104,9 +107,9 @@ enum class HeightsKnown {
 template <Real T = double>
 struct LawQuestion {
     std::vector<LawName> available{};  ///< laws that can be computed of the surface
-    T least_pressure = std::numeric_limits<T>::infinity(), greatest_pressure{};  ///< p*; the least NaN: no gradient known
-    T fewest_contacts = std::numeric_limits<T>::infinity();                      ///< expected on the area; infinite: not known
-    std::optional<Measurement<T>> skewness{}, kurtosis{};                        ///< none: heights not measured
+    T least_pressure = std::numeric_limits<T>::infinity(), greatest_pressure{};  ///< p*; least NaN: no gradient known
+    T fewest_contacts = std::numeric_limits<T>::infinity();  ///< expected on the area; infinite: not known
+    std::optional<Measurement<T>> skewness{}, kurtosis{};    ///< none: heights not measured
     T highest_point{};       ///< over the rms height; 0: not known
     std::size_t summits{};   ///< of the map; 0: no map
     HeightsKnown heights = HeightsKnown::map;
@@ -284,8 +287,8 @@ template <Real T>
 
 }  // namespace detail
 
-/// The law that holds for \p surface against a smooth flat under \p pressures [Pa], with the effective modulus [Pa] and,
-/// where it is known, the yield strength of the softer body [Pa]. The number of contacts is not asked.
+/// The law that holds for \p surface against a smooth flat under \p pressures [Pa], with the effective modulus [Pa]
+/// and, where it is known, the yield strength of the softer body [Pa]. The number of contacts is not asked.
 /// \throws domain_error for a pressure, a modulus or a yield strength that is not positive.
 template <Real T, class Pressures>
 [[nodiscard]] LawAdvice<T> recommended_law(const Surface<T>& surface, std::type_identity_t<T> effective_modulus,

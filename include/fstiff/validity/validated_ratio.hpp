@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How far each law was off boundary elements: K of the law over K of the half space solved on the same surfaces, by p*.
+/// How far each law was off boundary elements: K of the law over K of the half space solved on the same surfaces, by
+/// p*.
 ///
 ///     const auto ratio = fstiff::validated_ratio(fstiff::LawName::hertz, 0.02);
 ///     if (ratio) use(ratio->low, ratio->high);          0.63 to 0.97
