@@ -40,9 +40,9 @@ bool departs(const Measurement<double>& one, double gaussian, double limit) {
 
 /// What can be computed in place of laws over a distribution of peaks.
 std::string without_distribution(const Scene& scene) {
-    if (!scene.map)
+    if (!scene.face.map)
         return std::string("believe boundary_elements of a map of this surface (fstiff truth)") +
-               (scene.bearing ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
+               (scene.face.bearing ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
                               : "");
     const std::string elements = advised(scene, "boundary_elements"), hybrid = advised(scene, "hybrid");
     const std::string refused = "boundary_elements " + refusal_of(*find_law("boundary_elements"), scene);
@@ -63,11 +63,11 @@ std::string side_of_error(const Measurement<double>& skewness) {
 
 /// What the distribution of the heights does to every law over Gaussian peaks.
 AboutHeights about_heights(const Scene& scene) {
-    if (!scene.heights) return {};
-    const Measurement<double>&skewness = scene.heights->skewness, &kurtosis = scene.heights->kurtosis;
+    if (!scene.face.heights) return {};
+    const Measurement<double>&skewness = scene.face.heights->skewness, &kurtosis = scene.face.heights->kurtosis;
     if (kurtosis.value == 0) return {};  // a document without it
-    const double highest = scene.surface.max_peak_height / scene.surface.rms_height;
-    const double summits = scene.map ? static_cast<double>(scene.map->summits.front().summits.size()) : 0;
+    const double highest = scene.face.parameters.max_peak_height.value / scene.face.parameters.rms_height.value;
+    const double summits = scene.face.map ? static_cast<double>(scene.face.map->summits.front().summits.size()) : 0;
     const double gaussian = std::sqrt(2 * std::log(std::max(summits, 2.0)));
     const auto with_error = [](const Measurement<double>& one) {
         return rounded(one.value, 2) + " ± " + rounded(one.error, 2);
@@ -81,12 +81,12 @@ AboutHeights about_heights(const Scene& scene) {
         return {"the heights are far from Gaussian (" + numbers +
                     "): no law over a distribution of peaks is near the truth here, and K may be wrong by 5 times; " +
                     without_distribution(scene),
-                std::string("Heights far from Gaussian: use boundary_elements") + (scene.map ? "" : " of a map") +
+                std::string("Heights far from Gaussian: use boundary_elements") + (scene.face.map ? "" : " of a map") +
                     "; other laws may be wrong by 5 times.",
                 true};
     if (departs(skewness, 0, 0.3) || departs(kurtosis, 3, 1))
         return {"the heights are not Gaussian (" + numbers + "): " + side_of_error(skewness) +
-                    (scene.bearing && !scene.map ? "; hybrid takes both as far as they are known" : ""),
+                    (scene.face.bearing && !scene.face.map ? "; hybrid takes both as far as they are known" : ""),
                 "Heights not Gaussian: K of laws over peaks may be wrong by 2 to 3 times."};
     return {};
 }
@@ -107,8 +107,8 @@ std::optional<std::pair<double, double>> relative_pressures(const Results& resul
 
 /// How far hybrid may be believed down to \p least p*, as docs/validation.md found, with \p below for light loads.
 std::string accuracy_of_hybrid(const Scene& scene, double least, const char* below) {
-    if (scene.bearing && !(scene.map && scene.spectrum_of_map))
-        return scene.measured ? ", to a factor of 1.5" : ", to about a quarter";
+    if (scene.face.bearing && !(scene.face.map && scene.face.spectrum_of_map))
+        return scene.face.measured ? ", to a factor of 1.5" : ", to about a quarter";
     if (least >= min_validated_pressure)
         return ", to about " + std::to_string(hybrid_accuracy_percent) + " %";
     return std::string(", to about ") + (least >= 0.001 ? "a quarter" : below);
@@ -147,7 +147,7 @@ std::string shortly_about_pressures(const Scene& scene, const Results& results) 
 }
 
 std::string about_contacts(const Scene& scene, const Results& results) {
-    const double area = scene.nominal_area ? *scene.nominal_area : scene.map ? scene.map->maps.front()->area() : 0;
+    const double area = scene.nominal_area ? *scene.nominal_area : scene.face.map ? scene.face.map->maps.front()->area() : 0;
     double least = std::numeric_limits<double>::infinity();
     for (const Curve& curve : results.curves)
         for (const auto& state : curve.states)

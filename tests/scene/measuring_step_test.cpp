@@ -33,7 +33,7 @@ Found found_in(const std::string& file, const std::string& lambda_s) {
     const scene::Scene scene = scene::read_scene(text, {.name = "s.toml"});
     const auto results = scene::compute(scene);
     REQUIRE(results.curves.size() == 1);
-    Found found{scene.surface.peak_radius, {}};
+    Found found{scene.face.parameters.peak_radius.value, {}};
     for (const auto& state : results.curves[0].states) found.stiffness.push_back(state.stiffness.value);
     return found;
 }

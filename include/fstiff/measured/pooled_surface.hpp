@@ -48,6 +48,13 @@ inline constexpr auto names<Unlikeness> = name_list<Unlikeness>({{Unlikeness::no
 template <Real T>
 [[nodiscard]] Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one);
 
+/// Distance of neighbouring heights of a measured surface, the shorter one of a map [m].
+template <Real T>
+[[nodiscard]] T step_of(const Surface<T>& surface) {
+    return surface.profile ? surface.profile->profile.spacing
+                           : (std::min)(surface.map->map.dx, surface.map->map.dy);
+}
+
 /// The cut-off \p of that all of \p surfaces share where \p asked leaves it to the tables and these differ: the longest, or none
 /// where one has none. Else \p asked.
 template <Real T>
@@ -125,13 +132,6 @@ template <Real T>
 }
 
 namespace detail {
-
-/// Shortest and longest of the two steps; twice that of a profile.
-template <Real T>
-[[nodiscard]] std::pair<T, T> steps_of(const Surface<T>& surface) {
-    if (surface.profile) return {surface.profile->profile.spacing, surface.profile->profile.spacing};
-    return std::minmax(surface.map->map.dx, surface.map->map.dy);
-}
 
 /// Whether two lengths differ by more than rounding.
 template <Real T>
@@ -292,9 +292,13 @@ Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one) {
     if (detail::lengths_differ(one.cut_offs.lambda_s, first.cut_offs.lambda_s)) return Unlikeness::lambda_s;
     if (detail::lengths_differ(one.cut_offs.lambda_c, first.cut_offs.lambda_c)) return Unlikeness::lambda_c;
     if (one.cut_offs.lambda_s || !(first.profile || (first.map && one.map))) return Unlikeness::none;
-    const auto [a, b] = detail::steps_of(one);
-    const auto [c, d] = detail::steps_of(first);
-    return detail::lengths_differ(a, c) || detail::lengths_differ(b, d) ? Unlikeness::step : Unlikeness::none;
+    const auto longer_step = [](const Surface<T>& of) {
+        return of.map ? (std::max)(of.map->map.dx, of.map->map.dy) : step_of(of);
+    };
+    return detail::lengths_differ(step_of(one), step_of(first)) ||
+                   detail::lengths_differ(longer_step(one), longer_step(first))
+               ? Unlikeness::step
+               : Unlikeness::none;
 }
 
 template <Real T>
