@@ -56,7 +56,7 @@ struct Reader {
     void operator()(Edges Of::*field) const { scene.law_options.*field = source.choice<Edges>(node, key); }
     void operator()(std::optional<SpectrumSource> Of::*field) const {
         scene.law_options.*field = source.choice<SpectrumSource>(node, key);
-        if (scene.law_options.*field == SpectrumSource::map && !scene.map)
+        if (scene.law_options.*field == SpectrumSource::map && !scene.face.map)
             source.refuse(node, key, "needs a map: surface.from, or --surface, must name the file of one");
     }
 };

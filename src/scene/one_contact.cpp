@@ -40,6 +40,15 @@ double needed(const std::string& law, const char* name, const std::optional<doub
     return *value;
 }
 
+SurfaceParameters<double> parameters_of(const Roughness<double>& surface) {
+    SurfaceParameters<double> of;
+    of.rms_height.value = surface.rms_height;
+    of.peak_radius.value = surface.peak_radius;
+    of.peak_density.value = surface.peak_density;
+    of.max_peak_height.value = surface.max_peak_height;
+    return of;
+}
+
 /// Numbers as a scene with one law.
 Scene scene_of(const std::string& law, const ContactNumbers& numbers, const MeasuredSurface* measured) {
     const Law* const found = find_law(law);
@@ -54,14 +63,15 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
         return std::optional(value);
     };
     if (measured) {
-        static_cast<Face&>(of) = face_of(*measured);
+        of.face = face_of(std::make_shared<const MeasuredSurface>(*measured));
     } else {
-        of.surface = numbers.surface;
-        of.surface.validate();
-        of.fractal_dimension = optional("fractal_dimension", numbers.fractal_dimension);
-        of.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
+        numbers.surface.validate();
+        of.face.parameters = parameters_of(numbers.surface);
+        if (const auto dimension = optional("fractal_dimension", numbers.fractal_dimension))
+            of.face.write(Parameter::fractal_dimension, *dimension);
+        of.face.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
         if (numbers.kurtosis == 0 && numbers.skewness != 0) throw domain_error("skewness: needs kurtosis");
-        if (numbers.kurtosis != 0) of.set_shape({numbers.skewness, numbers.kurtosis});
+        if (numbers.kurtosis != 0) of.face.set_shape({numbers.skewness, numbers.kurtosis});
     }
     of.yield_strength = optional("yield_strength", numbers.yield_strength);
     of.hardness = optional("hardness", numbers.hardness);
@@ -70,14 +80,15 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
     require(poisson > -1 && poisson <= 0.5, "poisson_ratio", poisson, "greater than -1 and at most 0.5");
     of.softer_poisson = poisson;
     if (measured && found->has_peaks) {
-        if (!of.r) throw domain_error("law " + law + ": needs r and theta of the surface: " + measured->peaks_refusal);
-        of.peaks.push_back({.theta = *of.theta, .r = of.r});
+        if (!of.face.has_peaks())
+            throw domain_error("law " + law + ": needs r and theta of the surface: " + measured->found.why_no_peaks);
+        of.peaks.push_back({.theta = *of.face.value(Parameter::theta), .r = of.face.value(Parameter::r)});
     } else if (!measured && found->has_peaks) {
         const PeakDistribution<double> peaks(needed(law, "r", numbers.r), needed(law, "theta", numbers.theta));
-        of.r = peaks.r(), of.theta = peaks.theta();
-        of.peaks.push_back({.theta = *of.theta, .r = of.r});
+        of.face.write(Parameter::r, peaks.r()), of.face.write(Parameter::theta, peaks.theta());
+        of.peaks.push_back({.theta = peaks.theta(), .r = peaks.r()});
     }
-    if (found->needs_dimension && !of.fractal_dimension) throw domain_error("law " + law + ": needs fractal_dimension");
+    if (found->needs_dimension && !of.face.dimension()) throw domain_error("law " + law + ": needs fractal_dimension");
     if (const std::string why = refusal_of(*found, of); !why.empty()) throw domain_error("law " + law + ": " + why);
     of.reading = numbers.reading;
     of.length = InteractionLength::given;

@@ -253,7 +253,7 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, double ta
 
 /// Bands, where the surface has errors, and the columns of every curve, which has its states.
 void finish(const Scene& scene, Results& results, const ProgressHook& progress) {
-    if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);
+    if (scene.needs_stiffness() && scene.samples > 0 && scene.face.has_errors()) add_bands(scene, results, progress);
     const bool bands = has_band(results);
     for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio, bands);
 }
@@ -273,16 +273,10 @@ std::optional<std::size_t> Curve::state_at(std::size_t place) const {
 }
 
 std::vector<Parameter> unknown_parameters(const Scene& scene) {
-    if (scene.measured) return unknown_parameters(*scene.measured, scene.uncertain);
-    std::vector<Parameter> all;  // of a sum: what is unknown of one face may not matter beside the other
-    if (measured_faces(scene).empty()) return all;
-    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) {
-        const std::size_t i = index_of(row.parameter);
-        if (scene.uncertain.known[i] &&
-            !is_known(Measurement<double>{scene.uncertain.value[i], scene.uncertain.error[i]}))
-            all.push_back(row.parameter);
-    }
-    return all;
+    if (scene.face.measured) return unknown_parameters(*scene.face.measured, scene.face.parameters);
+    if (measured_faces(scene).empty()) return {};
+    return fstiff::unknown_parameters(scene.face.parameters, false);  // of a sum: what is
+    // unknown of one face may not matter next to the other
 }
 
 bool has_band(const Results& results) {
@@ -296,7 +290,7 @@ Interaction<double> interaction(const Scene& scene) {
     if (result.reading != InteractionReading::none)
         result.length = scene.length == InteractionLength::nominal ? interaction_length_of_area(*scene.nominal_area)
                         : scene.length == InteractionLength::peak_spacing
-                            ? interaction_length_of_peaks(scene.surface.peak_density)
+                            ? interaction_length_of_peaks(scene.face.parameters.peak_density.value)
                             : scene.given_length;
     return result;
 }
@@ -327,9 +321,9 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     results.modulus = effective_modulus(scene.upper, scene.lower);
     results.warnings = scene.warnings;
     if (scene.yield_strength)
-        results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
+        results.plasticity_index = plasticity_index(scene.face.roughness(), results.modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
-    results.surface_checks = check_surface(scene.surface, results.modulus, scene.yield_strength);
+    results.surface_checks = check_surface(scene.face.roughness(), results.modulus, scene.yield_strength);
     std::size_t curves = 0;
     for (const Law* law : scene.laws) curves += law->has_peaks ? peaks_of(*law, scene).size() : 1;
     ProgressHook of_all;  // one bar for the points of all curves
@@ -345,7 +339,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
         curve.checks = check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,
-                                            .max_peak_height = scene.surface.max_peak_height,
+                                            .max_peak_height = scene.face.parameters.max_peak_height.value,
                                             .nominal_area = scene.nominal_area,
                                             .yield_strength = scene.yield_strength},
                                            quantities);
@@ -353,7 +347,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
             return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
                    (check.concern ==
                         Concern::not_converged &&  // the error is that of the grid, or of the shifts or files
-                    (!curve.law->varies || (scene.map && scene.map->maps.size() > 1)));
+                    (!curve.law->varies || (scene.face.map && scene.face.map->maps.size() > 1)));
         });
         std::vector<double> etas;
         for (const auto& state : curve.states) etas.push_back(state.eta);

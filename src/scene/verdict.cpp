@@ -25,17 +25,19 @@ Question question_of(const Scene& scene, const Results& results) {
     Question question;
     for (const Law& law : laws())
         if (has_law(scene, law.which) || refusal_of(law, scene).empty()) question.available.push_back(law.which);
-    const double area = scene.nominal_area ? *scene.nominal_area : scene.map ? scene.map->maps.front()->area() : 0;
+    const MapOfSurface* map = scene.face.map.get();
+    const double area = scene.nominal_area ? *scene.nominal_area : map ? map->maps.front()->area() : 0;
     for (const Curve& curve : results.curves)
         question.add_states(curve.states, results.modulus, curve.rms_gradient, area);
-    if (scene.heights && scene.heights->kurtosis.value != 0) {  // 0: a document without it
-        question.skewness = scene.heights->skewness;
-        question.kurtosis = scene.heights->kurtosis;
+    if (scene.face.heights && scene.face.heights->kurtosis.value != 0) {  // 0: a document without it
+        question.skewness = scene.face.heights->skewness;
+        question.kurtosis = scene.face.heights->kurtosis;
     }
-    question.highest_point = scene.surface.max_peak_height / scene.surface.rms_height;
-    if (scene.map) question.summits = scene.map->summits.front().summits.size();
-    if (scene.bearing && !(scene.map && scene.spectrum_of_map))
-        question.heights = scene.measured ? HeightsKnown::measured_shape : HeightsKnown::given_shape;
+    const SurfaceParameters<double>& surface = scene.face.parameters;
+    question.highest_point = surface.max_peak_height.value / surface.rms_height.value;
+    if (map) question.summits = map->summits.front().summits.size();
+    if (scene.face.bearing && !(map && scene.face.spectrum_of_map))
+        question.heights = scene.face.measured ? HeightsKnown::measured_shape : HeightsKnown::given_shape;
     question.has_lay = scene.has_lay;
     question.plasticity_index = results.plasticity_index;
     return question;
@@ -92,7 +94,7 @@ public:
         switch (found.finding) {
             case Finding::profile_with_lay: return "A profile of a face with a lay cannot tell K: measure a map.";
             case Finding::far_from_gaussian:
-                return "Heights far from Gaussian: use boundary_elements" + std::string(scene_.map ? "" : " of a map") +
+                return "Heights far from Gaussian: use boundary_elements" + std::string(scene_.face.map ? "" : " of a map") +
                        "; other laws may be wrong by " + rounded(found.ratio.high) + " times.";
             case Finding::sums_too_stiff:
             case Finding::sums_too_compliant:
@@ -143,13 +145,13 @@ private:
     }
     [[nodiscard]] std::string not_gaussian(const std::string& side) const {
         return "the heights are not Gaussian (" + heights() + "): K of laws over Gaussian peaks " + side +
-               (scene_.bearing && !scene_.map ? "; hybrid takes both as far as they are known" : "");
+               (scene_.face.bearing && !scene_.face.map ? "; hybrid takes both as far as they are known" : "");
     }
     /// What can be computed in place of laws over a distribution of peaks.
     [[nodiscard]] std::string without_distribution() const {
-        if (!scene_.map)
+        if (!scene_.face.map)
             return std::string("believe boundary_elements of a map of this surface (fstiff truth)") +
-                   (scene_.bearing
+                   (scene_.face.bearing
                         ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
                         : "");
         const std::string elements = advised(LawName::boundary_elements), hybrid = advised(LawName::hybrid);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/scene_maker.hpp"
 
-#include "scene/read_table.hpp"
+#include "scene/source.hpp"
 #include "sweep/tabulated.hpp"
 #include "sweep/template.hpp"
 
@@ -22,8 +22,7 @@ constexpr std::size_t most_scenes_read = 16;  // of the cache: measured maps are
 /// A parameter of [surface], and where the contact takes it from.
 template <Parameter parameter>
 void put_parameter(Scene& scene, std::size_t, double value) {
-    scene.uncertain.value[index_of(parameter)] = value;
-    scene.take_uncertain();
+    scene.face.parameters.find(parameter)->value = value;
 }
 
 void put_point(Scene& scene, std::size_t place, double value) { scene.points[place] = value; }

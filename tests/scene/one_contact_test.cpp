@@ -99,7 +99,7 @@ TEST_CASE("what was measured of heights stands in place of the surface of a scen
     how.input = options;
     const MeasuredSurface measured = measure_surface(how, input);
     const Scene scene = read_scene(bodies, {.name = "scene", .measured = &measured});
-    CHECK(scene.surface.rms_height == measured.parameters.value[index_of(Parameter::rms_height)]);
+    CHECK(scene.face.parameters.rms_height.value == measured.found.rms_height.value);
     const Results results = compute(scene);
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
         const OneContact one =

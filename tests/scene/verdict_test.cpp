@@ -43,7 +43,7 @@ const std::string moments = "rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 
 /// The verdict of heights of \p skewness and \p kurtosis with their standard errors.
 std::string of_heights(fstiff::Measurement<double> skewness, fstiff::Measurement<double> kurtosis) {
     scene::Scene one = read(scene_of(moments, "\"10 MPa\""));
-    one.heights = fstiff::HeightStatistics<double>{skewness, kurtosis, {0.1, 0.01}, {}};
+    one.face.heights = fstiff::HeightStatistics<double>{skewness, kurtosis, {0.1, 0.01}, {}};
     return verdict_of(one);
 }
 

@@ -95,11 +95,10 @@ template <Real T, class Pressures, class ContactOf>
 /// The parameters of \p neighbour; r and theta of \p surface where it has none.
 template <Real T>
 [[nodiscard]] std::array<T, surface_parameter_count> values_of_neighbour(const Surface<T>& neighbour,
-                                                                         const UncertainSurface<T>& surface) {
-    const UncertainSurface<T> own = uncertain<T>(neighbour);
-    auto values = own.value;
+                                                                         const Surface<T>& surface) {
+    auto values = neighbour.values();
     for (const Parameter which : {Parameter::r, Parameter::theta})
-        if (!own.known[index_of(which)]) values[index_of(which)] = surface.value[index_of(which)];
+        if (!neighbour.find(which)) values[index_of(which)] = surface.values()[index_of(which)];
     return values;
 }
 
@@ -108,19 +107,18 @@ template <Real T>
 template <Real T, class Pressures, class ContactOf>
 std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
                                            const ContactOf& contact_of, const BandOptions& options) {
-    const UncertainSurface<T> values = uncertain<T>(surface);
     const auto at = [&](const std::array<T, surface_parameter_count>& of) {
         return detail::stiffnesses_at(of, pressures, contact_of);
     };
-    const auto bands = sampled_band(values, at, options);
-    const std::vector<T> own = at(values.value);
+    const auto bands = sampled_band(surface, at, options);
+    const std::vector<T> own = at(surface.values());
     std::vector<std::vector<T>> of_neighbours, of_windows;
     for (const Surface<T>& neighbour : surface.neighbours)
-        of_neighbours.push_back(at(detail::values_of_neighbour(neighbour, values)));
+        of_neighbours.push_back(at(detail::values_of_neighbour(neighbour, surface)));
     if (surface.fractal_dimension && surface.dimension_window_error > T(0))
         for (const T dimension :
              dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
-            auto other = values.value;
+            auto other = surface.values();
             other[index_of(Parameter::fractal_dimension)] = dimension;
             of_windows.push_back(at(other));
         }

@@ -47,7 +47,7 @@ Json json(const Scene& scene, const Results& results) {
         Json measured = measured_document(*face->measured);
         Json& place = scene.faces.empty() ? document["surface"] : document["surface"][name];
         place = {{"source", measured["source"]}, {"measured", measured["surface"]}};
-        put_cut_offs(place, face->measured->cut_offs);
+        put_cut_offs(place, face->measured->found.cut_offs);
     }
     if (has_band(results))
         document["uncertainty"] = {
@@ -121,25 +121,20 @@ std::string believed(const Results& results) {
 
 /// What was computed of what: the lines above the curves.
 std::string introduction(const Scene& scene, const Results& results) {
-    const auto& s = scene.surface;
+    const SurfaceParameters<double>& s = scene.face.parameters;
     const std::vector<Parameter> unknown = unknown_parameters(scene);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
     const auto pressure = [](double x) { return unit_of_pressure(x)(x); };
     std::vector<std::string> parts{
-        "sigma " + shown_length(s.rms_height, digits(Parameter::rms_height)),
-        "R " + shown_length(s.peak_radius, digits(Parameter::peak_radius)),
-        "D_p " + unit_of_density(s.peak_density)(s.peak_density, digits(Parameter::peak_density))};
-    if (s.max_peak_height > 0) parts.push_back("R_p " + shown_length(s.max_peak_height));
-    if (scene.fractal_dimension)
-        parts.push_back("D " + rounded(*scene.fractal_dimension, digits(Parameter::fractal_dimension)));
-    if (scene.fractal_roughness) {
-        const auto& measured = scene.measured ? scene.measured->fractal_roughness : std::nullopt;
-        parts.push_back("G " + shown_length(*scene.fractal_roughness, measured && !is_known(*measured) ? 2 : 5));
-    }
-    if (scene.r) {
-        parts.push_back("r " + rounded(*scene.r, digits(Parameter::r)));
-        parts.push_back("theta " + rounded(*scene.theta, digits(Parameter::theta)));
-    }
+        "sigma " + shown_length(s.rms_height.value, digits(Parameter::rms_height)),
+        "R " + shown_length(s.peak_radius.value, digits(Parameter::peak_radius)),
+        "D_p " + unit_of_density(s.peak_density.value)(s.peak_density.value, digits(Parameter::peak_density))};
+    if (s.max_peak_height.value > 0) parts.push_back("R_p " + shown_length(s.max_peak_height.value));
+    if (s.fractal_dimension)
+        parts.push_back("D " + rounded(s.fractal_dimension->value, digits(Parameter::fractal_dimension)));
+    if (const auto& g = s.fractal_roughness) parts.push_back("G " + shown_length(g->value, is_known(*g) ? 5 : 2));
+    if (s.r) parts.push_back("r " + rounded(s.r->value, digits(Parameter::r)));
+    if (s.theta) parts.push_back("theta " + rounded(s.theta->value, digits(Parameter::theta)));
     for (const Assumed& one : assumed(scene))
         parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
     if (scene.faces.empty()) parts.push_back("the other face smooth");
@@ -147,20 +142,18 @@ std::string introduction(const Scene& scene, const Results& results) {
     text += believed(results) + in_lines("surface", parts);
     if (!scene.faces.empty()) {
         parts = {"of the sum of two rough faces"};
-        if (scene.map)
+        if (scene.face.map)
             parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) + " random shifts");
         text += in_lines("", parts);
     }
     for (const auto& [name, face] : measured_faces(scene)) {
         parts.clear();
         const MeasuredSurface& measured = *face->measured;
-        const auto& u = face->uncertain;
-        for (std::size_t i = 0; i < surface_parameter_count; ++i)
-            if (u.known[i])
-                parts.push_back(std::string(parameter_table[i].symbol) + " " +
-                                shown_percent(u.error[i] / u.value[i]));
+        for (const ParameterRow& row : surface_parameter_table)
+            if (const auto* known = face->parameters.find(row.parameter))
+                parts.push_back(std::string(row.symbol) + " " + shown_percent(known->error / known->value));
         parts.front() = printable(measured.file) + " (" + measured.kind + "), errors of " + parts.front();
-        if (measured.cut_offs.any()) parts.push_back(sentence_of(measured.cut_offs));
+        if (measured.found.cut_offs.any()) parts.push_back(sentence_of(measured.found.cut_offs));
         text += in_lines(scene.faces.empty() ? "measured" : std::string(name), parts);
     }
     const auto material = [&](const Material<double>& m) {
@@ -207,7 +200,7 @@ std::string explanations(const Scene& scene, const Results& results) {
                 " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) +
                 (results.about_band.empty() ? "\n" : ", widened by the spread over lambda_s\n");
     else if (scene.needs_stiffness())
-        text += scene.has_errors() ? "K has no band: the scene asks for no samples\n"
+        text += scene.face.has_errors() ? "K has no band: the scene asks for no samples\n"
                                    : "K has no band: no error of a parameter of the surface is known\n";
     return text;
 }
