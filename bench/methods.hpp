@@ -4,7 +4,6 @@
 // (r, theta, eta), and nothing is kept from one call to the next.
 #include <fstiff/contact/contact_integrals.hpp>
 #include <fstiff/contact/contact_law.hpp>
-#include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/math/gauss_legendre.hpp>

@@ -42,18 +42,7 @@ LONG_FILES = {
     "src/sweep/grid.cpp": 435,
 }
 LONG_FUNCTIONS = {
-    "include/fstiff/contact/law_text.hpp read_law_text": 80,
-    "include/fstiff/math/least_squares.hpp least_squares": 77,
-    "include/fstiff/math/root.hpp newton_bracketed": 67,
     "include/fstiff/measured/surface_parameters.hpp map_parameters": 74,
-    "include/fstiff/profile/all_lags.hpp correlate": 68,
-    "include/fstiff/profile/fractal_fit.hpp detail::fit_measured": 85,
-    "include/fstiff/profile/power_spectrum.hpp fit_spectrum": 62,
-    "include/fstiff/synthetic/self_affine.hpp self_affine": 78,
-    "include/fstiff/topography/areal_statistics.hpp areal_statistics": 81,
-    "include/fstiff/topography/form.hpp remove_form": 73,
-    "include/fstiff/topography/islands.hpp sweep_islands": 80,
-    "include/fstiff/topography/repair.hpp fill_missing": 62,
     "src/cli/commands/integral.cpp execute": 68,
     "src/cli/commands/reproduce.cpp stiffness_figure": 77,
     "src/cli/commands/run.cpp introduction": 72,

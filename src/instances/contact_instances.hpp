@@ -3,7 +3,6 @@
 // The kernel of the contact integrals is compiled once, in instances.cpp, as the build type says.
 
 #include <fstiff/contact/contact_integrals.hpp>
-#include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 
 #ifndef FSTIFF_SCENE_INSTANCE

@@ -14,20 +14,16 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
-#include <fstiff/profile/robust_gaussian_filter.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
-#include <fstiff/topography/areal_parameters.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
-#include <fstiff/topography/radial_spectrum.hpp>
-#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 #include <fstiff/topography/summits.hpp>
 
 #ifndef FSTIFF_SCENE_INSTANCE
@@ -51,8 +47,8 @@ FSTIFF_SCENE_INSTANCE Profile<double> gaussian_low_pass(const Profile<double>&, 
 FSTIFF_SCENE_INSTANCE Profile<double> gaussian_roughness(const Profile<double>&, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> gaussian_low_pass(const HeightMap<double>&, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> gaussian_high_pass(const HeightMap<double>&, double);
-FSTIFF_SCENE_INSTANCE RobustWaviness<double> robust_waviness(const Profile<double>&, double, int);
-FSTIFF_SCENE_INSTANCE RobustMapWaviness<double> robust_waviness(const HeightMap<double>&, double);
+FSTIFF_SCENE_INSTANCE RobustWaviness<Profile<double>> robust_waviness(const Profile<double>&, double, int);
+FSTIFF_SCENE_INSTANCE RobustWaviness<HeightMap<double>> robust_waviness(const HeightMap<double>&, double);
 FSTIFF_SCENE_INSTANCE HeightMap<double> remove_form(const HeightMap<double>&, MapForm);
 FSTIFF_SCENE_INSTANCE ArealStatistics<double> areal_statistics(const HeightMap<double>&);
 FSTIFF_SCENE_INSTANCE ArealParameters<double> areal_parameters(const HeightMap<double>&,

@@ -22,7 +22,7 @@ public:
     virtual ContactState<double> at_pressure(double pressure, Quantity wanted) const = 0;
     virtual ContactState<double> at_separation(double separation, Quantity wanted) const = 0;
     virtual LogSlope<double> log_pressure(double eta) const = 0;
-    virtual LogValue<double> log_stiffness(double eta) const = 0;
+    virtual Estimate<double> log_stiffness(double eta) const = 0;
 };
 template <class Contact>
 class ModelOf final : public Model {
@@ -35,7 +35,7 @@ public:
         return contact_.at_separation(separation, wanted);
     }
     LogSlope<double> log_pressure(double eta) const override { return contact_.log_pressure(eta); }
-    LogValue<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
+    Estimate<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
 
 private:
     Contact contact_;
@@ -64,7 +64,7 @@ public:
         return ContactPoint<double>::of(at_separation(separation, wanted));
     }
     LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
-    LogValue<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
+    Estimate<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
     double rms_height() const { return rms_height_; }
     bool has_kinks() const { return has_kinks_; }
     double bulk_compliance() const { return bulk_compliance_; }

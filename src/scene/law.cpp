@@ -28,28 +28,12 @@ RoughContactOptions<double> options_of(const ContactInputs& inputs) {
 }
 
 /// The elastic asperity laws with their factors as numbers: one contact and one fit are compiled for all three.
-class ElasticLaw : public detail::HertzianForm<ElasticLaw> {
-public:
-    template <class Law>
-    explicit ElasticLaw(const Law& law)
-        : load_(law.load_factor()),
-          stiffness_(law.stiffness_factor()),
-          log_load_slope_(law.log_load_slope()),
-          log_stiffness_slope_(law.log_stiffness_slope()) {}
-    [[nodiscard]] double load_factor() const { return load_; }
-    [[nodiscard]] double stiffness_factor() const { return stiffness_; }
-    [[nodiscard]] double log_load_slope() const { return log_load_slope_; }
-    [[nodiscard]] double log_stiffness_slope() const { return log_stiffness_slope_; }
-    [[nodiscard]] static double area_factor() { return HertzLaw<double>::area_factor(); }
-
-private:
-    double load_, stiffness_, log_load_slope_, log_stiffness_slope_;
-};
+using ElasticLaw = detail::HertzianForm<double>;
 using LawOfDimension = ElasticLaw (*)(double dimension);
 
-ElasticLaw fractal(double dimension) { return ElasticLaw(FractalLaw<double>(dimension)); }
-ElasticLaw fractal_consistent(double dimension) { return ElasticLaw(FractalConsistentLaw<double>(dimension)); }
-ElasticLaw hertz(double) { return ElasticLaw(HertzLaw<double>{}); }
+ElasticLaw fractal(double dimension) { return FractalLaw<double>(dimension); }
+ElasticLaw fractal_consistent(double dimension) { return FractalConsistentLaw<double>(dimension); }
+ElasticLaw hertz(double) { return HertzLaw<double>{}; }
 
 /// A contact of joint peaks with the asperity law that \p of_dimension makes of the fractal dimension.
 template <LawOfDimension of_dimension>

@@ -10,7 +10,6 @@
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
-#include <fstiff/profile/spectral_moments.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
 #include <cstdint>

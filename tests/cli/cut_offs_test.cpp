@@ -6,10 +6,9 @@
 
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/profile/level.hpp>
-#include <fstiff/profile/robust_gaussian_filter.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
-#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 
 #include <cmath>
 

@@ -12,7 +12,7 @@
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
 #include <fstiff/topography/form.hpp>
-#include <fstiff/topography/radial_spectrum.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: differences in long double with another step; the scaling of lengths and of E.
-#include <fstiff/contact/persson_sensitivity.hpp>
+#include <fstiff/contact/sensitivity.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -3,7 +3,7 @@
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/scaled_contact.hpp>
+#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/surface/bearing_family.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>

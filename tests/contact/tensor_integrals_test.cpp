@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/contact/contact_integrals.hpp>
-#include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 

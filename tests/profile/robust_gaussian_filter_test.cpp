@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The robust filter against sums and normal equations point by point, and what it is for: grooves and spikes.
-#include <fstiff/profile/robust_gaussian_filter.hpp>
 
 #include <fstiff/profile/gaussian_filter.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Second differences one by one, the identity with the structure function, and forms that they do not see.
-#include <fstiff/profile/second_differences.hpp>
+#include <fstiff/profile/structure_function.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

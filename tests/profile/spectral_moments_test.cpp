@@ -2,7 +2,6 @@
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
-#include <fstiff/profile/spectral_moments.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The covariance against the sum over every pair of pairs, and against simulated walks; resamples against that sum.
 #include <fstiff/math/decompositions.hpp>
-#include <fstiff/profile/second_differences.hpp>
+#include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A few triples by hand, whole and in parts.
-#include <fstiff/profile/triples.hpp>
+#include <fstiff/profile/peak_statistics.hpp>
 
 #include "support/catch.hpp"
 

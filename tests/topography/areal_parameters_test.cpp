@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: planes and waves in closed form; Gaussian maps in the mean; numpy on maps with and without missing points.
-#include <fstiff/topography/areal_parameters.hpp>
+#include <fstiff/topography/areal_statistics.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

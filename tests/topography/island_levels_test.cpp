@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ranks and levels of the heights of a map, against sorting all of them and against counting levels one by one.
-#include <fstiff/topography/island_levels.hpp>
+#include <fstiff/topography/islands.hpp>
 
 #include "support/catch.hpp"
 

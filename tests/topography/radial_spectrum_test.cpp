@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: maps of few waves, whose spectrum is known; sums of variances; the relation of profile and surface; numpy.
-#include <fstiff/topography/radial_spectrum.hpp>
+#include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

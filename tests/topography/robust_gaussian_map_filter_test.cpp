@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The robust filter of maps against the double sums of its definition, and what it is for.
-#include <fstiff/topography/robust_gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 
 #include "support/catch.hpp"
 

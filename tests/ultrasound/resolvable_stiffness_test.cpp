@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the reflection of both ends, by the forward formula.
-#include <fstiff/ultrasound/resolvable_stiffness.hpp>
+#include <fstiff/ultrasound/propagation.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -7,8 +7,8 @@
 ///     A = pi a b = pi (k1 k2)^(-1/2) (F1^2/F2) omega
 ///     k2/k1 = s^2 D/B,   F1^3 = (4/pi) sqrt(s B D),   F2 = (2/pi) sqrt(s) (B + D)/F1,   s = b/a
 ///
-/// B = (E - s^2 K)/m and D = (K - E)/m are the associate complete elliptic integrals of the parameter m = 1 - s^2, taken from the
-/// arithmetic-geometric mean without a difference that vanishes for the circle; Newton's method in ln s finds s of k2/k1.
+/// B = (E - s^2 K)/m and D = (K - E)/m are the associate complete elliptic integrals of the parameter m = 1 - s^2,
+/// from the arithmetic-geometric mean; Newton's method in ln s finds s of k2/k1.
 ///
 /// Reference   Johnson, Contact Mechanics, Cambridge (1985), eqs. (4.25)-(4.26), F1 and F2 as defined there; Fukushima,
 ///             J. Comput. Appl. Math. 235 (2011) 4140 (B and D); Abramowitz, Stegun (1964), 17.6 (the mean).
@@ -20,8 +20,6 @@
 #include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace fstiff {
 
@@ -61,7 +59,7 @@ template <Real T>
 
 }  // namespace detail
 
-/// The ellipse of curvatures whose ratio k2/k1 is \p curvature_ratio. \throws domain_error unless 0 < curvature_ratio <= 1.
+/// Ellipse of the ratio k2/k1 \p curvature_ratio. \throws domain_error unless 0 < curvature_ratio <= 1.
 template <Real T>
 [[nodiscard]] HertzEllipse<T> hertz_ellipse(T curvature_ratio) {
     require(curvature_ratio > 0 && curvature_ratio <= 1, "curvature_ratio", curvature_ratio, "from above 0 to 1");
@@ -93,7 +91,8 @@ struct EllipticHertz {
     [[nodiscard]] T area(T omega) const { return area_factor * omega; }
 };
 
-/// Of the principal curvatures \p first and \p second [1/m], in either order. \throws domain_error unless both are positive.
+/// For the principal curvatures \p first, \p second [1/m], in either order. \throws domain_error unless both are
+/// positive.
 template <Real T>
 [[nodiscard]] EllipticHertz<T> elliptic_hertz(T first, T second) {
     require_positive("curvature", first);

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Load, stiffness and contact area of one asperity of radius R pressed in by the approach omega: the three laws.
+/// Load, stiffness and contact area of one asperity of radius R pressed in by the approach omega: the elastic laws.
 ///
 ///     HertzLaw              load (4/3) sqrt(R) omega^(3/2)       stiffness 2 sqrt(R omega)          eq. (3.7)
 ///     FractalLaw            load (4/3) sqrt(R) omega^(3/2)       stiffness f * 2 sqrt(R omega)      eqs. (3.7), (3.14)
-///     FractalConsistentLaw  load f * (4/3) sqrt(R) omega^(3/2)   stiffness f * 2 sqrt(R omega)
+///     FractalConsistentLaw  load f * (4/3) sqrt(R) omega^(3/2)   stiffness f * 2 sqrt(R omega)   f = (2/3) (3-D)/(2-D)
 ///     all                   area pi R omega                                                         eq. (3.11)
-///     f = (2/3) (3-D)/(2-D)
 ///
-/// The paper differentiates the load along the family of asperities of a fractal surface, not for one given asperity,
-/// so that its stiffness is f >= 4/3 times the derivative of its load (docs/errata.md). FractalLaw is the paper as
-/// printed; FractalConsistentLaw integrates the load from the same stiffness, so that stiffness = d load / d omega;
-/// HertzLaw is the paper's "statistical elastic model". Loads and stiffnesses are divided by the effective modulus E.
+/// FractalLaw is the paper as printed, whose stiffness is f times the slope of its load (docs/errata.md); in
+/// FractalConsistentLaw the stiffness is the slope. Loads and stiffnesses are divided by the effective modulus E.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.7), (3.11), (3.14).
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.7), (3.11), (3.14)
 /// Units       omega, R [m]; load/E [m^2], stiffness/E [m], area [m^2]
 /// Valid       omega >= 0, R > 0, 1 < D < 2 (f diverges as D -> 2)
 /// Accuracy    4 ulp (tests/asperity/laws_test.cpp)
@@ -22,14 +19,10 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/fractal.hpp>
 
-#include <cmath>
-#include <concepts>
-
 namespace fstiff {
 
 /// What a contact needs of an asperity law: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for
-/// approaches \p omega [m] (a number, or an Eigen array that is answered by an array) and the radius \p radius [m] (a
-/// number).
+/// approaches \p omega [m] (a number or an Eigen array) and the radius \p radius [m].
 template <class Law, class Omega, class Radius = Omega>
 concept AsperityLaw = requires(const Law& law, const Omega& omega, const Radius& radius) {
     law.load(omega, radius);
@@ -68,28 +61,43 @@ concept PowerLaw = requires(const Law& law) {
 
 namespace detail {
 
-/// The common form of the three laws; \p Derived supplies the two factors.
-template <class Derived>
-struct HertzianForm {
+/// The common form of the three laws.
+template <Real T>
+class HertzianForm {
+public:
     static constexpr HalfPowers load_powers{3, 1}, stiffness_powers{1, 1}, area_powers{2, 2};
+
+    [[nodiscard]] constexpr T load_factor() const { return load_factor_; }
+    [[nodiscard]] constexpr T stiffness_factor() const { return stiffness_factor_; }
+    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
+    /// d ln load/dD and d ln stiffness/dD.
+    [[nodiscard]] constexpr T log_load_slope() const { return load_slope_; }
+    [[nodiscard]] constexpr T log_stiffness_slope() const { return stiffness_slope_; }
 
     template <class Omega, class Radius>
     [[nodiscard]] auto load(const Omega& omega, const Radius& radius) const {
         using std::sqrt;
-        return self().load_factor() * omega * sqrt(radius * omega);
+        return load_factor_ * omega * sqrt(radius * omega);
     }
     template <class Omega, class Radius>
     [[nodiscard]] auto stiffness(const Omega& omega, const Radius& radius) const {
         using std::sqrt;
-        return self().stiffness_factor() * sqrt(radius * omega);
+        return stiffness_factor_ * sqrt(radius * omega);
     }
     template <class Omega, class Radius>
     [[nodiscard]] auto area(const Omega& omega, const Radius& radius) const {
-        return self().area_factor() * radius * omega;
+        return area_factor() * radius * omega;
     }
 
+protected:
+    constexpr HertzianForm(T load_factor, T stiffness_factor, T load_slope, T stiffness_slope)
+        : load_factor_(load_factor),
+          stiffness_factor_(stiffness_factor),
+          load_slope_(load_slope),
+          stiffness_slope_(stiffness_slope) {}
+
 private:
-    const Derived& self() const { return static_cast<const Derived&>(*this); }
+    T load_factor_, stiffness_factor_, load_slope_, stiffness_slope_;
 };
 
 }  // namespace detail
@@ -109,51 +117,30 @@ template <Real T>
     return 1 / ((2 - fractal_dimension) * (3 - fractal_dimension));
 }
 
-/// Hertz: the stiffness is the derivative of the load.
+/// Hertz: the stiffness is the derivative of the load. There is no D.
 template <Real T = double>
-struct HertzLaw : detail::HertzianForm<HertzLaw<T>> {
-    [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
-    [[nodiscard]] static constexpr T stiffness_factor() { return T(2); }
-    /// d ln load/dD and d ln stiffness/dD: there is no D here.
-    [[nodiscard]] static constexpr T log_load_slope() { return T(0); }
-    [[nodiscard]] static constexpr T log_stiffness_slope() { return T(0); }
-    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
+struct HertzLaw : detail::HertzianForm<T> {
+    constexpr HertzLaw() : detail::HertzianForm<T>(T(4) / 3, T(2), T(0), T(0)) {}
 };
 
 /// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
 template <Real T = double>
-class FractalLaw : public detail::HertzianForm<FractalLaw<T>> {
-public:
+struct FractalLaw : detail::HertzianForm<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalLaw(T fractal_dimension)
-        : factor_(fractal_stiffness_factor(fractal_dimension)), slope_(log_stiffness_factor_slope(fractal_dimension)) {}
-    /// d ln load/dD and d ln stiffness/dD.
-    [[nodiscard]] constexpr T log_load_slope() const { return T(0); }
-    [[nodiscard]] constexpr T log_stiffness_slope() const { return slope_; }
-    [[nodiscard]] static constexpr T load_factor() { return T(4) / 3; }
-    [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
-    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
-
-private:
-    T factor_, slope_;
+        : detail::HertzianForm<T>(T(4) / 3, 2 * fractal_stiffness_factor(fractal_dimension), T(0),
+                                  log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
 template <Real T = double>
-class FractalConsistentLaw : public detail::HertzianForm<FractalConsistentLaw<T>> {
-public:
+struct FractalConsistentLaw : detail::HertzianForm<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalConsistentLaw(T fractal_dimension)
-        : factor_(fractal_stiffness_factor(fractal_dimension)), slope_(log_stiffness_factor_slope(fractal_dimension)) {}
-    /// d ln load/dD and d ln stiffness/dD.
-    [[nodiscard]] constexpr T log_load_slope() const { return slope_; }
-    [[nodiscard]] constexpr T log_stiffness_slope() const { return slope_; }
-    [[nodiscard]] constexpr T load_factor() const { return 4 * factor_ / 3; }
-    [[nodiscard]] constexpr T stiffness_factor() const { return 2 * factor_; }
-    [[nodiscard]] static constexpr T area_factor() { return numbers::pi_v<T>; }
-
-private:
-    T factor_, slope_;
+        : detail::HertzianForm<T>(4 * fractal_stiffness_factor(fractal_dimension) / 3,
+                                  2 * fractal_stiffness_factor(fractal_dimension),
+                                  log_stiffness_factor_slope(fractal_dimension),
+                                  log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
 }  // namespace fstiff

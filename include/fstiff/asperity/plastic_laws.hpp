@@ -3,7 +3,7 @@
 /// \file
 /// Load, area and stiffness of one asperity of radius R that flows plastically, pressed in by omega: three laws.
 ///
-///     PlasticLaw       load H area                         area 2 pi R omega                       all flows, from the first touch
+///     PlasticLaw       load H area,  area 2 pi R omega
 ///     JacksonGreenLaw  s < 1.9: Hertz; else P_c [exp(-s^(5/12)/4) s^(3/2) + 4 H_G/(C Y) (1 - exp(-s^(5/9)/25)) s]
 ///                      area pi R omega, (s/1.9)^B times that from s = 1.9 on,  B = 0.14 exp(23 Y/E)
 ///                      s = omega/omega_c,  omega_c = (pi C Y/(2E))^2 R,  C = 1.295 exp(0.736 nu),
@@ -11,30 +11,21 @@
 ///     KogutEtsionLaw   load P_c {s^1.5, 1.03 s^1.425, 1.40 s^1.263, 3 s/k}     for s < 1, < 6, < 110, beyond
 ///                      area A_c {s, 0.93 s^1.136, 0.94 s^1.146, 2 s}           A_c = pi R omega_c
 ///                      omega_c = (pi k H/(2E))^2 R,  k = 0.454 + 0.41 nu,  P_c = (2/3) k H pi R omega_c
-///     all              stiffness 2 a,  a = sqrt(area/pi)
+///     all            stiffness 2 sqrt(area/pi), that of unloading, which a wave sees; the slope of the load is another
 ///
-/// The stiffness is that of unloading: a wave moves the faces by less than a nanometre, so that each contact answers elastically
-/// with the area it has, whatever made it (Pharr, Oliver, Brotzen). It is not the slope of the load, which RoughContact gives as
-/// loading_stiffness. Loads and stiffnesses are divided by the effective modulus E.
+/// Loads and stiffnesses are divided by the effective modulus E. The fits jump by up to 8 % at their ends.
 ///
-/// The laws of Jackson and Green and of Kogut and Etsion are fitted to finite elements, piece by piece: the load of the first
-/// jumps by 0.5 % at s = 1.9, that of the second by 3.0, 1.7 and 7.9 % at 1, 6 and 110, its area by -7.0, 2.9 and 7.1 %.
-///
-/// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; Jackson, Green, J. Tribol. 127 (2005) 343; Kogut, Etsion, J. Appl.
-///             Mech. 69 (2002) 657; Pharr, Oliver, Brotzen, J. Mater. Res. 7 (1992) 613. The cosine in H_G: Jackson, Green, Tribol.
-///             Trans. 49 (2006) 1.
+/// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; Jackson, Green, J. Tribol. 127 (2005) 343, Tribol. Trans.
+///             49 (2006) 1; Kogut, Etsion, J. Appl. Mech. 69 (2002) 657; Pharr, Oliver, Brotzen, J. Mater. Res. 7
+///             (1992) 613
 /// Units       omega, R [m]; load/E [m^2], stiffness/E [m], area [m^2]; moduli, Y and H [Pa]
-/// Valid       omega >= 0, R > 0. As descriptions: PlasticLaw for s >= 110 and a/R <= 0.4, JacksonGreenLaw for a/R <= 0.41,
-///             KogutEtsionLaw for s <= 110
+/// Valid       omega >= 0, R > 0; PlasticLaw s >= 110, a/R <= 0.4; JacksonGreenLaw a/R <= 0.41; KogutEtsionLaw s <= 110
 /// Accuracy    1e-13 relative (tests/asperity/plastic_laws_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
-
-#include <array>
-#include <cmath>
 
 namespace fstiff {
 

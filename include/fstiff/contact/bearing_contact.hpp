@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Crowded contacts of a surface with any bearing curve: Persson's theory of the Gaussian surface of the same order of heights,
-/// at the scale that the bearing curve has where the faces touch.
+/// Crowded contacts with any bearing curve: Persson's theory at the local scale of the curve where the faces touch.
 ///
-///     K(p) = K_g(p/rho)      A/A0 = A_g(p/rho)      d = int_p dp'/K
+///     K(p) = K_g(p/rho)      A/A0 = A_g(p/rho)      n = n_g(p/rho)      d = int_p dp'/K
 ///     rho = s(c, w)/sigma    c = d_g(p/rho)/sigma + 0.2 - 0.3 P    w = sqrt(1/4 + P^2)    P = erf(sqrt(2) p/(rho E g))
 ///
-/// g marks the Gaussian surface, whose rms height is sigma, and s is the slope of the bearing curve about the level c
-/// (surface/bearing_slope.hpp). A map f(zeta) is about the level of contact a Gaussian map with all heights multiplied by f'.
-/// Under a Gaussian rho is 1, and without a bearing curve the contact is PerssonContact itself, to the last bit.
+/// g marks the Gaussian surface of the same order of heights, sigma its rms height, s the slope of the bearing curve
+/// about the level c (surface/bearing_slope.hpp). rho is a fixed point, found anew at each pressure in 10 us; without a
+/// bearing curve the contact is PerssonContact to the last bit. ScaledContact takes any Gaussian contact at that rho.
 ///
-/// rho is the fixed point of rho <- sqrt(rho rho_new) that is reached from 1, found anew at each pressure: some eight slopes
-/// of the curve, 10 us. d_g is tabulated once.
-///
-/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; the scale by the bearing curve, with the numbers 0.2, 0.3, 1/4 and 1:
-///             this project, docs/validation.md
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; the scale and its numbers: this project, docs/validation.md
 /// Units       SI: m, Pa, Pa/m
-/// Valid       pressures as PerssonContact at p/rho. K rises with p where rho rises more slowly than p: on every surface that
-///             was tried, but for a step of the heights by several sigma
-/// Accuracy    rho 1e-6, K that of a sum with 192 points a shell to 2e-5, separation 1e-5 of the rms height as the integral
-///             of 1/K (tests/contact/bearing_contact_test.cpp). Against boundary elements: docs/validation.md
+/// Valid       pressures as the Gaussian contact at p/rho; K rises with p but for steps of the heights by several sigma
+/// Accuracy    rho 1e-6, K 2e-5, separation 1e-5 of the rms height, of ScaledContact 1e-4
+///             (tests/contact/bearing_contact_test.cpp, tests/contact/scaled_contact_test.cpp)
 
+#include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/quantity.hpp>
@@ -29,13 +24,7 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <memory>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 
@@ -79,7 +68,7 @@ public:
 
 private:
     static constexpr T width = T(1) / 8;  ///< of ln p
-    /// From p = E g/24 down the slope varies so slowly that six of its values at knots are as good as a rule of its own.
+    /// From p = E g/24 down the slope varies so slowly that six of its values at knots are enough.
     static constexpr std::size_t by_points = 31;
     struct Knot {
         T d, rise;  ///< rise: slope times width, towards lower pressures
@@ -131,8 +120,8 @@ public:
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as PerssonContact at p/rho.
     [[nodiscard]] T stiffness(T pressure) const { return gaussian_.stiffness(pressure / local_scale(pressure)); }
 
-    /// K [Pa/m] and dK/dp [1/m]: by the chain rule, with d rho/dp as the difference between pressures 1.5 % below and above.
-    /// \throws domain_error as stiffness.
+    /// K [Pa/m] and dK/dp [1/m]: by the chain rule, with d rho/dp as the difference between pressures 1.5 % below and
+    /// above. \throws domain_error as stiffness.
     [[nodiscard]] PerssonStiffness<T> stiffness_and_slope(T pressure) const {
         if (is_plain()) return gaussian_.stiffness_and_slope(pressure);
         const T rho = local_scale(pressure), apart = T(1) / 64;
@@ -181,8 +170,8 @@ public:
         return is_plain() ? gaussian_.at_separation(separation, wanted) : this->state_at_separation(separation, wanted);
     }
 
-    /// The separation of the mean planes under \p pressure [Pa]: the integral of 1/K up to full_pressure(), and that of the
-    /// Gaussian surface beyond. \throws domain_error as stiffness.
+    /// The separation of the mean planes under \p pressure [Pa]: the integral of 1/K up to full_pressure(), and that of
+    /// the Gaussian surface beyond. \throws domain_error as stiffness.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
         if (is_plain()) return gaussian_.separation(pressure);
         const T full = full_pressure(), rho = last_scale_;
@@ -238,5 +227,65 @@ private:
     T last_scale_ = 1;                        ///< rho where all is in contact
     std::shared_ptr<const Bearing> bearing_;  ///< none of a Gaussian surface; copies share it
 };
+
+/// \p Of is the contact of the Gaussian surface: HybridContact of its peaks and its spectrum.
+template <Real T, Contact<T> Of>
+class ScaledContact : public SlopeContact<ScaledContact<T, Of>, T> {
+public:
+    ScaledContact(Of of, BearingContact<T> bearing) : of_(std::move(of)), bearing_(std::move(bearing)) {}
+
+    /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as \p Of at p/rho.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        ContactState<T> state =
+            of_.at_pressure(pressure / bearing_.local_scale(pressure), without(wanted, Quantity::separation));
+        state.pressure = {pressure, 0, 0};
+        state.separation = has(wanted, Quantity::separation) ? separation(pressure) : Estimate<T>{};
+        state.eta = state.separation.value / rms_height();
+        return state;
+    }
+    /// The contact at the separation \p separation [m] of the mean planes.
+    /// \throws domain_error unless it is positive and its pressure within reach.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+        return this->state_at_separation(separation, wanted);
+    }
+    /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
+    [[nodiscard]] T stiffness(T pressure) const {
+        const T scaled = pressure / bearing_.local_scale(pressure);
+        if constexpr (requires { of_.stiffness(scaled); })  // beyond what was compared too
+            return of_.stiffness(scaled);
+        else
+            return of_.at_pressure(scaled, Quantity::stiffness).stiffness.value;
+    }
+    /// Separation [m] of the mean planes; 0 from the full pressure on. \throws domain_error as at_pressure.
+    [[nodiscard]] Estimate<T> separation(T pressure) const {
+        require_positive("pressure", pressure);
+        const T to = std::log(bearing_.full_pressure()), from = std::log(pressure);
+        const T error = T(1e-4) * rms_height();
+        if (from >= to) return {T(0), error, 0};
+        const auto whole = static_cast<int>((to - from) * 2);  // panels at the same places for every pressure
+        T d = this->template fall_of_separation<8>(from, to - T(whole) / 2 - from);
+        for (int i = 1; i <= whole; ++i) d += this->template fall_of_separation<8>(to - T(i) / 2, T(1) / 2);
+        return {d, error, 8 * (whole + 1)};
+    }
+    /// log(p/Pa) and its slope against eta, the separation over the rms height.
+    /// \throws domain_error unless 0 < eta and its pressure is within reach.
+    [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
+        require(eta > 0 && std::isfinite(eta), "eta", eta, "finite and greater than 0 (separation over rms height)");
+        const T high = std::log(bearing_.full_pressure());
+        return this->searched_log_pressure(eta, high - 60, high, high - T(1.5) - 2 * eta, "within the reach of the laws");
+    }
+
+    [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }
+    [[nodiscard]] bool has_kinks() const { return detail::has_kinks(of_) || bearing_.has_kinks(); }
+    [[nodiscard]] const Of& gaussian() const { return of_; }
+    [[nodiscard]] const BearingContact<T>& bearing() const { return bearing_; }
+
+private:
+    Of of_;
+    BearingContact<T> bearing_;
+};
+
+template <class Of, class Bearing>
+ScaledContact(Of, Bearing) -> ScaledContact<std::remove_cvref_t<decltype(std::declval<Of>().rms_height())>, Of>;
 
 }  // namespace fstiff

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What curves, tabulated laws and fits ask of a contact. RoughContact has it for every law and every distribution of
-/// peaks.
+/// Concepts of a contact for curves, tabulated laws and fits. RoughContact fulfils them for all laws and peaks.
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/core/error.hpp>
-
-#include <concepts>
 
 namespace fstiff {
 
@@ -29,13 +26,13 @@ concept HasStates = requires(const C& contact, T x, Quantity wanted) {
 template <class C, class T>
 concept Contact = HasStates<C, T> && requires(const C& contact, T x) {
     { contact.log_pressure(x) } -> std::same_as<LogSlope<T>>;
-    { contact.log_stiffness(x) } -> std::same_as<LogValue<T>>;
+    { contact.log_stiffness(x) } -> std::same_as<Estimate<T>>;
     { contact.interaction() } -> std::convertible_to<Interaction<T>>;
     { contact.bulk_compliance() } -> std::convertible_to<T>;
 };
 
-/// One whose K is a constant times -dp/dd, so that one table by separation serves both; of any other contact K has a table of
-/// its own, and with interaction K itself is in series with the bulk.
+/// One whose K is a constant times -dp/dd, so that one table by separation serves both; of any other contact K has a
+/// table of its own, and with interaction K itself is in series with the bulk.
 template <class C, class T>
 concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
     { contact.stiffness_over_slope() } -> std::convertible_to<T>;
@@ -52,7 +49,7 @@ template <Real T>
 
 namespace detail {
 
-/// Whether K(p) of \p contact has kinks, as that of a map where another summit touches: such a law is tabulated by short pieces.
+/// Whether K(p) of \p contact has kinks, as that of a map where another summit touches.
 template <class C>
 [[nodiscard]] bool has_kinks(const C& contact) {
     if constexpr (requires { contact.has_kinks(); })

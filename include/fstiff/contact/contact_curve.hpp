@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A contact at many pressures or separations, with a status for each point in place of an exception.
+/// Contact at many pressures or separations, with a status for each point in place of an exception.
 ///
 ///     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7}, fstiff::Quantity::stiffness);
-///     for (const auto& point : curve)
-///         if (point.ok()) use(point.state.stiffness.value);
 ///
-/// A contact is whatever has point_at_pressure(p, wanted), or point_at_separation(d, wanted), and returns a ContactPoint; no
-/// exception is caught. A point that the model does not reach (a pressure so small that it underflows, a separation below -1000 rms heights) is a result, not
-/// a mistake of the caller: it leaves the other points alone.
+/// A contact is whatever has point_at_pressure(p, wanted) or point_at_separation(d, wanted) and returns a ContactPoint.
+/// A point out of reach of the model is a result that leaves the other points alone.
 ///
 /// Units       those of the contact: pressures [Pa], separations [m]
 /// Valid       pressures finite and greater than 0, separations finite; any number of them, in any order
@@ -18,8 +15,6 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/quantity.hpp>
 
-#include <cmath>
-#include <concepts>
 #include <vector>
 
 namespace fstiff {
@@ -36,8 +31,8 @@ concept HasSeparations = Real<T> && requires(const C& contact, T separation, Qua
     { contact.point_at_separation(separation, wanted) } -> std::same_as<ContactPoint<T>>;
 };
 
-/// The states of \p contact under \p pressures [Pa], a container such as std::vector<double> or std::span<const double>.
-/// \throws domain_error for a pressure that is not finite and greater than 0.
+/// The states of \p contact under \p pressures [Pa], a container such as std::vector<double> or std::span<const
+/// double>. \throws domain_error for a pressure that is not finite and greater than 0.
 template <class Pressures, HasPressures<typename Pressures::value_type> Contact>
 [[nodiscard]] auto curve_at_pressures(const Contact& contact, const Pressures& pressures,
                                       Quantity wanted = Quantity::all) {

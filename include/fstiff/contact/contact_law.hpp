@@ -1,60 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A contact tabulated: stiffness and pressure in nanoseconds, for codes that evaluate the law millions of times.
+/// Tabulated contact: stiffness and pressure in nanoseconds, for codes that evaluate the law millions of times.
 ///
 ///     p(d), K(d), -dp/dd, d(p), K(p), dK/dp        d: separation of the mean planes
-///
-/// log p is interpolated once as a function of the separation, by Chebyshev series through a few dozen exact integrals,
-/// in more sections where they need it; from it tables of short polynomials are cut, one uniform in the separation and
-/// two in the binary exponent of p (math/piecewise), so that an evaluation needs neither a logarithm nor an exponential
-/// nor a search, and an array of them is evaluated four at a time where the processor can. K of a map has kinks, one
-/// where each of its summits touches: such a law is a table of parabolas (contact/kinked_tables), as many as its kinks need,
-/// right to 1e-3 or better, looked up as fast, but one element of an array after the other; so is any law of which
-/// polynomials would not be monotone or be off by more than 1e-3. The slope -dp/dd is the
-/// derivative of the very polynomial that returns p(separation), for every law: it is the tangent that Newton's method
-/// in an implicit solver needs. K is that slope with HertzLaw, FractalConsistentLaw and GreenwoodWilliamson; with
-/// FractalLaw it is the slope times (2/3)(3-D)/(2-D), and stiffness_is_slope() says no. Where K is no constant times the
-/// slope (plastic and elastic-plastic peaks, and any law whose stiffness is not the derivative of its load)
-/// K(separation) has a table of its own, made in the same way. Neighbouring polynomials meet at their ends; p falls and
-/// K rises monotonically (checked when the law is tabulated), up to the rounding of the last digits.
-///
 ///     const auto law = fstiff::ContactLaw<double>::tabulate(contact, {.min_pressure = 1e5, .max_pressure = 1e8});
-///     const double K = law.stiffness(3e6);
-///     const auto [p, stiffness] = law.at_separation(1.2e-6);
-///     const auto [same_p, slope] = law.tangent_at_separation(1.2e-6);
 ///
-/// Outside the range, as OutsideRange says:
-///
-///     refuse       throws
-///     extrapolate  d > d_max: log p and log K go on linearly in d, to p = K = 0 for an open contact;
-///                  d < d_min: K goes on linearly in d, and p as its integral:
-///                      p = p_e exp(-(d - d_max) s_e/p_e)                        K = K_e p/p_e                 light
-///                      p = p_e + s_e x + s_e' x^2/2,  s = s_e + s_e' x,  x = d_min - d,  K/K_e = s/s_e        heavy
-///                  with p, the slope s and K of the ends (e), and s_e' that of K_e' s_e/K_e. p is once continuously
-///                  differentiable in d and the slope exactly its derivative: a Newton loop sees one smooth law. The
-///                  same by pressure, from p = 0 on, where K = 0 and d is infinite
-///     clamp        p, K and d are those of the nearer end, for looking up; since p is constant there, -dp/dd and dK/dp
-///                  are 0, K is not the tangent, and Newton's method stalls
-///     exact        evaluates the model, in microseconds; it takes p > 0
-///
-/// A NaN is refused under each of them. at_separation takes the separation(p) of every pressure in the range.
+/// The tables are short polynomials (math/piecewise), uniform in d and in the binary exponent of p, or parabolas
+/// (contact/law_tables) where K has kinks. -dp/dd is the derivative of the returned p, the tangent of Newton's
+/// method; K has a table of its own where it is no constant times that. p falls and K rises monotonically.
 ///
 /// Units       SI: Pa, m, Pa/m; dK/dp in 1/m
 /// Valid       float and double; 0 < min_pressure < max_pressure within the reach of the model; no interaction or
-///             effective_separation. A default-constructed law is empty and refuses every evaluation
-/// Accuracy    measured when it is tabulated, at the ends of every piece and between the nodes, and carried:
-///             relative_error(). Of polynomials it covers -dp/dd too where K has a table of its own; it cannot be less than the
-///             errors of the integrals: of a law without powers 1e-9 or so. Of 400 laws of random surfaces none is
-///             further from the model than it says. One in two says less than 4e-12 and is right to 1e-12, nine in ten
-///             say less than 3e-10 and are right to 5e-11, all say less than 1e-7 and are right to 1e-8: interaction,
-///             pressures that press the planes through one another and ranges of a few percent take more. A batch
-///             differs from the scalar calls by rounding: 200 epsilon at most (tests/contact/contact_law_test.cpp)
+///             effective_separation. A default-constructed law refuses every evaluation
+/// Accuracy    relative_error(), measured when tabulated; 1e-8 or better for 400 laws of random surfaces, 1e-3 with
+///             kinks. A batch is within 200 epsilon of the scalar calls (tests/contact/contact_law_test.cpp)
 /// Threads     evaluation is const and does not allocate: any number of threads may share a law
 
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/contact/law_batch.hpp>
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/contact/law_tabulator.hpp>
 #include <fstiff/contact/law_text.hpp>
@@ -63,19 +27,70 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <string>
-#include <string_view>
-#include <type_traits>
-
 namespace fstiff {
+
+namespace detail {
+
+/// \throws domain_error unless \p a and \p b, the sizes of two arrays, are equal.
+inline void require_same_size(Eigen::Index a, Eigen::Index b) {
+    if (a != b)
+        throw domain_error(Refusal{.parameter = "batch",
+                                   .reason = "the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
+                                             " elements: must have the same number"});
+}
+
+/// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
+/// where fewer are left, so that a result does not depend on where its element stands; the others go through \p one.
+template <class Pieces, ReadableReal T, std::size_t N, class FourAt, class OneAt>
+void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
+               const FourAt& four, const OneAt& one) {
+    const auto put = [&out](Eigen::Index i, const std::array<T, N>& value) {
+        for (std::size_t n = 0; n < N; ++n) out[n][i] = value[n];
+    };
+    const Eigen::Index count = x.size();
+    if constexpr (!four_at_once<T>) {
+        for (Eigen::Index i = 0; i < count; ++i) put(i, one(x[i]));
+    } else {
+        T given[4], found[N][4];
+        for (Eigen::Index i = 0; i < count; i += 4) {
+            const T* from = x.data() + i;
+            std::array<T*, N> to = out;
+            for (T*& at : to) at += i;
+            const bool whole = count - i >= 4 && pieces.contains(from[0]) && pieces.contains(from[1]) &&
+                               pieces.contains(from[2]) && pieces.contains(from[3]);
+            if (whole) [[likely]] {
+                four(pieces, from, to);
+                continue;
+            }
+            const Eigen::Index left = std::min<Eigen::Index>(count - i, 4);
+            for (Eigen::Index k = 0; k < 4; ++k)
+                given[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
+            for (std::size_t n = 0; n < N; ++n) to[n] = found[n];
+            four(pieces, given, to);
+            for (Eigen::Index k = 0; k < left; ++k) {
+                if (!pieces.contains(from[k])) {
+                    put(i + k, one(from[k]));
+                    continue;
+                }
+                for (std::size_t n = 0; n < N; ++n) out[n][i + k] = found[n][k];
+            }
+        }
+    }
+}
+
+}  // namespace detail
+
+namespace detail {
+
+template <ReadableReal T>
+void require_range(const LawRange<T>& range) {
+    require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,
+            "finite and greater than 0, and no denormal number");
+    require(range.max_pressure > range.min_pressure && std::isfinite(range.max_pressure), "max_pressure",
+            range.max_pressure, "finite and greater than min_pressure");
+}
+
+}  // namespace detail
 
 /// p(d), K(d) and d(p), K(p) of a contact from tables, in nanoseconds. Threads may share one.
 template <ReadableReal T = double>
@@ -102,11 +117,39 @@ public:
     /// \throws domain_error for a range that the model cannot reach or that is empty, for interaction as_printed, and
     /// for a K that is not greater than 0 or does not rise with p.
     template <Contact<T> Model>
-    [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range);
-    /// Tabulates states that \p law gives at pressures [Pa], whose K need not be -dp/dd, such as means over several contacts;
-    /// the error of the separation is relative to \p rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
+    [[nodiscard]] static ContactLaw tabulate(const Model& contact, const LawRange<T>& range) {
+        detail::require_range(range);
+        require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
+                "none or effective_separation for a tabulated law (as_printed is no function of one separation)");
+        ContactLaw law;
+        law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
+        law.tables_.outside = range.outside;
+        if (range.outside == OutsideRange::exact)
+            law.exact_ = [contact](T x, bool is_pressure) {
+                constexpr bool proportional = ProportionalContact<Model, T>;
+                constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
+                                            (proportional ? Quantity::none : Quantity::loading_stiffness);
+                const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
+                T slope = state.loading_stiffness.value;
+                if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
+                return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};
+            };
+        return law;
+    }
+    /// Tabulates states at pressures [Pa] whose K need not be -dp/dd; the error of the separation is relative to \p
+    /// rms_height [m]. \throws domain_error as above, and for OutsideRange::exact.
     [[nodiscard]] static ContactLaw tabulate_points(const std::function<LawPoint<T>(T pressure)>& law,
-                                                    std::type_identity_t<T> rms_height, const LawRange<T>& range);
+                                                    std::type_identity_t<T> rms_height, const LawRange<T>& range) {
+        detail::require_range(range);
+        require_positive("rms_height", rms_height);
+        if (range.outside == OutsideRange::exact)
+            detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
+        ContactLaw made;
+        made.tables_ = detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, T(0), rms_height)
+                           .tabulate(range.min_pressure, range.max_pressure);
+        made.tables_.outside = range.outside;
+        return made;
+    }
 
     /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse,
     /// for a negative or infinite pressure under extrapolate, for NaN, and of an empty law.
@@ -207,14 +250,29 @@ public:
     [[nodiscard]] int evaluations() const { return tables_.evaluations; }
 
     /// The same law with another policy. \throws domain_error for exact unless the law has it: the model is not there.
-    [[nodiscard]] ContactLaw with(OutsideRange outside) const;
+    [[nodiscard]] ContactLaw with(OutsideRange outside) const {
+        if (outside == OutsideRange::exact && !exact_)
+            detail::refuse("outside", "exact", "asked for when the law is tabulated; its model is not kept else");
+        ContactLaw other = *this;
+        other.tables_.outside = outside;
+        if (outside != OutsideRange::exact) other.exact_ = nullptr;
+        return other;
+    }
 
-    /// The law as text, every number in hexadecimal so that from_text gives it back bit for bit.
-    /// \throws domain_error of an empty law, and of one with OutsideRange::exact, whose model no text holds: write
-    /// with(another policy).
-    [[nodiscard]] std::string to_text() const;
+    /// The law as text, every number in hexadecimal so that from_text gives it back bit for bit. \throws domain_error
+    /// of an empty law, and of one with OutsideRange::exact, whose model no text holds: write with(another policy).
+    [[nodiscard]] std::string to_text() const {
+        require_filled();
+        if (outside() == OutsideRange::exact)
+            detail::refuse("outside", "exact", "another policy for a law that goes to text, which holds no model");
+        return detail::law_text(tables_);
+    }
     /// Lines may end in LF or CRLF. \throws domain_error for text that to_text did not write.
-    [[nodiscard]] static ContactLaw from_text(std::string_view text);
+    [[nodiscard]] static ContactLaw from_text(std::string_view text) {
+        ContactLaw law;
+        law.tables_ = detail::LawTextReader<T>(text).read();
+        return law;
+    }
 
     /// Whether tables and policy are the same; of two laws with OutsideRange::exact the models are not compared.
     [[nodiscard]] bool operator==(const ContactLaw& other) const { return tables_ == other.tables_; }
@@ -239,8 +297,38 @@ private:
         return tables_.kinked.contains_pressure(pressure) ? of_tables(tables_.kinked_at_pressure(pressure))
                                                           : outside_pressure(pressure, with_slope);
     }
-    AtPressure outside_pressure(T pressure, bool with_slope) const;
-    Whole outside_separation(T separation) const;
+    AtPressure outside_pressure(T pressure, bool with_slope) const {
+        require_filled();
+        if (!detail::is_nan(pressure)) {
+            if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
+            if (tables_.outside == OutsideRange::clamp) {
+                const bool below = pressure < tables_.min_pressure;
+                const auto end = tables_.at_end(below ? tables_.min_pressure : tables_.max_pressure);
+                return {end.separation, end.stiffness, T(0)};
+            }
+        }
+        if (tables_.outside != OutsideRange::exact)
+            refuse("pressure", pressure, tables_.min_pressure, tables_.max_pressure, " Pa");
+        const auto stiffness_at = [this](T p) { return exact_(p, true).stiffness; };
+        const T step = std::cbrt(std::numeric_limits<T>::epsilon()) * pressure;
+        const Exact at = exact_(pressure, true);
+        return {at.separation, at.stiffness,
+                with_slope ? (stiffness_at(pressure + step) - stiffness_at(pressure - step)) / (2 * step) : T(0)};
+    }
+    Whole outside_separation(T separation) const {
+        require_filled();
+        if (!detail::is_nan(separation)) {
+            if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
+            if (tables_.outside == OutsideRange::clamp) {
+                const Whole end = separation < tables_.closest() ? tables_.at_closest() : tables_.at_furthest();
+                return {end.pressure, end.stiffness, T(0)};
+            }
+        }
+        if (tables_.outside != OutsideRange::exact)
+            refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
+        const Exact at = exact_(separation, false);
+        return {at.pressure, at.stiffness, at.slope};
+    }
     void require_filled() const {
         if (empty())
             throw domain_error(Refusal{.parameter = "contact law",
@@ -278,113 +366,5 @@ private:
     detail::LawTables<T> tables_;
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
 };
-
-template <ReadableReal T>
-auto ContactLaw<T>::outside_pressure(T pressure, bool with_slope) const -> AtPressure {
-    require_filled();
-    if (!detail::is_nan(pressure)) {
-        if (tables_.outside == OutsideRange::extrapolate) return of_tables(tables_.continued_pressure(pressure));
-        if (tables_.outside == OutsideRange::clamp) {
-            const auto end = tables_.at_end(pressure < tables_.min_pressure ? tables_.min_pressure : tables_.max_pressure);
-            return {end.separation, end.stiffness, T(0)};
-        }
-    }
-    if (tables_.outside != OutsideRange::exact)
-        refuse("pressure", pressure, tables_.min_pressure, tables_.max_pressure, " Pa");
-    const auto stiffness_at = [this](T p) { return exact_(p, true).stiffness; };
-    const T step = std::cbrt(std::numeric_limits<T>::epsilon()) * pressure;
-    const Exact at = exact_(pressure, true);
-    return {at.separation, at.stiffness,
-            with_slope ? (stiffness_at(pressure + step) - stiffness_at(pressure - step)) / (2 * step) : T(0)};
-}
-
-template <ReadableReal T>
-auto ContactLaw<T>::outside_separation(T separation) const -> Whole {
-    require_filled();
-    if (!detail::is_nan(separation)) {
-        if (tables_.outside == OutsideRange::extrapolate) return tables_.continued_separation(separation);
-        if (tables_.outside == OutsideRange::clamp) {
-            const Whole end = separation < tables_.closest() ? tables_.at_closest() : tables_.at_furthest();
-            return {end.pressure, end.stiffness, T(0)};
-        }
-    }
-    if (tables_.outside != OutsideRange::exact)
-        refuse("separation", separation, tables_.closest(), tables_.furthest(), " m");
-    const Exact at = exact_(separation, false);
-    return {at.pressure, at.stiffness, at.slope};
-}
-
-template <ReadableReal T>
-ContactLaw<T> ContactLaw<T>::with(OutsideRange outside) const {
-    if (outside == OutsideRange::exact && !exact_)
-        detail::refuse("outside", "exact", "asked for when the law is tabulated; its model is not kept else");
-    ContactLaw other = *this;
-    other.tables_.outside = outside;
-    if (outside != OutsideRange::exact) other.exact_ = nullptr;
-    return other;
-}
-
-namespace detail {
-
-template <ReadableReal T>
-void require_range(const LawRange<T>& range) {
-    require(range.min_pressure >= (std::numeric_limits<T>::min)(), "min_pressure", range.min_pressure,
-            "finite and greater than 0, and no denormal number");
-    require(range.max_pressure > range.min_pressure && std::isfinite(range.max_pressure), "max_pressure",
-            range.max_pressure, "finite and greater than min_pressure");
-}
-
-}  // namespace detail
-
-template <ReadableReal T>
-auto ContactLaw<T>::tabulate_points(const std::function<LawPoint<T>(T pressure)>& law, std::type_identity_t<T> rms_height,
-                                    const LawRange<T>& range) -> ContactLaw {
-    detail::require_range(range);
-    require_positive("rms_height", rms_height);
-    if (range.outside == OutsideRange::exact)
-        detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
-    ContactLaw made;
-    made.tables_ = detail::KinkedTabulator<T>([&law](T p, bool) { return law(p); }, T(0), rms_height)
-                       .tabulate(range.min_pressure, range.max_pressure);
-    made.tables_.outside = range.outside;
-    return made;
-}
-
-template <ReadableReal T>
-template <Contact<T> Model>
-ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& range) {
-    detail::require_range(range);
-    require(contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
-            "none or effective_separation for a tabulated law (as_printed is no function of one separation)");
-    ContactLaw law;
-    law.tables_ = detail::tables_of(contact, range.min_pressure, range.max_pressure);
-    law.tables_.outside = range.outside;
-    if (range.outside == OutsideRange::exact)
-        law.exact_ = [contact](T x, bool is_pressure) {
-            constexpr bool proportional = ProportionalContact<Model, T>;
-            constexpr Quantity wanted = Quantity::stiffness | Quantity::pressure |
-                                        (proportional ? Quantity::none : Quantity::loading_stiffness);
-            const auto state = is_pressure ? contact.at_pressure(x, wanted) : contact.at_separation(x, wanted);
-            T slope = state.loading_stiffness.value;
-            if constexpr (proportional) slope = state.stiffness.value / contact.stiffness_over_slope();
-            return Exact{state.separation.value, state.pressure.value, state.stiffness.value, slope};
-        };
-    return law;
-}
-
-template <ReadableReal T>
-std::string ContactLaw<T>::to_text() const {
-    require_filled();
-    if (outside() == OutsideRange::exact)
-        detail::refuse("outside", "exact", "another policy for a law that goes to text, which holds no model");
-    return detail::law_text(tables_);
-}
-
-template <ReadableReal T>
-ContactLaw<T> ContactLaw<T>::from_text(std::string_view text) {
-    ContactLaw law;
-    law.tables_ = detail::read_law_text<T>(text);
-    return law;
-}
 
 }  // namespace fstiff

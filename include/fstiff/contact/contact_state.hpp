@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What is known of a contact at one separation or pressure, or why nothing is, and the search for the separation of a
-/// given pressure.
+/// State of a contact at one separation or pressure, or the reason why there is none, and the search for eta.
 ///
 /// Units       SI, per nominal area
-/// Accuracy    the errors are absolute bounds for exact inputs; those at a given pressure contain that of the
-///             separation
+/// Accuracy    absolute bounds for exact inputs; at a given pressure they contain that of the separation
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/root.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
 
 namespace fstiff {
 
@@ -36,8 +27,7 @@ struct ContactState {
     Estimate<T> loading_stiffness;   ///< -dp/dd [Pa/m]: K where the stiffness of the law is the slope of its load
 };
 
-/// Whether every value and error of \p state is a number that may be doubled: the tangential stiffness is up to 4/3 of
-/// K.
+/// Whether every value and error of \p state may be doubled: the tangential stiffness is up to 4/3 of K.
 template <Real T>
 [[nodiscard]] bool in_range(const ContactState<T>& state) {
     for (const Estimate<T>* one : {&state.separation, &state.pressure, &state.stiffness, &state.real_area_fraction,
@@ -80,26 +70,14 @@ struct LogSlope {
     T error;  ///< relative error of f
 };
 
-/// A positive function of eta as its logarithm.
-template <Real T = double>
-struct LogValue {
-    T log;    ///< log f(eta)
-    T error;  ///< relative error of f
-};
-
 namespace detail {
 
 inline constexpr int min_eta = -1000;  ///< separations that are searched for a pressure
 
-template <Real T>
-struct EtaEstimate {
-    T value, error;
-};
-
 /// What a search for eta came to.
 template <Real T>
 struct EtaSearch {
-    EtaEstimate<T> eta;
+    Estimate<T> eta;
     bool found = true;
     T log_lowest{},
         log_highest{};  ///< if not found: the least and the greatest log f there is, less the one looked for

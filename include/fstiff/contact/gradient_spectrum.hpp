@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A spectrum as the wave number q over the rms gradient G of all waves up to q: the measure dG/q of Persson's integrals.
+/// Spectrum as wave number q over the rms gradient G of all waves up to q: the measure dG/q of Persson's integrals.
 ///
 ///     band     G^2 = (pi/2) C (q^4 - q1^4) up to q_rolloff; then G^2 rises by 2 pi C0 (q^(2-2H) - q_rolloff^(2-2H))/(2-2H)
 ///     shells   G^2 = the sum of q^2 |h_q|^2 up to the shell; inside a shell 1/q = sum q |h_q|^2 / sum q^2 |h_q|^2
@@ -15,9 +15,6 @@
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
-
-#include <cmath>
-#include <vector>
 
 namespace fstiff::detail {
 

@@ -16,8 +16,6 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 
-#include <type_traits>
-
 namespace fstiff {
 
 /// The contact of peaks of one radius, which Hertz pressed: RoughContact with SingleRadius.

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How the hybrid contact of a map goes from its summits to its crowded contact.
+/// Hybrid contact of a map: from its summits to its crowded contact.
 ///
 ///     K = ratio(p) K_peaks                                                            p <= p_h
 ///     K = K_crowded (ratio K_peaks/K_crowded at p_h)^(1 - ln(p/p_h)/ln 8)             p_h < p < 8 p_h
 ///     K = K_crowded                                                                   p >= 8 p_h
 ///
-/// The fifth powers of contact/hybrid_contact.hpp are for two laws that are each too small where they fail. The summits of a
-/// map are not: where they share hills, each by itself they are up to twice too stiff. So ratio(p) = K of summits that push each other down over K
-/// of summits each by themselves, tabulated once at p_h, p_h/2, p_h/4, ... and linear in ln p between; surfaces drawn about
-/// the map for a band share it. p_h is where 6 % of the area is in contact by the crowded law, or fewer where more
-/// than 1,200 summits carry or the summits cannot be told apart; there both laws are known, and what they differ by fades out.
-/// Adding two laws that are each right by powers makes 9 to 15 % too much where they meet; a mean of the two over 3 to
-/// 8 % of the area is as good but where the summits are refused early, on worn surfaces.
+/// ratio is K of summits that push each other down over K of summits each by themselves, tabulated at p_h, p_h/2, ...
+/// and linear in ln p; surfaces drawn about the map share it. p_h is where 6 % of the area is in contact by the crowded
+/// law, or less where more than 1,200 summits carry or the summits cannot be told apart.
 ///
 /// Reference   this project: 6 %, 8 and 1,200 by boundary elements of 25 kinds of maps (docs/validation.md)
 /// Units       SI
@@ -24,19 +20,13 @@
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 /// From the summits of a map to its crowded contact.
 template <Real T = double>
 class HandOver {
 public:
-    /// Of a surface of \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded is
+    /// For \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded is
     /// ln K_crowded at p_h.
     template <class Peaks>
     HandOver(T log_pressure, std::vector<T> log_ratio, T log_crowded, const Peaks& peaks)

@@ -1,42 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The law for all loads: peaks where few of them carry, Persson's theory where they are crowded.
+/// Law for all loads: peaks where few of them carry, Persson's theory where they are crowded.
 ///
-///     K = (K_peaks^5 + K_crowded^5)^(1/5)         at equal pressure
+///     K = (K_peaks^5 + K_crowded^5)^(1/5)         at equal pressure; of a map by contact/hand_over.hpp
 ///     d = int_p^(2 E g) dp'/K(p')                 separation of the mean planes; at 2 E g all is in contact
 ///     real area and number of contacts            of the peaks, at the same pressure
 ///
-/// K_crowded is Persson's; of a surface with a bearing curve it is that at the local scale of the curve, by which 2 E g is
-/// multiplied too (contact/bearing_contact.hpp).
+/// K_crowded is Persson's, at the local scale of a bearing curve (contact/bearing_contact.hpp). The peaks are taken
+/// without interaction. d is integrated once, in ln p over panels; a pressure then costs the rest of one panel.
 ///
-/// Of a map K is joined by HandOver (contact/hand_over.hpp). Each of the two is below the truth where it fails, so that the
-/// larger one counts; the exponent is fitted to boundary elements, 4 to 8 do nearly as well. Both must be of the same surface. Interaction between the peaks is what Persson's
-/// theory adds: the contact of the peaks is taken without it.
-///
-/// d is integrated in ln p from 2 E g down, once when the first separation is asked for: over panels one e-fold wide by 16
-/// Gauss-Legendre points, or where K has kinks over panels of 1/32 e-fold by 4; a pressure then costs the rest of one panel.
-///
-/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (4.9);
-///             the exponent: docs/validation.md.
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski et al. (2014), eq. (4.9); docs/validation.md
 /// Units       SI
-/// Valid       pressures within the reach of both; separations above 0
-/// Accuracy    K that of its parts, separation 1e-11 of the rms height, 1e-5 where K has kinks (tests/contact/hybrid_contact_test.cpp). Against boundary
-///             elements of Gaussian isotropic surfaces, p/(E g) >= 0.003: within 10 % at 86 of 100 points, 15 % at 98
-///             (docs/validation.md)
+/// Valid       pressures within the reach of both; separations above 0; both of the same surface
+/// Accuracy    K that of its parts, separation 1e-11 of the rms height, 1e-5 where K has kinks
+///             (tests/contact/hybrid_contact_test.cpp). Against boundary elements: docs/validation.md
 
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 
@@ -51,8 +35,8 @@ struct FifthPowers {
     }
 };
 
-/// \p Peaks is a contact of independent peaks: RoughContact with any law, BandHills or SummitContact; \p Join makes one K
-/// under a pressure of two functions, and calls those that it needs.
+/// \p Peaks is a contact of independent peaks: RoughContact with any law, BandHills or SummitContact; \p Join makes one
+/// K under a pressure of two functions, and calls those that it needs.
 template <Real T, Contact<T> Peaks, class Join = FifthPowers<T>>
 class HybridContact : public SlopeContact<HybridContact<T, Peaks, Join>, T> {
 public:
@@ -151,8 +135,8 @@ private:
     Peaks peaks_;
     BearingContact<T> crowded_;
     Join join_;
-    /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of them
-    /// publishes its own: std::call_once would need the threads library, which the target does not link.
+    /// Made when the first separation is asked for. Threads that ask at once make the same numbers, and the first of
+    /// them publishes its own: std::call_once would need the threads library, which the target does not link.
     struct Knots {
         std::atomic<const std::vector<T>*> at{nullptr};
         Knots() = default;

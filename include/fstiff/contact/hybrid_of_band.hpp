@@ -1,52 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The hybrid contact of a surface known by numbers: the rms height, the rms gradient, Nayak's alpha and the Hurst exponent.
+/// Hybrid contact of a surface known by numbers: rms height, rms gradient, Nayak's alpha and the Hurst exponent.
 ///
-///     K     = (K_peaks^5 + K_persson^5)^(1/5)              contact/hybrid_contact.hpp
-///     K_persson                                            of the whole band
-///     K_peaks: Hertz, joint peaks with theta -> 0, r = 1/sqrt(alpha), of the band cut where alpha is 6
-///     A/A0  = P [1 + 0.36 (1-P)^(3/2)],  P = erf(sqrt(2) p/(E g))             of the whole band
-///     n     = the peaks in contact of the whole band, each by itself
+///     K       = (K_hills^5 + K_persson^5)^(1/5)            contact/hybrid_contact.hpp
+///     K_hills = of Hertz's law, joint peaks with theta -> 0, r = 1/sqrt(alpha), of the band cut where alpha is 6
+///     A/A0    = P [1 + 0.36 (1-P)^(3/2)],  P = erf(sqrt(2) p/(E g)),  and n: of the whole band
 ///
-/// Radius and density of the peaks are those of the shortest waves. On a broad spectrum a contact is one hill with many of them on
-/// it, so that peaks taken each by itself are up to 1.5 times too stiff, and K would depend on the shortest wave that was
-/// measured. The hills are the peaks of the band cut where alpha is 6; nothing is cut where alpha is less.
+/// On a broad spectrum a contact is a hill with many peaks on it; the cut makes K independent of the shortest wave.
+/// Bearing curves of heights that are not Gaussian enter as in contact/bearing_contact.hpp.
 ///
-///     const auto contact = fstiff::hybrid_of_band(fstiff::band_of_moments(moments, 0.8), 112.6e9);
-///     contact.at_pressure(10e6).stiffness.value                                               // K [Pa/m]
-///
-/// Heights that are not Gaussian enter by their bearing curve (contact/scaled_contact.hpp): K under p is that of the
-/// Gaussian surface under p/rho.
-///
-///     const auto skewed = fstiff::hybrid_of_band(band, fstiff::bearing_of_moments(-1.0, 4.5), 112.6e9);
-///
-/// Reference   this project: exponent, cut and area by boundary elements (tests/data/broad.csv, tools/make_broad.py); Nayak,
-///             J. Lubr. Technol. 93 (1971) 398 (peaks of an isotropic surface).
+/// Reference   this project: boundary elements (tools/make_broad.py); Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       SI
-/// Valid       Gaussian isotropic surfaces, alpha > 3/2; pressures up to 0.75 E g
-/// Accuracy    K over boundary elements of Gaussian maps, alpha 2.5 to 210, p/(E g) 0.001 to 0.25 (tests/data/broad.csv): within 15 % at
-///             97 of 100 points with 40 contacts or more, 67 of 100 with fewer, which scatter from map to map; 0.35 to 0.75: all
-///             within 10 %. Of maps with two waves a side at alpha 250 and 340, single ones are 0.7 to 1.3 times the law;
-///             at alpha 700 and 1040 K is 0.82 to 0.90 of that of two of them. Molecular
-///             dynamics at alpha 140: 0.90 to 1.16, the latter at 0.6. Other boundary elements, narrow bands: 104 of 105 within
-///             15 % (tests/contact/hybrid_of_band_test.cpp). With bearing curves: docs/validation.md
+/// Valid       isotropic surfaces, alpha > 3/2; pressures up to 0.75 E g
+/// Accuracy    K over boundary elements of Gaussian maps, alpha 2.5 to 210, p/(E g) 0.001 to 0.25: within 15 % at 97 of
+///             100 points with 40 contacts or more, 67 of 100 with fewer; up to 0.75 within 10 %
+///             (tests/contact/hybrid_of_band_test.cpp). Broader bands and bearing curves: docs/validation.md
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/scaled_contact.hpp>
+#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <type_traits>
 
 namespace fstiff {
 
@@ -67,7 +47,7 @@ template <Real T>
             effective_modulus};
 }
 
-/// The hills of a band: what HybridContact takes for its peaks. Real area and number of contacts are those of the whole band.
+/// Hills of a band, the peaks of HybridContact. Real area and number of contacts are those of the whole band.
 template <Real T = double>
 class BandHills : public SlopeContact<BandHills<T>, T> {
 public:

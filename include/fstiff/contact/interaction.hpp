@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How the asperities feel one another: the mean pressure lowers the mean plane.
+/// Interaction of the asperities: the mean pressure lowers the mean plane.
 ///
 ///     eta_new = eta_old - Delta(eta_old),   Delta = p L/(E sigma)                   eq. (4.11), L = sqrt(A0)
 ///
-/// Under the pressure p the plane between the peaks sinks by p L/E, so that the peaks meet at an effective separation
-/// that is larger than the nominal one: eta_nominal = eta_effective - Delta(eta_effective). With eta_old read as
-/// effective and eta_new as nominal the printed formula is this, explicit at a given pressure. Then for -dp/dd, 1/K =
-/// 1/K_effective + L/E: the compliance of the bulk under a patch of size L is added, and K <= E/L. Of FractalLaw K
-/// stays the factor f times -dp/dd, bulk included, and may exceed E/L by f. Also in use is L = 1/sqrt(D_p), the spacing
-/// of the peaks.
+/// With eta_old as the effective separation of the peaks and eta_new as the nominal one, 1/K = 1/K_effective + L/E for
+/// K = -dp/dd: the bulk under a patch of size L is in series, and K <= E/L. K of FractalLaw stays f times -dp/dd, bulk
+/// included. L = 1/sqrt(D_p), the spacing of the peaks, is also in use.
 ///
-/// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729-734; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66
-///             (2014), eq. (4.11); the readings are discussed in docs/errata.md.
+/// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729-734; Buczkowski et al. (2014), eq. (4.11);
+///             docs/errata.md
 /// Units       L [m]
 /// Valid       L > 0 for every reading but none
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
-
-#include <cmath>
 
 namespace fstiff {
 

@@ -1,40 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Makes the table of parabolas of a law whose stiffness has kinks, from its states at pressures.
+/// Table of parabolas of a law whose stiffness has kinks, from its states at pressures.
 ///
-/// Between nodes log K is taken for a straight line over log p, and d too where K is no constant times -dp/dd. Where one of two
-/// states within an interval is off by more than 1.5e-4 (5e-4 with d), the interval is divided at both: a kink where another summit
-/// touches, K ~ sqrt(d_i - d), is approached in steps that shrink by a third. The nodes become parabolas in one of two ways:
+///     K = ratio (-dp/dd)    K linear in d between points 1/40 of p apart or closer, p and d as its integrals
+///     own K             p(d) through all nodes, with a knot half-way between two of them; slopes are weighted harmonic
+///                           means of the chords on both sides, at most 1.8 times either, so that p rises strictly
 ///
-///     K = ratio (-dp/dd)    K linear in d between points 1/40 of p apart or closer, p and d as its integrals from the lowest
-///                           pressure on: Delta d = 2 Delta p/(s_i + s_{i+1})
-///     own K                 p(d) through all nodes, with a knot more half-way between two of them (Schumaker); slopes are weighted
-///                           harmonic means of the chords on both sides, at most 1.8 times either, so that p rises strictly
+/// Intervals of log p are divided where log K, or d of an own K, is off a straight line by more than 1.5e-4 (5e-4 with
+/// d). The table is compared with the law at other pressures and refined until it is within 2.5e-4.
 ///
-/// Then the table is compared with the law at pressures of a golden-ratio sequence, which none of this knew. Where it is off by more
-/// than 2.5e-4 nodes are added, and other pressures compared, until none is.
-///
-/// Reference   Schumaker, SIAM J. Numer. Anal. 20 (1983) 853 (quadratic splines with a knot more); Fritsch, Butland, SIAM J. Sci. Stat.
-///             Comput. 5 (1984) 300 (harmonic means)
+/// Reference   Schumaker, SIAM J. Numer. Anal. 20 (1983) 853; Fritsch, Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300
 /// Units       SI
 /// Valid       K > 0, separations that fall as the pressure rises
-/// Accuracy    2.5 times the largest relative error of K, p and (over the rms height) d found in the last comparison, kept in the
-///             tables: 1e-3 or less for every law of a map (tests/contact/kinked_law_test.cpp). -dp/dd beside an own K is the
-///             derivative of the p of the table, and no more
+/// Accuracy    2.5 times the largest relative error of K, p and d (over the rms height) of the last comparison, kept in
+///             the tables: 1e-3 or less for every law of a map (tests/contact/kinked_law_test.cpp)
 
-#include <fstiff/contact/kinked_tables.hpp>
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/core/error.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <functional>
-#include <iterator>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 

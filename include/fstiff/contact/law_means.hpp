@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The sums of contact/law_sums for a law without powers: means over the peaks by integrals in two dimensions, or over
-/// the heights alone where all peaks have one radius.
+/// Sums of contact/law_sums for a law without powers: integrals in two dimensions, or over the heights of one radius.
 ///
-///     joint distribution    I[f] of contact/tensor_integrals.hpp; -dI[f]/deta = I[f (zeta - r t)/c^2]           (by parts)
+///     joint distribution    I[f] of contact/tensor_integrals.hpp; -dI[f]/deta = I[f (zeta - r t)/c^2]       (by parts)
 ///     peaks of one radius   int f(e) phi(eta + e) de, split at the kinks of the law; its slope by parts as well
 ///
-/// Reference   this project; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9) for the
-///             distribution
+/// Reference   this project; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9)
 /// Units       SI; load/E [m^2], stiffness/E [m], area [m^2] of the law
 /// Valid       as the integrals that are called
 /// Accuracy    that of the integrals that are called (tests/contact/any_law_test.cpp)
@@ -16,14 +14,6 @@
 #include <fstiff/contact/law_sums.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/math/double_exponential.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <tuple>
-#include <utility>
 
 namespace fstiff::detail {
 
@@ -143,12 +133,10 @@ public:
                     return load(omega, radius) * ((excess + (eta - r * t)) / c2);
                 });
             });
-        const T floor = (std::max)(eta, T(0));
-        out.log_scale = -floor * floor / 2;
+        out.log_scale = log_scale_at(eta);
         if (has(wanted_, Quantity::contacts))
             out.contacts =
-                PeakIntegrator<T>({0, absent, absent, absent}, peaks_, 100 * std::numeric_limits<T>::epsilon())(eta)
-                    .of_power[0] *
+                PeakIntegrator<T>({0, absent, absent, absent}, peaks_, 100 * std::numeric_limits<T>::epsilon())(eta)[0] *
                 scales_.peak_density;
         return out;
     }

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What the asperities of a surface carry together: a law of one asperity summed over a distribution of peaks.
+/// Sums over a distribution of peaks of what the law of one asperity gives.
 ///
 ///     p = E D_p <load>,  K = E D_p <stiffness>,  A = D_p <area>,  n = D_p <1>,  -dp/dd
-///
-/// Angle brackets are means over all peaks, those below the separation counting 0. With omega = sigma (zeta - eta), R =
-/// 1/(sigma_kappa t):
-///
 ///     power law       <omega^x R^y> = sigma^x sigma_kappa^-y J[x,-y],  d/deta J[a,b] = -a J[a-1,b]     one dimension
-///     any other       contact/law_means.hpp
 ///     peaks of one R  <omega^x R^y> = sigma^x R^y G_x(eta)                                                closed
+///     any other law   contact/law_means.hpp                      omega = sigma (zeta - eta), R = 1/(sigma_kappa t)
 ///
-/// Which of them is chosen when the contact is made. A quantity whose powers are those of another costs nothing
-/// more.
+/// Angle brackets are means over all peaks, those below the separation counting 0.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9).
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9)
 /// Units       SI; load/E [m^2], stiffness/E [m], area [m^2] of the law
 /// Valid       as the integrals that are called
 /// Accuracy    that of the integrals that are called (tests/contact/any_law_test.cpp)
@@ -27,11 +22,6 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 namespace fstiff {
 
@@ -115,8 +105,7 @@ Estimate<T>& member_of(LawSums<T>& sums, Quantity quantity) {
 template <Real T, class Law, class Peaks>
 class LawIntegrator;
 
-/// A power law over the joint distribution of height and curvature: one pass over the nodes for each set of distinct
-/// powers of omega.
+/// A power law over the joint distribution of height and curvature: one pass for each set of distinct powers of omega.
 template <Real T, PowerLaw<T> Law>
 class LawIntegrator<T, Law, PeakDistribution<T>> {
 public:
@@ -141,13 +130,13 @@ public:
 
     LawSums<T> operator()(T eta) {
         LawSums<T> out;
+        out.log_scale = log_scale_at(eta);
         for (std::size_t pass = 0; pass < passes && integrators_[pass]; ++pass) {
-            const ScaledIntegrals<T> j = (*integrators_[pass])(eta);
-            out.log_scale = j.log_scale;
+            const std::array<Estimate<T>, 4> j = (*integrators_[pass])(eta);
             for (std::size_t i = 0; i < terms_.size(); ++i)
                 if (pass_[i] == pass)
                     member_of(out, terms_[i].quantity) =
-                        j.of_power[static_cast<std::size_t>(terms_[i].powers.omega)] * terms_[i].scale;
+                        j[static_cast<std::size_t>(terms_[i].powers.omega)] * terms_[i].scale;
         }
         return out;
     }

@@ -1,28 +1,133 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The numbers of a tabulated law, and what they say within its range: all that is written to text.
+/// Numbers of a tabulated law and their evaluation within and beyond its range: all that is written to text.
 ///
-///     p(d), -dp/dd       one table, uniform in d; K(d) too where K is a constant times -dp/dd
-///     K(d)                 else a table of its own, of the same pieces
-///     d(p), K(p), dK/dp    two, in the binary exponent of p
+///     p(d), -dp/dd       one table, uniform in d; K(d) too where K is a constant times -dp/dd, else from its own table
+///     d(p), K(p), dK/dp  two tables, in the binary exponent of p
+///     with kinks, one of parabolas for all:  p = p_i + s_i x + b_i x^2/2,  -dp/dd = s_i + b_i x,  K = K_i + c_i x
+///       x = d_i - d;  by pressure x = 2 (p - p_i)/(s_i + s),  s = sqrt(s_i^2 + 2 b_i (p - p_i))
+///     extrapolate, d > d_max:  p = p_e exp(-(d - d_max) s_e/p_e),  K = K_e p/p_e;  to p = K = 0 for an open contact
+///     extrapolate, d < d_min:  p = p_e + s_e x + s_e' x^2/2,  s = s_e + s_e' x,  x = d_min - d,  K/K_e = s/s_e
 ///
-/// or, where K has kinks, one of parabolas for all of them (contact/kinked_tables.hpp), while those above are empty,
-/// and how they go on beyond the range, as contact/contact_law says of OutsideRange::extrapolate.
+/// with p, the slope s = -dp/dd and K of the ends (e), and s_e' that of K_e' s_e/K_e: s is the derivative of p
+/// throughout. A parabola is found through equal cells of d and of the leading bits of p, two for each, and bisection.
 ///
 /// Units       SI: Pa, m, Pa/m
 /// Valid       float and double; arguments within the tables, but for the functions of the continuation
-/// Accuracy    relative_error, as contact/law_tabulator measures it
+/// Accuracy    relative_error, as the tabulators measure it; the inverse of a parabola 4 epsilon of the pressure
 
-#include <fstiff/contact/kinked_tables.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
 
-#include <cmath>
-#include <limits>
-
 namespace fstiff {
+
+namespace detail {
+
+/// One piece, from its lowest pressure on.
+template <Real T>
+struct Parabola {
+    T separation{}, pressure{};           ///< d_i [m], p_i [Pa]
+    T slope{}, bend{};                    ///< s_i [Pa/m], b_i [Pa/m^2]
+    T stiffness{}, stiffness_per_fall{};  ///< K_i [Pa/m], c_i [Pa/m^2]
+    [[nodiscard]] bool operator==(const Parabola&) const = default;
+};
+
+template <Real T>
+class KinkedTables {
+public:
+    struct State {
+        T separation, pressure, slope, stiffness, stiffness_slope;  ///< stiffness_slope: dK/dp [1/m]
+    };
+
+    KinkedTables() = default;
+    /// Of pieces in the order of their pressures; the last one is the end of the table.
+    explicit KinkedTables(std::vector<Parabola<T>> pieces) : pieces_(std::move(pieces)) {
+        const Parabola<T>&first = pieces_.front(), &last = pieces_.back();
+        low_ = bits_of(first.pressure), count_ = bits_of(last.pressure) - low_ + 1;
+        while (shift_ > 0 && (count_ >> shift_) < 2 * pieces_.size()) --shift_;
+        furthest_ = first.separation, length_ = furthest_ - last.separation;
+        cells_per_length_ = static_cast<T>(2 * pieces_.size()) / length_;
+        by_pressure_ = cells([this](const Parabola<T>& at) { return pressure_cell(at.pressure); });
+        by_separation_ = cells([this](const Parabola<T>& at) { return separation_cell(at.separation); });
+    }
+
+    [[nodiscard]] bool empty() const noexcept { return pieces_.empty(); }
+    [[nodiscard]] const std::vector<Parabola<T>>& pieces() const noexcept { return pieces_; }
+    /// The least and the greatest separation [m].
+    [[nodiscard]] T closest() const { return pieces_.back().separation; }
+    [[nodiscard]] T furthest() const { return pieces_.front().separation; }
+
+    /// False for a NaN, and for every number where the table is empty.
+    [[nodiscard]] bool contains_pressure(T p) const noexcept { return bits_of(p) - low_ < count_; }
+    [[nodiscard]] bool contains_separation(T d) const noexcept {
+        return !empty() && bits_of(T(furthest_ - d)) <= bits_of(length_);
+    }
+
+    [[nodiscard]] State at_separation(T d) const noexcept {
+        const Parabola<T>& at = piece(by_separation_, separation_cell(d),
+                                      [d](const Parabola<T>& one) { return one.separation >= d; });
+        const T x = at.separation - d, slope = at.slope + at.bend * x;
+        return state(at, x, at.pressure + x * (at.slope + slope) / 2, slope);
+    }
+    [[nodiscard]] State at_pressure(T p) const noexcept {
+        const Parabola<T>& at =
+            piece(by_pressure_, pressure_cell(p), [p](const Parabola<T>& one) { return one.pressure <= p; });
+        const T more = p - at.pressure, slope = std::sqrt((std::max)(at.slope * at.slope + 2 * at.bend * more, T(0)));
+        return state(at, 2 * more / (at.slope + slope), p, slope);
+    }
+    /// dK/dp over the last tenth of the pressures, never less than 0: how the law goes on [1/m].
+    [[nodiscard]] T growth_at_end() const {
+        const Parabola<T>& last = pieces_.back();
+        const T from = (std::max)(last.pressure * T(0.9), pieces_.front().pressure);
+        return (std::max)((last.stiffness - at_pressure(from).stiffness) / (last.pressure - from), T(0));
+    }
+
+    [[nodiscard]] bool operator==(const KinkedTables& other) const { return pieces_ == other.pieces_; }
+
+private:
+    using Index = std::uint32_t;
+
+    [[nodiscard]] static State state(const Parabola<T>& at, T x, T pressure, T slope) noexcept {
+        return {at.separation - x, pressure, slope, at.stiffness + at.stiffness_per_fall * x,
+                at.stiffness_per_fall / slope};
+    }
+    [[nodiscard]] std::size_t pressure_cell(T p) const noexcept {
+        return static_cast<std::size_t>((bits_of(p) - low_) >> shift_);
+    }
+    [[nodiscard]] std::size_t separation_cell(T d) const noexcept {
+        return static_cast<std::size_t>((furthest_ - d) * cells_per_length_);
+    }
+    /// The last of the pieces that begin in the cells before each cell, and at the end the last of all.
+    template <class Cell>
+    [[nodiscard]] std::vector<Index> cells(const Cell& cell) const {
+        std::vector<Index> last_before(cell(pieces_.back()) + 2, 0);
+        for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) last_before[cell(pieces_[i]) + 1] = static_cast<Index>(i);
+        for (std::size_t c = 1; c < last_before.size(); ++c)
+            last_before[c] = (std::max)(last_before[c], last_before[c - 1]);
+        return last_before;
+    }
+    /// The last piece of a cell that \p begins says yes of. The end of the table is none.
+    template <class Begins>
+    [[nodiscard]] const Parabola<T>& piece(const std::vector<Index>& cells, std::size_t cell,
+                                           const Begins& begins) const noexcept {
+        Index first = cells[cell], last = cells[cell + 1];
+        while (first < last) {
+            const Index middle = last - (last - first) / 2;
+            begins(pieces_[middle]) ? first = middle : last = middle - 1;
+        }
+        return pieces_[first];
+    }
+
+    std::vector<Parabola<T>> pieces_;
+    Bits<T> low_ = 0, count_ = 0;  ///< of the pressures; count_ 0 of an empty table
+    int shift_ = std::numeric_limits<T>::digits - 2;  ///< bits of a cell
+    T furthest_{}, length_{}, cells_per_length_{};
+    std::vector<Index> by_pressure_, by_separation_;
+};
+
+}  // namespace detail
 
 /// What a law does outside the range that it was tabulated for.
 enum class OutsideRange {
@@ -115,9 +220,36 @@ struct LawTables {
 
     /// The law beyond the range: K/p is constant below it, K dK/dp above it. Each continues its own table, from the
     /// value at the very end. \throws domain_error for a pressure that is negative or not finite.
-    [[nodiscard]] AtPressure continued_pressure(T pressure) const;
+    [[nodiscard]] AtPressure continued_pressure(T pressure) const {
+        require(pressure >= 0 && pressure <= (std::numeric_limits<T>::max)(), "pressure", pressure,
+                "finite and at least 0 Pa: the contact does not pull");
+        if (pressure < min_pressure) {
+            const AtPressure end = at_end(min_pressure);
+            const T rate = end.stiffness / min_pressure;
+            const T fall = rate / ratio_at(at_furthest());
+            return {end.separation + std::log(min_pressure / pressure) / fall, rate * pressure, rate};
+        }
+        const AtPressure end = at_end(max_pressure);
+        const T more = pressure - max_pressure, slope = growth_at_end();
+        const T growth = std::sqrt(1 + 2 * (slope / end.stiffness) * more);
+        const T k = end.stiffness * growth;
+        return {end.separation - 2 * more / ((end.stiffness + k) / ratio_at(at_closest())), k, slope / growth};
+    }
     /// \throws domain_error for -infinity.
-    [[nodiscard]] Whole continued_separation(T at) const;
+    [[nodiscard]] Whole continued_separation(T at) const {
+        if (at > furthest()) {
+            const Whole end = at_furthest();
+            const T share = std::exp(-(at - furthest()) * (end.slope / end.pressure));
+            return {end.pressure * share, end.stiffness * share, end.slope * share};
+        }
+        require(at >= std::numeric_limits<T>::lowest(), "separation", at, "greater than -infinity (m)");
+        const Whole end = at_closest();
+        const T less = closest() - at;
+        const T bend = growth_at_end() * end.slope;  // dK/d less
+        const T more_slope = bend * less / ratio_at(end);
+        const T p = end.pressure + less * (end.slope + more_slope / 2);
+        return {p, end.stiffness + bend * less, end.slope + more_slope};
+    }
 
     /// To be called once by_separation and stiffness_over_slope are set.
     void set_scales() {
@@ -140,37 +272,6 @@ struct LawTables {
     }
 };
 
-template <ReadableReal T>
-auto LawTables<T>::continued_pressure(T pressure) const -> AtPressure {
-    require(pressure >= 0 && pressure <= (std::numeric_limits<T>::max)(), "pressure", pressure,
-            "finite and at least 0 Pa: the contact does not pull");
-    if (pressure < min_pressure) {
-        const AtPressure end = at_end(min_pressure);
-        const T rate = end.stiffness / min_pressure;
-        return {end.separation + std::log(min_pressure / pressure) / (rate / ratio_at(at_furthest())), rate * pressure,
-                rate};
-    }
-    const AtPressure end = at_end(max_pressure);
-    const T more = pressure - max_pressure, slope = growth_at_end();
-    const T growth = std::sqrt(1 + 2 * (slope / end.stiffness) * more);
-    const T k = end.stiffness * growth;
-    return {end.separation - 2 * more / ((end.stiffness + k) / ratio_at(at_closest())), k, slope / growth};
-}
-
-template <ReadableReal T>
-auto LawTables<T>::continued_separation(T at) const -> Whole {
-    if (at > furthest()) {
-        const Whole end = at_furthest();
-        const T share = std::exp(-(at - furthest()) * (end.slope / end.pressure));
-        return {end.pressure * share, end.stiffness * share, end.slope * share};
-    }
-    require(at >= std::numeric_limits<T>::lowest(), "separation", at, "greater than -infinity (m)");
-    const Whole end = at_closest();
-    const T less = closest() - at;
-    const T bend = growth_at_end() * end.slope;  // dK/d less
-    const T more_slope = bend * less / ratio_at(end);
-    return {end.pressure + less * (end.slope + more_slope / 2), end.stiffness + bend * less, end.slope + more_slope};
-}
-
 }  // namespace detail
+
 }  // namespace fstiff

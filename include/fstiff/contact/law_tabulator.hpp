@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Makes the tables of a tabulated law: a few dozen exact integrals, a Chebyshev interpolation of log p by sections,
-/// its inverse, polynomials cut from both, and the error of them measured against the model. It is steered by what the
-/// contact gives: its log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and
-/// stiffness_over_slope(); without the last one, log K is interpolated as log p is, from log_stiffness(eta). Where K has kinks,
-/// contact/kinked_tabulator makes the table in its place.
+/// Tables of a smooth tabulated law: Chebyshev series of log p by sections, its inverse, and polynomials cut from both.
+///
+/// The contact gives log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and
+/// stiffness_over_slope(), or else log_stiffness(eta), which is interpolated as log p is. The error is measured against
+/// the model between the nodes. A law with kinks is made by contact/kinked_tabulator.
 ///
 /// Units       SI; eta is the separation over the rms height
 /// Valid       as contact/contact_law
@@ -20,14 +20,6 @@
 #include <fstiff/math/chebyshev.hpp>
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/math/piecewise.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <utility>
 
 namespace fstiff::detail {
 
@@ -104,7 +96,7 @@ private:
         if constexpr (proportional)
             return stiffness_of(found, One::all(eta)).p;
         else
-            return stiffness_in_series(One::all(std::exp(contact_.log_stiffness(eta).log))).p;
+            return stiffness_in_series(One::all(std::exp(contact_.log_stiffness(eta).value))).p;
     }
 
     [[nodiscard]] Nodes nodes(T from, T to) const {
@@ -122,8 +114,7 @@ private:
         };
         closest_ = end(law_.max_pressure);
         furthest_ = end(law_.min_pressure);
-        // log p is concave in eta: 10 % more than the slope says is enough; never so short that the slope would be all
-        // rounding
+        // log p is concave in eta: 10 % more than the slope is enough; never so short that the slope is rounding
         const T beyond = T(0.13);  // log(9/8) and 10 %
         const T slack =
             (std::max)(-beyond / contact_.log_pressure(closest_).slope, T(0.1) * (1 - (furthest_ - closest_)));
@@ -147,11 +138,11 @@ private:
         T error = 0;
         const auto log_at = [&](T eta) {
             ++law_.evaluations;
-            const LogValue<T> k = contact_.log_stiffness(eta);
-            require(std::isfinite(k.log), "stiffness", std::exp(k.log),
+            const Estimate<T> k = contact_.log_stiffness(eta);
+            require(std::isfinite(k.value), "stiffness", std::exp(k.value),
                     "finite and greater than 0 for a tabulated law");
             error = (std::max)(error, k.error);
-            return k.log;
+            return k.value;
         };
         const T unit = log_at(closest_);
         stiffness_unit_ = std::exp(unit);
@@ -184,8 +175,8 @@ private:
         }
     }
 
-    /// eta rms - p bulk = separation, concave: Newton's method rises to the roots from \p last, which becomes the last
-    /// of them.
+    /// eta rms - p bulk = separation, concave: Newton's method rises to the roots from \p last, the last one
+    /// afterwards.
     [[nodiscard]] Nodes eta_of_separation(const Nodes& separation, T& last) const {
         if (bulk_ == 0) return separation / Nodes::all(rms_);
         Nodes eta = Nodes::all(last);
@@ -289,8 +280,8 @@ private:
     T shortest_change_{};                ///< of log p over a piece by separation
 };
 
-/// The tables of \p contact: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not monotone or
-/// off by more than 1e-3.
+/// The tables of \p contact: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not
+/// monotone or off by more than 1e-3.
 template <ReadableReal T, class Contact>
 [[nodiscard]] LawTables<T> tables_of(const Contact& contact, T min_pressure, T max_pressure) {
     if (!has_kinks(contact)) {

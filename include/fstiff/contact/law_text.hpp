@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A tabulated law as text, every number in hexadecimal, so that it comes back bit for bit.
+/// Tabulated law as text, every number in hexadecimal, so that it comes back bit for bit.
 ///
 ///     fstiff contact law 3 8                            version of the form (3, 4 or 5), bytes of a number
 ///     pieces  policy  evaluations                       of the table by separation; OutsideRange
-///     p_min p_max separation_min separation_max K/slope error         then eight coefficients a line: p(separation), K(p), separation(p)
+///     p_min p_max separation_min separation_max K/slope error         then a row of coefficients a line
 ///
-/// A law whose K has a table of its own is of version 4: its K/slope is 0, and K(separation) comes last. Every other
-/// polynomial law is written and read as version 3. Version 5 is a law of parabolas, six numbers a line: d, p, -dp/dd and its change
-/// by -d, K and its change by -d at the beginning of each piece, and at the end of the table.
+/// Version 3 holds p(separation), K(p), separation(p); version 4 also K(separation), with K/slope 0. Version 5 is a law
+/// of parabolas: d, p, -dp/dd and its change by -d, K and its change by -d of each piece and at the end.
 ///
 /// Units       SI
 /// Valid       a law that is not empty, with a policy other than exact; lines may end in LF or CRLF
 
 #include <fstiff/contact/law_tables.hpp>
 #include <fstiff/core/error.hpp>
-
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <string>
-#include <string_view>
-#include <system_error>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace fstiff::detail {
 
@@ -77,86 +63,102 @@ template <ReadableReal T>
     return text;
 }
 
-/// \throws domain_error for text that law_text did not write.
+/// Reads what law_text wrote, number after number.
 template <ReadableReal T>
-[[nodiscard]] LawTables<T> read_law_text(std::string_view text) {
-    const auto wrong = [](const char* what) {
+class LawTextReader {
+public:
+    explicit LawTextReader(std::string_view text) : text_(text) {}
+
+    /// \throws domain_error for text that law_text did not write.
+    [[nodiscard]] LawTables<T> read() {
+        std::string_view line = text_.substr(0, text_.find('\n'));
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        const bool own_stiffness = line == law_text_head<T>(4), kinked = line == law_text_head<T>(5);
+        if (!own_stiffness && !kinked && line != law_text_head<T>(3))
+            throw wrong(line.starts_with("fstiff contact law ") ? "is of another version or another scalar type"
+                                                                : "begins with something else");
+        at_ += line.size();
+        const auto pieces = number(Eigen::Index{});
+        read_head();
+        const T factor = law_.stiffness_over_slope;
+        if (kinked ? factor < 0 : own_stiffness ? factor != 0 : !(factor > 0)) throw wrong("contradicts itself");
+        // each number takes two characters or more: a size that the text cannot hold is refused before it is allocated
+        const auto size = static_cast<Eigen::Index>(text_.size());
+        if (pieces < (kinked ? 2 : 1) || pieces > size ||
+            (!kinked && BinaryPieces<T>::pieces(law_.min_pressure, law_.max_pressure) > size))
+            throw wrong("holds impossible sizes");
+        kinked ? read_parabolas(static_cast<std::size_t>(pieces)) : read_polynomials(pieces, own_stiffness);
+        return std::move(law_);
+    }
+
+private:
+    [[nodiscard]] static domain_error wrong(const char* what) {
         return domain_error(Refusal{.parameter = "contact law text",
                                     .reason = std::string(what) + ": must be what to_text wrote for this scalar type"});
-    };
-    std::string_view line = text.substr(0, text.find('\n'));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    const bool own_stiffness = line == law_text_head<T>(4), kinked = line == law_text_head<T>(5);
-    if (!own_stiffness && !kinked && line != law_text_head<T>(3))
-        throw wrong(line.starts_with("fstiff contact law ") ? "is of another version or another scalar type"
-                                                            : "begins with something else");
-    const char* at = text.data() + line.size();
-    const char* const end = text.data() + text.size();
-    const auto skip = [&] {
-        while (at != end && (*at == ' ' || *at == '\n' || *at == '\r')) ++at;
-    };
-    const auto number = [&](auto value) {
+    }
+    void skip() {
+        while (at_ != end_ && (*at_ == ' ' || *at_ == '\n' || *at_ == '\r')) ++at_;
+    }
+    template <class Number>
+    Number number(Number value) {
         skip();
         std::from_chars_result read{};
-        if constexpr (std::is_floating_point_v<decltype(value)>)
-            read = read_hexadecimal(at, end, value);
+        if constexpr (std::is_floating_point_v<Number>)
+            read = read_hexadecimal(at_, end_, value);
         else
-            read = std::from_chars(at, end, value);
-        const auto [next, error] = read;
-        if (error != std::errc{}) throw wrong("ends early or holds no number");
-        if constexpr (std::is_floating_point_v<decltype(value)>)
+            read = std::from_chars(at_, end_, value);
+        if (read.ec != std::errc{}) throw wrong("ends early or holds no number");
+        if constexpr (std::is_floating_point_v<Number>)
             if (!std::isfinite(value)) throw wrong("holds a number that is not finite");
-        at = next;
+        at_ = read.ptr;
         return value;
-    };
-    LawTables<T> law;
-    const auto separation_pieces = number(Eigen::Index{});
-    law.outside = static_cast<OutsideRange>(number(int{}));
-    if (law.outside != OutsideRange::refuse && law.outside != OutsideRange::clamp &&
-        law.outside != OutsideRange::extrapolate)
-        throw wrong("holds an unknown policy");
-    law.evaluations = number(int{});
-    T separation_min{}, separation_max{};
-    for (T* x : {&law.min_pressure, &law.max_pressure, &separation_min, &separation_max, &law.stiffness_over_slope,
-                 &law.relative_error})
-        *x = number(T{});
-    if (!(law.min_pressure >= (std::numeric_limits<T>::min)() && law.max_pressure > law.min_pressure &&
-          separation_max > separation_min &&
-          (kinked          ? law.stiffness_over_slope >= 0
-           : own_stiffness ? law.stiffness_over_slope == 0
-                           : law.stiffness_over_slope > 0)))
-        throw wrong("contradicts itself");
-    // each number takes two characters or more: a size that the text cannot hold is refused before it is allocated
-    const auto size = static_cast<Eigen::Index>(text.size());
-    const Eigen::Index pressure_pieces = BinaryPieces<T>::pieces(law.min_pressure, law.max_pressure);
-    if (separation_pieces < (kinked ? 2 : 1) || separation_pieces > size || (!kinked && pressure_pieces > size))
-        throw wrong("holds impossible sizes");
-    const auto at_end = [&] {
+    }
+    void require_end() {
         skip();
-        return at == end;
-    };
-    if (kinked) {
-        std::vector<Parabola<T>> pieces(static_cast<std::size_t>(separation_pieces));
+        if (at_ != end_) throw wrong("goes on after its end");
+    }
+
+    void read_head() {
+        law_.outside = static_cast<OutsideRange>(number(int{}));
+        if (law_.outside != OutsideRange::refuse && law_.outside != OutsideRange::clamp &&
+            law_.outside != OutsideRange::extrapolate)
+            throw wrong("holds an unknown policy");
+        law_.evaluations = number(int{});
+        for (T* x : {&law_.min_pressure, &law_.max_pressure, &closest_, &furthest_, &law_.stiffness_over_slope,
+                     &law_.relative_error})
+            *x = number(T{});
+        if (!(law_.min_pressure >= (std::numeric_limits<T>::min)() && law_.max_pressure > law_.min_pressure &&
+              furthest_ > closest_))
+            throw wrong("contradicts itself");
+    }
+    void read_parabolas(std::size_t count) {
+        std::vector<Parabola<T>> pieces(count);
         for (Parabola<T>& piece : pieces)
             for (T* x : {&piece.separation, &piece.pressure, &piece.slope, &piece.bend, &piece.stiffness,
                          &piece.stiffness_per_fall})
                 *x = number(T{});
-        if (!at_end()) throw wrong("goes on after its end");
-        if (!is_table(pieces, law, separation_min, separation_max)) throw wrong("contradicts itself");
-        law.kinked = KinkedTables<T>(std::move(pieces));
-        return law;
+        require_end();
+        if (!is_table(pieces, law_, closest_, furthest_)) throw wrong("contradicts itself");
+        law_.kinked = KinkedTables<T>(std::move(pieces));
     }
-    law.by_separation = UniformPieces<T>(separation_min, separation_max, separation_pieces);
-    if (!(law.by_separation.pieces_per_length > 0 && std::isfinite(law.by_separation.pieces_per_length)))
-        throw wrong("contradicts itself");
-    if (own_stiffness) law.own_stiffness = law.by_separation;
-    law.stiffness = law.separation = BinaryPieces<T>(law.min_pressure, law.max_pressure);
-    for (auto* rows : {&law.by_separation.rows, &law.stiffness.rows, &law.separation.rows, &law.own_stiffness.rows})
-        for (Coefficients<T>& row : *rows)
-            for (T& coefficient : row.c) coefficient = number(T{});
-    if (!at_end()) throw wrong("goes on after its end");
-    law.set_scales();
-    return law;
-}
+    void read_polynomials(Eigen::Index count, bool own_stiffness) {
+        law_.by_separation = UniformPieces<T>(closest_, furthest_, count);
+        if (!(law_.by_separation.pieces_per_length > 0 && std::isfinite(law_.by_separation.pieces_per_length)))
+            throw wrong("contradicts itself");
+        if (own_stiffness) law_.own_stiffness = law_.by_separation;
+        law_.stiffness = law_.separation = BinaryPieces<T>(law_.min_pressure, law_.max_pressure);
+        for (auto* rows :
+             {&law_.by_separation.rows, &law_.stiffness.rows, &law_.separation.rows, &law_.own_stiffness.rows})
+            for (Coefficients<T>& row : *rows)
+                for (T& coefficient : row.c) coefficient = number(T{});
+        require_end();
+        law_.set_scales();
+    }
+
+    std::string_view text_;
+    const char *at_ = text_.data(), *end_ = at_ + text_.size();
+    LawTables<T> law_{};
+    T closest_{}, furthest_{};
+};
 
 }  // namespace fstiff::detail

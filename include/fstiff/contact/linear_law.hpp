@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The stiffness of elastic contact far from both ends of the load: proportional to the pressure, whatever the peaks.
+/// Stiffness of elastic contact far from both ends of the load: proportional to the pressure, whatever the peaks.
 ///
 ///     K = p/(gamma sigma),  gamma = 0.48
 ///
-/// Where neighbours sink together, sums over independent peaks fall behind, and the rms height alone sets the stiffness: the
-/// pressure grows as exp(-separation/(gamma sigma)).
-///
-/// Reference   Akarapu, Sharp, Robbins, Phys. Rev. Lett. 106 (2011) 204301 (gamma = 0.48); Campana, Persson, Muser, J. Phys.:
-///             Condens. Matter 23 (2011) 085001.
+/// Reference   Akarapu et al., Phys. Rev. Lett. 106 (2011) 204301; Campana et al., J. Phys. Condens. Matter 23 (2011)
+///             085001
 /// Units       p [Pa], sigma [m], K [Pa/m] per nominal area
 /// Valid       self-affine Gaussian surfaces, elastic; p* = p/(E g_rms) from 0.008 to 0.12 (validity/checks)
-/// Accuracy    a fifth of K there against boundary elements, a factor of 2 from p* of 0.002 to 0.25
-///             (docs/validation.md, held by tests/docs/validation_test.cpp)
+/// Accuracy    a fifth of K there, a factor of 2 for p* of 0.002 to 0.25 (docs/validation.md,
+///             tests/docs/validation_test.cpp)
 
 #include <fstiff/core/error.hpp>
-
-#include <limits>
 
 namespace fstiff {
 

@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How far the peaks of a contact are pressed in, as a mean in which each peak counts by the load it carries: what tells
-/// whether a law of plastic peaks is within the range of its finite elements.
+/// Mean depth of the peaks of a contact, each peak weighted by its load: the range of laws of plastic peaks.
 ///
 ///     <s>   = sum load omega/omega_c / sum load          omega_c = (its strain)^2 R, where a peak begins to flow
 ///     <a/R> = sum load a/R / sum load                    a = sqrt(area/pi)
 ///
-/// The sums run over the peaks above the separation, as the sums for p and K do (contact/rough_contact.hpp): the same law
-/// with load times s in place of its stiffness, load times a/R in place of its area, and its own kinks.
-///
 /// Reference   this project
 /// Units       eta is the separation over the rms height; the means have no unit
 /// Valid       as RoughContact
-/// Accuracy    the tolerance that is asked for, 1e-4 by default; each mean carries its bound. With a tolerance of 1e-9
-///             the nine digits of tests/data/plastic_curves.csv (tests/contact/load_means_test.cpp)
+/// Accuracy    the tolerance asked for, 1e-4 by default; each mean carries its bound
+///             (tests/contact/load_means_test.cpp)
 
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/quantity.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
-
-#include <cmath>
 
 namespace fstiff {
 
@@ -68,9 +62,8 @@ private:
 }  // namespace detail
 
 /// The means over the peaks of \p contact at \p eta, with omega_c = \p critical_over_radius times R. Of a contact with
-/// interaction eta is that of its states.
-/// \throws domain_error for an eta outside the range of RoughContact, a tolerance outside that of the integrals, and
-/// unless critical_over_radius is finite and positive.
+/// interaction eta is that of its states. \throws domain_error for an eta outside the range of RoughContact, a
+/// tolerance outside that of the integrals, and unless critical_over_radius is finite and positive.
 template <Real T, class Law, class Peaks>
 [[nodiscard]] LoadMeans<T> load_means(const RoughContact<T, Law, Peaks>& contact, T eta, T critical_over_radius,
                                       T relative_tolerance = T(1e-4)) {

@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact of a map's own summits that push each other down.
+/// Contact of a map's own summits that push each other down.
 ///
 ///     omega_i + sum_j g_ij F_j/E = z_i - d,   F_i = E c_i omega_i^(3/2),   p = sum F_i/A0
 ///     K = 1/A0 1^T (diag(1/k) + g/E)^(-1) 1,  k_i = (3/2) E c_i omega_i^(1/2)
 ///
-/// c_i is that of an ellipse of Hertz (asperity/elliptic_hertz.hpp), g_ij what a point force on j and on its images lowers i
-/// by, less its mean (halfspace/point_forces.hpp): the mean plane, from which d is counted, does not move. A summit within
-/// the contact of a higher one is pushed out of contact by it, so that nothing needs to be merged as long as no two contacts
-/// are so close that either of them could carry, g_ij^2 k_i k_j >= E^2; of such two the higher carries.
+/// c_i is that of an ellipse of Hertz (asperity/elliptic_hertz), g_ij the deflection of i by a point force on j and its
+/// images, less its mean (halfspace/point_forces). Of two contacts so close that g_ij^2 k_i k_j >= E^2 the higher
+/// carries. Newton's method, its steps by conjugate gradients with a rougher g.
 ///
-/// Newton's method for omega and d at a given pressure; each step is solved by conjugate gradients with a rougher g
-/// between those that carry (QuickSplit), so that the g of all is needed once a step.
-///
-/// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729 (summits as point forces on each other); Johnson, Contact
-///             Mechanics (1985), eq. (4.26); the periodic g without its mean and the rule for close pairs: this project.
+/// Reference   Ciavarella, Greenwood, Paggi, Wear 265 (2008) 729; Johnson, Contact Mechanics (1985), eq. (4.26); the
+///             periodic g and the rule for close pairs: this project
 /// Units       SI
-/// Time        5 ms for 200 contacts, 40 ms for 1100, 0.14 s for 2600, 0.5 s for 4800 (one pressure, one core)
 /// Valid       up to 5000 summits in contact, on 8 % of the area: p/(E g) of 0.03 or so
-/// Accuracy    K over boundary elements, 39 maps of 24 kinds, Gaussian, skewed, worn, machined, stretched, 6 of them broad
-///             (alpha 17 to 255), the rule for close pairs chosen on them: rms 3.5, 4.2, 5.6, 6.0 % at p/(E g) = 0.0003,
-///             0.001, 0.003, 0.01, where summits that do not feel each other give 10, 11, 12, 19 %; of the broad ones 3.6,
-///             1.6, 1.8, 2.9 %, where these give 22, 20, 24, 24 %. By real area: median 0.99 (0.85 to 1.14) below 1 %,
-///             0.97 (0.81 to 1.14) to 3 %, 0.96 (0.89 to 1.05) to 5 %, 0.93 (0.86 to 1.22) to 8 %.
-///             Least where one hill carries all: 0.81 to 0.88. Of the equations 1e-8 in K (tests/contact/mutual_summits_test.cpp)
+/// Accuracy    equations 1e-8 in K (tests/contact/mutual_summits_test.cpp); K over boundary elements of 39 maps rms 3.5
+///             to 6 % at p/(E g) = 0.0003 to 0.01, 0.81 to 0.88 where one hill carries all (docs/validation.md)
+/// Cost        5 ms for 200 contacts, 40 ms for 1100, 0.5 s for 4800
 
 #include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/contact/contact_state.hpp>
@@ -33,16 +25,6 @@
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/topography/summits.hpp>
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 
@@ -242,8 +224,8 @@ private:
         return result(at, change, aim);
     }
 
-    /// 1^T (1/k + g)^(-1) 1 = r u + u m + m (I + r g r)^(-1) m with m = r - (I + r g r) u, of any u: where m is small the
-    /// rougher g will do in the last term.
+    /// 1^T (1/k + g)^(-1) 1 = r u + u m + m (I + r g r)^(-1) m with m = r - (I + r g r) u, of any u: where m is small
+    /// the rougher g will do in the last term.
     [[nodiscard]] T held_stiffness(Newton& at, const Values& r) const {
         widen_quick(at, r);
         solve(at, r, r, at.unit, T(1e-4));
@@ -284,17 +266,17 @@ private:
         return settled(separation, alone_.at_separation(separation, Quantity::pressure).pressure.value, held_separation);
     }
 
-    /// Where Newton's method does not get through, the higher carries of pairs that are less close too: 0.64, 1, 1.6 contact radii.
+    /// Where Newton's method fails, the higher of less close pairs carries too: 0.64, 1, 1.6 contact radii.
     [[nodiscard]] Solution settled(T delta, T pressure, T load) const {
         Solution found;
         for (const T apart : {T(1), T(0.4), T(0.15)}) {
-            found = settled(delta, pressure, load, apart);
+            found = settled_apart(delta, load, apart);
             if (found.stiffness > 0 || found.crowding.contacts > max_summits) break;
         }
         return checked(found, pressure);
     }
     /// With as many of the highest summits as touch: those that were left out are held against the deflected surface.
-    [[nodiscard]] Solution settled(T delta, T pressure, T load, T apart) const {
+    [[nodiscard]] Solution settled_apart(T delta, T load, T apart) const {
         Newton at = start(higher_than(delta - T(0.1) * (of_.summits.front().height - delta)), delta);
         // of a start that is too stiff both of a close pair cannot move: roughly, they are kept farther apart
         for (Aim aim = Aim::rough;; aim = Aim::exact) {

@@ -1,38 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The nodes of the contact integrals: three substitutions that make the integrand over the curvature t smooth, and the
-/// choice.
+/// Nodes of the contact integrals: three substitutions that make the integrand over the curvature t smooth.
 ///
-///     J[a,b] = c^a/(2 theta) int_0^inf t^b erf(k t) exp(-t^2/2) F_a(x(t)) dt,   x = (eta - r t)/c,  k = tan(theta)/sqrt 2
+///     J[a,b] = c^a/(2 theta) int_0^inf t^b erf(k t) exp(-t^2/2) F_a(x) dt, x = (eta - r t)/c, k = tan(theta)/sqrt 2
+///     smooth      t = 2.1 log(1 + exp(y - 0.4 exp(-1.354 y)))   from tables
+///     graded      t = s exp(y - exp(-y))                  all scales from s = min(1, 1/k, c + max(0, -eta)) to 1 alike
+///     separated   x = -(3 y + exp(y)), t = (eta - c x)/r        the Gaussian clear of t = 0
 ///
-/// Where the integrand lives: for x > 0 it is exp(-eta^2/2) times a Gaussian in t of mean r eta and width c times an
-/// algebraic function of x; for x < 0 it is exp(-t^2/2) |x|^a. It has a branch point at t = 0, a layer of width 1/k
-/// there, and turns on within c/r of t = eta/r. Every rule is a trapezoidal rule over the whole line in y, so that it
-/// converges geometrically, and holds the rule of twice the step within itself, whose difference is the error estimate.
-/// exp(-eta^2/2) is taken out where eta > 0: nothing over- or underflows and the far tail keeps its relative accuracy.
+/// Every rule is trapezoidal over the whole line in y, so that it converges geometrically and contains the rule of
+/// twice the step, whose difference is the error estimate. exp(-eta^2/2) is taken out where eta > 0.
 ///
-///     smooth      t = 2.1 log(1 + exp(y - 0.4 exp(-1.354 y)))   from tables; linear for large t, double exponential at t = 0
-///     graded      t = s exp(y - exp(-y))                        all scales from s = min(1, 1/k, c + max(0, -eta)) to 1 alike
-///     separated   x = -(3 y + exp(y)), t = (eta - c x)/r        the Gaussian clear of t = 0: linear across it, graded beyond
-///                                                               the turn-on; x as variable cancels nothing as c -> 0
-///
-/// The constants of the smooth map were found by search: 32 nodes for 3e-13 on all four integrals, -3 <= eta <= 4,
-/// r <= 0.82, pi/4 <= theta <= pi/3.
-///
-/// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458 (trapezoidal rule); Takahasi and Mori, Publ. RIMS
-///             9 (1974) 721-741 (double exponential substitution).
+/// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741;
+///             the constants of the smooth map: this project, 32 nodes for 3e-13
 /// Accuracy    see contact_integrals.hpp
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/lanes.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace fstiff::detail {
 
@@ -278,8 +264,7 @@ T visit_separated(const PeakProblem<T>& p, T step, Sink& sink) {
 /// separated   when the Gaussian of mean r eta and width c is further from t = 0 than it reaches, so that the branch
 ///             point and the layer at t = 0 do not count. Step: resolves the Gaussian, which has width r in x.
 /// smooth      when its step, which has to resolve the Gaussian (c) and the layer (1/k), makes it the cheaper one.
-/// graded      else: c or 1/k small. Step: 3.9/(log_accuracy + 3), less where the Gaussian is narrow on the logarithmic
-///             scale.
+/// graded      else: c or 1/k small. Step: 3.9/(log_accuracy + 3), less where the Gaussian is narrow.
 ///
 /// The constants were fitted to the largest steps that reach 1e-3, 1e-8 and 3e-13 over r, theta, eta; where they are
 /// too hopeful the error estimate says so.

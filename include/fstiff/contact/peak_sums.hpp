@@ -12,17 +12,10 @@
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-
 namespace fstiff::detail {
 
-/// J of up to four powers a = 0, 1/2, 1, 3/2 at once, without the factor c^a/(2 theta) exp(-floor^2/2), by a trapezoidal rule
-/// of step h, and the relative error that its nodes tell of.
+/// J of up to four powers a = 0, 1/2, 1, 3/2 at once, without the factor c^a/(2 theta) exp(-floor^2/2), by a
+/// trapezoidal rule of step h, and the relative error that its nodes tell of.
 template <Real T>
 struct PeakSums {
     std::array<T, 4> value{};
@@ -40,12 +33,12 @@ EIGEN_ALWAYS_INLINE T rough_eighth_root(T x) {
 
 /// Sums of the eight rules of step 8h times \p step, and the error of the trapezoidal rule relative to each.
 ///
-/// The rule of step h errs by the Fourier transform of the integrand at the frequency 2 pi/h, and sums[m] holds the rule of
-/// step 8h shifted by m h: the discrete transform of the eight at k = 1, 2 and 3 is the transform of the integrand at k/8 of
-/// that frequency. It falls geometrically or faster, and its modulus, unlike the difference of two rules, seldom vanishes by
-/// accident; so it is extrapolated from 3/8 to 1 by its fall from 2/8 or, where that is more, from 1/8, with half of one of
-/// the five steps left out to be on the safe side.
-/// What is cut off beyond the first and the last node falls faster than geometrically: less than the two outermost terms.
+/// The rule of step h errs by the Fourier transform of the integrand at the frequency 2 pi/h, and sums[m] holds the
+/// rule of step 8h shifted by m h: the discrete transform of the eight at k = 1, 2 and 3 is the transform of the
+/// integrand at k/8 of that frequency. It falls geometrically or faster, and its modulus, unlike the difference of two
+/// rules, seldom vanishes by accident; so it is extrapolated from 3/8 to 1 by its fall from 2/8 or, where that is more,
+/// from 1/8, with half of one of the five steps left out to be on the safe side. What is cut off beyond the first and
+/// the last node falls faster than geometrically: less than the two outermost terms.
 template <Real T>
 PeakSums<T> finish(const std::array<Lanes<T, 4>, 8>& sums, const Lanes<T, 4>& first, const Lanes<T, 4>& last, T step,
                    int nodes) {

@@ -5,30 +5,17 @@
 ///
 ///     1/K = sqrt(2/pi)/p int_0^g f(p/(E G)) dG/q(G),     f(x) = B(P) exp(-2 x^2),  P = erf(sqrt(2) x)
 ///     d   = sqrt(2/pi) int_0^g W(sqrt(2) p/(E G)) dG/q,  W(y) = int_y^inf B(erf s) exp(-s^2) ds/s
-///     B   = gamma + (1-gamma) [3 (1-c) P^2 + 17 c P^16]
-///     A/A0 = erf(sqrt(2) p/(E g))
+///     B   = gamma + (1-gamma) [3 (1-c) P^2 + 17 c P^16],    A/A0 = erf(sqrt(2) p/(E g))
 ///
-/// B is dU/dP of the elastic energy of the waves about q, U ~ P [gamma + (1-gamma) ((1-c) P^2 + c P^16)], which is exact at full
-/// contact for any gamma and c. c = 0 is the published correction; c = 1/4 was fitted to boundary elements (tests/data/broad.csv,
-/// tests/contact/hybrid_of_band_test.cpp).
+/// G(q) is the rms gradient of all waves up to q (contact/gradient_spectrum), g that of all. c = 0 is the published
+/// correction, c = 1/4 a fit to boundary elements. The theory gives no number of contacts: it is 0.
 ///
-/// G(q) is the rms gradient of all waves up to q (surface/roughness_spectrum.hpp), g that of all. K = p/u0 for light loads,
-/// with u0 = sqrt(2/pi) gamma int dG/q = 0.4 to 0.65 rms heights; it is K of p directly, and only p of a separation is
-/// searched for. The number of contacts is not known to this theory: it is 0 in every state.
-///
-/// In u = ln G the integrand f varies over a few units, the spectrum dG/q however it may. So f is interpolated in panels one
-/// octave of G wide at 16 Legendre points, and the spectrum is integrated against the interpolant once, when the contact is
-/// made: a pressure costs 16 values of f an octave, whether the spectrum is a band or 700 shells of a map. Panels in which
-/// p/(E G) > 6 give nothing. Above p = E g/2, where f falls within much less than an octave, the spectrum is integrated anew.
-///
-/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502 (K = -dp/dd from the elastic energy); Yang, Persson, J. Phys.
-///             Condens. Matter 20 (2008) 215214 (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45).
+/// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Yang, Persson, J. Phys. Condens. Matter 20 (2008) 215214
+///             (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45)
 /// Units       SI: m, Pa, Pa/m
-/// Valid       0 < gamma <= 1 (in use: 0.40 to 0.50), 0 <= c <= 1; states up to 0.75 E g, where boundary elements end, and the
-///             formulas stiffness() and separation() up to 18 E g; isotropic surfaces with Gaussian heights. K is too small where
-///             few peaks carry: 0.65 of boundary elements at p/(E g) = 0.002, 0.4 at 1e-4 (contact/hybrid_contact.hpp takes the
-///             peaks there)
-/// Accuracy    K to 1e-13, separation to 1e-13 of the rms height, both in double (tests/contact/persson_contact_test.cpp)
+/// Valid       0 < gamma <= 1, 0 <= c <= 1; states up to 0.75 E g, stiffness() and separation() up to 18 E g; isotropic
+///             Gaussian surfaces. K is too small where few peaks carry: 0.65 of boundary elements at p/(E g) = 0.002
+/// Accuracy    K 1e-13, separation 1e-13 of the rms height, in double (tests/contact/persson_contact_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/gradient_spectrum.hpp>
@@ -37,15 +24,6 @@
 #include <fstiff/math/error_function.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 
@@ -211,7 +189,7 @@ public:
     [[nodiscard]] T light_load_length() const { return light_load_length_; }
     /// 18 E g [Pa]: beyond exp(2 (p/E g)^2) leaves the range of numbers, and all is in contact from about 2 E g on.
     [[nodiscard]] T largest_pressure() const { return 18 * modulus_ * rms_gradient(); }
-    /// 0.75 E g [Pa]: 0.88 of the area is in contact. Beyond, nothing has been compared, and K is soon that of the bodies.
+    /// 0.75 E g [Pa]: 0.88 of the area is in contact. Beyond, nothing has been compared.
     [[nodiscard]] T largest_compared_pressure() const { return T(0.75) * modulus_ * rms_gradient(); }
     /// \throws domain_error unless \p pressure [Pa] is positive and at most largest_compared_pressure().
     void require_compared(T pressure) const {
@@ -288,8 +266,8 @@ private:
         light_load_length_ = static_cast<T>(root_2_over_pi() * static_cast<S>(gamma_) * total);
     }
 
-    /// sink(G, weight) over the spectrum in panels of its own, short where exp(-2 (x/G)^2) falls quickly, from the top down.
-    /// Four points are as good as sixteen in a panel ten times shorter than that: most shells of a map are.
+    /// sink(G, weight) over the spectrum in panels of its own, short where exp(-2 (x/G)^2) falls quickly, from the top
+    /// down. Four points are as good as sixteen in a panel ten times shorter than that: most shells of a map are.
     template <class Sink>
     void directly(S x, const Sink& sink) const {
         const auto part = [&](const auto& piece, S from, S to, const auto& rule) {

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, which a wave sees.
+/// Contact of a surface whose peaks have flowed at the hardness H, and its stiffness on unloading, which a wave sees.
 ///
 ///     K    = (K_cut^1.9 + K_elastic^1.9)^(1/1.9)            at equal pressure, K_cut at the share p/H
 ///     A/A0 = p sqrt(1/H^2 + 4/(E g)^2)                      g at the local scale of a bearing curve
 ///     p(d) = (p_cut^-1.3 + p_elastic^-1.3)^(-1/1.3)         p_cut = H times the share of the surface above d
 ///
-/// K_cut is that of the highest points of area p/H held together: for a map one linear problem (MapCut), for a Gaussian surface
-/// 0.68 E g p/(sigma H) (GaussianCut). Spots of that area that do not feel each other would have 0.79 to 0.94 in place of 0.68.
-/// The number of contacts is not known: it is 0 in every state.
+/// K_cut is that of the highest points of area p/H held together: a linear problem for a map (MapCut), 0.68 E g
+/// p/(sigma H) for a Gaussian surface (GaussianCut). The number of contacts is not known: it is 0.
 ///
-/// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159 (the area p/H); Cooper,
-///             Mikic, Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279 (the form of K_cut)
+/// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159; Cooper, Mikic,
+///             Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279
 /// Units       SI
-/// Valid       0 < p < H. Tried: p/H from 0.003 to 0.1, H/(E g) from 0.02 to 0.5
-/// Accuracy    against boundary elements with pressures cut at H, seven maps of seven kinds, p/H 0.003 to 0.1: K of a map within
-///             15 % at 138 of 140 points, of numbers at 115 (at 40 of 40 on Gaussian maps). Separation as the root of p(d), 1e-10 of the
-///             rms height (tests/contact/plastic_contact_map_test.cpp)
+/// Valid       0 < p < H. Compared for p/H from 0.003 to 0.1, H/(E g) from 0.02 to 0.5
+/// Accuracy    p(d) 1e-10 of the rms height; K of a map within 15 % of boundary elements at 138 of 140 points, of
+///             numbers at 115 (tests/contact/plastic_contact_map_test.cpp)
 
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/slope_contact.hpp>
@@ -27,22 +25,13 @@
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <limits>
 #include <memory>
-#include <span>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 
-/// The highest parts of a surface as a flat cuts them: K of a share of the area [Pa/m], and the share above a level [m] over the
-/// mean plane with its change [1/m].
+/// The highest parts of a surface as a flat cuts them: K of a share of the area [Pa/m], and the share above a level [m]
+/// over the mean plane with its change [1/m].
 template <class C, class T>
 concept CutSurface = requires(const C& cut, T x) {
     { cut.stiffness(x) } -> std::convertible_to<T>;
@@ -72,8 +61,8 @@ private:
 
 namespace detail {
 
-/// K of the highest points of a map at numbers of points that are 5 % apart, each computed when it is first asked for. Threads that
-/// ask at once compute the same number.
+/// K of the highest points of a map at numbers of points that are 5 % apart, each computed when it is first asked for.
+/// Threads that ask at once compute the same number.
 template <Real T>
 class CutKnots {
 public:
@@ -149,8 +138,8 @@ private:
     T mean_, factor_ = 1;  ///< mean height [m]; heights over those of the map
 };
 
-/// \p Elastic is the contact of the same surface without flow, at light and heavy loads, which gives K and the separation under
-/// a pressure beyond what was compared too: HybridContact.
+/// \p Elastic is the contact of the same surface without flow, at light and heavy loads, which gives K and the
+/// separation under a pressure beyond what was compared too: HybridContact.
 template <Real T, Contact<T> Elastic, CutSurface<T> Cut>
 class PlasticContact : private SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
     using Base = SlopeContact<PlasticContact<T, Elastic, Cut>, T>;
@@ -204,8 +193,8 @@ public:
         return this->state_at_separation(separation, wanted);
     }
 
-    /// log(p/Pa) and its slope against eta, the separation over the rms height.
-    /// \throws domain_error unless 0 < eta, where a part of the surface stands above it, and its pressure is within reach.
+    /// log(p/Pa) and its slope against eta, the separation over the rms height. \throws domain_error unless 0 < eta,
+    /// where a part of the surface stands above it, and its pressure is within reach.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         const T to_elastic = rms_height() / elastic_.rms_height();
         const LogSlope<T> elastic = elastic_.log_pressure(eta * to_elastic);
@@ -220,7 +209,7 @@ public:
     }
 
     /// log(K/(Pa/m)) at eta. \throws domain_error as log_pressure.
-    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+    [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
         const LogSlope<T> p = log_pressure(eta);
         const Estimate<T> K = at_pressure(std::exp(p.log), Quantity::stiffness).stiffness;
         return {std::log(K.value), p.error + K.error / K.value};
@@ -267,7 +256,7 @@ private:
         const T log_p = (std::min)(log_q, cut) - std::log1p(std::exp(-std::abs(apart))) / loading_exponent;
         return {log_p, per_height * q / K, d, per_height * std::exp(log_p)};
     }
-    /// The root of p(d) = p, searched over the pressure that the elastic contact would have there; 0 where that at 0 is less.
+    /// The root of p(d) = p, searched over the elastic pressure there; 0 where that at 0 is less.
     [[nodiscard]] Loading loading(T pressure) const {
         const T target = std::log(pressure);  // flow brings the planes together: of the elastic contact it is more
         T high = target;

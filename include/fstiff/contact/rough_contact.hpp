@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact of a rough surface with a smooth one: pressure, stiffness, real area and contacts against separation or
-/// pressure.
+/// Contact of a rough surface with a smooth one: pressure, stiffness, real area and contacts.
 ///
-///     p   = E load_factor D_p sigma^2 (sigma sigma_kappa)^(-1/2) J[3/2,-1/2](eta)
-///     K   = E stiffness_factor D_p sigma (sigma sigma_kappa)^(-1/2) J[1/2,-1/2](eta)          eq. (4.9)
-///     A   = area_factor D_p sigma/sigma_kappa J[1,-1](eta)         n = D_p J[0,0](eta)         eqs. (4.5), (4.6)
-///     sigma_kappa = 3 sqrt(pi)/(8 R)                                                          eq. (4.10)
+///     p = E load_factor D_p sigma^2 (sigma sigma_kappa)^(-1/2) J[3/2,-1/2](eta)
+///     K = E stiffness_factor D_p sigma (sigma sigma_kappa)^(-1/2) J[1/2,-1/2](eta)          eq. (4.9)
+///     A = area_factor D_p sigma/sigma_kappa J[1,-1](eta)         n = D_p J[0,0](eta)         eqs. (4.5), (4.6)
 ///
-/// all per nominal area, eta the separation over sigma. The law is always named by the caller: FractalLaw is the paper
-/// as printed, whose K is not the slope of its p (asperity/laws.hpp).
+/// per nominal area, eta the separation over sigma, sigma_kappa = 3 sqrt(pi)/(8 R), eq. (4.10).
 ///
-///     const fstiff::Roughness<double> fine{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
-///     const auto peaks = fstiff::PeakDistribution<double>::exponential(std::numbers::pi / 3);
-///     const fstiff::RoughContact contact(fine, peaks, fstiff::FractalLaw<double>(1.62), 112.6e9);
+///     const fstiff::RoughContact contact(roughness, peaks, fstiff::FractalLaw<double>(1.62), 112.6e9);
 ///     const double K = contact.at_pressure(10e6).stiffness.value;
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4
 /// Units       SI at the border: m, Pa, Pa/m, 1/m^2
-/// Valid       separations from -1000 to 1e6 rms heights; pressures whose separation is between -1000 rms heights and
-///             where the pressure underflows (37 in double)
-/// Accuracy    at a separation that of the integrals, 1e-13 in 200 random contacts
-///             (tests/contact/random_contacts_test.cpp); at a pressure 1e-13 relative for eta <= 4
-///             (tests/contact/rough_contact_test.cpp); each value carries its own bound
+/// Valid       separations from -1000 to 1e6 rms heights, and their pressures until they underflow (eta = 37)
+/// Accuracy    1e-13 at a separation and at a pressure for eta <= 4; each value carries its bound
+///             (tests/contact/rough_contact_test.cpp, tests/contact/random_contacts_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
@@ -36,10 +29,6 @@
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness.hpp>
-
-#include <cmath>
-#include <concepts>
-#include <type_traits>
 
 namespace fstiff {
 
@@ -125,8 +114,7 @@ public:
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         return state_at_pressure(pressure, wanted).value();
     }
-    /// The same with a status: what is beyond the reach of the model is out_of_reach. \throws domain_error unless
-    /// positive.
+    /// The same with a status: out_of_reach beyond the model. \throws domain_error unless positive.
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         return state_at_pressure(pressure, wanted).point();
     }
@@ -137,8 +125,8 @@ public:
         p.log += std::log(pressure_unit_);
         return p;
     }
-    /// log(K/(Pa/m)) without interaction at eta.
-    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+    /// log(K/(Pa/m)) without interaction at eta; its error is the relative one of K.
+    [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
         const detail::LawSums<T> j = sums(eta, Quantity::stiffness);
         return {std::log(j.stiffness.value) + j.log_scale, j.stiffness.error / j.stiffness.value};
     }
@@ -161,8 +149,7 @@ public:
         else
             return false;
     }();
-    /// K over -dp/dd without interaction, where it is a constant: 1 where the stiffness of the law is the slope of its
-    /// load.
+    /// K over -dp/dd without interaction: 1 where the stiffness of the law is the slope of its load.
     [[nodiscard]] T stiffness_over_slope() const requires stiffness_follows_slope {
         if constexpr (PowerLaw<Law, T>)
             return static_cast<T>(law_.stiffness_factor()) /
@@ -249,9 +236,9 @@ private:
         return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
     }
 
-    /// Without interaction; the error of eta enters every value by its slope, |d log J/d eta| <= |d log J[0,0]/d eta|,
-    /// which is about eta + 1.
-    ContactState<T> at_eta(const detail::EtaEstimate<T>& eta, Quantity wanted) const {
+    /// Without interaction; the error of eta enters by the slope |d log J/d eta| <= |d log J[0,0]/d eta|, about eta +
+    /// 1.
+    ContactState<T> at_eta(const Estimate<T>& eta, Quantity wanted) const {
         const detail::LawSums<T> j = unscaled(sums(eta.value, wanted), eta.value);
         const T relative = eta.error * (2 + (std::max)(eta.value, T(0)));
         const auto with_eta = [relative](Estimate<T> sum) {
@@ -294,7 +281,7 @@ private:
     }
 
     /// The root of eta_effective - Delta(eta_effective) = eta: increasing, between eta and eta + Delta(eta).
-    detail::EtaEstimate<T> effective_eta(T eta) const {
+    Estimate<T> effective_eta(T eta) const {
         const T shift = bulk_compliance_ / scales_.rms_height;  // Delta = shift p
         const T highest =
             (std::min)(eta + shift * unscaled(sums(eta, Quantity::pressure), eta).load.value, (std::max)(eta, T(1e6)));

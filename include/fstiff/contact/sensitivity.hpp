@@ -1,48 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How the stiffness at a given pressure depends on each parameter: what a fit to measurements and an error band need.
+/// Derivatives of the stiffness at a given pressure by each parameter, for fits and error bands.
 ///
-///     ln K = ln B + ln J[x,-y](eta),   ln p = ln A + ln J[u,-v](eta)        load ~ omega^u R^v, stiffness ~ omega^x R^y
-///     d ln K/dz = d ln B/dz + d ln J[x,-y]/dz - (J[x,-y]'/J[x,-y]) (J[u,-v]/J[u,-v]') (d ln A/dz + d ln J[u,-v]/dz)
-///
-/// at constant p, for any law that is given by its powers; Hertz's are J[1/2,-1/2] and J[3/2,-1/2]. The derivatives of
-/// the integrals are integrals of the same kind, over the same nodes:
-///
+///     ln K = ln B + ln J[x,-y](eta),   ln p = ln A + ln J[u,-v](eta)    load ~ omega^u R^v, stiffness ~ omega^x R^y
 ///     dJ[a,b]/deta   = -a J[a-1,b]                                       (a = 0: the density at eta)
-///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]         (d phi/dr = d^2 phi/dzeta dt, by parts twice;
-///                      b = -1: and what t^b erf(k t) leaves at t = 0)
+///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]         (by parts; b = -1: and its value at t = 0)
 ///     dJ[a,b]/dtheta = -J[a,b]/theta + dk/dtheta I[(zeta-eta)^a t^b d/dk erf(k t)]
 ///
-/// where I is the integral with the normal density phi(zeta, t; r) of correlation r in place of erf(k t) phi. Over
-/// peaks of one radius they are the moments themselves. For a law without powers ln p and ln K are differentiated
-/// numerically at constant eta, by sigma, R, r and theta in turn, with six points each: 25 pairs of integrals.
+/// I has the normal density phi(zeta, t; r) in place of erf(k t) phi. Laws without powers and PerssonParameters take
+/// differences of six points. With interaction the bulk is in series, 1/K' = 1/K + L/(E f), and L is held.
 ///
-///     const auto s = fstiff::sensitivity(contact, 3e6);        s.rms_height is dK/dsigma at 3 MPa
-///
-/// With interaction (effective_separation) the bulk is in series as in RoughContact: 1/K' = 1/K + L/(E f), where f is K
-/// over -dp/dd if that is a constant and else 1, so that dK'/dz = (K'/K)^2 dK/dz, and terms of E and of f(D). L is
-/// held.
-///
-/// Reference   Plackett, Biometrika 41 (1954) 351-360 (the derivative with respect to r).
+/// Reference   Plackett, Biometrika 41 (1954) 351-360 (by r); Abramowitz and Stegun, 25.3 (differences)
 /// Units       each derivative in Pa/m per unit of its parameter (SI)
-/// Valid       as RoughContact; the factors and lengths of the law are held but for D. A law without powers: r > 0
-/// Accuracy    1e-11 of K per relative change of the parameter, 1e-10 for r and theta near pi/2; of a law without
-///             powers 1e-8 (tests/contact/sensitivity_test.cpp)
+/// Valid       as RoughContact; factors and lengths of the law are held but for D. A law without powers: r > 0
+/// Accuracy    1e-11 of K per relative change, 1e-10 for r and theta near pi/2, else 1e-8
+///             (tests/contact/sensitivity_test.cpp, tests/contact/persson_sensitivity_test.cpp)
 
 #include <fstiff/contact/peak_sums.hpp>
+#include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/roughness.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <limits>
-#include <type_traits>
 
 namespace fstiff {
 
@@ -94,8 +75,7 @@ template <HalfPowers powers, Real T>
 struct DerivativeSums {
     T value{}, eta{}, r{}, theta{};
 
-    /// One node: \p moment is F_a, \p lower F_{a-1}, \p erf that of k t with its mass and \p layer the derivative of
-    /// it.
+    /// One node: \p moment is F_a, \p lower F_{a-1}, \p erf that of k t with its mass, \p layer its derivative.
     void add(T erf, T layer, T k, T t, T root, T moment, T lower) {
         const T power = powers.radius == 0 ? T(1) : powers.radius == 1 ? root : root * root;  // t^b
         const T with_erf = erf * power;
@@ -241,7 +221,7 @@ Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
 template <Real T, class Law, class Peaks>
 requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Peaks>& contact, T eta) {
     using Pair = typename Exponents<T>::Pair;
-    const auto logs = [](const auto& at, T x) { return Pair{at.log_stiffness(x).log, at.log_pressure(x).log}; };
+    const auto logs = [](const auto& at, T x) { return Pair{at.log_stiffness(x).value, at.log_pressure(x).log}; };
     // \p f of z at a distance; the formula errs by h^6, rounding and the integrals by their errors over h
     const auto slopes = [](T h, const auto& f) -> Pair {
         Pair sum{};
@@ -268,7 +248,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
         });
     };
     Exponents<T> out;
-    out.k = std::exp(contact.log_stiffness(eta).log);
+    out.k = std::exp(contact.log_stiffness(eta).value);
     out.eta = slopes(T(0.05) / (1 + (std::max)(eta, T(0))), [&](T x) { return logs(contact, eta + x); });
     out.eta.load = contact.log_pressure(eta).slope;
     out.rms_height = of_surface(&Roughness<T>::rms_height);
@@ -287,8 +267,7 @@ requires(!PowerLaw<Law, T>) Exponents<T> exponents(const RoughContact<T, Law, Pe
 }  // namespace detail
 
 /// K of \p contact and its derivatives at the nominal pressure \p pressure [Pa]. Does not allocate for a law with
-/// powers.
-/// \throws domain_error as at_pressure of the contact, and for interaction as_printed.
+/// powers. \throws domain_error as at_pressure of the contact, and for interaction as_printed.
 template <Real T, class Law, class Peaks>
 [[nodiscard]] Sensitivity<T> sensitivity(const RoughContact<T, Law, Peaks>& contact, std::type_identity_t<T> pressure) {
     const InteractionReading reading = contact.interaction().reading;
@@ -324,6 +303,67 @@ template <Real T, class Law, class Peaks>
     out.effective_modulus += of_bulk / modulus;
     if constexpr (RoughContact<T, Law, Peaks>::stiffness_follows_slope)
         out.fractal_dimension += of_bulk * (of.fractal_dimension.stiffness - of.fractal_dimension.load);
+    return out;
+}
+
+/// What a band of roughness is made of, and the modulus.
+template <Real T = double>
+struct PerssonParameters {
+    T rms_height{};         ///< sigma [m]
+    T rms_gradient{};       ///< g of the surface
+    T alpha{};              ///< Nayak's m0 m4/m2^2
+    T hurst = T(0.8);       ///< H
+    T effective_modulus{};  ///< E [Pa]
+    T gamma = T(0.45);
+
+    /// \throws domain_error naming the parameter that is out of range.
+    [[nodiscard]] PerssonContact<T> contact() const {
+        return {band_of_moments(moments_of_gradient(rms_height, rms_gradient, alpha), hurst), effective_modulus, gamma};
+    }
+};
+
+/// K and its derivatives at constant pressure.
+template <Real T = double>
+struct PerssonSensitivity {
+    T stiffness{};          ///< K [Pa/m]
+    T pressure{};           ///< dK/dp [1/m]
+    T rms_height{};         ///< dK/dsigma [Pa/m^2]
+    T rms_gradient{};       ///< dK/dg [Pa/m]
+    T alpha{};              ///< dK/dalpha [Pa/m]
+    T hurst{};              ///< dK/dH [Pa/m]
+    T effective_modulus{};  ///< dK/dE [1/m]
+    T gamma{};              ///< dK/dgamma [Pa/m]
+};
+
+/// \throws domain_error as PerssonContact, and outside of what is valid above.
+template <Real T>
+[[nodiscard]] PerssonSensitivity<T> sensitivity(const PerssonParameters<T>& at, std::type_identity_t<T> pressure) {
+    require(at.hurst > T(0.02) && at.hurst < T(0.98), "hurst", at.hurst, "between 0.02 and 0.98, for its derivative");
+    require(at.alpha > T(1.53), "alpha", at.alpha, "greater than 1.53, for its derivative");
+    const auto K = at.contact().stiffness_and_slope(pressure);
+    const auto by = [&](T PerssonParameters<T>::*parameter, T step) {
+        const auto stiffness = [&](T steps) {
+            PerssonParameters<T> changed = at;
+            changed.*parameter += steps * step;
+            return changed.contact().stiffness(pressure);
+        };
+        const auto odd = [&](T steps) { return stiffness(steps) - stiffness(-steps); };
+        return (45 * odd(T(1)) - 9 * odd(T(2)) + odd(T(3))) / (60 * step);
+    };
+    using P = PerssonParameters<T>;
+    PerssonSensitivity<T> out;
+    out.stiffness = K.stiffness;
+    out.pressure = K.slope;
+    out.rms_height = by(&P::rms_height, at.rms_height * T(0.005));
+    out.rms_gradient = by(&P::rms_gradient, at.rms_gradient * T(0.005));
+    out.alpha = by(&P::alpha, (at.alpha - T(1.5)) * T(0.005));
+    out.hurst = by(&P::hurst, T(0.005));
+    out.effective_modulus = (K.stiffness - pressure * K.slope) / at.effective_modulus;
+    // 1/K is linear in gamma: a second point tells its slope
+    PerssonParameters<T> other = at;
+    other.gamma = at.gamma > T(0.5) ? at.gamma / 2 : 2 * at.gamma;
+    const T slope = (1 / other.contact().stiffness(pressure) - 1 / K.stiffness) / (other.gamma - at.gamma);
+    out.gamma = -K.stiffness * K.stiffness * slope;
     return out;
 }
 

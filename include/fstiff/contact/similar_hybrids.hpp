@@ -1,39 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// K of the hybrid contact of many surfaces that differ in their numbers alone, from one table: for the band of K over
-/// drawn surfaces.
+/// K of the hybrid contact of many surfaces that differ in their numbers alone, from one table, for error bands.
 ///
 ///     K sigma/(E g) = F(p/(E g), alpha, H)
 ///
-/// Two surfaces known by numbers, with the same bearing curve and the same gamma, are similar where alpha and the Hurst
-/// exponent H are the same: heights go as sigma, lengths along the surface as sigma/g. F is tabulated at 8 pressures an
-/// e-fold, 4 alphas an e-fold and every tenth of H, at the places that are asked for, and ln F is interpolated by cubics.
-/// No cubic goes across alpha = 6, from where on the band of the hills is cut.
-///
-///     fstiff::SimilarHybrids<double> similar(nullptr);             // of Gaussian heights
-///     similar.stiffness(moments, 0.8, 112.6e9, 10e6)               // K [Pa/m], or none
-///
-/// A table grows as it is asked: it is for one thread.
+/// Surfaces of one bearing curve and gamma are similar where alpha and H are equal. F is tabulated where it is asked
+/// for, at 8 pressures and 4 alphas an e-fold and every tenth of H; ln F is interpolated by cubics, none of them across
+/// alpha = 6. A table grows as it is asked: it is for one thread.
 ///
 /// Reference   contact/hybrid_of_band.hpp
 /// Units       SI
-/// Valid       alpha from 2.5 to 130,000, 0.7 <= H <= 1, pressures at which hybrid_of_band has a state also a quarter
-///             of an e-fold further up; none elsewhere
+/// Valid       alpha from 2.5 to 130,000, 0.7 <= H <= 1, pressures a quarter of an e-fold within the range of
+///             hybrid_of_band; none elsewhere
 /// Accuracy    K 4e-4, of heights with a kurtosis of 75 1.2e-3 (tests/contact/similar_hybrids_test.cpp)
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <functional>
-#include <limits>
 #include <map>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What the contacts have in common whose K is -dp/dd at every pressure, and which take no interaction: Persson's, the hybrid
-/// one and that of a map's own summits. With it each of them is a Contact (contact/contact_concept.hpp).
+/// What the contacts have in common whose K is -dp/dd at every pressure, and which take no interaction: Persson's, the
+/// hybrid one and that of a map's own summits. With it each of them is a Contact (contact/contact_concept.hpp).
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
@@ -11,18 +11,13 @@
 #include <fstiff/math/gauss_legendre.hpp>
 #include <fstiff/math/root.hpp>
 
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-
 namespace fstiff {
 
 /// \p Derived has at_pressure, at_separation, log_pressure and rms_height.
 template <class Derived, Real T>
 class SlopeContact {
 public:
-    /// at_pressure with a status: what is beyond the reach of the model is out_of_reach. \throws domain_error unless positive.
+    /// at_pressure with a status: out_of_reach beyond the model. \throws domain_error unless positive.
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity wanted = Quantity::all) const {
         require_positive("pressure", pressure);
         return point([&] { return self().at_pressure(pressure, wanted); });
@@ -33,7 +28,7 @@ public:
         return point([&] { return self().at_separation(separation, wanted); });
     }
     /// log(K/(Pa/m)) at eta, the separation over the rms height. \throws domain_error as log_pressure.
-    [[nodiscard]] LogValue<T> log_stiffness(T eta) const {
+    [[nodiscard]] Estimate<T> log_stiffness(T eta) const {
         const LogSlope<T> p = self().log_pressure(eta);
         return {p.log + std::log(-p.slope / self().rms_height()), 2 * p.error};
     }

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The contact of a map's own summits: a sum over them in place of the integral over a distribution.
+/// Contact of a map's own summits: a sum over them in place of the integral over a distribution.
 ///
 ///     p = E/A0 sum c_i (z_i - d)^(3/2)         K = E/A0 sum (3/2) c_i (z_i - d)^(1/2)
 ///     A/A0 = 1/A0 sum pi a b                   n = number of z_i > d, over A0
 ///
 /// c_i = (4/3) (k1 k2)^(-1/4) F2^(-3/2) of the principal curvatures of each summit, a b of its ellipse
-/// (asperity/elliptic_hertz.hpp).
+/// (asperity/elliptic_hertz.hpp). Neighbours do not push each other down: contact/mutual_summits.hpp adds it.
 ///
-/// Skewed and peaky surfaces are taken as they are, and no peak is higher than those that were measured. What is missing is that
-/// neighbours push each other down: contact/hybrid_contact.hpp adds it.
-///
-/// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625; Johnson, Contact Mechanics (1985), eq. (4.26) for one
-///             asperity.
+/// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625; Johnson, Contact Mechanics (1985), eq. (4.26)
 /// Units       SI
 /// Valid       separations below the highest summit; pressures > 0
-/// Accuracy    of the sums 1e-14; of a surface few summits carry at light loads, and the next map of it has others
-///             (tests/contact/summit_contact_test.cpp)
+/// Accuracy    sums 1e-14 (tests/contact/summit_contact_test.cpp)
 
 #include <fstiff/asperity/elliptic_hertz.hpp>
 #include <fstiff/contact/contact_state.hpp>
@@ -26,20 +21,12 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/topography/summits.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 
-/// The same summits with the factors of their ellipses, so that many contacts of them, and of what is resampled from them,
-/// need not find these again. \throws domain_error for curvatures that are not positive.
+/// The same summits with the factors of their ellipses, so that many contacts of them, and of what is resampled from
+/// them, need not find these again. \throws domain_error for curvatures that are not positive.
 template <Real T>
 [[nodiscard]] Summits<T> with_hertz_factors(Summits<T> of) {
     for (Summit<T>& one : of.summits) {

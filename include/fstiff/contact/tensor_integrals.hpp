@@ -1,54 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Integrals over the peaks in two dimensions, for any function of height and curvature: the kernel for asperity laws
-/// that are no power laws.
+/// Integrals over the peaks in two dimensions, for any function of height and curvature: laws without powers.
 ///
 ///     I[f](eta) = int_0^inf int_eta^inf f(zeta - eta, t) p_peak(zeta, t) dzeta dt
 ///
-/// Rows of constant t. In each the excess e = zeta - eta is covered by pieces, e = from + size x, and a piece has a
-/// table of x that is made once an integral, so that a node costs one exponential and the law:
+/// In rows of constant t the excess e = zeta - eta is covered by pieces e = from + size x of four rules
+/// (contact/tensor_nodes): squares x = (j h)^2, graded x = a log(1 + exp(y - b exp(-c y))), linear, and Legendre's
+/// between kinks. Axis::even takes squares in both directions, for half-integer powers; Axis::graded any smooth f; a
+/// KinkedLaw is split at its kinks; Axis::rough is for kinks at unknown places. Rows and nodes are added to the
+/// tolerance.
 ///
-///     square    x = (j h)^2                                    trapezoidal rule, for an integrand that is even in sqrt(e)
-///     graded    x = a log(1 + exp(y - b exp(-c y))), y = j h   the same, whatever the power at 0: it falls double exponentially
-///     linear    x = j h                                        the same, where the Gaussian in e has left e = 0 behind
-///     Legendre  Gauss and Legendre's rule                      between kinks
-///
-/// For an f that is a half-integer power in e and t (Hertz: e^(3/2) t^(-1/2)) the integrand is even and entire in
-/// sqrt(e) and sqrt(t): Axis::even, squares in both. For any other smooth f, Axis::graded takes both by the graded map.
-/// A law with kinks at known excesses (KinkedLaw) is split there in each row, whatever smooth function of t they are:
-/// Legendre's rule below the last one, the graded map beyond. One whose kink is not known is for Axis::rough: algebraic
-/// convergence, and an error estimate that does not hope for more.
-///
-/// A row ends where the ellipse (zeta - r t)^2/c^2 + t^2 = const does beyond which the density may be neglected. Rows,
-/// and the nodes of each kind of piece, are added apart from each other until the tolerance is met. Error estimates:
-/// trapezoidal_error and legendre_error from the sums themselves, and what the map alone costs at that step.
-///
-/// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741.
+/// Reference   Trefethen and Weideman, SIAM Review 56 (2014) 385-458; Takahasi and Mori, Publ. RIMS 9 (1974) 721-741
 /// Units       dimensionless
-/// Valid       theta and r that the mesh can resolve: c >= 0.1, tan(theta) <= 10; beyond, the error returned says how
-///             much is lost
-/// Accuracy    1e-12 on tests/data/integrals_plain.csv; the error estimate covers the true error there and, for laws
-///             with up to three kinks and jumps, for r <= 0.98, 0.05 <= theta <= 1.5, -3 <= eta <= 8
-///             (tests/contact/tensor_integrals_test.cpp)
-/// Hard cases  kinks at e << c (small multiples of 1/t): 1e-6 is met for r <= 0.82, tighter ones may need more than the
-///             192 rows of the default; c < 0.3 with kinks: the same. The estimate says so.
+/// Valid       c >= 0.1, tan(theta) <= 10; beyond, and for kinks at e << c, the error returned shows the loss
+/// Accuracy    1e-12 on tests/data/integrals_plain.csv; the error covers the true one there and for laws with up to
+///             three kinks, r <= 0.98, 0.05 <= theta <= 1.5, -3 <= eta <= 8 (tests/contact/tensor_integrals_test.cpp)
 
 #include <fstiff/contact/peak_sums.hpp>
 #include <fstiff/contact/tensor_nodes.hpp>
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/core/numbers.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <limits>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 
 namespace fstiff {
 
@@ -175,8 +149,7 @@ public:
         return out;
     }
 
-    /// Asks for more rows or nodes where their error is more than a share of \p allowed. \return whether there are any
-    /// more
+    /// Asks for more rows or nodes where their error is above a share of \p allowed. \return whether there are any
     bool refine(T allowed, T sum, int most) {
         const T worst = (std::max)(rows_error_, *std::max_element(errors_.begin(), errors_.end()));
         bool more = false;
@@ -230,8 +203,7 @@ private:
         }
     }
 
-    /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight; its nodes go to
-    /// the tables.
+    /// int f exp(-(zeta - r t)^2/(2 c^2)) dzeta/c exp((floor^2 - t^2)/2) at one t, times its weight.
     T row(const TensorRows<T>& rows, int lane, int& evaluations) {
         const T t = rows.t[lane], first = rows.first[lane], last = rows.last[lane];
         const T outer = rows.outer[lane], shift = rows.shift[lane], slope = rows.linear[lane], inverse_c = 1 / p_.c;

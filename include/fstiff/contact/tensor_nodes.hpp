@@ -13,14 +13,6 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gauss_legendre.hpp>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-
 namespace fstiff::detail {
 
 template <Real T>
@@ -113,8 +105,7 @@ struct LegendreNodes {
 };
 
 /// The error of a Legendre rule of n nodes from the \p terms that it sums: their Legendre coefficients fall from n/2 to
-/// n, and at least as far again to 2n, of which the rule knows nothing; just so for a power, much further for all that
-/// is smooth.
+/// n, and at least as far again to 2n: so for a power, further for what is smooth.
 template <Real T>
 EIGEN_DONT_INLINE T legendre_error(const std::array<TensorLanes<T>, 8>& terms, int n) {
     const T* node = LegendreNodes<T>::at_least(n).node;

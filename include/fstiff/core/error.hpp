@@ -6,9 +6,9 @@
 ///     domain_error    an argument or a datum that the model or the method does not allow
 ///     file_error      a file that cannot be opened, read or written
 ///
-/// Arguments are checked at the public border only. What is thrown has fields (parameter, value, what is allowed, place in
-/// a file), of which its sentence is composed, so that a command can print it as it is, or put a place or the name of one
-/// of its options into it:
+/// Arguments are checked at the public border only. What is thrown has fields (parameter, value, what is allowed, place
+/// in a file), of which its sentence is composed, so that a command can print it as it is, or put a place or the name
+/// of one of its options into it:
 ///
 ///     <file>, line <line>: <key>: <parameter> = <value>: must be <allowed>
 ///
@@ -18,13 +18,8 @@
 #include <fstiff/core/config.hpp>
 #include <fstiff/core/text.hpp>
 
-#include <concepts>
-#include <cstddef>
-#include <limits>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 namespace fstiff {
@@ -37,7 +32,12 @@ struct Place {
     const char* before_line = ", line ";  ///< between file and line; of static storage
 
     /// "<file>, line <line>: <key>"; empty for a place that names nothing.
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] FSTIFF_COLD std::string text() const {
+        std::string text = file;
+        if (line > 0) text += before_line + std::to_string(line);
+        if (!key.empty()) text += (text.empty() ? "" : ": ") + key;
+        return text;
+    }
 };
 
 /// What a domain_error is made of. The views need to live until it is made, no longer.
@@ -74,12 +74,37 @@ public:
     /// The end of the sentence, after place, parameter and value.
     [[nodiscard]] std::string_view reason() const noexcept { return field(spans_.reason); }
     /// The place that was given first, which is the nearest one.
-    [[nodiscard]] Place place() const;
+    [[nodiscard]] FSTIFF_COLD Place place() const {
+        return {std::string(field(spans_.file)), spans_.line, std::string(field(spans_.key)), spans_.before_line};
+    }
 
-    /// The same error at \p place. Where it has a place already it keeps it, and only its sentence begins with \p place.
-    [[nodiscard]] domain_error with_place(const Place& place) const;
+    /// The same error at \p place. A place it has already is kept; only its sentence begins with \p place.
+    [[nodiscard]] FSTIFF_COLD domain_error with_place(const Place& place) const {
+        const std::string text = place.text();
+        if (text.empty()) return *this;
+        Sentence sentence(text + ": " + what(), spans_);
+        for (Span* span : {&sentence.spans.file, &sentence.spans.key, &sentence.spans.parameter, &sentence.spans.value,
+                           &sentence.spans.reason, &sentence.spans.allowed})
+            span->begin += text.size() + 2;
+        if (spans_.file.length + spans_.key.length + spans_.line == 0) {
+            sentence.spans.file = {0, place.file.size()};
+            sentence.spans.key = {text.size() - place.key.size(), place.key.size()};
+            sentence.spans.line = place.line;
+            sentence.spans.before_line = place.before_line;
+        }
+        return domain_error(sentence);
+    }
     /// The same error of a parameter called \p name, which stands before the reason where there was none.
-    [[nodiscard]] domain_error with_parameter(std::string_view name) const;
+    [[nodiscard]] FSTIFF_COLD domain_error with_parameter(std::string_view name) const {
+        Sentence sentence(std::string(detail::part(what(), 0, spans_.parameter.begin)), spans_);
+        sentence.spans.allowed = {};
+        const bool is_range = !allowed().empty();
+        sentence.put({.parameter = name,
+                      .value = value(),
+                      .allowed = allowed(),
+                      .reason = is_range ? std::string_view() : reason()});
+        return domain_error(sentence);
+    }
 
 private:
     /// Where a field stands in the sentence: the same in every copy, without a pointer.
@@ -96,8 +121,23 @@ private:
         Spans spans{};
         Sentence(std::string before, const Spans& place) : text(std::move(before)), spans(place) {}
         explicit Sentence(const Refusal& refusal) { put(refusal); }
-        Span put(std::string_view field);
-        void put(const Refusal& refusal);
+        Span put(std::string_view field) {
+            text += field;
+            return {text.size() - field.size(), field.size()};
+        }
+        FSTIFF_COLD void put(const Refusal& refusal) {
+            spans.parameter = put(refusal.parameter);
+            if (!refusal.parameter.empty() && !refusal.value.empty()) text += " = ";
+            spans.value = put(refusal.value);
+            if (!refusal.parameter.empty()) text += ": ";
+            if (refusal.reason.empty()) {
+                text += "must be ";
+                spans.allowed = put(refusal.allowed);
+                spans.reason = {spans.allowed.begin - 8, spans.allowed.length + 8};
+            } else {
+                spans.reason = put(refusal.reason);
+            }
+        }
     };
     explicit domain_error(const Sentence& sentence) : std::domain_error(sentence.text), spans_(sentence.spans) {}
 
@@ -119,7 +159,12 @@ public:
     [[nodiscard]] std::string_view reason() const noexcept { return detail::part(what(), end_of_file_ + 2); }
 
     /// The same error, whose sentence begins with \p place, where the file was named.
-    [[nodiscard]] file_error with_place(const Place& place) const;
+    [[nodiscard]] FSTIFF_COLD file_error with_place(const Place& place) const {
+        const std::string text = place.text();
+        if (text.empty()) return *this;
+        const std::size_t shift = text.size() + 2;
+        return {text + ": " + what(), begin_ + shift, end_of_file_ + shift};
+    }
 
 private:
     file_error(const std::string& sentence, std::size_t begin, std::size_t end)
@@ -179,70 +224,6 @@ constexpr void require(bool satisfied, std::string_view parameter, T value, std:
 template <Real T>
 constexpr void require_positive(std::string_view parameter, T value) {
     require(value > T(0) && value <= (std::numeric_limits<T>::max)(), parameter, value, "finite and greater than 0");
-}
-
-FSTIFF_COLD inline std::string Place::text() const {
-    std::string text = file;
-    if (line > 0) text += before_line + std::to_string(line);
-    if (!key.empty()) text += (text.empty() ? "" : ": ") + key;
-    return text;
-}
-
-inline domain_error::Span domain_error::Sentence::put(std::string_view field) {
-    text += field;
-    return {text.size() - field.size(), field.size()};
-}
-
-FSTIFF_COLD inline void domain_error::Sentence::put(const Refusal& refusal) {
-    spans.parameter = put(refusal.parameter);
-    if (!refusal.parameter.empty() && !refusal.value.empty()) text += " = ";
-    spans.value = put(refusal.value);
-    if (!refusal.parameter.empty()) text += ": ";
-    if (refusal.reason.empty()) {
-        text += "must be ";
-        spans.allowed = put(refusal.allowed);
-        spans.reason = {spans.allowed.begin - 8, spans.allowed.length + 8};
-    } else {
-        spans.reason = put(refusal.reason);
-    }
-}
-
-FSTIFF_COLD inline Place domain_error::place() const {
-    return {std::string(field(spans_.file)), spans_.line, std::string(field(spans_.key)), spans_.before_line};
-}
-
-FSTIFF_COLD inline domain_error domain_error::with_place(const Place& place) const {
-    const std::string text = place.text();
-    if (text.empty()) return *this;
-    Sentence sentence(text + ": " + what(), spans_);
-    for (Span* span : {&sentence.spans.file, &sentence.spans.key, &sentence.spans.parameter, &sentence.spans.value,
-                       &sentence.spans.reason, &sentence.spans.allowed})
-        span->begin += text.size() + 2;
-    if (spans_.file.length + spans_.key.length + spans_.line == 0) {
-        sentence.spans.file = {0, place.file.size()};
-        sentence.spans.key = {text.size() - place.key.size(), place.key.size()};
-        sentence.spans.line = place.line;
-        sentence.spans.before_line = place.before_line;
-    }
-    return domain_error(sentence);
-}
-
-FSTIFF_COLD inline domain_error domain_error::with_parameter(std::string_view name) const {
-    Sentence sentence(std::string(detail::part(what(), 0, spans_.parameter.begin)), spans_);
-    sentence.spans.allowed = {};
-    const bool is_range = !allowed().empty();
-    sentence.put({.parameter = name,
-                  .value = value(),
-                  .allowed = allowed(),
-                  .reason = is_range ? std::string_view() : reason()});
-    return domain_error(sentence);
-}
-
-FSTIFF_COLD inline file_error file_error::with_place(const Place& place) const {
-    const std::string text = place.text();
-    if (text.empty()) return *this;
-    const std::size_t shift = text.size() + 2;
-    return {text + ": " + what(), begin_ + shift, end_of_file_ + shift};
 }
 
 }  // namespace fstiff

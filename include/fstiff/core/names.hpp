@@ -18,11 +18,7 @@
 #include <fstiff/core/error.hpp>
 
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
 
 namespace fstiff {
 
@@ -86,8 +82,7 @@ template <NamedEnum Enum>
     return text;
 }
 
-/// The value whose word is \p text.
-/// \throws domain_error with \p parameter, \p text and the words that are allowed.
+/// The value whose word is \p text. \throws domain_error with \p parameter, \p text and the words that are allowed.
 template <NamedEnum Enum>
 [[nodiscard]] Enum parse(std::string_view text, std::string_view parameter) {
     if (const auto found = find_named<Enum>(text)) return *found;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The constants of std::numbers that fstiff uses, in every scalar: libc++ writes those of long double as doubles, and its
-/// pi is wrong by 1.2e-16 (LLVM issue 188079).
+/// The constants of std::numbers that fstiff uses, in every scalar: libc++ writes those of long double as doubles, and
+/// its pi is wrong by 1.2e-16 (LLVM issue 188079).
 ///
 /// Accuracy    correctly rounded for float, double and long double up to 113 bits (tests/core/numbers_test.cpp)
 

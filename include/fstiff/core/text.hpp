@@ -25,39 +25,12 @@
 #include <limits>
 #include <string>
 #include <system_error>
-#include <type_traits>
 
 namespace fstiff {
 
 /// float or double: what can be read back.
 template <class T>
 concept ReadableReal = Real<T> && !std::is_same_v<T, long double>;
-
-/// The fewest digits that read back as \p value.
-template <ReadableReal T>
-[[nodiscard]] std::string shortest_text(T value);
-
-/// \p digits significant digits, trailing zeros dropped.
-template <Real T>
-[[nodiscard]] std::string rounded_text(T value, int digits);
-
-/// \p decimals digits after the point.
-template <Real T>
-[[nodiscard]] std::string fixed_text(T value, int decimals);
-
-/// Hexadecimal digits and a power of two, without 0x.
-template <ReadableReal T>
-[[nodiscard]] std::string hexadecimal_text(T value);
-
-/// Reads the decimal number that [\p first, \p last) begins with, as std::from_chars does: no blanks, no "+", as many
-/// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number too
-/// large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
-template <ReadableReal T>
-std::from_chars_result read_decimal(const char* first, const char* last, T& value);
-
-/// The same for what hexadecimal_text writes.
-template <ReadableReal T>
-std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value);
 
 namespace detail {
 
@@ -120,7 +93,7 @@ std::string text_by_printf(T value, char conversion, int precision) {
 }
 
 #if !FSTIFF_HAS_FLOAT_FROM_CHARS
-/// What from_chars does, by strtod: the characters of the number are copied, with the decimal sign that strtod wants here.
+/// from_chars by strtod: the characters of the number are copied, with the decimal sign of the locale.
 template <ReadableReal T>
 std::from_chars_result read_by_strtod(const char* first, const char* last, T& value, bool hexadecimal) {
     const auto is_digit = [&](char c) { return hexadecimal ? is_hexadecimal_digit(c) : is_decimal_digit(c); };
@@ -176,8 +149,23 @@ std::from_chars_result read_number(const char* first, const char* last, T& value
 
 }  // namespace detail
 
+/// Reads the decimal number that [\p first, \p last) begins with, as std::from_chars does: no blanks, no "+", as many
+/// characters as fit. \p value is set only when the error is std::errc(); std::errc::result_out_of_range means a number
+/// too large, or too small for anything but 0, std::errc::invalid_argument no number (inf and nan are none).
 template <ReadableReal T>
-std::string shortest_text(T value) {
+std::from_chars_result read_decimal(const char* first, const char* last, T& value) {
+    return detail::read_number(first, last, value, false);
+}
+
+/// Reads, as read_decimal does, what hexadecimal_text writes.
+template <ReadableReal T>
+std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value) {
+    return detail::read_number(first, last, value, true);
+}
+
+/// The fewest digits that read back as \p value.
+template <ReadableReal T>
+[[nodiscard]] std::string shortest_text(T value) {
     if constexpr (detail::has_to_chars<T>) {
         return detail::text_by_to_chars(value);
     } else {
@@ -192,24 +180,27 @@ std::string shortest_text(T value) {
     }
 }
 
+/// \p digits significant digits, trailing zeros dropped.
 template <Real T>
-std::string rounded_text(T value, int digits) {
+[[nodiscard]] std::string rounded_text(T value, int digits) {
     if constexpr (detail::has_to_chars<T>)
         return detail::text_by_to_chars(value, std::chars_format::general, digits);
     else
         return detail::text_by_printf(value, 'g', digits);
 }
 
+/// \p decimals digits after the point.
 template <Real T>
-std::string fixed_text(T value, int decimals) {
+[[nodiscard]] std::string fixed_text(T value, int decimals) {
     if constexpr (detail::has_to_chars<T>)
         return detail::text_by_to_chars(value, std::chars_format::fixed, decimals);
     else
         return detail::text_by_printf(value, 'f', decimals);
 }
 
+/// Hexadecimal digits and a power of two, without 0x.
 template <ReadableReal T>
-std::string hexadecimal_text(T value) {
+[[nodiscard]] std::string hexadecimal_text(T value) {
     if constexpr (detail::has_to_chars<T>) {
         return detail::text_by_to_chars(value, std::chars_format::hex);
     } else {
@@ -217,16 +208,6 @@ std::string hexadecimal_text(T value) {
         if (const std::size_t prefix = text.find("0x"); prefix != std::string::npos) text.erase(prefix, 2);
         return text;
     }
-}
-
-template <ReadableReal T>
-std::from_chars_result read_decimal(const char* first, const char* last, T& value) {
-    return detail::read_number(first, last, value, false);
-}
-
-template <ReadableReal T>
-std::from_chars_result read_hexadecimal(const char* first, const char* last, T& value) {
-    return detail::read_number(first, last, value, true);
 }
 
 }  // namespace fstiff

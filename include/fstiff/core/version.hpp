@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The version of fstiff: the one place it is written. CMakeLists.txt, the command and the package file read it from here.
+/// The version of fstiff, written here alone: CMakeLists.txt, the command and the package file read it.
 
 #define FSTIFF_VERSION_MAJOR 0
 #define FSTIFF_VERSION_MINOR 1

@@ -1,35 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What speaks against the parameters of a fit: every concern by its name, with the parameters and the number behind
-/// it.
+/// Concerns about the parameters of a fit, each with its name, its parameters and the number behind it.
 ///
 ///     singular        a combination of the parameters leaves the model as it is: those with a share above 0.02 in it
 ///     not_converged   the search ended before the least sum of squares
-///     misfit          chi^2 > n + 3 sqrt(2 n), n degrees of freedom: three standard deviations of chi^2 above its mean
-///     scattered       points without errors whose scatter about the model is above 0.25: of K relative, of |R| absolute
-///     outlier         a residual above 10 times the median residual, of at least 3 degrees of freedom, which is also above
-///                     4 errors, or 0.05 of K or |R| without errors
-///     far_from_start  a positive parameter that is 30 times its starting value, or a thirtieth: a wrong unit, as a rule
+///     misfit          chi^2 > n + 3 sqrt(2 n), n degrees of freedom
+///     scattered      points without errors whose scatter about the model is above 0.25: of K relative, of |R| absolute
+///     outlier    a residual above 10 times the median residual, and above 4 errors, or 0.05 of K or |R| without errors
+///     far_from_start  a positive parameter that is 30 times its starting value, or a thirtieth: a wrong unit, often
 ///     no_errors       as many parameters as points, and points without errors: no standard errors
 ///     at_bound        D, r or theta within 1e-6 of an end of its range: no value of it fits the data
 ///     unresolved      a positive parameter whose 95 % interval spans a factor of 100 or more
 ///     correlated      two parameters with a correlation beyond 0.99: hardly told apart
 ///
-///     for (const auto& finding : fstiff::concerns_of(fit)) report(name_of(finding.concern), finding.parameters);
-///
-/// Reference   fit/identify.hpp; the limits are this project's.
-/// Units       none: shares, ratios and correlations
-/// Valid       what identify() returns
+/// Reference   this project
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/fit/identify.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <string_view>
-#include <vector>
 
 namespace fstiff {
 
@@ -78,8 +66,8 @@ template <Real T = double>
 struct FitFinding {
     FitConcern concern{};
     std::vector<Parameter> parameters{};  ///< in the order of the fit; none of not_converged to outlier, no_errors
-    /// Of misfit chi^2 over the degrees of freedom, of scattered the scatter, of outlier the residual over the median, of
-    /// far_from_start value/start, of unresolved high/low, of correlated the correlation.
+    /// Of misfit chi^2 over the degrees of freedom, of scattered the scatter, of outlier the residual over the median,
+    /// of far_from_start value/start, of unresolved high/low, of correlated the correlation.
     T value{};
     std::size_t point{};  ///< of outlier: the observation
 };

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// What a fit is made of: the parameters, the observations, how they were taken, and the model with its slopes at each
-/// of them.
+/// Input of a fit: the parameters, the observations, and the model with its slopes at each of them.
 ///
 ///     model_i = K(p_i + p_0), or |R| of it       d model_i/dx = dR/dK dK/dx
 ///
-/// Reference   the derivatives as in contact/sensitivity.hpp and ultrasound/propagation.hpp
+/// Reference   the derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp
 /// Units       SI
 /// Valid       as fit/identify
 /// Accuracy    that of contact/sensitivity (tests/fit/identify_test.cpp)
@@ -15,17 +14,6 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 
@@ -102,8 +90,7 @@ void require_observations(const std::vector<Observation<T>>& data, bool is_refle
     }
 }
 
-/// \throws domain_error naming the first of the parameters \p wanted that no fit can start from, or that is named
-/// twice.
+/// \throws domain_error naming the first of \p wanted that no fit can start from, or that is named twice.
 template <Real T>
 void require_start(const std::vector<Parameter>& wanted, const ContactParameters<T>& start) {
     for (const Parameter each : wanted) {
@@ -155,8 +142,7 @@ public:
     /// Of the last evaluation that was within the reach of the model.
     [[nodiscard]] const std::vector<T>& values() const { return values_; }
 
-    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within the reach of the
-    /// model
+    /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within reach
     [[nodiscard]] bool operator()(const Vector& u, Vector& residuals, Matrix& jacobian) {
         const ContactParameters<T> x = parameters_at(u);
         for (const Parameter each : wanted_)

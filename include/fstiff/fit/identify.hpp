@@ -5,27 +5,14 @@
 ///
 ///     minimise  sum_i [(model(p_i + p_0) - y_i)/e_i]^2       over some of sigma, R, D_p, D, E, r, theta, p_0
 ///
-/// with the derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp. Each parameter is fitted as its
-/// row of surface/contact_parameter.hpp says: positive ones as their logarithms, D, r and theta as ln (x-a)/(b-x)
-/// between their ends, the pressure offset p_0 as it is. Intervals are symmetric in the fitted variable. Without errors
-/// e_i, all points count alike (K by relative, R by absolute residual) and the covariance is scaled by chi^2 over the
-/// degrees of freedom.
+/// Each parameter is fitted as its row of surface/contact_parameter.hpp says; intervals are symmetric in the fitted
+/// variable. Without errors e_i all points count alike and the covariance is scaled by chi^2. K(p) = B g(p/A) with A ~
+/// E D_p sigma^(3/2) R^(1/2) and B ~ E D_p sigma^(1/2) R^(1/2): of sigma, E D_p sqrt(R) and D at most two can be found.
+/// A fit that asks for more is singular and names the parameters; one at an end of D, r or theta is at_bound.
 ///
-/// What a curve can tell: K(p) = B g(p/A) with A = E D_p sigma^(3/2) R^(1/2) a and B = E D_p sigma^(1/2) R^(1/2) b,
-/// where g depends on r and theta, a and b on D. So E, D_p and R enter in the product E D_p sqrt(R) alone, and of
-/// sigma, that product and D no more than two can be found. Asked for more, the fit says singular and which; and also
-/// where the noise is all that tells parameters apart: one that the data hold to a factor of 100 alone, but not beside
-/// the others.
-///
-/// At an end of the range of D, r or theta the fitted variable is infinite, and nothing there is a minimum: a fit that
-/// would go beyond it, or is there within its error, says at_bound. Standard errors have no meaning then.
-///
-/// Any law can be fitted, and with interaction: IdentifyOptions::contact is that of the contact. Its length L is held.
-/// A law without powers takes milliseconds a point. D can be fitted where the law is a DimensionalLaw.
-///
-/// Reference   this project; the derivatives as in their headers
+/// Reference   this project; the derivatives of contact/sensitivity.hpp and ultrasound/propagation.hpp
 /// Units       SI
-/// Valid       as contact/sensitivity; pressures p_i + p_0 > 0
+/// Valid       as contact/sensitivity; pressures p_i + p_0 > 0; the length of an interaction is held
 /// Accuracy    the truth lies in the 95 % interval in 95 +- 4 of 100 runs (tests/fit/identify_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
@@ -33,11 +20,6 @@
 #include <fstiff/math/least_squares.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/contact_parameter.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace fstiff {
 
@@ -79,8 +61,8 @@ struct Identification {
 
 namespace detail {
 
-/// A standard error above ln 100 of the logarithm that is fitted, which is a factor of 100 or nearly the whole range,
-/// tells nothing.
+/// A standard error above ln 100 of the logarithm that is fitted, a factor of 100 or nearly the whole range, tells
+/// nothing.
 template <Real T>
 inline constexpr T useless_error = T(4.6);
 
@@ -221,10 +203,9 @@ private:
 
 }  // namespace detail
 
-/// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as
-/// [](T dimension) { return FractalLaw<T>(dimension); }.
-/// \throws domain_error for data or starting values that no model has, fewer points than parameters, and a D that is to
-/// be fitted of a law that is no DimensionalLaw.
+/// Fits \p wanted to \p data, from \p start. \p law(D) makes the asperity law, such as [](T dimension) { return
+/// FractalLaw<T>(dimension); }. \throws domain_error for data or starting values that no model has, fewer points than
+/// parameters, and a D that is to be fitted of a law that is no DimensionalLaw.
 template <Real T, class MakeLaw>
 [[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data, const std::vector<Parameter>& wanted,
                                          const ContactParameters<T>& start, const MakeLaw& law,

@@ -11,7 +11,6 @@
 #include <fstiff/core/concepts.hpp>
 
 #include <cmath>
-#include <type_traits>
 
 namespace fstiff {
 

@@ -8,15 +8,13 @@
 /// Reference   Clenshaw, Math. Tables Aids Comput. 9 (1955) 118-120 (evaluation); Trefethen, Approximation Theory and
 ///             Approximation Practice (SIAM, 2013), chapter 3.
 /// Valid       a < b, at most `capacity` coefficients
-/// Accuracy    that of the samples times log(degree), and the first coefficients left out; each derivative costs
-///             degree^2
+/// Accuracy    that of the samples times log(degree), and the coefficients left out; a derivative costs degree^2
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/lanes.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -99,8 +97,7 @@ public:
     ChebyshevSections() = default;
 
     /// \p count equal sections of [a, b] of \p points coefficients each. A section is halved, three times at most,
-    /// where its last coefficients say that it needs it, and the values are good enough to tell: to \p error, which \p
-    /// f may raise.
+    /// where its last coefficients are above \p error, the error of the values, which \p f may raise.
     template <class F>
     ChebyshevSections(T a, T b, std::size_t count, std::size_t points, const F& f, const T& error) {
         sections_.reserve(count);
@@ -126,8 +123,7 @@ public:
         return value;
     }
 
-    /// Largest difference of two sections where they meet, over the value there: the ends are where a derivative is
-    /// worst.
+    /// Largest difference of two sections where they meet, over the value: a derivative is worst at the ends.
     [[nodiscard]] T relative_jump() const {
         T largest = 0;
         for (std::size_t i = 1; i < sections_.size(); ++i) {

@@ -10,7 +10,7 @@
 ///
 /// Reference   Takahasi and Mori, Publ. RIMS 9 (1974) 721-741.
 /// Valid       integrands that are smooth within, and integrable at the ends
-/// Accuracy    relative_tolerance, aimed at; the error returned is the difference of the last two steps and the rounding
+/// Accuracy    relative_tolerance, aimed at; the error returned is the last difference of two steps and the rounding
 
 #include <fstiff/core/concepts.hpp>
 #include <fstiff/core/estimate.hpp>
@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fstiff::detail {
 

@@ -15,7 +15,6 @@
 #include <fstiff/math/gaussian_moment_table.hpp>
 #include <fstiff/math/lanes.hpp>
 
-#include <array>
 #include <span>
 
 namespace fstiff::detail {

@@ -5,11 +5,9 @@
 ///
 ///     Z_k = sum over j of z_j exp(-2 pi i j k / M)        of each of `width` complex lines
 ///
-/// Stages of 4, 2 and odd factors that sort themselves (Stockham): in every stage the innermost loop runs over neighbouring
-/// numbers, and all of them share one phase.
+/// Stages of 4, 2 and odd factors that sort themselves (Stockham); the innermost loop shares one phase.
 ///
-/// Reference   Stockham, AFIPS Proc. 28 (1966) 229; odd factors by sums and differences of pairs: Singleton, IEEE Trans.
-///             Audio Electroacoust. 17 (1969) 93.
+/// Reference   Stockham, AFIPS Proc. 28 (1966) 229; odd factors: Singleton, IEEE Trans. Audio 17 (1969) 93
 /// Units       those of the data
 /// Valid       M from 2 to 2^30 without a prime factor above 50
 /// Accuracy    that of math/fft (tests/math/fft_of_lines_test.cpp)
@@ -17,13 +15,6 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/lanes.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <vector>
 
 namespace fstiff::detail {
 
@@ -45,8 +36,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    /// Number j of line l is \p re[j width + l] + i \p im[j width + l], before and after. With \p re and \p im exchanged it
-    /// is the transform with the other sign: M times the inverse.
+    /// Number j of line l is \p re[j width + l] + i \p im[j width + l], before and after. With \p re and \p im
+    /// exchanged it is the transform with the other sign: M times the inverse.
     void transform(T* re, T* im) {
         Planes from{re, im}, to{re_.data(), im_.data()};
         std::size_t run = width;

@@ -3,16 +3,12 @@
 /// \file
 /// Moments of a Gaussian beyond a threshold: the inner integral of every contact quantity.
 ///
-///     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x)
-///     F_a'   = -a F_{a-1}
+///     F_a(x) = int_0^inf v^a exp(-(v+x)^2/2) dv = Gamma(a+1) exp(-x^2/4) D_{-a-1}(x)          F_a' = -a F_{a-1}
 ///
-/// D is Whittaker's parabolic cylinder function. F_a falls as exp(-x^2/2) for x > 0 and grows as sqrt(2 pi) |x|^a for x < 0.
-/// Short polynomials cover the line piece by piece (tools/make_gaussian_moment_table.py): the pieces are eighths of the
-/// octaves of |x| + 2, so that the bits of that number name its piece; from |x| = 30 on, 1/x^2 is the variable. The
-/// coefficients of the four moments of a contact lie side by side, and one loop sums all four. No recurrence is used:
-/// F_{a+1} = a F_{a-1} - x F_a cancels for x > 0.
+/// D is Whittaker's parabolic cylinder function. Short polynomials (tools/make_gaussian_moment_table.py) cover eighths
+/// of the octaves of |x| + 2; from |x| = 30 on, 1/x^2 is the variable. No recurrence: it cancels for x > 0.
 ///
-/// Reference   NIST Digital Library of Mathematical Functions, 12.5.1.
+/// Reference   NIST Digital Library of Mathematical Functions, 12.5.1
 /// Units       dimensionless
 /// Valid       a in {-1/2, 0, 1/2, 1, 3/2, 5/2}; any x that is a number: underflows to 0 for x > 38 (double). float is
 ///             computed in double; long double takes the tables of math/gaussian_moment_table_extended, which the
@@ -24,18 +20,14 @@
 #include <fstiff/math/lanes.hpp>
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <concepts>
 #include <cstdint>
-#include <limits>
 
 namespace fstiff {
 
 namespace detail {
 
-/// The pieces of the tables: eighths of the octaves of |x| + 2 for |x| < moment_far, and one beyond; then the same for x < 0.
+/// The pieces of the tables: eighths of the octaves of |x| + 2 for |x| < moment_far, and one beyond; for x < 0 too.
 inline constexpr int moment_far = 30, pieces_a_side = 33;
 
 /// Whether |x| < moment_far, as its pieces see it: a long double just below counts as the double that it rounds to.
@@ -95,8 +87,8 @@ EIGEN_DONT_INLINE Lanes<T, 4> far_moments(T x) {
            Lanes<T, 4>::load(power);
 }
 
-/// F_a(x) for a = 0, 1/2, 1, 3/2, times exp(x^2/2) for x >= 0, which neither under- nor overflows; at eight monotone x. By the
-/// first \p terms of each polynomial, an even number; MomentTable::cut[terms] bounds the relative error of leaving out others.
+/// F_a(x) for a = 0, 1/2, 1, 3/2, times exp(x^2/2) for x >= 0, at eight monotone x, without under- and overflow. By the
+/// first \p terms of each polynomial, an even number, with a relative error of MomentTable::cut[terms].
 template <int terms, Real T>
 EIGEN_ALWAYS_INLINE void scaled_moments(const T* x, std::array<Lanes<T, 4>, 8>& out) {
     if (is_near(x[0]) && is_near(x[7])) {
@@ -144,8 +136,8 @@ T scaled_moment(T x) {
     }
 }
 
-/// exp(-x^2/2), without the loss of x^2 epsilon that rounding x^2 costs: x = head + tail with so few digits in head that
-/// head^2 is exact. By rounding down rather than by a sum and a difference, which a compiler may contract.
+/// exp(-x^2/2), without the loss of x^2 epsilon that rounding x^2 costs: x = head + tail with so few digits in head
+/// that head^2 is exact. By rounding down rather than by a sum and a difference, which a compiler may contract.
 template <Real T>
 T gaussian(T x) {
     using Limits = std::numeric_limits<T>;

@@ -5,24 +5,14 @@
 ///
 ///     y_i = sum_k s(i-k) z_k,   s(n) = exp(-pi (n/(a w))^2),  a = sqrt(ln 2/pi) = 0.4697         w: cut-off in samples
 ///
-/// The profile filter divides them by the same sums of ones, the map filter applies them along rows and columns.
-///
 /// Reference   ISO 16610-21:2011, 4.2 (weights)
 /// Units       the numbers': any; w in samples
 /// Valid       w > 0, as many numbers as were announced
-/// Accuracy    that of the transform: 1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights
-///             below 1e-17 of the middle one are left out
+/// Accuracy    1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights below 1e-17 are 0
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <optional>
-#include <vector>
 
 namespace fstiff {
 
@@ -31,19 +21,59 @@ template <Real T = double>
 class GaussianSmoother {
 public:
     /// \throws domain_error unless there are numbers and the \p width, in samples, is positive.
-    GaussianSmoother(std::size_t size, T width);
+    GaussianSmoother(std::size_t size, T width) : size_(size), fft_(fast_fft_size(size + reach(size, width))) {
+        const auto weight = [&](std::size_t k) {
+            const T x = static_cast<T>(k) / width;
+            return std::exp(-numbers::pi_v<T> * numbers::pi_v<T> / numbers::ln2_v<T> * x * x);
+        };
+        std::vector<T> kernel(fft_.size());
+        kernel[0] = weight(0);
+        for (std::size_t k = 1; k <= reach(size, width); ++k) kernel[k] = kernel[fft_.size() - k] = weight(k);
+        fft_.forward(kernel, shape_);
+    }
 
     /// Replaces the numbers by their sums. \throws domain_error unless there are as many as were announced.
-    void operator()(std::vector<T>& data);
+    void operator()(std::vector<T>& data) {
+        require(data.size() == size_, "numbers to smooth", static_cast<T>(data.size()), "as many as were announced");
+        fft_.forward(data, spectrum_);
+        for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= shape_[k].real();  // the kernel is even
+        fft_.inverse(spectrum_, data);
+        data.resize(size_);
+    }
 
     /// The most lines that are smoothed at once: two to each lane of a vector, the real and the imaginary part of one
     /// transform, which the weights leave apart since theirs is real.
     static constexpr std::size_t lines = 2 * detail::FftOfLines<T>::width;
     /// The same of \p count lines; number i of line l is \p data[i step + l jump].
-    void of_lines(T* data, std::size_t step, std::size_t jump, std::size_t count);
+    void of_lines(T* data, std::size_t step, std::size_t jump, std::size_t count) {
+        constexpr std::size_t width = lines / 2;
+        const std::size_t whole = fft_.size();
+        if (!together_) together_.emplace(whole);
+        re_.assign(whole * width, T(0));
+        im_.assign(whole * width, T(0));
+        const auto part = [&](std::size_t l) { return l < width ? re_.data() + l : im_.data() + (l - width); };
+        for (std::size_t l = 0; l < count; ++l)
+            for (std::size_t i = 0; i < size_; ++i) part(l)[i * width] = data[i * step + l * jump];
+        together_->transform(re_.data(), im_.data());
+        for (std::size_t k = 0; k < whole; ++k) {
+            const T share = shape_[(std::min)(k, whole - k)].real() / static_cast<T>(whole);
+            for (std::size_t l = k * width; l < (k + 1) * width; ++l) re_[l] *= share, im_[l] *= share;
+        }
+        together_->transform(im_.data(), re_.data());
+        for (std::size_t l = 0; l < count; ++l)
+            for (std::size_t i = 0; i < size_; ++i) data[i * step + l * jump] = part(l)[i * width];
+    }
 
 private:
-    static std::size_t reach(std::size_t size, T width);  ///< of the weights, to 1e-17
+    /// Reach of the weights, to 1e-17.
+    static std::size_t reach(std::size_t size, T width) {
+        require_positive("numbers to smooth", static_cast<T>(size));
+        require_positive("width", width);
+        // before the conversion to a whole number, which a huge width would leave the range of
+        return T(1.66) * width >= static_cast<T>(size - 1)
+                   ? size - 1
+                   : (std::min)(size - 1, static_cast<std::size_t>(T(1.66) * width) + 1);
+    }
 
     std::size_t size_;
     RealFft<T> fft_;
@@ -51,57 +81,5 @@ private:
     std::optional<detail::FftOfLines<T>> together_;
     std::vector<T> re_, im_;
 };
-
-template <Real T>
-std::size_t GaussianSmoother<T>::reach(std::size_t size, T width) {
-    require_positive("numbers to smooth", static_cast<T>(size));
-    require_positive("width", width);
-    // before the conversion to a whole number, which a huge width would leave the range of
-    return T(1.66) * width >= static_cast<T>(size - 1)
-               ? size - 1
-               : (std::min)(size - 1, static_cast<std::size_t>(T(1.66) * width) + 1);
-}
-
-template <Real T>
-GaussianSmoother<T>::GaussianSmoother(std::size_t size, T width)
-    : size_(size), fft_(fast_fft_size(size + reach(size, width))) {
-    const auto weight = [&](std::size_t k) {
-        const T x = static_cast<T>(k) / width;
-        return std::exp(-numbers::pi_v<T> * numbers::pi_v<T> / numbers::ln2_v<T> * x * x);
-    };
-    std::vector<T> kernel(fft_.size());
-    kernel[0] = weight(0);
-    for (std::size_t k = 1; k <= reach(size, width); ++k) kernel[k] = kernel[fft_.size() - k] = weight(k);
-    fft_.forward(kernel, shape_);
-}
-
-template <Real T>
-void GaussianSmoother<T>::operator()(std::vector<T>& data) {
-    require(data.size() == size_, "numbers to smooth", static_cast<T>(data.size()), "as many as were announced");
-    fft_.forward(data, spectrum_);
-    for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= shape_[k].real();  // the kernel is even
-    fft_.inverse(spectrum_, data);
-    data.resize(size_);
-}
-
-template <Real T>
-void GaussianSmoother<T>::of_lines(T* data, std::size_t step, std::size_t jump, std::size_t count) {
-    constexpr std::size_t width = lines / 2;
-    const std::size_t whole = fft_.size();
-    if (!together_) together_.emplace(whole);
-    re_.assign(whole * width, T(0));
-    im_.assign(whole * width, T(0));
-    const auto part = [&](std::size_t l) { return l < width ? re_.data() + l : im_.data() + (l - width); };
-    for (std::size_t l = 0; l < count; ++l)
-        for (std::size_t i = 0; i < size_; ++i) part(l)[i * width] = data[i * step + l * jump];
-    together_->transform(re_.data(), im_.data());
-    for (std::size_t k = 0; k < whole; ++k) {
-        const T share = shape_[(std::min)(k, whole - k)].real() / static_cast<T>(whole);
-        for (std::size_t l = k * width; l < (k + 1) * width; ++l) re_[l] *= share, im_[l] *= share;
-    }
-    together_->transform(im_.data(), re_.data());
-    for (std::size_t l = 0; l < count; ++l)
-        for (std::size_t i = 0; i < size_; ++i) data[i * step + l * jump] = part(l)[i * width];
-}
 
 }  // namespace fstiff

@@ -1,33 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Nonlinear least squares with given derivatives, and what the data say of each parameter.
+/// Nonlinear least squares with given derivatives.
 ///
 ///     minimise |f(x)|^2 by (J^T J + lambda diag(J^T J)) dx = -J^T f                          Levenberg-Marquardt
 ///     covariance (J^T J)^-1 at the minimum, for residuals f in units of their standard error
 ///
-/// The steps solve the least-squares problem of J and the damping by QR, not the normal equations. Directions in which
-/// f does not change are found from the singular values of J with its columns scaled to length 1: parameters that the
-/// data cannot tell apart.
+/// Steps are solved by QR of J and the damping. Small singular values of J, its columns scaled to length 1, show
+/// combinations of parameters that the data do not determine.
 ///
 /// Reference   Marquardt, SIAM J. Appl. Math. 11 (1963) 431-441; More, Lecture Notes in Math. 630 (1978) 105-116
-///             (scaling).
 /// Units       those of the caller
 /// Valid       at least as many residuals as parameters; f finite at the start
-/// Accuracy    the step left at the end is below the tolerance times the standard errors
-///             (tests/math/least_squares_test.cpp)
+/// Accuracy    the last step is below the tolerance times the standard errors (tests/math/least_squares_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <utility>
 
 namespace fstiff {
 
@@ -70,6 +61,50 @@ struct LeastSquaresFit {
     int evaluations = 0;
 };
 
+namespace detail {
+
+/// Lengths of the columns of \p jacobian; 1 in place of 0.
+template <Real T>
+[[nodiscard]] auto column_scales(const typename LeastSquaresFit<T>::Matrix& jacobian) {
+    typename LeastSquaresFit<T>::Vector scale = jacobian.colwise().norm();
+    for (T& s : scale) s = s > 0 ? s : T(1);
+    return scale;
+}
+
+/// The step in units of 1/\p scale that minimises |J dx + f|^2 + damping |scale dx|^2.
+template <Real T>
+[[nodiscard]] auto damped_step(const LeastSquaresFit<T>& fit, const typename LeastSquaresFit<T>::Matrix& jacobian,
+                               const typename LeastSquaresFit<T>::Vector& scale, T damping) {
+    const Eigen::Index residuals = jacobian.rows(), count = jacobian.cols();
+    typename LeastSquaresFit<T>::Matrix stacked = LeastSquaresFit<T>::Matrix::Zero(residuals + count, count);
+    stacked.topRows(residuals) = jacobian * scale.cwiseInverse().asDiagonal();
+    stacked.bottomRows(count).diagonal().setConstant(std::sqrt(damping));
+    typename LeastSquaresFit<T>::Vector right = LeastSquaresFit<T>::Vector::Zero(residuals + count);
+    right.head(residuals) = -fit.residuals;
+    return PivotedQr<T>(std::move(stacked)).solve(std::move(right));
+}
+
+/// Covariance and status of a search that \p ended, or the direction that \p jacobian does not see.
+template <Real T>
+void set_covariance(LeastSquaresFit<T>& fit, const typename LeastSquaresFit<T>::Matrix& jacobian, bool ended,
+                    T least_singular_value) {
+    const auto scale = column_scales<T>(jacobian);
+    const Eigen::Index last = jacobian.cols() - 1;
+    const auto [values, vectors] = singular_vectors<T>(jacobian * scale.cwiseInverse().asDiagonal());
+    const bool blind = (jacobian.colwise().norm().array() == 0).any();
+    if (blind || values(last) <= least_singular_value * values(0)) {
+        fit.status = FitStatus::singular;
+        fit.null_direction = vectors.col(last);
+        return;
+    }
+    const typename LeastSquaresFit<T>::Matrix half =
+        scale.cwiseInverse().asDiagonal() * vectors * values.cwiseInverse().asDiagonal();
+    fit.covariance = half.lazyProduct(half.transpose());
+    fit.status = ended ? FitStatus::converged : FitStatus::not_converged;
+}
+
+}  // namespace detail
+
 /// Minimises |f|^2 from \p start. \p evaluate(x, f, J) fills residuals and derivatives, and returns whether x is in the
 /// domain of the model. \throws domain_error when there are fewer residuals than parameters, or the start is outside.
 template <Real T, class Evaluate>
@@ -98,21 +133,11 @@ template <Real T, class Evaluate>
                                    .reason = "the model has no value there for the data; must be closer to them"});
     fit.sum_of_squares = fit.residuals.squaredNorm();
 
-    const auto scales = [&] {
-        Vector scale = jacobian.colwise().norm();
-        for (T& s : scale) s = s > 0 ? s : T(1);
-        return scale;
-    };
     T damping = T(1e-3);
     bool ended = false;
     for (int step = 0; step < options.max_iterations && !ended; ++step) {
-        const Vector scale = scales();
-        Matrix stacked = Matrix::Zero(residuals + count, count);
-        stacked.topRows(residuals) = jacobian * scale.cwiseInverse().asDiagonal();
-        stacked.bottomRows(count).diagonal().setConstant(std::sqrt(damping));
-        Vector right = Vector::Zero(residuals + count);
-        right.head(residuals) = -fit.residuals;
-        const Vector scaled = PivotedQr<T>(std::move(stacked)).solve(std::move(right));
+        const Vector scale = detail::column_scales<T>(jacobian);
+        const Vector scaled = detail::damped_step(fit, jacobian, scale, damping);
         const Vector trial = fit.parameters + scaled.cwiseQuotient(scale);
         const bool inside = trial.allFinite() && usable(trial, trial_residuals, trial_jacobian);
         const T found = inside ? trial_residuals.squaredNorm() : std::numeric_limits<T>::infinity();
@@ -135,18 +160,7 @@ template <Real T, class Evaluate>
             if (damping > T(1e12)) break;
         }
     }
-
-    const Vector scale = scales();
-    const auto [values, vectors] = singular_vectors<T>(jacobian * scale.cwiseInverse().asDiagonal());
-    const bool blind = (jacobian.colwise().norm().array() == 0).any();
-    if (blind || values(count - 1) <= options.singular_value * values(0)) {
-        fit.status = FitStatus::singular;
-        fit.null_direction = vectors.col(count - 1);
-        return fit;
-    }
-    const Matrix half = scale.cwiseInverse().asDiagonal() * vectors * values.cwiseInverse().asDiagonal();
-    fit.covariance = half.lazyProduct(half.transpose());
-    fit.status = ended ? FitStatus::converged : FitStatus::not_converged;
+    detail::set_covariance(fit, jacobian, ended, options.singular_value);
     return fit;
 }
 

@@ -5,7 +5,7 @@
 ///
 ///     phi(z) = exp(-z^2/2)/sqrt(2 pi)      Phi(z) = erfc(-z/sqrt(2))/2      z = Phi^-1(p)
 ///
-/// Reference   Wichura, Appl. Stat. 37 (1988) 477, AS 241 (three rational functions); in long double one step of Newton more.
+/// Reference   Wichura, Appl. Stat. 37 (1988) 477, AS 241; in long double one step of Newton more.
 /// Units       dimensionless
 /// Valid       0 < p < 1
 /// Accuracy    Phi^-1 to 1e-15 of itself in double, 1e-18 in long double (tests/math/normal_distribution_test.cpp)

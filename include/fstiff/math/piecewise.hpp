@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A function as many short polynomials: found without a search, a logarithm or a branch, one number or four at a time.
+/// A function as many short polynomials, found without a search, a logarithm or a branch, one number or four at a time.
 ///
 ///     f(x) = c_0 + c_1 s + ... + c_7 s^7        eight coefficients a piece, one row of a table, one cache line
+///     BinaryPieces    eight equal pieces to each power of 2: the leading bits of x name the piece, the others are s
+///     UniformPieces   equal pieces of [begin, end], s in [-1, 1]
 ///
-/// BinaryPieces    eight equal pieces to each power of 2. The leading bits of x are the number of the piece,
-///                 and the others s: x = 2^e (middle + s).
-/// UniformPieces   equal pieces of [begin, end], s in [-1, 1].
+/// Rows are kept in a std::vector, since the alignment of Eigen's storage depends on compiler flags. four_at_once tells
+/// whether four rows are transposed in registers (AVX for double, any for float).
 ///
-/// The rows are kept in a std::vector: storage of Eigen is allocated in one way or another by the vectors that a compiler
-/// is told to use, so that a table made in one file could not be freed in another.
-///
-/// Four at a time: four rows are loaded and transposed, which is cheaper than to gather, and then four polynomials cost
-/// what one does. It takes registers of four numbers (AVX for double, any for float); elsewhere four_at_once is false.
-///
-/// Valid       BinaryPieces: 0 < low <= x <= high, normal numbers. UniformPieces: begin <= x <= end.
-///             contains() is a comparison of integers and false for a NaN, whatever a compiler assumes of them
-/// Accuracy    that of the coefficients, and 2 ulp of the largest term; the same x gives the same bits by value()
-///             wherever it is called, and by four_values() wherever it stands among the four; between the two there is
-///             rounding
+/// Valid       BinaryPieces: 0 < low <= x <= high, normal numbers. UniformPieces: begin <= x <= end. contains()
+///             compares integers and is false for a NaN under any compiler flag
+/// Accuracy    that of the coefficients and 2 ulp of the largest term; value() gives the same bits everywhere, and so
+///             does four_values(); the two differ by rounding
 
 #include <fstiff/core/concepts.hpp>
 
@@ -32,7 +26,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace fstiff::detail {
@@ -51,8 +44,7 @@ template <Real T>
     return (bits_of(x) << 1) > (bits_of(std::numeric_limits<T>::infinity()) << 1);
 }
 
-/// One row: its polynomial and the derivative by s, each by two interleaved Horner rules in s^2, half the latency of
-/// one.
+/// One row: its polynomial and the derivative by s, by two interleaved Horner rules in s^2 at half the latency.
 struct Row {
     static constexpr int terms = 8;
 

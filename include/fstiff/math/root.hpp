@@ -21,7 +21,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <type_traits>
+#include <utility>
 
 namespace fstiff {
 
@@ -47,6 +47,24 @@ struct RootResult {
 template <Real T>
 inline constexpr int root_iterations = (std::max)(200, 3 * std::numeric_limits<T>::digits);
 
+namespace detail {
+
+/// Where a root lies, and whether f was evaluated at the ends.
+template <Real T>
+struct Bracket {
+    T low, high;
+    bool low_seen = false, high_seen = false;
+
+    /// Newton's root \p expected where it is within the bracket, else an end that was not evaluated, or the middle.
+    [[nodiscard]] T probe(T expected, int side) const {
+        if (side > 0 && expected >= high && !high_seen) return high;
+        if (side < 0 && expected <= low && !low_seen) return low;
+        return expected > low && expected < high ? expected : std::midpoint(low, high);
+    }
+};
+
+}  // namespace detail
+
 /// The root of the monotone function \p f in [\p lower, \p upper], sought from \p guess (moved there when outside).
 /// \p f takes x and returns a pair {value, slope}. Does not allocate; throws only what f throws.
 template <Real T, class F>
@@ -55,8 +73,8 @@ template <Real T, class F>
     int max_iterations = root_iterations<T>) noexcept(std::is_nothrow_invocable_v<F&, T>) {
     if (!(std::isfinite(lower) && std::isfinite(upper) && lower <= upper)) return {guess, 0, 0, RootStatus::no_bracket};
 
-    T low = lower, high = upper;               // the root is between them
-    bool low_seen = false, high_seen = false;  // was f evaluated there?
+    detail::Bracket<T> bracket{lower, upper};
+    auto& [low, high, low_seen, high_seen] = bracket;
     T x = std::isnan(guess) ? std::midpoint(low, high) : std::clamp(guess, low, high);
     int direction = 0;  // +1 rising, -1 falling, 0 not known yet
     T last_move = std::numeric_limits<T>::infinity();
@@ -88,8 +106,7 @@ template <Real T, class F>
         const T step = -value / slope;
         if (high - low <= width) {
             if (low_seen && high_seen) {
-                const T newton = x + step;
-                const T root = newton >= low && newton <= high ? newton : std::midpoint(low, high);
+                const T newton = x + step, root = newton >= low && newton <= high ? newton : std::midpoint(low, high);
                 return {root, (std::max)(root - low, high - root), i, RootStatus::converged};
             }
             x = low_seen ? high : low;
@@ -99,18 +116,11 @@ template <Real T, class F>
         if (side != last_side) reach = width / 2;
         last_side = side;
         T next = x + step;
-        if (std::abs(step) <= width / 4) {
-            next += T(side) * reach;
-            reach *= 2;
-        } else if (!(std::abs(step) <= last_move / 2)) {
+        if (std::abs(step) <= width / 4)
+            next += T(side) * std::exchange(reach, 2 * reach);
+        else if (!(std::abs(step) <= last_move / 2))
             next = std::midpoint(low, high);
-        }
-        if (side > 0 && next >= high && !high_seen)
-            next = high;
-        else if (side < 0 && next <= low && !low_seen)
-            next = low;
-        else if (!(next > low && next < high))
-            next = std::midpoint(low, high);
+        next = bracket.probe(next, side);
         last_move = std::abs(next - x);
         x = next;
     }

@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Whether what a form leaves of heights is their rounding and nothing more: a line of numbers minus its line is noise of
-/// the last digit, of which every statistic can be computed and none means anything.
+/// Test whether the residual of a form is the rounding of the heights and nothing more.
 ///
 ///     rest <= 16 eps max |z|                      rounding of the scalar, and of the removal itself
 ///     rest <= 0.6 q, rms of the rest <= 0.3 q     rounding to steps of q, whose rms is q / sqrt(12) = 0.29 q
 ///
-/// q is what the heights were printed or counted in, where that is known, or the largest step of which all differences of
-/// neighbours are whole multiples.
+/// q is the resolution where it is known, or the largest step of which all differences of neighbours are multiples.
 ///
-/// Units       all arguments in one unit of length; the answer does not depend on it
+/// Units       all arguments in one unit of length
 /// Valid       heights finite or NaN (missing), as many rests
 /// Accuracy    a surface rougher than 0.6 q, or than 1e-14 of its largest height, is never taken for rounding
 ///             (tests/math/rounding_test.cpp)
 
-#include <fstiff/core/concepts.hpp>
+#include <fstiff/core/error.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 
 namespace fstiff::detail {
 
@@ -68,6 +63,16 @@ bool is_rounding(const T* heights, const T* rest, std::size_t count, T resolutio
     const T rms = most * std::sqrt(squares / static_cast<T>(present));
     const T least = (std::max)(most / T(0.6), rms / T(0.3));
     return resolution >= least || common_step(heights, count, least, (std::max)(rounding, T(0.01) * most)) >= least;
+}
+
+/// \throws domain_error where is_rounding() of the \p surface, "profile" or "map", without its \p form.
+template <Real T>
+void require_more_than_rounding(const std::string& surface, std::string_view form, const T* heights, const T* rest,
+                                std::size_t count, T resolution) {
+    if (is_rounding(heights, rest, count, resolution))
+        throw domain_error(surface + " of constant height once its form (" + std::string(form) +
+                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
+                           "heights; must be of varying height");
 }
 
 }  // namespace fstiff::detail

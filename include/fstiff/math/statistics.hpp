@@ -12,8 +12,6 @@
 #include <fstiff/math/random.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -42,8 +40,8 @@ inline constexpr NormalQuantile<T> normal_95{T(0.95), T(1.6448536269514727148638
 template <Real T = double>
 inline constexpr NormalQuantile<T> normal_975{T(0.975), T(1.959963984540054235524594430520551527L)};
 
-/// The same of Student's t at \p degrees_of_freedom (0 or less: the normal value). Closed for 1 and 2; else an expansion, right to
-/// 1e-3 from 5 on and to 1 % at 3.
+/// The same of Student's t at \p degrees_of_freedom (0 or less: the normal value). Closed for 1 and 2; else an
+/// expansion, right to 1e-3 from 5 on and to 1 % at 3.
 template <Real T>
 [[nodiscard]] T student_quantile(const NormalQuantile<T>& normal, int degrees_of_freedom) {
     const T z = normal.value, middle = 2 * normal.probability - 1;

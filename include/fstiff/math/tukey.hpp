@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Tukey's weights, by which robust filters leave out what stands far from the mean line.
+/// What profiles and maps share of robust filtering: Tukey's weights, the iteration by them, and the rule for spikes.
 ///
 ///     delta(r) = (1 - (r/c)^2)^2 for |r| < c, else 0;   c = 3 * 1.4826 median |r| = 4.4478 median |r|
 ///
@@ -10,17 +10,29 @@
 /// Reference   ISO 16610-31:2016, 4.3 and ISO 16610-71:2014, 4.3; Beaton, Tukey, Technometrics 16 (1974) 147
 /// Units       r and c: any, the same
 /// Valid       c > 0; at least one residual
-/// Accuracy    2 ulp (tests/math/tukey_test.cpp)
+/// Accuracy    2 ulp of the weights (tests/math/tukey_test.cpp)
 
 #include <fstiff/core/error.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace fstiff {
+
+/// Long waves of a profile or a map by a robust filter.
+template <class Surface>
+struct RobustWaviness {
+    Surface waviness{};
+    std::size_t left_out{};  ///< points of weight 0
+    int iterations{};
+    bool converged{};  ///< false: the scale of the weights still changed after 100 iterations
+};
+
+/// Result of a repair: \p removed points became missing; \p missing are missing, \p longest of them in one run or hole.
+struct Repair {
+    std::size_t removed{}, missing{}, longest{};
+};
 
 /// 3 / Phi^-1(3/4): three standard deviations over the median of the absolute values of Gaussian numbers.
 template <Real T>
@@ -60,22 +72,56 @@ template <Real T>
 
 namespace detail {
 
-/// The rule for spikes, of profiles and maps: marks what is farther than \p limit robust standard deviations, 1.4826 times the
-/// median of |d - median d|, from the median of \p differences (NaN: none). Marks nothing where that deviation is 0: more
-/// than half of the differences are equal, and rounded heights do not show their spread.
+/// Counts the spikes among \p heights, and with \p remove makes them NaN: those whose \p differences (NaN: none) are
+/// farther than \p limit robust standard deviations, 1.4826 times the median of |d - median d|, from their median.
+/// Finds none where that deviation is 0, because rounded heights do not show their spread.
 template <Real T>
-[[nodiscard]] std::vector<bool> far_from_median(const std::vector<T>& differences, T limit) {
+Repair spikes_among(T* heights, const std::vector<T>& differences, T limit, bool remove) {
     std::vector<T> some;
     for (const T d : differences)
         if (!std::isnan(d)) some.push_back(d);
-    std::vector<bool> is_far(differences.size(), false);
-    if (some.empty()) return is_far;
+    Repair repair;
+    if (some.empty()) return repair;
     const T middle = median(some);
     for (T& d : some) d = std::abs(d - middle);
     const T scale = tukey_factor<T> / 3 * median(some);
-    if (scale > T(0))
-        for (std::size_t i = 0; i < is_far.size(); ++i) is_far[i] = std::abs(differences[i] - middle) > limit * scale;
-    return is_far;
+    if (!(scale > T(0))) return repair;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        if (!(std::abs(differences[i] - middle) > limit * scale)) continue;
+        ++repair.removed;
+        if (remove) heights[i] = std::numeric_limits<T>::quiet_NaN();
+    }
+    return repair;
+}
+
+/// Robust means of \p z, 0 where \p exists(i) is false. \p sum(delta, delta z) forms the weighted sums, of which \p
+/// weight(i) and \p value(i) are the weight left and the mean; both iterate until the scale of the weights changes by
+/// less than 1e-4. A point with less than \p least_share of its first weight keeps its last mean.
+template <Real F, class Exists, class Sum, class Weight, class Value>
+[[nodiscard]] RobustWaviness<std::vector<F>> robust_means(const std::vector<F>& z, F least_share, const Exists& exists,
+                                                          const Sum& sum, const Weight& weight, const Value& value) {
+    RobustWaviness<std::vector<F>> result{.waviness = std::vector<F>(z.size())};
+    std::vector<F>& wave = result.waviness;
+    std::vector<F> delta(z.size()), weighted(z.size()), full(z.size()), residuals;
+    for (std::size_t i = 0; i < z.size(); ++i) delta[i] = exists(i) ? F(1) : F(0);
+    for (F previous = 0;; ++result.iterations) {
+        for (std::size_t i = 0; i < z.size(); ++i) weighted[i] = delta[i] * z[i];
+        sum(delta, weighted);
+        residuals.clear();
+        for (std::size_t i = 0; i < z.size(); ++i) {
+            if (!exists(i)) continue;
+            if (result.iterations == 0) full[i] = weight(i);
+            if (weight(i) >= least_share * full[i]) wave[i] = value(i);
+            residuals.push_back(std::abs(z[i] - wave[i]));
+        }
+        const F c = tukey_factor<F> * median(residuals);
+        result.converged = std::abs(c - previous) <= F(1e-4) * c;
+        if (result.converged || c == F(0) || result.iterations == 100) break;
+        previous = c;
+        for (std::size_t i = 0; i < z.size(); ++i) delta[i] = exists(i) ? tukey_weight(z[i] - wave[i], c) : F(0);
+    }
+    for (std::size_t i = 0; i < z.size(); ++i) result.left_out += exists(i) && delta[i] == F(0) ? 1 : 0;
+    return result;
 }
 
 }  // namespace detail

@@ -16,7 +16,7 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/math/statistics.hpp>
-#include <fstiff/profile/triples.hpp>
+#include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/surface/moments.hpp>
 
 #include <Eigen/Core>

@@ -17,12 +17,11 @@
 #include <fstiff/measured/cut_offs.hpp>
 #include <fstiff/profile/level.hpp>
 #include <fstiff/profile/repair.hpp>
-#include <fstiff/profile/robust_gaussian_filter.hpp>
+#include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/repair.hpp>
-#include <fstiff/topography/robust_gaussian_map_filter.hpp>
 
 #include <cmath>
 #include <memory>
@@ -168,7 +167,7 @@ void remove_long_waves(PreparedProfile<T>& prepared) {
         levelled = without_waviness(std::move(levelled), lambda_c);
         return;
     }
-    const RobustWaviness<T> robust = robust_waviness(levelled.profile, lambda_c);
+    const RobustWaviness<Profile<T>> robust = robust_waviness(levelled.profile, lambda_c);
     prepared.cut_offs.robust = outcome_of(robust, levelled.profile.present());
     if (!levelled.unfiltered) levelled.unfiltered = levelled.profile;
     for (std::size_t i = 0; i < levelled.profile.size(); ++i) levelled.profile.heights[i] -= robust.waviness.heights[i];
@@ -187,7 +186,7 @@ void remove_waves(PreparedMap<T>& prepared) {
         prepared.map = before;
     if (!cut_offs.lambda_c) return;
     if (cut_offs.filter == CutOffFilter::robust) {
-        const RobustMapWaviness<T> robust = robust_waviness(prepared.map, *cut_offs.lambda_c);
+        const RobustWaviness<HeightMap<T>> robust = robust_waviness(prepared.map, *cut_offs.lambda_c);
         prepared.map.heights -= robust.waviness.heights;
         cut_offs.robust = outcome_of(robust, static_cast<std::size_t>(prepared.map.present()));
     } else {

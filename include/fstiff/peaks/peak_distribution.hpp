@@ -4,34 +4,23 @@
 /// Greenwood's joint density of the height and curvature of the peaks of a Gaussian profile sampled at a finite step.
 ///
 ///     p_peak(zeta, t) = erf(t tan(theta)/sqrt 2)/(2 theta c) exp(-(zeta - r t)^2/(2 c^2)) exp(-t^2/2)   eq. (4.4)
-///     c^2 = 1 - r^2
-///     peaks / ordinates = theta/pi                                                                     eq. (4.3)
-///     E t   = sqrt(pi/2) sin(theta)/theta            E t^2 = 1 + sin(2 theta)/(2 theta)
-///     E t^3 = 3 sqrt(pi/2) (sin(theta) - sin^3(theta)/3)/theta
-///     E t^4 = 3 + 2 sin(2 theta)/theta + sin(4 theta)/(4 theta)
-///     zeta: mean r E t, variance V = 1 - r^2 + r^2 Var t, skewness r^3 mu3(t)/V^1.5,
-///           kurtosis 3 + r^4 (mu4(t) - 3 Var^2 t)/V^2
-///
-/// zeta is the height over the rms height, t the curvature over the rms curvature of the ordinates. With the
-/// autocorrelations rho1, rho2 at one and two steps
-///
+///     c^2 = 1 - r^2,   zeta height over the rms height,  t curvature over the rms curvature of the ordinates
 ///     sin^2(theta) = (3 - 4 rho1 + rho2)/(4 (1 - rho1))      r^2 = 2 (1 - rho1)^2/(3 - 4 rho1 + rho2)
+///     E t   = sqrt(pi/2) sin(theta)/theta            E t^2 = 1 + sin(2 theta)/(2 theta)
+///     E t^3 = 3 sqrt(pi/2) (sin(theta) - sin^3(theta)/3)/theta, E t^4 = 3 + 2 sin(2 theta)/theta + sin(4 theta)/4/theta
 ///
-/// r and theta are independent: 1 - r^2 = cot^2(theta) holds for an exponential autocorrelation only (docs/errata.md).
+/// rho1, rho2: autocorrelation at one and two steps. r and theta are independent (docs/errata.md).
 ///
-/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66
-///             (2014), eqs. (4.1)-(4.4), Fig. 2.
+/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski et al. (2014), eqs. (4.1)-(4.4), Fig. 2
 /// Units       dimensionless, theta in radians
 /// Valid       0 <= r < 1, 0 < theta < pi/2
-/// Accuracy    density 20 epsilon where it is not negligible; moments of t 8 epsilon; central moments lose 1/Var^2 t
-///             more (tests/peaks/peak_distribution_test.cpp)
+/// Accuracy    density 20 epsilon, moments of t 8 epsilon; central moments lose 1/Var^2 t
+///             (tests/peaks/peak_distribution_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace fstiff {
 
@@ -56,9 +45,8 @@ public:
         return {std::sqrt(2 / curvature) * slope, std::asin(std::sqrt(curvature / slope) / 2)};
     }
 
-    /// The peaks of a profile of exponential autocorrelation: 1 - r^2 = cot^2(theta).
-    /// \throws domain_error unless pi/4 <= theta <= pi/3: what rho2 = rho1^2 allows (a rounding beyond an end counts as
-    /// the end).
+    /// The peaks of a profile of exponential autocorrelation: 1 - r^2 = cot^2(theta). \throws domain_error unless pi/4
+    /// <= theta <= pi/3: what rho2 = rho1^2 allows (a rounding beyond an end counts as the end).
     static PeakDistribution exponential(T theta) {
         constexpr T pi = numbers::pi_v<T>;
         constexpr T slack = 4 * std::numeric_limits<T>::epsilon();
@@ -68,8 +56,8 @@ public:
         return {std::sqrt((std::max)(T(0), (1 - cot) * (1 + cot))), theta};
     }
 
-    /// The peaks of an isotropic surface of Nayak's alpha, measured at a vanishing step: r = 1/sqrt(alpha) and theta = 0.001,
-    /// next to its limit 0 by 1e-6 of the density. \throws domain_error unless alpha > 1.
+    /// The peaks of an isotropic surface of Nayak's alpha, measured at a vanishing step: r = 1/sqrt(alpha) and theta =
+    /// 0.001, next to its limit 0 by 1e-6 of the density. \throws domain_error unless alpha > 1.
     static PeakDistribution isotropic(T alpha) {
         require(alpha > 1 && std::isfinite(alpha), "Nayak's alpha", alpha, "finite and greater than 1");
         return {1 / std::sqrt(alpha), T(1e-3)};

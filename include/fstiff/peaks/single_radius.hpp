@@ -17,10 +17,6 @@
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/gaussian_moment.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace fstiff {
 
 /// How the heights of the peaks are distributed.
@@ -42,8 +38,7 @@ T scaled_upper_gamma(T x) {
 
 }  // namespace detail
 
-/// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2 or 5/2, h a
-/// number.
+/// G_n(h), the mean of (s-h)^n over the heights s above h. \throws domain_error unless n is 0, 1/2, 1, 3/2, 5/2.
 template <Real T>
 [[nodiscard]] T height_moment(T n, T h, Heights heights = Heights::gaussian) {
     if (heights == Heights::gaussian) return gaussian_moment(n, h) / (numbers::sqrt2_v<T> / numbers::inv_sqrtpi_v<T>);

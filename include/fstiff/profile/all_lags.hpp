@@ -6,22 +6,15 @@
 ///     N_n S(n h) = A_n + B_n - 2 R_n + 2 b n sum(r_(i+n) - r_i) + N_n (b n)^2        eq. (2.8)
 ///     z_i = a + b i + r_i,  R_n = sum r_i r_(i+n),  A_n, B_n: sums of r_i^2 over the first and the last N_n points
 ///
-/// The line is taken off before and put back into the sum in closed form, so that an offset or a tilt costs nothing.
-/// What is left to lose is the difference A + B - 2R of large sums: the error of every lag is bounded by
-/// 8 epsilon (A_0 + ...), and a lag that may be wrong by 1e-10 of S is evaluated again:
-///  - short lags of a long smooth profile, where S is far below the variance: in segments, each about its own mean;
-///  - all others, the longest lags among them, from their pairs.
-/// Missing points drop their pairs: the number of pairs and their sums are correlations of the mask.
+/// The line is removed first and put back in closed form. The rounding of A + B - 2R is bounded for every lag; a lag
+/// that may be wrong by 1e-10 of S is evaluated again, short lags in segments, others from their pairs.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8).
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8)
 /// Units       lag [m], S [m^2]
 /// Valid       2 points to 2^29; every height finite or NaN (missing)
-/// Accuracy    relative error 1e-10 or less at every lag in double, offset or tilt up to 1e6 times the roughness
-///             included (tests/profile/all_lags_test.cpp); float is computed in double, long double is no better than
-///             double
-///
-/// The cost is that of two transforms of 2N points, and of N for every lag from its pairs: none to a few dozen for a rough
-/// profile, about N/1000 for one smooth wave with points missing, N/p for an exact period of p samples, whose S is 0 there.
+/// Accuracy    1e-10 relative at every lag in double and long double, tilt up to 1e6 times the roughness
+///             (tests/profile/all_lags_test.cpp)
+/// Cost        two transforms of 2N points, and N for every lag from its pairs: a few dozen of a rough profile
 
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/structure_function.hpp>
@@ -31,12 +24,6 @@
 #include <cstdint>
 
 namespace fstiff {
-
-/// S of \p profile at all lags of 1, 2, ... \p longest samples (0: all there are).
-/// \throws domain_error as structure_function() does, and for a profile of fewer than 2 or more than 2^29 points.
-template <Real T>
-[[nodiscard]] StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest = 0,
-                                                                  Divisor divisor = Divisor::pairs);
 
 namespace detail {
 
@@ -49,7 +36,9 @@ public:
         : z_(heights), present_(present), size_(heights.size()), longest_(longest) {
         whole_ = present.empty();
         take_off_line();
-        correlate();
+        sum.resize(longest_);
+        pairs.resize(longest_);
+        whole_ ? correlate_whole() : correlate_present();
         recompute_marked();
     }
 
@@ -58,6 +47,8 @@ public:
 
 private:
     static constexpr F wanted = F(0.8e-10);  // the rest of 1e-10 is for the rounding of the sums themselves
+    static constexpr F epsilon = (std::max)(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
+    static constexpr F fft_error = 8 * epsilon;  // of a correlation, over its value at lag 0: six times the measured one
 
     /// Sum of \p term over the points that exist, in short runs so that rounding does not add up.
     template <class Term>
@@ -101,44 +92,44 @@ private:
             if (whole_ || present_[i]) residual_[i] -= constant;
     }
 
-    void correlate() {
-        sum.resize(longest_);
-        pairs.resize(longest_);
+    /// \p spectrum becomes the transform of its norms: a real even spectrum is its own inverse.
+    static void transform_norms(RealFft<F>& fft, std::vector<std::complex<F>>& spectrum) {
+        std::vector<F> even(fft.size());
+        for (std::size_t k = 0; k < spectrum.size(); ++k)
+            even[k] = even[(fft.size() - k) % fft.size()] = std::norm(spectrum[k]) * (F(1) / static_cast<F>(fft.size()));
+        fft.forward(even, spectrum);
+    }
+
+    void correlate_whole() {
+        RealFft<F> fft(residual_.size());
+        std::vector<std::complex<F>> spectrum;
+        fft.forward(residual_, spectrum);
+        transform_norms(fft, spectrum);
+        const F zero = over_points([&](std::size_t i) { return residual_[i] * residual_[i]; });
+        // squares outside the pairs' beginnings and ends; last n less first n points
+        CompensatedSum<F> left_out, edges;
+        for (std::size_t n = 1; n <= longest_; ++n) {
+            const F head = residual_[n - 1], tail = residual_[size_ - n];
+            left_out.add(head * head + tail * tail);
+            edges.add(tail - head);
+            const F count = static_cast<F>(size_ - n), line = slope_ * static_cast<F>(n);
+            // sum of r_(i+n) - r_i = (all - first n) - (all - last n)
+            const F cross = 2 * line * edges.value();
+            sum[n - 1] = (2 * zero - left_out.value()) - 2 * spectrum[n].real() + cross + count * line * line;
+            pairs[n - 1] = size_ - n;
+            mark_inaccurate(n, 2 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
+                                   4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n)));
+        }
+    }
+
+    /// With points missing: pairs, sum of differences and sum of squared differences are three correlations.
+    void correlate_present() {
         RealFft<F> fft(residual_.size());
         const std::size_t half = fft.size() / 2;
         const F scale = F(1) / static_cast<F>(fft.size());
-        constexpr F epsilon = (std::max)(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
-        const F fft_error = 8 * epsilon;  // of a correlation, over its value at lag 0: six times what was measured
-        std::vector<std::complex<F>> spectrum, other;
-        std::vector<F> even(fft.size());
+        std::vector<std::complex<F>> spectrum, other, mask;
+        std::vector<F> even(fft.size()), work(size_);
         fft.forward(residual_, spectrum);
-
-        if (whole_) {
-            // a real even spectrum: the transform is its own inverse
-            even[0] = std::norm(spectrum[0]) * scale;
-            for (std::size_t k = 1; k <= half; ++k) even[k] = even[fft.size() - k] = std::norm(spectrum[k]) * scale;
-            fft.forward(even, spectrum);
-            const F zero = over_points([&](std::size_t i) { return residual_[i] * residual_[i]; });
-            CompensatedSum<F> left_out,
-                edges;  // squares outside the pairs' beginnings and ends; last n less first n points
-            for (std::size_t n = 1; n <= longest_; ++n) {
-                const F head = residual_[n - 1], tail = residual_[size_ - n];
-                left_out.add(head * head + tail * tail);
-                edges.add(tail - head);
-                const F count = static_cast<F>(size_ - n), line = slope_ * static_cast<F>(n);
-                // sum of r_(i+n) - r_i = (all - first n) - (all - last n)
-                const F cross = 2 * line * edges.value();
-                sum[n - 1] = (2 * zero - left_out.value()) - 2 * spectrum[n].real() + cross + count * line * line;
-                pairs[n - 1] = size_ - n;
-                mark_inaccurate(n, 2 * fft_error * zero + 4 * epsilon * (std::abs(cross) + count * line * line) +
-                                       4 * epsilon * std::abs(line) * std::sqrt(zero * static_cast<F>(2 * n)));
-            }
-            return;
-        }
-
-        // with points missing: pairs, sum of differences and sum of squared differences are three correlations
-        std::vector<F> work(size_);
-        std::vector<std::complex<F>> mask;
         for (std::size_t i = 0; i < size_; ++i) work[i] = present_[i] ? F(1) : F(0);
         fft.forward(work, mask);
         for (std::size_t i = 0; i < size_; ++i) work[i] = residual_[i] * residual_[i];
@@ -156,9 +147,7 @@ private:
         }
         fft.forward(even, spectrum);
         fft.forward(odd, other);
-        for (std::size_t k = 0; k <= half; ++k)
-            even[k] = even[(fft.size() - k) % fft.size()] = std::norm(mask[k]) * scale;
-        fft.forward(even, mask);
+        transform_norms(fft, mask);
         for (std::size_t n = 1; n <= longest_; ++n) {
             const F count = std::round(mask[n].real()), line = slope_ * static_cast<F>(n);
             const F cross = 2 * line * other[n].imag();
@@ -232,7 +221,6 @@ private:
         }
         if (from == 0) return settled;
         fft.inverse(product, x);
-        constexpr F epsilon = (std::max)(std::numeric_limits<F>::epsilon(), static_cast<F>(2.3e-16L));
         // the sums above grow segment by segment and step by step
         const std::size_t count = size_ / begins;
         const F steps = std::sqrt(static_cast<F>(to)) + std::sqrt(static_cast<F>(count));
@@ -269,8 +257,11 @@ private:
 
 }  // namespace detail
 
+/// S of \p profile at all lags of 1, 2, ... \p longest samples (0: all there are).
+/// \throws domain_error as structure_function() does, and for a profile of fewer than 2 or more than 2^29 points.
 template <Real T>
-StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest, Divisor divisor) {
+[[nodiscard]] StructureFunction<T> structure_function_at_all_lags(const Profile<T>& profile, std::size_t longest = 0,
+                                                                  Divisor divisor = Divisor::pairs) {
     using F = Accumulator<T>;
     require_positive("spacing", profile.spacing);
     const std::size_t points = profile.size();

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The autocorrelation function of a profile, and the length within which it falls to a fifth.
+/// Autocorrelation function of a profile, and the length within which it falls to a fifth.
 ///
-///     A(n h) = <z_i z_(i+n)>/<z^2>      z about the mean of all points; <z_i z_(i+n)> over the pairs of points that exist
+///     A(n h) = <z_i z_(i+n)>/<z^2>   z about the mean of all points; <z_i z_(i+n)> over the pairs of points that exist
 ///     Ral    = the shortest lag at which A has fallen to s = 0.2, on straight lines between the lags
 ///
-/// The estimate by pairs is not biased towards 0 at long lags, as a division by the number of all points would be, and needs
-/// no period; it scatters there, and lags above half the length are left out.
+/// Means by pairs are not biased towards 0 at long lags, where they scatter: lags above half the length are left out.
 ///
-/// Reference   ISO 21920-2:2021 (autocorrelation function, Ral), ISO 21920-3:2021 (s = 0.2).
+/// Reference   ISO 21920-2:2021 (autocorrelation function, Ral), ISO 21920-3:2021 (s = 0.2)
 /// Units       lag, Ral [m], A dimensionless
 /// Valid       16 points to 2^29, not all of one height; remove the form first
 /// Accuracy    1e-13 of A(0) = 1 (tests/profile/autocorrelation_test.cpp)
 
 #include <fstiff/math/fft.hpp>
 #include <fstiff/profile/profile.hpp>
-
-#include <optional>
 
 namespace fstiff {
 
@@ -33,26 +30,7 @@ struct Autocorrelation {
 
 /// Of \p profile. \throws domain_error for a profile out of range.
 template <Real T>
-[[nodiscard]] Autocorrelation<T> autocorrelation(const Profile<T>& profile);
-
-/// Ral: the lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or a lag before has no
-/// pair. \throws domain_error unless 0 < threshold < 1.
-template <Real T>
-[[nodiscard]] std::optional<T> autocorrelation_length(const Autocorrelation<T>& correlation,
-                                                      std::type_identity_t<T> threshold = T(0.2)) {
-    require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
-    for (std::size_t n = 1; n < correlation.size(); ++n) {
-        const T before = correlation.value[n - 1], here = correlation.value[n];
-        if (std::isnan(here)) return {};
-        if (here <= threshold)
-            return correlation.lag[n - 1] +
-                   (correlation.lag[n] - correlation.lag[n - 1]) * ((before - threshold) / (before - here));
-    }
-    return {};
-}
-
-template <Real T>
-Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
+[[nodiscard]] Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
     using F = Accumulator<T>;
     profile.validate(16);
     const std::size_t size = profile.size(), lags = size / 2;
@@ -84,6 +62,22 @@ Autocorrelation<T> autocorrelation(const Profile<T>& profile) {
         result.pairs.push_back(static_cast<std::size_t>(pairs));
     }
     return result;
+}
+
+/// Ral: the lag at which \p correlation first falls to \p threshold [m]; none where it stays above it, or a lag before
+/// has no pair. \throws domain_error unless 0 < threshold < 1.
+template <Real T>
+[[nodiscard]] std::optional<T> autocorrelation_length(const Autocorrelation<T>& correlation,
+                                                      std::type_identity_t<T> threshold = T(0.2)) {
+    require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
+    for (std::size_t n = 1; n < correlation.size(); ++n) {
+        const T before = correlation.value[n - 1], here = correlation.value[n];
+        if (std::isnan(here)) return {};
+        if (here <= threshold)
+            return correlation.lag[n - 1] +
+                   (correlation.lag[n] - correlation.lag[n - 1]) * ((before - threshold) / (before - here));
+    }
+    return {};
 }
 
 }  // namespace fstiff

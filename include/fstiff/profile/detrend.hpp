@@ -15,8 +15,6 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/profile/profile.hpp>
 
-#include <array>
-
 namespace fstiff {
 
 /// Form that is removed from a profile.
@@ -24,11 +22,6 @@ enum class Form { none, mean, line, parabola };
 template <>
 inline constexpr auto names<Form> =
     name_list<Form>({{Form::none, "none"}, {Form::mean, "mean"}, {Form::line, "line"}, {Form::parabola, "parabola"}});
-
-/// \p profile without the \p form.
-/// \throws domain_error when it has fewer points than the form has coefficients, or an infinite height.
-template <Real T>
-[[nodiscard]] Profile<T> detrend(const Profile<T>& profile, Form form);
 
 namespace detail {
 
@@ -58,8 +51,10 @@ void subtract_product(T& value, T& carry, T a, T b) {
 
 }  // namespace detail
 
+/// \p profile without the \p form.
+/// \throws domain_error when it has fewer points than the form has coefficients, or an infinite height.
 template <Real T>
-Profile<T> detrend(const Profile<T>& profile, Form form) {
+[[nodiscard]] Profile<T> detrend(const Profile<T>& profile, Form form) {
     const std::size_t terms = detail::coefficients(form);
     for (const T z : profile.heights)
         require(std::isnan(z) || std::abs(z) <= (std::numeric_limits<T>::max)(), "height", z,

@@ -1,62 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Fractal dimension D and roughness G of a profile, from its structure function of second differences, with errors.
+/// Fractal dimension D and roughness G of a profile from its second differences, with errors.
 ///
 ///     ln S2(tau) = (4-2D) ln tau + ln C + ln(4 - 2^(4-2D))                          eq. (2.5), of second differences
+///     error^2 = max(model, bootstrap)^2 v/(v-2) + window^2                         v pieces as long as the longest lag
 ///
-/// A line (profile/structure_fit) over a window of lags that is found or given (profile/lag_window). Second differences
-/// (profile/second_differences) do not see a form, a tilt and the waves beyond the window. Lags from lambda_s on need no filter:
-/// a profile that was filtered is fitted as it was before.
-///
-/// Errors (one standard deviation) are the root of the sum of squares of
-///  - sampling: the larger of what the covariance of a Gaussian self-affine profile with the fitted D gives, in closed form,
-///    with what the waves beyond the resolution and the longest lag may add, and of a moving-block bootstrap over the profile,
-///    seeded, which sees what is not Gaussian; times sqrt(v/(v-2)) for v pieces as long as the longest lag (Student's t);
-///  - window: how far D and ln G of the two halves of the window, and of the longest straight windows below and above it,
-///    differ from those of the window, beyond what their sampling explains (d^2 less twice its expectation), averaged by their
-///    widths on the scale of ln tau. A half or a neighbour that differs by more than 2.5 standard deviations and by 0.05
-///    disagrees, and the fit is flagged as curved. What the halves of a short window are too uncertain to show of a
-///    bend, and the search allows, is part of it.
-/// The textbook regression error, many times too small because S2 at neighbouring lags is correlated, stands beside them.
+/// The model is the covariance of a Gaussian self-affine profile (profile/structure_errors), the bootstrap resamples
+/// moving blocks, and the window error comes from other windows (profile/window_spread).
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8); Kunsch, Ann. Stat. 17 (1989)
-///             for the bootstrap; docs/errata.md for the constant C.
+///             1217 (bootstrap); docs/errata.md (the constant C)
 /// Units       lags, window, G [m]
-/// Valid       16 points at least, heights that vary; D strictly between 1 and 2
-/// Accuracy    Weierstrass-Mandelbrot profiles of 2^16 points waves from their length to two samples, D = 1.3 to 1.8: D
-///             within 0.02 and its own 3 sigma, G within a factor of 1.5 (tests/profile/fractal_fit_test.cpp). Coverage of D by 1.96 errors:
-///             tests/profile/coverage_test.cpp, at every 1st to 16th point
+/// Valid       16 points at least, heights that vary; 1 < D < 2
+/// Accuracy    Weierstrass-Mandelbrot profiles of 2^16 points, D = 1.3 to 1.8: D within 0.02, G within a factor of 1.5
+///             (tests/profile/fractal_fit_test.cpp); coverage of the errors in tests/profile/coverage_test.cpp
 
 #include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/level.hpp>
-#include <fstiff/profile/second_differences.hpp>
+#include <fstiff/profile/structure_function.hpp>
 #include <fstiff/profile/structure_errors.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/tip_cutoff.hpp>
 #include <fstiff/profile/window_spread.hpp>
 
-#include <functional>
-
 namespace fstiff {
-
-/// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
-/// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
-/// of lags follows a power law, or when D is not between 1 and 2.
-template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {});
-
-/// D and G of \p profile as it is. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {});
-
-/// D and G of a structure function, with the resamples that come with it; options.divisor, .seed and .resamples have no
-/// part in it.
-/// \throws domain_error as above, and when options.tip_radius is given: a tip needs heights, see tip_cutoff().
-template <Real T>
-[[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,
-                                        const FractalFitOptions<T>& options = {});
 
 namespace detail {
 
@@ -149,8 +118,11 @@ FractalFit<T> detail::fit_profile(const Profile<T>& profile, const FractalFitOpt
     return result;
 }
 
+/// D and G of a profile without its form, before its filters, of lags from its lambda_s to its lambda_c.
+/// \throws domain_error for a profile or an option out of range, a window that holds too few lags, when no half decade
+/// of lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
-FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options) {
+[[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {}) {
     FractalFitOptions<T> how = options;
     how.lambda_s = (std::max)(how.lambda_s, levelled.lambda_s.value_or(T(0)));
     if (levelled.lambda_c && !(how.longest > T(0) && how.longest < *levelled.lambda_c))
@@ -158,13 +130,17 @@ FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOp
     return detail::fit_profile(levelled.of_structure(), how);
 }
 
+/// D and G of \p profile as it is. \throws domain_error as above.
 template <Real T>
-FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options) {
+[[nodiscard]] FractalFit<T> fit_fractal(const Profile<T>& profile, const FractalFitOptions<T>& options = {}) {
     return detail::fit_profile(profile, options);
 }
 
+/// D and G of a structure function, with its resamples; options.divisor, .seed and .resamples are not used.
+/// \throws domain_error as above, and when options.tip_radius is given: a tip needs heights, see tip_cutoff().
 template <Real T>
-FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options) {
+[[nodiscard]] FractalFit<T> fit_fractal(const MeasuredStructureFunction<T>& measured,
+                                        const FractalFitOptions<T>& options = {}) {
     detail::check_options(options);
     require_positive("spacing", measured.spacing);
     require(measured.profiles >= T(1) && measured.profiles <= (std::numeric_limits<T>::max)(), "profiles",
@@ -273,6 +249,59 @@ void set_fractal(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, cons
     result.roughness_error = static_cast<T>(absolute);
 }
 
+/// \p measured at the lags up to \p longest [m].
+template <Real T>
+StructureFunction<T> up_to(StructureFunction<T> measured, T longest) {
+    while (measured.size() > 0 && measured.lag.back() > longest * T(1.0001)) {
+        measured.step.pop_back();
+        measured.lag.pop_back();
+        measured.value.pop_back();
+        measured.pairs.pop_back();
+    }
+    return measured;
+}
+
+/// D of the ordinary straight line over \p range, and its error. Returns the slope.
+template <Real T>
+Accumulator<T> set_ordinary_line(FractalFit<T>& result, const LogStructure<Accumulator<T>>& log,
+                                 const IndexRange& range) {
+    using F = Accumulator<T>;
+    const Vector<F> x = log.lag.segment(range.first, range.count()), y = log.value.segment(range.first, range.count());
+    const F slope = regression_slope(x, y, 0, x.size() - 1);
+    const auto centred = (x.array() - x.mean()).eval();
+    const F squares = (y.array() - y.mean() - slope * centred).square().sum();
+    result.line_dimension = static_cast<T>(2 - slope / 2);
+    result.regression_dimension_error =
+        static_cast<T>(std::sqrt(squares / static_cast<F>(result.lags - 2) / centred.square().sum()) / 2);
+    return slope;
+}
+
+/// \throws domain_error for a window that was found on a plateau.
+template <Real T>
+[[noreturn]] FSTIFF_COLD void refuse_plateau(const FractalFit<T>& found, T dimension) {
+    throw domain_error({.parameter = "fractal dimension of the window",
+                        .value = rounded_text(dimension, 4),
+                        .reason = "the slope goes from " + rounded_text(found.slope_shortest, 3) + " to " +
+                                  rounded_text(found.slope_longest, 3) + " between the lags " +
+                                  rounded_text(found.window.from, 3) + " m and " + rounded_text(found.window.to, 3) +
+                                  " m: a plateau; must be at most 1.9 in a window that is found"});
+}
+
+/// S2 of the fitted \p line at the lags of its window.
+template <Real T>
+void set_fitted(FractalFit<T>& result, const LogFit<Accumulator<T>>& line, const LogStructure<Accumulator<T>>& log,
+                T spacing) {
+    using F = Accumulator<T>;
+    for (Eigen::Index k = 0; k < line.range.count(); ++k) {
+        const auto at = static_cast<std::size_t>(line.range.first + k);
+        result.fitted.step.push_back(log.step[at]);
+        result.fitted.pairs.push_back(log.pairs[at]);
+        result.fitted.lag.push_back(static_cast<T>(log.step[at]) * spacing);
+        result.fitted.value.push_back(
+            static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<F>(spacing)))));
+    }
+}
+
 }  // namespace detail
 
 template <Real T>
@@ -287,15 +316,9 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     ReliableLags<T> reliable{options.resolution, WindowEnd::resolution};
     if (options.lambda_s > reliable.from) reliable = {options.lambda_s, WindowEnd::lambda_s};
     if (tip_length > reliable.from) reliable = {tip_length, WindowEnd::tip};
-    StructureFunction<T> searched = measured.second_differences;
-    if (!options.window && options.longest > T(0))
-        while (searched.size() > 0 && searched.lag.back() > options.longest * T(1.0001)) {
-            searched.step.pop_back();
-            searched.lag.pop_back();
-            searched.value.pop_back();
-            searched.pairs.pop_back();
-        }
-    LogStructure<F> log = log_structure(searched, spacing, measured.points, reliable);
+    const T longest = !options.window && options.longest > T(0) ? options.longest : std::numeric_limits<T>::infinity();
+    LogStructure<F> log =
+        log_structure(up_to(measured.second_differences, longest), spacing, measured.points, reliable);
     log.profiles = static_cast<F>(measured.profiles);
     log.apart = static_cast<F>(measured.apart);
     if (measured.rms_height > T(0))  // the variance of z - 2 z' + z'' where the three have nothing in common
@@ -306,15 +329,7 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     set_window(result, log, chosen, spacing, reliable);
 
     const IndexRange& range = chosen.range;
-    const Vector<F> x = log.lag.segment(range.first, range.count()), y = log.value.segment(range.first, range.count());
-    const F ordinary = regression_slope(x, y, 0, x.size() - 1);
-    const auto centred = (x.array() - x.mean()).eval();
-    const F squares = (y.array() - y.mean() - ordinary * centred).square().sum();
-    result.line_dimension = static_cast<T>(2 - ordinary / 2);
-    result.regression_dimension_error =
-        static_cast<T>(std::sqrt(squares / static_cast<F>(result.lags - 2) / centred.square().sum()) / 2);
-
-    F power = std::clamp(ordinary, F(0.05), F(1.95));
+    F power = std::clamp(set_ordinary_line(result, log, range), F(0.05), F(1.95));
     const F log_gamma = std::log(static_cast<F>(options.gamma));
     std::optional<LineFitter<F>> fitter;
     LogFit<F> line;
@@ -330,30 +345,15 @@ FractalFit<T> detail::fit_measured(const MeasuredStructureFunction<T>& measured,
     const F dimension = 2 - line.slope / 2;
     require(dimension > F(1) && dimension < F(2), "fractal dimension of the window", dimension,
             "between 1 and 2, both excluded: this window holds no fractal profile");
-    if (result.automatic_window && line.slope < F(0.2))
-        throw domain_error({.parameter = "fractal dimension of the window",
-                            .value = rounded_text(static_cast<T>(dimension), 4),
-                            .reason = "the slope goes from " + rounded_text(result.slope_shortest, 3) + " to " +
-                                      rounded_text(result.slope_longest, 3) + " between the lags " +
-                                      rounded_text(result.window.from, 3) + " m and " +
-                                      rounded_text(result.window.to, 3) +
-                                      " m: a plateau; must be at most 1.9 in a window that is found"});
+    if (result.automatic_window && line.slope < F(0.2)) refuse_plateau(result, static_cast<T>(dimension));
     Matrix<F> resampled;
     if (measured.resample) {
         resampled = measured.resample({log.step.begin() + range.first, log.step.begin() + range.last + 1});
         if (resampled.rows() != range.count() || resampled.cols() < 2 || !resampled.allFinite())
-            refuse("resamples of the structure function", "",
-                   "finite, a row for every lag asked for, two columns or more");
+            refuse("resamples of the structure function", "", "finite, a row for every lag, two columns or more");
     }
     set_fractal(result, line, log, *fitter, resampled, spacing, options);
-    for (Eigen::Index k = 0; k < range.count(); ++k) {
-        const auto at = static_cast<std::size_t>(range.first + k);
-        result.fitted.step.push_back(log.step[at]);
-        result.fitted.pairs.push_back(log.pairs[at]);
-        result.fitted.lag.push_back(static_cast<T>(log.step[at]) * spacing);
-        result.fitted.value.push_back(
-            static_cast<T>(std::exp(line.fitted[k] + 2 * std::log(static_cast<F>(spacing)))));
-    }
+    set_fitted(result, line, log, spacing);
     result.curved =
         is_curved(*fitter, log, range) || result.slope_tolerance > T(0.21) || line.slope < F(0.2) ||
         flattens(log, range, line.slope) ||

@@ -14,10 +14,7 @@
 #include <fstiff/surface/fractal.hpp>
 #include <fstiff/surface/structure_constant.hpp>
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <vector>
 
 namespace fstiff {
 

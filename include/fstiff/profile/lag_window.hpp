@@ -1,39 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The range of lags over which the structure function S2 of second differences is a power law: searched for, or given.
+/// Range of lags over which the structure function S2 of second differences is a power law: found, or given.
 ///
-/// Automatic window: the longest range of lags, half a decade at least, over which the local slope of ln S2 (over a
-/// factor of 3.4) keeps to the slope of the range within 0.2, or twice its sampling error where that is more, and which itself lies
-/// between 0.2 and 1.95, the local slopes between 0.1 and 1.95 but for their sampling error: a self-affine profile has a
-/// slope between 0 and 2, one that is smooth below its resolution 4, and one that has saturated 0. When there is none, 0.2 becomes 0.3, then 0.45, and the fit is flagged as curved. Lags of 4 samples
-/// to a tenth of the points are searched; 1 sample to an eighth for a profile of fewer than 400 points; to a fifth of those
-/// of the sections of a map, which hold more pieces of a lag. The window ends where S2 is three quarters of what it
-/// saturates at, 6 times the mean square of the heights, or of its highest value where that is less: nearer to where
-/// the spectrum ends or turns flat S2 bends. (A limit that hangs on the slope of the window itself would choose the flat
-/// ones among the short windows.) Lags below the resolution, below lambda_s, or that may show the tip
-/// (profile/tip_cutoff.hpp), are left out of everything.
-/// A range behind a plateau is waviness over a roughness that has saturated: some shorter lag has a slope below 0.2,
-/// and the range is steeper by 0.3 or more. It is taken only when no range before the plateau is as straight, and at a
-/// tolerance above 0.2 only when there is none at all.
+/// An automatic window is the longest range, half a decade at least, over which the local slope of ln S2 stays within
+/// 0.2 of the slope of the range, or within twice its sampling error; 0.2 becomes 0.3, then 0.45, where there is none.
+/// The slope must lie between 0.2 and 1.95. The search takes lags from 4 samples to a tenth of the points that
+/// resolution, lambda_s and tip (profile/tip_cutoff) allow, up to where S2 is three quarters of its saturation. A range
+/// behind a plateau (a shorter lag with a slope below 0.2 and 0.3 less than the range) is the last choice.
 ///
 /// Units       lags [m]; inside, in samples
 /// Valid       4 lags at least at which S2 > 0
-/// Accuracy    the ends of pieces of a power law (tests/profile/lag_window_test.cpp)
+/// Accuracy    ends of pieces of a power law (tests/profile/lag_window_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
 #include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace fstiff {
 
@@ -189,8 +173,8 @@ bool is_behind_plateau(T flattest, T slope) {
     return flattest < T(0.2) && slope > flattest + T(0.3);
 }
 
-/// The longest straight range among the lags \p within that are searched, where the local slopes may differ from that of
-/// the range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
+/// The longest straight range among the lags \p within that are searched, where the local slopes may differ from that
+/// of the range by \p tolerance, before a plateau or (\p behind_plateau) behind one.
 template <Real T>
 std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool behind_plateau,
                                          const IndexRange& within) {

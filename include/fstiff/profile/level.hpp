@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A profile without its form, which knows what was removed: what is measured of it can take the profile before a filter.
+/// A profile without its form, with what was removed and the profile before the filters.
 ///
 ///     const auto flat = fstiff::level(profile, fstiff::Form::line);
 ///     const auto fit = fstiff::fit_fractal(flat);
@@ -13,9 +13,6 @@
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/profile/detrend.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
-
-#include <optional>
-#include <utility>
 
 namespace fstiff {
 
@@ -35,21 +32,18 @@ struct LevelledProfile {
 };
 
 /// \p profile without the \p form, then, with \p lambda_s, without its short waves, and then, with a \p cutoff, without
-/// the waviness of the Gaussian filter.
-/// \p resolution [m] is the step in which the heights were printed or counted; 0 where it is not known.
-/// \throws domain_error as detrend(), gaussian_low_pass() and gaussian_roughness(), and for a profile that is constant, but for its rounding,
-/// once its form is removed.
+/// the waviness of the Gaussian filter. \p resolution [m] is the step in which the heights were printed or counted; 0
+/// where it is not known. \throws domain_error as detrend(), gaussian_low_pass() and gaussian_roughness(), and for a
+/// profile that is constant, but for its rounding, once its form is removed.
 template <Real T>
 [[nodiscard]] LevelledProfile<T> level(const Profile<T>& profile, Form form,
                                        std::optional<std::type_identity_t<T>> cutoff = {},
                                        std::type_identity_t<T> resolution = 0,
                                        std::optional<std::type_identity_t<T>> lambda_s = {}) {
     LevelledProfile<T> flat{.profile = detrend(profile, form), .removed = form, .cutoff = cutoff, .lambda_s = lambda_s};
-    if (form != Form::none && detail::is_rounding(profile.heights.data(), flat.profile.heights.data(), profile.size(),
-                                                  static_cast<T>(resolution)))
-        throw domain_error("profile of constant height once its form (" + std::string(name_of(form)) +
-                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
-                           "heights; must be of varying height");
+    if (form != Form::none)
+        detail::require_more_than_rounding<T>("profile", name_of(form), profile.heights.data(),
+                                              flat.profile.heights.data(), profile.size(), resolution);
     if (lambda_s) {
         flat.unfiltered = cutoff ? gaussian_roughness(flat.profile, *cutoff) : flat.profile;
         flat.profile = gaussian_low_pass(flat.profile, *lambda_s);

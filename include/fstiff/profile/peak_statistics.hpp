@@ -1,27 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Three-point statistics of a profile: what the density of its peaks needs to know.
+/// Spectral moments and three-point statistics of a profile, from which the density of its peaks follows.
 ///
+///     m0 = <(z - <z>)^2>   m2 = <((z_(i+1) - z_i)/h)^2>   m4 = <((z_(i-1) - 2 z_i + z_(i+1))/h^2)^2>   alpha = m0 m4/m2^2
 ///     sigma_m^2     = mean (z_(i+1) - z_i)^2 / h^2                = 2 sigma^2 (1 - rho1) / h^2
 ///     sigma_kappa^2 = mean (z_(i-1) - 2 z_i + z_(i+1))^2 / h^4    = sigma^2 (6 - 8 rho1 + 2 rho2) / h^4
-///     r = sigma_m^2 / (sigma sigma_kappa)        sin(theta) = h sigma_kappa / (2 sigma_m)
-///     peaks / ordinates = theta/pi                                                  eq. (4.3)
+///     r = sigma_m^2 / (sigma sigma_kappa)    sin(theta) = h sigma_kappa / (2 sigma_m)    peaks over ordinates = theta/pi
 ///
-/// All means are over the triples of neighbours that exist; each triple gives both of its differences to sigma_m, so
-/// that sin(theta) <= 1 whatever the heights. rho1 and rho2 are what sigma, sigma_m and sigma_kappa say they are.
+/// The moments are means over the pairs and triples that exist; sigma_m takes both differences of each triple, so that
+/// sin(theta) <= 1. Where waves are shorter than the spacing, all of them depend on it.
 ///
-/// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski, Kleiber, Starzynski, Arch. Mech. 66
-///             (2014), eqs. (4.1)-(4.3).
-/// Units       sigma [m], sigma_m dimensionless, sigma_kappa [1/m], peaks per length [1/m]
-/// Valid       16 points and a triple at least; a profile whose r reaches 1 (a single sine) or theta pi/2 is refused
-/// Accuracy    identities between the statistics 1e-14 in double (tests/profile/peak_statistics_test.cpp)
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Longuet-Higgins, Phil. Trans. A 250 (1957) 157; Greenwood, Proc.
+///             R. Soc. Lond. A 393 (1984) 133-157; Buczkowski et al., Arch. Mech. 66 (2014), eqs. (4.1)-(4.3)
+/// Units       m0 [m^2], m2 [1], m4 [1/m^2]; sigma [m], sigma_m [1], sigma_kappa [1/m], peaks per length [1/m]
+/// Valid       16 points and a triple at least; peak_statistics() refuses r = 1 (a single sine) and theta = pi/2 (a
+///             zigzag)
+/// Accuracy    1e-13 in double (tests/profile/spectral_moments_test.cpp, tests/profile/peak_statistics_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/math/accumulate.hpp>
 #include <fstiff/profile/profile.hpp>
-#include <fstiff/profile/triples.hpp>
+#include <fstiff/profile/structure_function.hpp>
+#include <fstiff/surface/moments.hpp>
 
 namespace fstiff {
+
+namespace detail {
+
+/// \p Sum: S, or CompensatedSum<S>.
+template <Real S, class Sum = S>
+struct TripleSums {
+    Sum slope{}, curvature{};  // of squared differences, and of squared second differences
+    std::size_t triples{}, peaks{};
+
+    /// A triple with its two differences; one with a missing point is left out.
+    void add(S rise, S fall) {
+        if (std::isnan(rise) || std::isnan(fall)) return;
+        put(slope, (rise * rise + fall * fall) / 2);
+        put(curvature, (fall - rise) * (fall - rise));
+        peaks += rise > S(0) && fall < S(0) ? 1 : 0;
+        ++triples;
+    }
+    void add(const TripleSums& other) requires std::is_same_v<Sum, S> {
+        slope += other.slope, curvature += other.curvature;
+        triples += other.triples, peaks += other.peaks;
+    }
+    S mean_square_slope() const { return total(slope) / static_cast<S>(triples); }
+    S mean_square_curvature() const { return total(curvature) / static_cast<S>(triples); }
+
+private:
+    static void put(S& sum, S term) { sum += term; }
+    static void put(CompensatedSum<S>& sum, S term) { sum.add(term); }
+    static S total(S sum) { return sum; }
+    static S total(const CompensatedSum<S>& sum) { return sum.value(); }
+};
+
+}  // namespace detail
 
 /// What neighbours and triples of a profile say of its peaks.
 template <Real T = double>
@@ -42,10 +77,7 @@ struct PeakStatistics {
 /// Statistics of \p profile about its mean: remove its form first, with detrend().
 /// \throws domain_error for a profile that is out of range, or whose r or theta is.
 template <Real T>
-[[nodiscard]] PeakStatistics<T> peak_statistics(const Profile<T>& profile);
-
-template <Real T>
-PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
+[[nodiscard]] PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
     profile.validate(16);
     using S = Accumulator<T>;
     PeakStatistics<T> result;
@@ -75,6 +107,43 @@ PeakStatistics<T> peak_statistics(const Profile<T>& profile) {
     result.counted_peak_ratio = static_cast<T>(sums.peaks) / static_cast<T>(result.triples);
     result.peaks_per_length = result.counted_peak_ratio / profile.spacing;
     return result;
+}
+
+/// Moments of \p profile about its mean: remove its form first, with detrend(). \throws domain_error for a profile out
+/// of range, without a triple of neighbours, or whose moments leave the range of numbers.
+template <Real T>
+[[nodiscard]] SpectralMoments<T> spectral_moments(const Profile<T>& profile) {
+    profile.validate(16);
+    using S = Accumulator<T>;
+    const T scale = detail::height_scale(profile);
+    CompensatedSum<S> slope;
+    detail::TripleSums<S, CompensatedSum<S>> sums;
+    std::size_t pairs = 0;
+    S before = std::numeric_limits<S>::quiet_NaN();
+    const std::vector<T>& z = profile.heights;
+    for (std::size_t i = 0; i + 1 < z.size(); ++i) {
+        const S rise = (z[i + 1] - z[i]) / scale;
+        sums.add(std::exchange(before, rise), rise);
+        if (std::isnan(rise)) continue;
+        slope.add(rise * rise);
+        ++pairs;
+    }
+    if (sums.triples == 0) throw domain_error("profile has 0 triples of neighbouring points: must be at least 1");
+    const S ratio = static_cast<S>(scale) / static_cast<S>(profile.spacing);
+    SpectralMoments<T> moments;
+    const T rms = rms_height(profile);
+    moments.m0 = rms * rms;
+    moments.m2 = static_cast<T>(slope.value() / static_cast<S>(pairs) * ratio * ratio);
+    const S rms_bend = std::sqrt(sums.mean_square_curvature()) * ratio / static_cast<S>(profile.spacing);
+    moments.m4 = static_cast<T>(rms_bend * rms_bend);
+    const auto usable = [](T value) {
+        return value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)();
+    };
+    require(usable(moments.m0), "m0", moments.m0, "a positive number of normal size");
+    require(usable(moments.m2), "m2", moments.m2, "a positive number of normal size");
+    require(moments.m4 == T(0) || usable(moments.m4), "m4", moments.m4, "a number of normal size");
+    require(moments.bandwidth() <= (std::numeric_limits<T>::max)(), "Nayak's alpha", moments.bandwidth(), "finite");
+    return moments;
 }
 
 }  // namespace fstiff

@@ -10,10 +10,6 @@
 #include <fstiff/math/accumulate.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace fstiff {
@@ -38,37 +34,27 @@ struct Profile {
 
     /// \throws domain_error unless the spacing is positive, no height infinite, at least \p least points exist and they
     /// are not all of one height.
-    void validate(std::size_t least = 16) const;
+    void validate(std::size_t least = 16) const {
+        require_positive("spacing", spacing);
+        bool varies = false;
+        std::size_t count = 0;
+        T first{};
+        for (const T z : heights) {
+            if (std::isnan(z)) continue;
+            require(std::abs(z) <= (std::numeric_limits<T>::max)(), "height", z, "finite, or NaN for a missing point");
+            if (count++ == 0) first = z;
+            varies = varies || z != first;
+        }
+        if (count < least)
+            throw domain_error("profile has " + std::to_string(count) + " points: must be at least " +
+                               std::to_string(least));
+        require(varies, "profile of constant height", first, "of varying height");
+    }
 };
 
 /// Mean of the heights that exist [m]. \throws domain_error when there is none.
 template <Real T>
-[[nodiscard]] T mean_height(const Profile<T>& profile);
-
-/// Rq: root of the mean square of the heights about their mean [m]. \throws domain_error when no point exists.
-template <Real T>
-[[nodiscard]] T rms_height(const Profile<T>& profile);
-
-template <Real T>
-void Profile<T>::validate(std::size_t least) const {
-    require_positive("spacing", spacing);
-    bool varies = false;
-    std::size_t count = 0;
-    T first{};
-    for (const T z : heights) {
-        if (std::isnan(z)) continue;
-        require(std::abs(z) <= (std::numeric_limits<T>::max)(), "height", z, "finite, or NaN for a missing point");
-        if (count++ == 0) first = z;
-        varies = varies || z != first;
-    }
-    if (count < least)
-        throw domain_error("profile has " + std::to_string(count) + " points: must be at least " +
-                           std::to_string(least));
-    require(varies, "profile of constant height", first, "of varying height");
-}
-
-template <Real T>
-T mean_height(const Profile<T>& profile) {
+[[nodiscard]] T mean_height(const Profile<T>& profile) {
     CompensatedSum<Accumulator<T>> sum;
     std::size_t count = 0;
     for (const T z : profile.heights)
@@ -80,8 +66,9 @@ T mean_height(const Profile<T>& profile) {
     return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(count));
 }
 
+/// Rq: root of the mean square of the heights about their mean [m]. \throws domain_error when no point exists.
 template <Real T>
-T rms_height(const Profile<T>& profile) {
+[[nodiscard]] T rms_height(const Profile<T>& profile) {
     const T mean = mean_height(profile);
     T largest = 0;  // scaled by, so that no square leaves the range of numbers
     for (const T z : profile.heights)

@@ -6,7 +6,7 @@
 ///     d_i = z_i - median(z_i-2, z_i-1, z_i+1, z_i+2);  a spike: |d_i - median d| > k 1.4826 MAD(d)
 ///     fill: the straight line between the nearest points that exist; at the ends the nearest height
 ///
-/// The median of four neighbours follows slopes, so the scale of d is that of the roughness at the step, not of the form.
+/// The median of four neighbours follows slopes, so that d has the scale of the roughness, not of the form.
 ///
 /// Reference   Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
 /// Units       heights [m]; k in standard deviations
@@ -19,21 +19,9 @@
 
 namespace fstiff {
 
-/// \p removed points became missing; \p missing are missing, the longest run of them \p longest points.
-struct Repair {
-    std::size_t removed{}, missing{}, longest{};
-};
-
 /// How many spikes \p profile holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
-Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true);
-
-/// Fills the missing points of \p profile. \throws domain_error where every point is missing.
-template <Real T>
-Repair fill_missing(Profile<T>& profile);
-
-template <Real T>
-Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove) {
+Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remove = true) {
     require_positive("spikes", limit);
     const std::size_t size = profile.size();
     require(size >= 5, "points of a profile with spikes", size, "at least 5");
@@ -45,16 +33,10 @@ Repair find_spikes(Profile<T>& profile, std::type_identity_t<T> limit, bool remo
             if (k != i && !std::isnan(profile.heights[k])) neighbours.push_back(profile.heights[k]);
         if (neighbours.size() >= 2) differences[i] = profile.heights[i] - median(neighbours);
     }
-    const std::vector<bool> is_far = detail::far_from_median(differences, limit);
-    Repair repair;
-    for (std::size_t i = 0; i < size; ++i) {
-        if (!is_far[i]) continue;
-        ++repair.removed;
-        if (remove) profile.heights[i] = std::numeric_limits<T>::quiet_NaN();
-    }
-    return repair;
+    return detail::spikes_among(profile.heights.data(), differences, limit, remove);
 }
 
+/// Fills the missing points of \p profile. \throws domain_error where every point is missing.
 template <Real T>
 Repair fill_missing(Profile<T>& profile) {
     Repair repair;

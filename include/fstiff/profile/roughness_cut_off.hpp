@@ -17,8 +17,6 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/surface/nesting_indices.hpp>
 
-#include <optional>
-
 namespace fstiff {
 
 /// Why lambda_c is what it is.
@@ -49,7 +47,7 @@ template <Real T>
     return points > 0 ? static_cast<T>(sum / points) : T(0);
 }
 
-/// lambda_c of \p profile, whose waves below \p lambda_s (0: none) are gone. \throws domain_error for a profile out of range.
+/// lambda_c of \p profile after filtering with \p lambda_s (0: none). \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] RoughnessCutOff<T> roughness_cut_off(const Profile<T>& profile, std::type_identity_t<T> lambda_s = 0) {
     RoughnessCutOff<T> choice;

@@ -3,18 +3,14 @@
 /// \file
 /// Roughness parameters of a profile by ISO 21920-2: Ra, Rq, Rsk, Rku, Rt, Rz, Rp, Rv, Rdq.
 ///
-///     Ra = <|z|>    Rq^2 = <z^2>    Rsk = <z^3>/Rq^3    Rku = <z^4>/Rq^4         z about the mean of the whole profile
-///     Rt = max z - min z                                                         of the whole profile
+///     Ra = <|z|>    Rq^2 = <z^2>    Rsk = <z^3>/Rq^3    Rku = <z^4>/Rq^4    Rt = max z - min z    z about the mean
 ///     Rp, Rv, Rz = means over five sections of max z, -min z and max z - min z
 ///     Rdq^2 = <z'^2>   z' = (z_(i+3) - 9 z_(i+2) + 45 z_(i+1) - 45 z_(i-1) + 9 z_(i-2) - z_(i-3))/(60 h)
 ///
-/// A section is as long as the cut-off lambda_c where that fits into the profile five times: the five in the middle of it, for
-/// the ends of a filtered profile are its worst part. Without such a cut-off the whole profile is cut into five. Section k of
-/// five holds the points from k n/5 to (k+1) n/5, rounded down, of the n points. Means are over the points that exist, those of
-/// sections over the sections that have one; a slope needs its seven points.
+/// The sections are the five lengths lambda_c in the middle of the profile where it holds them, else fifths of it.
+/// Means are over the points that exist; a slope needs seven points.
 ///
-/// Reference   ISO 21920-2:2021 (parameters), ISO 21920-3:2021 (five sections of lambda_c); ISO 4287:1997, 4.4.1 (the slope).
-///             The profile element spacing RSm is not here: it rests on how small an element counts.
+/// Reference   ISO 21920-2:2021, ISO 21920-3:2021 (five sections); ISO 4287:1997, 4.4.1 (the slope)
 /// Units       heights, spacing, cut-off [m]; Rsk, Rku, Rdq dimensionless
 /// Valid       16 points at least, not all of one height; remove the form first
 /// Accuracy    1e-13 relative, beside the rounding of an offset (tests/profile/roughness_parameters_test.cpp)
@@ -42,12 +38,6 @@ struct RoughnessParameters {
     T section_length{};      ///< [m]
     bool by_cutoff{};        ///< whether that is the cut-off
 };
-
-/// Of \p profile, whose waves above \p cutoff [m] were filtered away, if any were.
-/// \throws domain_error for a profile out of range, or a cut-off that is not positive.
-template <Real T>
-[[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,
-                                                          std::optional<std::type_identity_t<T>> cutoff = {});
 
 namespace detail {
 
@@ -91,8 +81,11 @@ template <Real F>
 
 }  // namespace detail
 
+/// Of \p profile, whose waves above \p cutoff [m] were filtered away, if any were.
+/// \throws domain_error for a profile out of range, or a cut-off that is not positive.
 template <Real T>
-RoughnessParameters<T> roughness_parameters(const Profile<T>& profile, std::optional<std::type_identity_t<T>> cutoff) {
+[[nodiscard]] RoughnessParameters<T> roughness_parameters(const Profile<T>& profile,
+                                                          std::optional<std::type_identity_t<T>> cutoff = {}) {
     using F = Accumulator<T>;
     profile.validate(16);
     if (cutoff) require_positive("cut-off", *cutoff);

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How the values of a structure function of second differences scatter, and with one another: as theory says, and as the
-/// profile shows.
+/// Covariance of the structure function of second differences, in closed form and by resampling.
 ///
 ///     Cov(ln S2_n, ln S2_m) = 4 pi / sqrt(M_n M_m) int W_n W_m C^2 dq / (V_n V_m),  q from -pi to pi
 ///     W_n(q) = 4 (1 - cos q n)^2,  V_n = int W_n C dq,  M_n triples of n
 ///     C(q) = sum over all whole k of |q + 2 pi k|^-(1+p)                             the spectrum, sampled
 ///
-/// of a long Gaussian profile whose S grows as n^p. The integral is a sum over 48 wavenumbers an octave, which makes a
-/// covariance whatever the rounding: no eigenvalue is negative. What is not Gaussian is seen by resamples: a triple belongs to
-/// the cell in which its centre lies, and a resample is made of blocks of neighbouring cells.
+/// of a long Gaussian profile whose S grows as n^p; a sum over 48 wavenumbers an octave, positive whatever the
+/// rounding. Resamples are blocks of neighbouring cells; a triple belongs to the cell of its centre.
 ///
 /// Units       ln S2 in any unit
 /// Valid       lags rising, 0 < p < 2
@@ -48,7 +46,7 @@ Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector
     }
     for (Eigen::Index row = 0; row < size; ++row) {
         const auto n = static_cast<std::size_t>(row);
-        // both halves of the spectrum: V twice, the integral twice; a lag of which little is there knows one value at least
+        // both halves of the spectrum: V twice, the integral twice; one value of a lag at least
         const T triples_of_it = (std::max)(static_cast<T>(triples[n]), T(1));
         shares.row(row) *= std::sqrt(turn / triples_of_it) / means[row];
     }

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The straight line through ln S2 over ln n, S2 of second differences, by generalised least squares.
+/// Straight line through ln S2 over ln n, S2 of second differences, by generalised least squares.
 ///
 ///     ln S2(tau) = p ln tau + ln C + ln(4 - 2^p),  p = 4 - 2D                       eq. (2.5)
 ///                + a tau^-p + b tau^(4-p)                                           ends of the band
 ///                + harmonics 1, 2 of cos, sin(2 pi ln tau / ln gamma)               log-periodic
 ///
-///  - a: waves that are missing below the resolution, or noise. With no wave shorter than the first lag a is -a_max,
-///    a_max = 6 Gamma(1+p) sin(pi p/2)/(pi p (4-2^p) (2 pi)^p) of S2 there; before the fit taken for -0.45 a_max with a
-///    standard deviation of 0.6 a_max; for -0.75 a_max where S2 is steeper at shorter lags, so that the end of the
-///    band shows. In the sections of a map a_max is larger by sqrt(pi) Gamma(1+p/2)/Gamma((1+p)/2), as short waves run
-///    across them too, and -0.6 stands for -0.45;
-///  - b: where the spectrum ends or turns flat, before the fit taken for 0 with a standard deviation of 0.5 at the last lag;
-///  - log-periodic terms, where they explain more than half of the scatter about the line.
-/// The weights are those of the covariance of ln S2 (profile/structure_errors), with 0.03 added to each lag for what the
-/// model misses. What the data cannot tell of a and b is part of the error of D.
+/// The terms a (waves missing below the resolution) and b (end of the spectrum) have a prior mean and deviation, so
+/// that their uncertainty enters the error of D. The log-periodic terms enter where they explain half of the scatter.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.5); Aitken, Proc. R. Soc. Edinburgh 55 (1935)
-///             42 (generalised least squares)
+/// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eq. (2.5); Aitken, Proc. R. Soc. Edinb. 55 (1935) 42
 /// Valid       4 lags at least, 0 < p < 2
 /// Accuracy    1e-10 of data that are a line (tests/profile/structure_fit_test.cpp)
 
@@ -73,8 +65,8 @@ Matrix<T> forward_substituted(const Matrix<T>& l, Matrix<T> a) {
     return a;
 }
 
-/// A line through the values of ln S2 in one window. Rows are over all lags of the LogStructure, 0 beyond the window: what
-/// they give of the values, and of the columns a and b, tells how the line moves.
+/// A line through the values of ln S2 in one window. Rows are over all lags of the LogStructure, 0 beyond the window:
+/// what they give of the values, and of the columns a and b, tells how the line moves.
 template <Real T = double>
 struct LogFit {
     IndexRange range;

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Structure function of a profile at chosen lags.
+/// Structure function of a profile at chosen lags, of its heights and of their second differences.
 ///
-///     S(n h) = mean of (z_(i+n) - z_i)^2 over the pairs that exist                  eq. (2.8)
+///     S(n h)  = mean of (z_(i+n) - z_i)^2 over the pairs that exist                 eq. (2.8)
+///     S2(n h) = mean of (z_(i+n) - 2 z_i + z_(i-n))^2 over the triples that exist
+///             = 4 S(tau) - S(2 tau)  in the mean, (4 - 2^(4-2D)) C tau^(4-2D)  of a power law S = C tau^(4-2D)
 ///
-/// A pair with a missing point is dropped. As printed, (2.8) divides the sum over N-n+1 pairs by N-n; Divisor::paper
-/// does the same (pairs - 1). Heights are subtracted directly, so that an offset cancels exactly; remove a tilt with
-/// detrend().
+/// As printed, (2.8) divides the sum over N-n+1 pairs by N-n; Divisor::paper does the same (pairs - 1). An offset
+/// cancels exactly. S2 does not see a tilt and waves longer than some eight lags: a wave enters S as (1 - cos q tau),
+/// S2 squared.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8); deviation: docs/errata.md.
-/// Units       lag [m], S [m^2]
-/// Valid       lags of 1 to N-1 samples, as many pairs as the divisor needs
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (2.8), docs/errata.md; Istas, Lang, Ann.
+///             Inst. H. Poincare (B) 33 (1997) 407; Kent, Wood, J. R. Stat. Soc. B 59 (1997) 679
+/// Units       lag [m], S, S2 [m^2]
+/// Valid       lags of 1 to N-1 samples (S2: (N-1)/2), as many pairs as the divisor needs; heights finite or NaN
+///             (missing)
 /// Accuracy    1e-13 in double for 2^16 points, offset up to 1e6 times the roughness
-///             (tests/profile/structure_function_test.cpp)
+///             (tests/profile/structure_function_test.cpp, tests/profile/second_differences_test.cpp)
 
 #include <fstiff/profile/profile.hpp>
 
-#include <cmath>
 #include <span>
 
 namespace fstiff {
@@ -37,20 +40,7 @@ struct StructureFunction {
 enum class Divisor { pairs, paper };
 
 /// 1, 2, 3, ... \p longest, thinned to \p per_octave steps an octave where they are denser.
-[[nodiscard]] inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave = 12);
-
-/// S of \p profile at \p lags (in samples, any order).
-/// \throws domain_error for a lag outside 1 ... N-1, a spacing that is not positive, an infinite height, or heights
-/// whose squares leave the range of numbers.
-template <Real T>
-[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
-                                                      Divisor divisor = Divisor::pairs);
-
-/// S of \p profile at logarithmic_lags up to a quarter of its points. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor = Divisor::pairs);
-
-inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave) {
+[[nodiscard]] inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_t per_octave = 12) {
     std::vector<std::size_t> lags;
     const double octave = static_cast<double>(std::max<std::size_t>(per_octave, 1));
     for (std::size_t k = 0;; ++k) {
@@ -60,6 +50,12 @@ inline std::vector<std::size_t> logarithmic_lags(std::size_t longest, std::size_
         if (lag <= longest && (lags.empty() || lag > lags.back())) lags.push_back(lag);
     }
     return lags;
+}
+
+/// S of \p profile at logarithmic_lags up to a quarter of its points. \throws domain_error as above.
+template <Real T>
+[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor = Divisor::pairs) {
+    return structure_function(profile, std::span<const std::size_t>(logarithmic_lags(profile.size() / 4)), divisor);
 }
 
 namespace detail {
@@ -91,31 +87,29 @@ T mean_square(Accumulator<T> sum, Accumulator<T> count, Accumulator<T> scale) {
     return value;
 }
 
-}  // namespace detail
-
-template <Real T>
-StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags, Divisor divisor) {
+/// Mean squares of \p difference(i, n), of heights in units of \p scale, at the lags n, i from 0 to N - \p reach n.
+template <Real T, class Difference>
+StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std::size_t> lags, std::size_t reach,
+                                  T scale, Divisor divisor, const Difference& difference) {
     require_positive("spacing", profile.spacing);
-    const T scale = detail::height_scale(profile);
-    const std::vector<T>& z = profile.heights;
-    const std::size_t points = z.size();
+    const std::size_t points = profile.size();
     const bool whole = profile.present() == points;
     StructureFunction<T> result;
     for (const std::size_t n : lags) {
-        if (n < 1 || n >= points)
+        if (n < 1 || reach * n >= points)
             detail::refuse("lag", std::to_string(n) + " samples",
-                           "between 1 and " + std::to_string(points > 0 ? points - 1 : 0));
+                           "between 1 and " + std::to_string(points > 0 ? (points - 1) / reach : 0));
         // sums of short runs are added up, so that rounding does not grow with the number of points
         constexpr std::size_t run = 512;
         Accumulator<T> sum = 0;
         std::size_t pairs = 0;
-        for (std::size_t start = 0; start < points - n; start += run) {
-            const std::size_t end = (std::min)(start + run, points - n);
+        for (std::size_t start = 0; start < points - reach * n; start += run) {
+            const std::size_t end = (std::min)(start + run, points - reach * n);
             Accumulator<T> part = 0;
             for (std::size_t i = start; i < end; ++i) {
-                const T difference = (z[i + n] - z[i]) / scale;
-                if (!whole && std::isnan(difference)) continue;
-                part += static_cast<Accumulator<T>>(difference) * difference;
+                const T here = difference(i, n);
+                if (!whole && std::isnan(here)) continue;
+                part += static_cast<Accumulator<T>>(here) * here;
                 ++pairs;
             }
             sum += part;
@@ -130,9 +124,28 @@ StructureFunction<T> structure_function(const Profile<T>& profile, std::span<con
     return result;
 }
 
+}  // namespace detail
+
+/// S of \p profile at \p lags (in samples, any order). \throws domain_error for a lag outside 1 ... N-1, a spacing that
+/// is not positive, an infinite height, or heights whose squares leave the range of numbers.
 template <Real T>
-StructureFunction<T> structure_function(const Profile<T>& profile, Divisor divisor) {
-    return structure_function(profile, std::span<const std::size_t>(logarithmic_lags(profile.size() / 4)), divisor);
+[[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
+                                                      Divisor divisor = Divisor::pairs) {
+    const T scale = detail::height_scale(profile);
+    const T* const z = profile.heights.data();
+    return detail::mean_squares(profile, lags, 1, scale, divisor,
+                                [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
+}
+
+/// S2 of \p profile at \p lags (in samples, any order); a lag of which no triple exists is left out. `pairs` counts
+/// triples. \throws domain_error as structure_function(), for a lag above (N-1)/2.
+template <Real T>
+[[nodiscard]] StructureFunction<T> second_differences(const Profile<T>& profile, std::span<const std::size_t> lags) {
+    const T scale = 2 * detail::height_scale(profile);  // a second difference is at most four heights
+    const T* const z = profile.heights.data();
+    return detail::mean_squares(profile, lags, 2, scale, Divisor::pairs, [=](std::size_t i, std::size_t n) {
+        return (z[i + 2 * n] - z[i + n]) / scale - (z[i + n] - z[i]) / scale;
+    });
 }
 
 }  // namespace fstiff

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Which lengths of a profile a round tip has not shaped.
+/// Lengths of a profile that a round tip has not shaped.
 ///
 ///     kappa_min(n h) = min of (z_(i-n) - 2 z_i + z_(i+n)) / (n h)^2                 the sharpest peak at that scale
 ///     cut-off        = 2 n h, the least stencil from which on kappa_min > -1/(2 R_tip)
 ///
-/// A tip of radius R draws no peak sharper than itself: its trace has kappa_min >= -1/R at every scale. Scales that
-/// come within a factor of two of it are taken for the tip's own shape, not the surface's.
+/// The trace of a tip of radius R has kappa_min >= -1/R at every scale; those within a factor of two of it show the
+/// tip.
 ///
 /// Reference   Sanner, Nohring, Thimons, Jacobs, Pastewka, Appl. Surf. Sci. Adv. 7 (2022) 100190,
-///             doi:10.1016/j.apsadv.2021.100190: the criterion and its factor of two, from simulated scans. Here scales
-///             go by twelve steps an octave.
+///             doi:10.1016/j.apsadv.2021.100190; here twelve scales an octave
 /// Units       lengths [m], curvature [1/m]
 /// Valid       R > 0; a triple of existing points at the scale asked for
-/// Accuracy    curvature to the rounding of three heights; -1/R exact for a profile dilated by a parabola
-///             (tests/profile/tip_cutoff_test.cpp)
+/// Accuracy    rounding of three heights (tests/profile/tip_cutoff_test.cpp)
 
 #include <fstiff/profile/structure_function.hpp>
 
@@ -26,16 +24,7 @@ namespace fstiff {
 /// The least (most peaked) curvature of \p profile over triples \p step samples apart [1/m]; empty when there is none.
 /// \throws domain_error for a step of 0, a spacing that is not positive or an infinite height.
 template <Real T>
-[[nodiscard]] std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step);
-
-/// The length below which \p profile may show the tip instead of the surface [m]; 0 when it nowhere does, infinity when
-/// it does so at every scale up to a quarter of its length.
-/// \throws domain_error unless the radius is positive, and as above.
-template <Real T>
-[[nodiscard]] T tip_cutoff(const Profile<T>& profile, T tip_radius);
-
-template <Real T>
-std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
+[[nodiscard]] std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
     require_positive("spacing", profile.spacing);
     if (step == 0) detail::refuse("step of the curvature", "0 samples", "at least 1");
     const std::vector<T>& z = profile.heights;
@@ -50,8 +39,11 @@ std::optional<T> min_curvature(const Profile<T>& profile, std::size_t step) {
     return least;
 }
 
+/// The length below which \p profile may show the tip instead of the surface [m]; 0 when it nowhere does, infinity when
+/// it does so at every scale up to a quarter of its length.
+/// \throws domain_error unless the radius is positive, and as above.
 template <Real T>
-T tip_cutoff(const Profile<T>& profile, T tip_radius) {
+[[nodiscard]] T tip_cutoff(const Profile<T>& profile, T tip_radius) {
     require_positive("tip radius", tip_radius);
     const std::vector<std::size_t> steps = logarithmic_lags(std::max<std::size_t>(profile.size() / 8, 1));
     // from the longest scale down to the first that is too sharp

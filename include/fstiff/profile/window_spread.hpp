@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How much D and G hang on the window of lags: bends within it, its halves, and the straight windows beside it.
+/// Dependence of D and G on the window of lags: its bends, its halves, and the straight windows beside it.
 ///
 ///     D = 2 - slope/2        ln G by (2.4) from ln S2 at the reference lag of the line
-///     window error^2 = mean of max(0, d^2 - 2 sampling^2) over halves and neighbours, weighted by their widths in ln tau
-///                      + t^2 s^2/(t^2 + s^2), t = tolerance/sqrt(12), s error of the difference of the halves, of a window
-///                        that is found and shorter than two half decades
+///     window error^2 = mean of max(0, d^2 - 2 sampling^2) over halves and neighbours, by their widths in ln tau
+///                      + t^2 s^2/(t^2 + s^2) of a found window shorter than two half decades:
+///                        t = tolerance/sqrt(12), s error of the difference of the halves
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.4), (2.5); the rules are this project's.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.4), (2.5); the rules are this project's
 /// Units       ln of lags in samples; G in units of the spacing
 /// Valid       lines of profile/structure_fit; G for 1 < D < 2
-/// Accuracy    G of an exact power law 1e-12; the derivative of ln G by differences 1e-7 (tests/profile/window_spread_test.cpp)
+/// Accuracy    G of an exact power law 1e-12, its derivative 1e-7 (tests/profile/window_spread_test.cpp)
 
 #include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/lag_window.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/surface/structure_constant.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace fstiff::detail {
 
@@ -43,7 +37,7 @@ bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const In
     return bends(2, 2 * width) || bends(3, 3 * width * width / 4);
 }
 
-/// Whether a part of the window is a plateau: a local slope below 0.2, less than \p slope of the fit by 0.3 and by more than
+/// Whether a part of the window is a plateau: a local slope below 0.2, below \p slope of the fit by 0.3 and more than
 /// chance.
 template <Real F>
 bool flattens(const LogStructure<F>& log, const IndexRange& range, F slope) {
@@ -148,8 +142,9 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<Accumulator<T>>& ma
     of_dimension /= weights, of_log_g /= weights, product /= weights;
     if (result.automatic_window &&
         log.lag[range.last] - log.lag[range.first] < 2 * std::log(static_cast<F>(min_window_ratio))) {
-        // In so short a window the search allows a bend that moves D by up to half the tolerance, of the standard deviation t.
-        // What the difference of the halves, with the error s, shows of it is in their share; t^2 s^2/(t^2 + s^2) is not.
+        // In so short a window the search allows a bend that moves D by up to half the tolerance, of the standard
+        // deviation t. What the difference of the halves, with the error s, shows of it is in their share; t^2 s^2/(t^2
+        // + s^2) is not.
         const F t = static_cast<F>(result.slope_tolerance) / std::sqrt(F(12));
         F s = 0;  // the halves depart from the whole in opposite directions
         int halves = 0;

@@ -4,25 +4,16 @@
 /// Self-affine Gaussian profiles and maps: sums of waves with random amplitudes, periodic.
 ///
 ///     z(x) = Re sum_k A_k (xi_k + i eta_k) exp(2 pi i q_k . x),   xi, eta standard normal, independent
-///     A_k^2 = rms^2 w(|q_k|) / sum w                              one wave of each pair (q, -q)
-///     w(q)  = max(q, q_long)^-(2H+1)   profile                    q_long  = 1/longest_wavelength
-///           = max(q, q_long)^-(2H+2)   map                        q_short = 1/shortest_wavelength
-///           = 0                        q > q_short, or q < q_long when long_waves = none
+///     A_k^2 = rms^2 w(|q_k|) / sum w                              one wave of each pair (q, -q), q in waves per length
+///     w(q)  = max(q, 1/longest)^-(2H+1) of a profile, ^-(2H+2) of a map; 0 for q > 1/shortest
 ///
-/// q counts waves per length. Between the cut-offs a section of the map is a profile of the same H, and D = 2 - H.
-/// The mean of every realisation is 0. Its rms is the one asked for (exact_rms), or has it as its mean square over all
-/// seeds. The random numbers of a wave depend on the seed and on its waves per period alone: the same seed on a finer
-/// grid over the same period has the same long waves, and with the same cut-offs and exact_rms = false the same
-/// surface.
+/// A section of the map is a profile of the same H, D = 2 - H. The random numbers of a wave depend on the seed and its
+/// waves per period alone: a finer grid over the same period has the same long waves.
 ///
-/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017)
-///             013001 for the spectra of profiles and maps.
+/// Reference   Box, Muller, Ann. Math. Stat. 29 (1958); Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001
 /// Units       lengths, heights [m]
-/// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most; fastest
-///             where the points of a side are products of 2, 3 and 5, and O(N log N) for every number
-/// Accuracy    the sum of waves to 1e-14 of rms for 128 x 96 points in double (tests/synthetic/self_affine_test.cpp).
-///             The random bits are the same on every platform; heights agree to the rounding of the local log, cos and
-///             pow.
+/// Valid       0 < H < 1, rms > 0, longest > shortest >= two spacings, 4 points a side at least, 2^28 at most
+/// Accuracy    sum of waves 1e-14 of rms in double (tests/synthetic/self_affine_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
@@ -31,16 +22,6 @@
 #include <fstiff/math/random.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/topography/height_map.hpp>
-
-#include <Eigen/Core>
-
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace fstiff {
 
@@ -62,16 +43,6 @@ struct SelfAffineOptions {
     std::uint64_t seed = 1;
 };
 
-/// z at x = 0, spacing, ...: one period of points * spacing [m].
-/// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
-template <Real T>
-[[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing);
-
-/// z(j, i) at x = i dx, y = j dy: one period of columns * dx by rows * dy [m]. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows,
-                                           T dx, T dy);
-
 namespace detail {
 
 /// Two standard normal numbers of the wave with \p kx and \p ky periods.
@@ -81,6 +52,30 @@ std::complex<T> normals_of_wave(std::uint64_t seed, std::int32_t kx, std::int32_
     state = splitmix64(state) ^
             (static_cast<std::uint64_t>(static_cast<std::uint32_t>(ky)) << 32 | static_cast<std::uint32_t>(kx));
     return normal_pair<T>(state);
+}
+
+template <Real W>
+using Waves = Eigen::Array<std::complex<W>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Real part of the sum of \p waves, of which the first \p rows are not 0.
+template <Real W>
+Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights_of_waves(Waves<W> waves, Eigen::Index rows) {
+    std::vector<std::complex<W>> in, out;
+    ComplexFft<W> along_x(static_cast<std::size_t>(waves.cols()));
+    for (Eigen::Index j = 0; j < rows; ++j) {
+        in.assign(waves.row(j).begin(), waves.row(j).end());
+        along_x.backward(in, out);
+        std::copy(out.begin(), out.end(), waves.row(j).begin());
+    }
+    if (waves.rows() == 1) return waves.real();
+    Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights(waves.rows(), waves.cols());
+    ComplexFft<W> along_y(static_cast<std::size_t>(waves.rows()));
+    for (Eigen::Index i = 0; i < waves.cols(); ++i) {
+        in.assign(waves.col(i).begin(), waves.col(i).end());
+        along_y.backward(in, out);
+        for (Eigen::Index j = 0; j < waves.rows(); ++j) heights(j, i) = out[static_cast<std::size_t>(j)].real();
+    }
+    return heights;
 }
 
 /// One period of waves on rows x columns points; \p rows = 1 is a profile. Computed in double for float.
@@ -116,10 +111,7 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
         if (q * shortest > longest * slack || (q * slack < 1 && options.long_waves == LongWaves::none)) return 0;
         return std::pow((std::max)(q, W(1)), power);
     };
-    using Complex = std::complex<W>;
-    Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> waves =
-        Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>::Zero(static_cast<Index>(rows),
-                                                                                     static_cast<Index>(columns));
+    Waves<W> waves = Waves<W>::Zero(static_cast<Index>(rows), static_cast<Index>(columns));
     W total = 0;
     for (std::int32_t ky = half_y; ky >= 0; --ky) {
         W row_total = 0;
@@ -135,25 +127,7 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
     require(total > W(0), "longest_wavelength", options.longest_wavelength,
             "so far above the shortest that a whole wave of the period lies between them");
 
-    ComplexFft<W> along_x(columns);
-    std::vector<Complex> in(columns), out;
-    for (Index j = 0; j <= half_y; ++j) {
-        std::copy(waves.row(j).begin(), waves.row(j).end(), in.begin());
-        along_x.backward(in, out);
-        std::copy(out.begin(), out.end(), waves.row(j).begin());
-    }
-    Eigen::Array<W, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights(waves.rows(), waves.cols());
-    if (map) {
-        ComplexFft<W> along_y(rows);
-        in.resize(rows);
-        for (Index i = 0; i < waves.cols(); ++i) {
-            std::copy(waves.col(i).begin(), waves.col(i).end(), in.begin());
-            along_y.backward(in, out);
-            for (Index j = 0; j < waves.rows(); ++j) heights(j, i) = out[static_cast<std::size_t>(j)].real();
-        }
-    } else {
-        heights = waves.real();
-    }
+    const auto heights = heights_of_waves(std::move(waves), half_y + 1);
     W square = total;
     if (options.exact_rms) {
         square = 0;
@@ -165,15 +139,19 @@ HeightMap<T> self_affine(const SelfAffineOptions<T>& options, std::size_t column
 
 }  // namespace detail
 
+/// z at x = 0, spacing, ...: one period of points * spacing [m].
+/// \throws domain_error naming the parameter that is out of range, or when no wave fits between the cut-offs.
 template <Real T>
-Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
+[[nodiscard]] Profile<T> self_affine_profile(const SelfAffineOptions<T>& options, std::size_t points, T spacing) {
     require_positive("spacing", spacing);
     const HeightMap<T> row = detail::self_affine(options, points, 1, spacing, spacing);
     return {{row.heights.data(), row.heights.data() + row.size()}, spacing};
 }
 
+/// z(j, i) at x = i dx, y = j dy: one period of columns * dx by rows * dy [m]. \throws domain_error as above.
 template <Real T>
-HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows, T dx, T dy) {
+[[nodiscard]] HeightMap<T> self_affine_map(const SelfAffineOptions<T>& options, std::size_t columns, std::size_t rows,
+                                           T dx, T dy) {
     require_positive("dx", dx);
     require_positive("dy", dy);
     require(rows >= 4, "points of a side", rows, "between 4 and 2^28");

@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The autocorrelation function of a map, and what it says of the texture: Sal and Str.
+/// Autocorrelation function of a map, and its texture parameters Sal and Str.
 ///
-///     A(tx, ty) = <z(x, y) z(x + tx, y + ty)>/<z^2>      z about the mean of the map, straight within each cell of lags
-///     r(phi)    = how far from lag 0, in the direction phi, A first falls to s = 0.2
-///     Sal = min r     Str = min r/max r                  over 720 directions of half a turn; the other half is the same
+///     A(tx, ty) = <z(x, y) z(x + tx, y + ty)>/<z^2>     z about the mean of the map, straight within each cell of lags
+///     r(phi)    = distance from lag 0, in the direction phi, at which A first falls to s = 0.2
+///     Sal = min r     Str = min r/max r                 over 720 directions of half a turn; the other half is the same
 ///
-/// By pairs, the mean of a lag is over the pairs of points that exist: it is not biased towards 0 at long lags, as a division by
-/// the number of all points would be. A periodic map has a pair for each point, across the edges. Lags reach to half of each
-/// side; where A stays above s to there in some direction, Sal stands and Str does not: it is less than min r over that reach.
+/// Means are over the pairs that exist, or of a periodic map across its edges. Lags reach to half of each side; where A
+/// stays above s to there, Str is not known.
 ///
-/// Reference   ISO 25178-2:2021 (fACF, Sal, Str: A is above s on the straight line to lag 0), ISO 25178-3:2012 (s = 0.2).
+/// Reference   ISO 25178-2:2021 (fACF, Sal, Str), ISO 25178-3:2012 (s = 0.2)
 /// Units       lags, Sal [m], A and Str dimensionless
 /// Valid       maps of 4 x 4 points at least; periodic ones without missing points; remove the form first
-/// Accuracy    A 1e-13 of A(0) = 1, r 1e-12 of the lag. Directions are a quarter of a degree apart: for an ellipse of
-///             Str = 0.1 max r is at most 0.03 % longer (tests/topography/areal_autocorrelation_test.cpp)
+/// Accuracy    A 1e-13 of A(0) = 1, r 1e-12 of the lag (tests/topography/areal_autocorrelation_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/topography/height_map.hpp>
-
-#include <optional>
 
 namespace fstiff {
 
@@ -68,24 +64,41 @@ struct RadialAutocorrelation {
     std::vector<std::size_t> lags;  ///< with a pair, in the shell
 };
 
-/// Of \p map. \throws domain_error for a map out of range, and for a periodic one with missing points.
-template <Real T>
-[[nodiscard]] ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map,
-                                                            LagPairs pairs = LagPairs::measured);
-
-/// Sal and Str of \p correlation. \throws domain_error unless 0 < threshold < 1.
-template <Real T>
-[[nodiscard]] TextureParameters<T> texture_parameters(const ArealAutocorrelation<T>& correlation,
-                                                      std::type_identity_t<T> threshold = T(0.2));
-
 /// Means over shells as wide as the longer step, about whole multiples of it, to the shorter reach.
 template <Real T>
-[[nodiscard]] RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation);
+[[nodiscard]] RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation) {
+    using Index = Eigen::Index;
+    const T width = (std::max)(correlation.dx, correlation.dy);
+    const T end = (std::min)(static_cast<T>(correlation.reach_x) * correlation.dx,
+                           static_cast<T>(correlation.reach_y) * correlation.dy);
+    const auto shells = static_cast<std::size_t>(std::lround(end / width)) + 1;
+    std::vector<T> lengths(shells), sums(shells);
+    std::vector<std::size_t> counts(shells);
+    for (Index j = 0; j <= correlation.reach_y; ++j)
+        for (Index i = -correlation.reach_x; i <= correlation.reach_x; ++i) {
+            const T length = std::hypot(static_cast<T>(i) * correlation.dx, static_cast<T>(j) * correlation.dy);
+            const T value = correlation.at(i, j);
+            if ((j == 0 && i < 0) || std::isnan(value) || length > end * (1 + 4 * std::numeric_limits<T>::epsilon()))
+                continue;  // the lag of i < 0 along x is that of -i
+            const auto shell = static_cast<std::size_t>(std::lround(length / width));
+            lengths[shell] += length;
+            sums[shell] += value;
+            ++counts[shell];
+        }
+    RadialAutocorrelation<T> result;
+    for (std::size_t k = 0; k < shells; ++k) {
+        if (counts[k] == 0) continue;
+        result.lag.push_back(lengths[k] / static_cast<T>(counts[k]));
+        result.value.push_back(sums[k] / static_cast<T>(counts[k]));
+        result.lags.push_back(counts[k]);
+    }
+    return result;
+}
 
 namespace detail {
 
-/// sum over the points of u(x) u(x + t) for |i| <= \p reach_x and 0 <= j < \p lags, of \p u(row, column) padded with zeros to
-/// \p width x \p height.
+/// sum over the points of u(x) u(x + t) for |i| <= \p reach_x and 0 <= j < \p lags, of \p u(row, column) padded with
+/// zeros to \p width x \p height.
 template <Real T, class Values>
 void correlate_map(const Values& u, Eigen::Index rows, Eigen::Index columns, std::size_t height, std::size_t width,
                    Eigen::Index reach_x, Eigen::Index lags, typename HeightMap<T>::Array& into) {
@@ -163,7 +176,8 @@ private:
         return (a_.at(i, j) * (1 - x) + a_.at(i + 1, j) * x) * (1 - y) +
                (a_.at(i, j + 1) * (1 - x) + a_.at(i + 1, j + 1) * x) * y;
     }
-    /// Where, from 0 to 1, the parabola through \p begin, \p middle and \p end first falls to the threshold; above 1: nowhere.
+    /// Where in [0, 1] the parabola through \p begin, \p middle and \p end first falls to the threshold; above 1:
+    /// nowhere.
     [[nodiscard]] T first_fall(T begin, T middle, T end) const {
         const T a = 2 * (begin - 2 * middle + end), b = 4 * middle - 3 * begin - end, c = begin - threshold_;
         if (end <= threshold_ && a == T(0)) return c / (begin - end);
@@ -180,8 +194,10 @@ private:
 
 }  // namespace detail
 
+/// Of \p map. \throws domain_error for a map out of range, and for a periodic one with missing points.
 template <Real T>
-ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map, LagPairs pairs) {
+[[nodiscard]] ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map,
+                                                            LagPairs pairs = LagPairs::measured) {
     using Index = Eigen::Index;
     map.validate(4);
     const bool periodic = pairs == LagPairs::periodic, whole = map.present() == map.size();
@@ -219,38 +235,10 @@ ArealAutocorrelation<T> areal_autocorrelation(const HeightMap<T>& map, LagPairs 
     return result;
 }
 
+/// Sal and Str of \p correlation. \throws domain_error unless 0 < threshold < 1.
 template <Real T>
-RadialAutocorrelation<T> radial_autocorrelation(const ArealAutocorrelation<T>& correlation) {
-    using Index = Eigen::Index;
-    const T width = (std::max)(correlation.dx, correlation.dy);
-    const T end = (std::min)(static_cast<T>(correlation.reach_x) * correlation.dx,
-                           static_cast<T>(correlation.reach_y) * correlation.dy);
-    const auto shells = static_cast<std::size_t>(std::lround(end / width)) + 1;
-    std::vector<T> lengths(shells), sums(shells);
-    std::vector<std::size_t> counts(shells);
-    for (Index j = 0; j <= correlation.reach_y; ++j)
-        for (Index i = -correlation.reach_x; i <= correlation.reach_x; ++i) {
-            const T length = std::hypot(static_cast<T>(i) * correlation.dx, static_cast<T>(j) * correlation.dy);
-            const T value = correlation.at(i, j);
-            if ((j == 0 && i < 0) || std::isnan(value) || length > end * (1 + 4 * std::numeric_limits<T>::epsilon()))
-                continue;  // the lag of i < 0 along x is that of -i
-            const auto shell = static_cast<std::size_t>(std::lround(length / width));
-            lengths[shell] += length;
-            sums[shell] += value;
-            ++counts[shell];
-        }
-    RadialAutocorrelation<T> result;
-    for (std::size_t k = 0; k < shells; ++k) {
-        if (counts[k] == 0) continue;
-        result.lag.push_back(lengths[k] / static_cast<T>(counts[k]));
-        result.value.push_back(sums[k] / static_cast<T>(counts[k]));
-        result.lags.push_back(counts[k]);
-    }
-    return result;
-}
-
-template <Real T>
-TextureParameters<T> texture_parameters(const ArealAutocorrelation<T>& correlation, std::type_identity_t<T> threshold) {
+[[nodiscard]] TextureParameters<T> texture_parameters(const ArealAutocorrelation<T>& correlation,
+                                                      std::type_identity_t<T> threshold = T(0.2)) {
     require(threshold > 0 && threshold < 1, "threshold of an autocorrelation", threshold, "between 0 and 1");
     constexpr int directions = 720;
     const detail::LagRays<T> rays(correlation, threshold);

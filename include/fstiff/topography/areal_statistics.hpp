@@ -1,35 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Statistics of a map: heights, slopes, curvatures, summits, by finite differences.
+/// Statistics of a map by finite differences, and its parameters by ISO 25178-2: Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq,
+/// Sdr.
 ///
-///     m0 = mean (z - mean z)^2 = Sq^2
-///     m2 = mean of the two of mean ((z_(i+1) - z_i)/dx)^2 along x and the same along y
-///     m4 = mean of the two of mean ((z_(i+1) - 2 z_i + z_(i-1))/dx^2)^2 along x and the same along y
-///     alpha = m0 m4 / m2^2                                           Nayak's bandwidth, 1.5 at least on isotropic maps
-///     rms gradient = sqrt(m2 along x + m2 along y)
+///     m0 = <z^2> = Sq^2   Sa = <|z|>   Ssk = <z^3>/Sq^3    Sku = <z^4>/Sq^4   Sp = max z   Sv = -min z   Sz = Sp + Sv
+///     m2, m4: means along x and along y of the squares of (z_(i+1) - z_i)/dx and (z_(i+1) - 2 z_i + z_(i-1))/dx^2
+///     alpha = m0 m4/m2^2    Sdq = sqrt(m2 along x + m2 along y)    Sdr = <area of a cell>/(dx dy) - 1
 ///     summit: higher than all its eight neighbours; its curvature -(d2z/dx2 + d2z/dy2)/2 by three points
 ///
-/// Every mean is over the differences whose points all exist, at the border as inside; nothing is padded or
-/// extrapolated. A summit needs its eight neighbours: a point at the border or beside a missing one is neither a summit
-/// nor counted in the area that summits are divided by. Of a plateau no point is a summit.
+/// z is counted from the mean; means are over what exists. A point at the border or beside a missing one is neither a
+/// summit nor counted in their area, nor is a plateau a summit. A cell's area is the mean of its two triangulations.
 ///
-/// On isotropic Gaussian maps the summit density is m4/(6 pi sqrt(3) m2) and the mean summit curvature
-/// 8 sqrt(m4)/(3 sqrt(pi)), up to what the finite differences lose: 1 % where the shortest wave has 16 samples.
-///
-/// Reference   Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Nayak, J. Lubr. Technol. 93 (1971) 398.
-/// Units       heights [m], m2 [1], m4 [1/m^2], density [1/m^2], curvature [1/m]
-/// Valid       maps of 3 x 3 points at least with three neighbours along x and along y; remove the form first
-/// Accuracy    1e-13 in double, beside the 1e-16 of an offset; offsets of 1e6 times the roughness included
-///             (tests/topography/areal_statistics_test.cpp)
+/// Reference   Longuet-Higgins, Phil. Trans. R. Soc. A 249 (1957) 321; Nayak, J. Lubr. Technol. 93 (1971) 398; ISO
+///             25178-2:2021, D.3, eq. (D.15) for the area
+/// Units       heights [m], m2 [1], m4 [1/m^2], density [1/m^2], curvature [1/m]; Ssk, Sku, Sdq, Sdr [1]
+/// Valid       maps of 3 x 3 points with three neighbours along x and along y; remove the form first
+/// Accuracy    1e-13 in double, beside the rounding of an offset (tests/topography/areal_statistics_test.cpp,
+///             tests/topography/areal_parameters_test.cpp)
 
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
+#include <optional>
 
 namespace fstiff {
 
@@ -50,10 +42,6 @@ struct ArealStatistics {
     std::size_t inner{};  ///< points whose eight neighbours exist
 };
 
-/// Statistics of \p map, about its mean. \throws domain_error for a map out of range.
-template <Real T>
-[[nodiscard]] ArealStatistics<T> areal_statistics(const HeightMap<T>& map);
-
 namespace detail {
 
 /// Mean squares of the first and second differences of neighbours.
@@ -62,6 +50,38 @@ struct DifferenceSums {
     S first{}, second{};
     std::size_t pairs{}, triples{};
 };
+
+/// Means of the squares along x (\p right 1) or y (\p down 1), in the unit of \p heights.
+/// \throws domain_error without three neighbours.
+template <Real T>
+DifferenceSums<Accumulator<T>> mean_differences(const HeightMap<T>& map, const MapHeights<T>& heights,
+                                                Eigen::Index down, Eigen::Index right) {
+    using S = Accumulator<T>;
+    DifferenceSums<S> d;
+    const auto height = [&](Eigen::Index j, Eigen::Index i) { return heights.of(map.heights(j, i)); };
+    for (Eigen::Index j = 0; j + down < map.rows(); ++j) {
+        S first = 0, second = 0;
+        for (Eigen::Index i = 0; i + right < map.columns(); ++i) {
+            const S a = height(j, i), b = height(j + down, i + right);
+            if (std::isnan(a) || std::isnan(b)) continue;
+            first += (b - a) * (b - a);
+            ++d.pairs;
+            if (j + 2 * down >= map.rows() || i + 2 * right >= map.columns()) continue;
+            const S c = height(j + 2 * down, i + 2 * right);
+            if (std::isnan(c)) continue;
+            second += ((c - b) - (b - a)) * ((c - b) - (b - a));
+            ++d.triples;
+        }
+        d.first += first;
+        d.second += second;
+    }
+    if (d.triples == 0)
+        throw domain_error(std::string("map has 0 triples of neighbouring points along ") + (right ? "x" : "y") +
+                           ": must be at least 1");
+    d.first /= static_cast<S>(d.pairs);
+    d.second /= static_cast<S>(d.triples);
+    return d;
+}
 
 /// Rows top to bottom - 1, columns left to right - 1.
 struct MapBlock {
@@ -82,8 +102,9 @@ void visit_inner_points(const HeightMap<T>& map, const MapBlock& block, const Us
 
 }  // namespace detail
 
+/// Statistics of \p map, about its mean. \throws domain_error for a map out of range.
 template <Real T>
-ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
+[[nodiscard]] ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
     using S = Accumulator<T>;
     using Index = Eigen::Index;
     map.validate();
@@ -96,32 +117,7 @@ ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
     const S mean = heights.mean, variance = heights.variance;
     const auto height = [&](Index j, Index i) { return heights.of(z(j, i)); };
 
-    const auto differences = [&](Index down, Index right) {
-        detail::DifferenceSums<S> d;
-        for (Index j = 0; j + down < rows; ++j) {
-            S first = 0, second = 0;
-            for (Index i = 0; i + right < columns; ++i) {
-                const S a = height(j, i), b = height(j + down, i + right);
-                if (std::isnan(a) || std::isnan(b)) continue;
-                first += (b - a) * (b - a);
-                ++d.pairs;
-                if (j + 2 * down >= rows || i + 2 * right >= columns) continue;
-                const S c = height(j + 2 * down, i + 2 * right);
-                if (std::isnan(c)) continue;
-                second += ((c - b) - (b - a)) * ((c - b) - (b - a));
-                ++d.triples;
-            }
-            d.first += first;
-            d.second += second;
-        }
-        if (d.triples == 0)
-            throw domain_error(std::string("map has 0 triples of neighbouring points along ") + (right ? "x" : "y") +
-                               ": must be at least 1");
-        d.first /= static_cast<S>(d.pairs);
-        d.second /= static_cast<S>(d.triples);
-        return d;
-    };
-    const auto x = differences(0, 1), y = differences(1, 0);
+    const auto x = detail::mean_differences(map, heights, 0, 1), y = detail::mean_differences(map, heights, 1, 0);
     const S slope_x = unit / static_cast<S>(map.dx), slope_y = unit / static_cast<S>(map.dy);
     const S m2_x = x.first * slope_x * slope_x, m2_y = y.first * slope_y * slope_y;
     const S bend_x = slope_x / static_cast<S>(map.dx), bend_y = slope_y / static_cast<S>(map.dy);
@@ -153,7 +149,8 @@ ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
     result.nayak = static_cast<T>(root * root);
     for (const T value : {result.m0, result.m2, result.m4, result.nayak})
         require(value >= (std::numeric_limits<T>::min)() && value <= (std::numeric_limits<T>::max)(),
-                "moment of the map", value, "of normal size: heights or spacings are too large or too small, or the map is a plane");
+                "moment of the map", value,
+                "of normal size: heights or spacings are too large or too small, or the map is a plane");
     if (result.inner > 0)
         result.summit_density = static_cast<T>(static_cast<S>(result.summits) / static_cast<S>(result.inner) /
                                                static_cast<S>(map.dx) / static_cast<S>(map.dy));
@@ -161,6 +158,87 @@ ArealStatistics<T> areal_statistics(const HeightMap<T>& map) {
         result.summit_curvature = static_cast<T>(curvature / 2 / static_cast<S>(result.summits));
         result.summit_height = static_cast<T>(summit_height / static_cast<S>(result.summits) * unit);
     }
+    return result;
+}
+
+/// Roughness parameters of a map, ISO 25178-2.
+template <Real T = double>
+struct ArealParameters {
+    T mean_deviation{};                     ///< Sa [m]
+    T rms_height{};                         ///< Sq [m]
+    T skewness{};                           ///< Ssk
+    T kurtosis{};                           ///< Sku
+    T max_peak_height{};                    ///< Sp [m]
+    T max_pit_depth{};                      ///< Sv [m]
+    T max_height{};                         ///< Sz [m]
+    T rms_gradient{};                       ///< Sdq
+    std::optional<T> developed_area_ratio;  ///< Sdr; none where no cell has its four points
+};
+
+/// Of \p map. \throws domain_error for a map out of range.
+template <Real T>
+[[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map) {
+    return areal_parameters(map, areal_statistics(map));
+}
+
+namespace detail {
+
+/// Mean over the cells of their area over dx dy, less 1.
+template <Real T>
+[[nodiscard]] std::optional<T> developed_area_ratio(const HeightMap<T>& map) {
+    using S = Accumulator<T>;
+    const auto& z = map.heights;
+    const S dx = static_cast<S>(map.dx), dy = static_cast<S>(map.dy);
+    S all = 0;
+    std::size_t cells = 0;
+    for (Eigen::Index j = 0; j + 1 < map.rows(); ++j) {
+        S row = 0;
+        for (Eigen::Index i = 0; i + 1 < map.columns(); ++i) {
+            const S a = static_cast<S>(z(j, i)), b = static_cast<S>(z(j, i + 1));
+            const S c = static_cast<S>(z(j + 1, i)), d = static_cast<S>(z(j + 1, i + 1));
+            if (std::isnan(a + b + c + d)) continue;
+            const S top = (b - a) / dx, bottom = (d - c) / dx, left = (c - a) / dy, right = (d - b) / dy;
+            const auto excess = [](S x, S y) {  // sqrt(1 + x^2 + y^2) - 1, to its last digit
+                const S square = x * x + y * y;
+                return square / (1 + std::sqrt(1 + square));
+            };
+            row += (excess(top, left) + excess(top, right) + excess(bottom, left) + excess(bottom, right)) / 4;
+            ++cells;
+        }
+        all += row;
+    }
+    if (cells == 0) return {};
+    return static_cast<T>(all / static_cast<S>(cells));
+}
+
+}  // namespace detail
+
+/// Of \p map, whose statistics \p known are. \throws domain_error for a map out of range.
+template <Real T>
+[[nodiscard]] ArealParameters<T> areal_parameters(const HeightMap<T>& map, const ArealStatistics<T>& known) {
+    using S = Accumulator<T>;
+    map.validate();
+    const detail::MapHeights<T> heights(map);
+    const auto mean_of = [&](const auto& term) {
+        return detail::mean_over_points(map, [&](T z) { return term(heights.of(z) - heights.mean); });
+    };
+    const S unit = static_cast<S>(heights.unit), variance = heights.variance;
+    S high = -std::numeric_limits<S>::infinity(), low = -high;
+    const S deviation = mean_of([&](S z) {
+        high = (std::max)(high, z);
+        low = (std::min)(low, z);
+        return std::abs(z);
+    });
+    ArealParameters<T> result;
+    result.mean_deviation = static_cast<T>(deviation * unit);
+    result.rms_height = known.rms_height;
+    result.skewness = static_cast<T>(mean_of([](S z) { return z * z * z; }) / (variance * std::sqrt(variance)));
+    result.kurtosis = static_cast<T>(mean_of([](S z) { return z * z * z * z; }) / (variance * variance));
+    result.max_peak_height = static_cast<T>(high * unit);
+    result.max_pit_depth = static_cast<T>(-low * unit);
+    result.max_height = static_cast<T>((high - low) * unit);
+    result.rms_gradient = known.rms_gradient;
+    result.developed_area_ratio = detail::developed_area_ratio(map);
     return result;
 }
 

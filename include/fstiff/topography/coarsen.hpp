@@ -9,9 +9,6 @@
 
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace fstiff {
 
 namespace detail {

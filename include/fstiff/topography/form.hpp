@@ -1,30 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Removes the form of a map: its mean, or a least-squares plane, quadratic or cubic surface.
+/// Form of a map, removed: its mean, or a least-squares plane, quadratic or cubic surface.
 ///
 ///     form = sum of c_kl P_k(u) P_l(v),  k + l <= degree,  u, v in [-1, 1] over the map, P_k Legendre's polynomials
 ///
-/// The normal equations are those of the points that exist, of nearly orthogonal functions, and the fit is repeated on
-/// what it left: an offset or a tilt far above the roughness costs nothing but the digits that it had already cost in
-/// the data. A surface that the points do not determine (all in one row, say) is refused.
+/// The fit is over the points that exist and is repeated on its residual, so that an offset or a tilt far above the
+/// roughness costs no digits. A surface that the points do not determine is refused.
 ///
 /// Units       heights [m]
 /// Valid       maps of 3 x 3 points at least, every height finite or NaN (missing; stays missing)
-/// Accuracy    offset and tilt of 1e6 times the roughness: heights within 1e-15 of the largest height before removal
-///             (tests/topography/form_test.cpp)
+/// Accuracy    1e-15 of the largest height, offset and tilt of 1e6 times the roughness (tests/topography/form_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <Eigen/Core>
-
-#include <cmath>
 #include <memory>
-#include <string>
-#include <type_traits>
 
 namespace fstiff {
 
@@ -36,11 +29,6 @@ inline constexpr auto names<MapForm> = name_list<MapForm>({{MapForm::none, "none
                                                            {MapForm::plane, "plane"},
                                                            {MapForm::quadratic, "quadratic"},
                                                            {MapForm::cubic, "cubic"}});
-
-/// \p map without the \p form.
-/// \throws domain_error for a map out of range, or whose points do not determine the form.
-template <Real T>
-[[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form);
 
 /// A map without its form, which knows what was removed.
 template <Real T = double>
@@ -55,17 +43,15 @@ struct LevelledMap {
     [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
 };
 
-/// The same with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted; 0
-/// where it is not known.
-/// \throws domain_error as remove_form(), and for a map that is constant, but for its rounding, once its form is removed.
+/// The same with the form that was removed. \p resolution [m] is the step in which the heights were printed or counted;
+/// 0 where it is not known. \throws domain_error as remove_form(), and for a map that is constant, but for its
+/// rounding, once its form is removed.
 template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0) {
     LevelledMap<T> flat{remove_form(map, form), form};
-    if (form != MapForm::none && detail::is_rounding(map.heights.data(), flat.map.heights.data(),
-                                                     static_cast<std::size_t>(map.size()), resolution))
-        throw domain_error("map of constant height once its form (" + std::string(name_of(form)) +
-                           ") is removed, or of one step: what is left cannot be told from the rounding of its "
-                           "heights; must be of varying height");
+    if (form != MapForm::none)
+        detail::require_more_than_rounding<T>("map", name_of(form), map.heights.data(), flat.map.heights.data(),
+                                              static_cast<std::size_t>(map.size()), resolution);
     return flat;
 }
 
@@ -82,13 +68,49 @@ Eigen::Array<S, Eigen::Dynamic, 4> legendre_of_side(Eigen::Index points) {
     return p;
 }
 
+/// Calls \p use(t, k, l) for the terms f_t = P_k(u) P_l(v), k + l <= degree.
+template <class Use>
+void each_term(Eigen::Index degree, const Use& use) {
+    Eigen::Index t = 0;
+    for (Eigen::Index k = 0; k <= degree; ++k)
+        for (Eigen::Index l = 0; k + l <= degree; ++l) use(t++, k, l);
+}
+
+/// 1 where a point of row \p j exists, 0 where it is missing: by rows, since a map may be as large as memory allows.
+template <Real S, Real T>
+Eigen::Array<S, 1, Eigen::Dynamic> existing(const HeightMap<T>& map, Eigen::Index j) {
+    return map.heights.row(j).isNaN().select(Eigen::Array<S, 1, Eigen::Dynamic>::Zero(map.columns()), S(1));
+}
+
+/// Means of f_s f_t over the points that exist; row by row, since v is constant along a row.
+template <Real T, class Polynomials>
+auto normal_matrix(const HeightMap<T>& map, const Polynomials& px, const Polynomials& py, Eigen::Index degree) {
+    using S = Accumulator<T>;
+    using Index = Eigen::Index;
+    const Index terms = (degree + 1) * (degree + 2) / 2;
+    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> normal =
+        Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Zero(terms, terms);
+    for (Index j = 0; j < map.rows(); ++j) {
+        Eigen::Matrix<S, 4, 4> products;  // of the polynomials along this row
+        const auto exists = existing<S>(map, j);
+        for (Index a = 0; a <= degree; ++a)
+            for (Index b = 0; b <= a; ++b)
+                products(a, b) = products(b, a) = (exists.transpose() * px.col(a) * px.col(b)).sum();
+        each_term(degree, [&](Index s, Index k, Index l) {
+            each_term(degree, [&](Index t, Index m, Index n) { normal(s, t) += products(k, m) * py(j, l) * py(j, n); });
+        });
+    }
+    normal /= static_cast<S>(map.present());
+    return normal;
+}
+
 }  // namespace detail
 
+/// \p map without the \p form. \throws domain_error for a map out of range, or whose points do not determine the form.
 template <Real T>
-HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
+[[nodiscard]] HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
     using S = Accumulator<T>;
     using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
-    using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
     using Index = Eigen::Index;
     map.validate();
     if (form == MapForm::none) return map;
@@ -100,33 +122,11 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
     const auto px = detail::legendre_of_side<S>(map.columns()), py = detail::legendre_of_side<S>(map.rows());
     // so that no sum leaves the range of numbers
     const S unit = power_of_two_below(static_cast<S>(map.heights.isNaN().select(T(0), map.heights).abs().maxCoeff()));
-
-    // f_t = P_k(u) P_l(v), t counting k + l <= degree; row by row, since v is constant along a row
-    const auto each_term = [&](const auto& use) {
-        Index t = 0;
-        for (Index k = 0; k <= degree; ++k)
-            for (Index l = 0; k + l <= degree; ++l) use(t++, k, l);
-    };
+    const auto each_term = [&](const auto& use) { detail::each_term(degree, use); };
     using Array = Eigen::Array<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    // 1 where a point of row j exists, 0 where it is missing: by rows, since a map may be as large as memory allows
-    Eigen::Array<S, 1, Eigen::Dynamic> exists(map.columns());
-    const auto find_existing = [&](Index j) {
-        for (Index i = 0; i < map.columns(); ++i) exists[i] = std::isnan(map.heights(j, i)) ? S(0) : S(1);
-    };
     Array z = map.heights.isNaN().select(T(0), map.heights).template cast<S>() / unit;
-    Matrix normal = Matrix::Zero(terms, terms);
-    for (Index j = 0; j < map.rows(); ++j) {
-        Eigen::Matrix<S, 4, 4> products;  // of the polynomials along this row
-        find_existing(j);
-        for (Index a = 0; a <= degree; ++a)
-            for (Index b = 0; b <= a; ++b)
-                products(a, b) = products(b, a) = (exists.transpose() * px.col(a) * px.col(b)).sum();
-        each_term([&](Index s, Index k, Index l) {
-            each_term([&](Index t, Index m, Index n) { normal(s, t) += products(k, m) * py(j, l) * py(j, n); });
-        });
-    }
-    normal /= static_cast<S>(map.present());
-    const PivotedQr<S> solver(normal, S(1e-12));  // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
+    // of a map of 1e5 points a side, all in two neighbouring rows: 1e-10
+    const PivotedQr<S> solver(detail::normal_matrix(map, px, py, degree), S(1e-12));
     if (solver.rank() < terms)
         throw domain_error("map whose points determine " + std::to_string(solver.rank()) + " of the " + terms_shown +
                            " terms of this form: must be spread over more rows and columns");
@@ -141,7 +141,7 @@ HeightMap<T> remove_form(const HeightMap<T>& map, MapForm form) {
         for (Index j = 0; j < map.rows(); ++j) {
             Eigen::Matrix<S, 4, 1> along = Eigen::Matrix<S, 4, 1>::Zero();
             each_term([&](Index t, Index k, Index l) { along[k] += c[t] * py(j, l); });
-            find_existing(j);
+            const auto exists = detail::existing<S>(map, j);
             for (Index k = degree; k >= 0; --k) z.row(j) -= along[k] * (px.col(k).transpose() * exists);
         }
     }

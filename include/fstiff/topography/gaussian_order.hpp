@@ -15,13 +15,6 @@
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <span>
-#include <utility>
-#include <vector>
-
 namespace fstiff {
 
 /// A map as a Gaussian one and a bearing curve.

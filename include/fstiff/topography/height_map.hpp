@@ -13,47 +13,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <string>
-#include <type_traits>
 
 namespace fstiff {
-
-/// A map in SI units. heights(j, i) is the height at x = i dx, y = j dy: a row of the array is a profile along x.
-template <Real T = double>
-struct HeightMap {
-    using Array = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-    Array heights;  ///< [m], rows along y, columns along x; NaN marks a missing point
-    T dx{};         ///< between neighbouring columns [m]
-    T dy{};         ///< between neighbouring rows [m]
-
-    [[nodiscard]] Eigen::Index columns() const { return heights.cols(); }
-    [[nodiscard]] Eigen::Index rows() const { return heights.rows(); }
-    /// Points, missing ones included.
-    [[nodiscard]] Eigen::Index size() const { return heights.size(); }
-    /// Points that are not missing.
-    [[nodiscard]] Eigen::Index present() const { return heights.size() - heights.isNaN().count(); }
-    /// Nominal area: every point stands for one cell dx dy [m^2].
-    [[nodiscard]] T area() const { return static_cast<T>(heights.size()) * dx * dy; }
-
-    /// \throws domain_error unless both spacings are positive, no height is infinite, the map has \p least points a
-    /// side, as many exist, and they are not all of one height.
-    void validate(Eigen::Index least = 3) const;
-    /// \throws domain_error "map with N missing points: must be filled \p before".
-    void require_whole(const char* before) const;
-};
-
-/// Mean of the heights that exist [m]. \throws domain_error when there is none.
-template <Real T>
-[[nodiscard]] T mean_height(const HeightMap<T>& map);
-
-/// Sq: root of the mean square of the heights about their mean [m]. \throws domain_error for a map out of range.
-template <Real T>
-[[nodiscard]] T rms_height(const HeightMap<T>& map);
 
 namespace detail {
 
@@ -84,7 +46,7 @@ HeightRange<T> height_range(const T* z, Eigen::Index count) {
                 high[l] = height > high[l] ? height : high[l];
                 present[l] += height == height ? 1 : 0;  // NaN does not
             }
-        for (const Count count : present) range.present += count;
+        for (const Count lane : present) range.present += lane;
     }
     for (std::size_t k = whole; k < size; ++k) {
         if (z[k] < low[0]) low[0] = z[k];
@@ -94,11 +56,6 @@ HeightRange<T> height_range(const T* z, Eigen::Index count) {
     range.low = *std::min_element(low.begin(), low.end());
     range.high = *std::max_element(high.begin(), high.end());
     return range;
-}
-
-template <Real T>
-HeightRange<T> height_range(const HeightMap<T>& map) {
-    return height_range(map.heights.data(), map.size());
 }
 
 /// HeightMap::validate() of heights \p z, row after row, wherever they are.
@@ -117,6 +74,55 @@ void validate_map(const T* z, Eigen::Index rows, Eigen::Index columns, T dx, T d
         throw domain_error("map of which " + std::to_string(range.present) + " points exist: must be at least " +
                            std::to_string(least));
     require(range.high > range.low, "map of constant height", range.low, "of varying height");
+}
+
+}  // namespace detail
+
+/// A map in SI units. heights(j, i) is the height at x = i dx, y = j dy: a row of the array is a profile along x.
+template <Real T = double>
+struct HeightMap {
+    using Array = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    Array heights;  ///< [m], rows along y, columns along x; NaN marks a missing point
+    T dx{};         ///< between neighbouring columns [m]
+    T dy{};         ///< between neighbouring rows [m]
+
+    [[nodiscard]] Eigen::Index columns() const { return heights.cols(); }
+    [[nodiscard]] Eigen::Index rows() const { return heights.rows(); }
+    /// Points, missing ones included.
+    [[nodiscard]] Eigen::Index size() const { return heights.size(); }
+    /// Points that are not missing.
+    [[nodiscard]] Eigen::Index present() const { return heights.size() - heights.isNaN().count(); }
+    /// Nominal area: every point stands for one cell dx dy [m^2].
+    [[nodiscard]] T area() const { return static_cast<T>(heights.size()) * dx * dy; }
+
+    /// \throws domain_error unless both spacings are positive, no height is infinite, the map has \p least points a
+    /// side, as many exist, and they are not all of one height.
+    void validate(Eigen::Index least = 3) const {
+        detail::validate_map(heights.data(), rows(), columns(), dx, dy, least);
+    }
+    /// \throws domain_error "map with N missing points: must be filled \p before".
+    void require_whole(const char* before) const {
+        if (const Eigen::Index missing = size() - present(); missing > 0)
+            throw domain_error("map with " + std::to_string(missing) + " missing points: must be filled " + before);
+    }
+};
+
+/// Mean of the heights that exist [m]. \throws domain_error when there is none.
+template <Real T>
+[[nodiscard]] T mean_height(const HeightMap<T>& map) {
+    CompensatedSum<Accumulator<T>> sum;
+    for (Eigen::Index k = 0; k < map.size(); ++k)
+        if (!std::isnan(map.heights.data()[k])) sum.add(map.heights.data()[k]);
+    if (map.present() == 0) throw domain_error("map of which 0 points exist: must be at least 1");
+    return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(map.present()));
+}
+
+namespace detail {
+
+template <Real T>
+HeightRange<T> height_range(const HeightMap<T>& map) {
+    return height_range(map.heights.data(), map.size());
 }
 
 /// Power of two near the range of the heights: squares of scaled heights stay in range, and scaling is exact.
@@ -161,31 +167,12 @@ struct MapHeights {
 
 }  // namespace detail
 
+/// Sq: root of the mean square of the heights about their mean [m]. \throws domain_error for a map out of range.
 template <Real T>
-T mean_height(const HeightMap<T>& map) {
-    CompensatedSum<Accumulator<T>> sum;
-    for (Eigen::Index k = 0; k < map.size(); ++k)
-        if (!std::isnan(map.heights.data()[k])) sum.add(map.heights.data()[k]);
-    if (map.present() == 0) throw domain_error("map of which 0 points exist: must be at least 1");
-    return static_cast<T>(sum.value() / static_cast<Accumulator<T>>(map.present()));
-}
-
-template <Real T>
-T rms_height(const HeightMap<T>& map) {
+[[nodiscard]] T rms_height(const HeightMap<T>& map) {
     map.validate();
     const detail::MapHeights<T> heights(map);
     return static_cast<T>(std::sqrt(heights.variance) * heights.unit);
-}
-
-template <Real T>
-void HeightMap<T>::require_whole(const char* before) const {
-    if (const Eigen::Index missing = size() - present(); missing > 0)
-        throw domain_error("map with " + std::to_string(missing) + " missing points: must be filled " + before);
-}
-
-template <Real T>
-void HeightMap<T>::validate(Eigen::Index least) const {
-    detail::validate_map(heights.data(), rows(), columns(), dx, dy, least);
 }
 
 }  // namespace fstiff

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Islands that grow while points are raised out of the water one by one: union-find with their number, area and
-/// height.
+/// Islands that grow while points are raised one by one: union-find with their number, area and height.
 ///
 /// Reference   Tarjan, J. ACM 22 (1975)
-/// Valid       maps of 2^31 - 1 points at most; points in any order, which moves the sums of twice_mean by their rounding
+/// Valid       maps of 2^31 - 1 points at most; points in any order, which changes the rounding of sums of twice_mean
 /// Accuracy    counts and areas exact, heights as compensated sums (tests/topography/islands_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace fstiff {
@@ -89,14 +83,14 @@ private:
     std::vector<std::size_t> of_column_, of_row_;
 };
 
-/// Islands that grow as points are raised. The root of an island is its highest point; of equal ones the earlier in the map.
+/// Islands that grow as points are raised. The root of an island is its highest point; of equal ones the first.
 template <Real T>
 class IslandForest {
 public:
     using S = Accumulator<T>;
 
-    /// \p datum is what mean heights are summed from. A point that changes no height leaves their sum alone where \p quick;
-    /// else it is taken out and put in again, with its rounding.
+    /// \p datum is what mean heights are summed from. A point that changes no height leaves their sum alone where \p
+    /// quick; else it is taken out and put in again, with its rounding.
     IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum, bool quick)
         : z_(map.heights.data()),
           columns_(static_cast<std::int32_t>(map.columns())),
@@ -171,8 +165,7 @@ private:
         std::size_t count = 0;
     };
 
-    /// Those that \p point, which is under water, joins once it is raised. Of eight neighbours, two that touch belong to one
-    /// island already.
+    /// Islands that \p point joins once it is raised. Of eight neighbours, two that touch belong to one island.
     Islands islands_beside(std::int32_t point) {
         const std::int32_t j = point / columns_, i = point - j * columns_;
         const bool to_left = i > 0, to_right = i + 1 < columns_, up = j > 0, down = j + 1 < rows_;

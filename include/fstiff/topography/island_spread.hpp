@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The representative islands of a map, those at the level where there are most, and how much they vary.
+/// Representative islands of a map, those at the level of the greatest density, and their spread.
 ///
-/// The representative island is that of the level at which the density is greatest, without smoothing; of equal ones
-/// the highest level. Its spread comes from tiles: an island belongs to the tile of its highest point, so that no
-/// island is cut; the tiles are drawn with replacement, their curves added, the maximum is sought again. The standard
-/// deviation of that, times sqrt(n/(n-1)) for n tiles, contains what the choice of the level adds.
+/// Of equal densities the highest level counts. The spread comes from tiles drawn with replacement: an island belongs
+/// to the tile of its highest point, and the maximum is sought again in each draw. The standard deviation is multiplied
+/// by sqrt(n/(n-1)) for n tiles.
 ///
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4; Efron, Ann. Stat. 7 (1979)
 /// Units       level, R [m], density [1/m^2]
@@ -42,13 +41,6 @@ struct RepresentativeIslands {
     std::uint64_t seed{};
     IslandCurve<T> curve;
 };
-
-/// The curve, and the pair of density and radius at its greatest density.
-/// \throws domain_error as above, when no island counts at any level, or when fewer than two tiles hold points.
-template <Real T>
-[[nodiscard]] RepresentativeIslands<T> representative_islands(const HeightMap<T>& map,
-                                                              const IslandOptions<T>& options = {},
-                                                              const IslandSpread& spread = {});
 
 namespace detail {
 
@@ -111,9 +103,12 @@ void resample_tiles(RepresentativeIslands<T>& result, const HeightMap<T>& map,
 
 }  // namespace detail
 
+/// The curve, and the pair of density and radius at its greatest density.
+/// \throws domain_error as above, when no island counts at any level, or when fewer than two tiles hold points.
 template <Real T>
-RepresentativeIslands<T> representative_islands(const HeightMap<T>& map, const IslandOptions<T>& options,
-                                                const IslandSpread& spread) {
+[[nodiscard]] RepresentativeIslands<T> representative_islands(const HeightMap<T>& map,
+                                                              const IslandOptions<T>& options = {},
+                                                              const IslandSpread& spread = {}) {
     using S = Accumulator<T>;
     constexpr std::size_t max_lines = std::size_t(1) << 22;
     require(spread.tiles >= 1 && spread.tiles <= 32, "tiles a side", spread.tiles, "between 1 and 32");

@@ -6,33 +6,129 @@
 ///     density = islands / nominal area
 ///     R       = A_m / (2 pi h_m)      paraboloid of the mean island: area A_m at the level, height h_m above it
 ///
-/// The points are raised out of the water from the highest level to the lowest; union-find keeps the islands, and their
-/// number, area and height are kept up to date, so that a level costs nothing but its own line. Between two levels the
-/// points come in the order of the map; with more than 254 levels, or mean heights, they are sorted by height. Of a cutting
-/// level, the points that stand strictly above it count. A missing point is part of no island and of no area; the nominal area is
-/// that of the points that exist.
+/// Union-find keeps the islands while the points are raised from the highest level to the lowest. Points strictly above
+/// a level count; a missing point is part of no island and of no area.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4.
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), Figs. 3 and 4
 /// Units       levels, heights, R [m], areas [m^2], densities [1/m^2], bearing area 0 to 1
 /// Valid       maps of 3 x 3 points at least, 2^31 - 1 points at most, heights that vary
-/// Accuracy    counts and areas exact, mean heights 1e-14 of the roughness of those of each level labelled by itself,
-///             offset 1e6 times the roughness included (tests/topography/islands_test.cpp).
-///             On Gaussian maps the greatest density is (2 pi)^(-3/2) e^(-1/2) m2/m0 = 0.0385 m2/m0 times 1.02 to 1.08
-///             where the waves span a factor of 4 at most; 1.04 to 1.25 at 8, 1.1 to 1.7 at 16: that number is the one
-///             of islands less lakes, and in wide bands islands have lakes.
+/// Accuracy    counts and areas exact, mean heights 1e-14 of the roughness (tests/topography/islands_test.cpp).
+///             Greatest density of narrow Gaussian bands 1.02 to 1.08 of (2 pi)^(-3/2) e^(-1/2) m2/m0
 
 #include <fstiff/core/numbers.hpp>
+#include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/island_forest.hpp>
-#include <fstiff/topography/island_levels.hpp>
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
-#include <functional>
-#include <string>
-#include <type_traits>
 
 namespace fstiff {
+
+namespace detail {
+
+/// The number of the bin of a height, which never falls as the height rises.
+template <Real T>
+class HeightBins {
+public:
+    static constexpr std::size_t count = std::size_t(1) << 16;
+
+    explicit HeightBins(const HeightRange<T>& range) : low_(range.low) {
+        const T scale = static_cast<T>(count) / (range.high - range.low);
+        if (std::isfinite(scale)) scale_ = scale;  // else one bin holds all
+    }
+    std::size_t operator()(T height) const {
+        return (std::min)(count - 1, static_cast<std::size_t>((height - low_) * scale_));
+    }
+
+private:
+    T low_, scale_{};
+};
+
+/// The heights of \p map, of the range \p range, that have the rising \p ranks; 0 is that of the highest.
+template <Real T>
+std::vector<T> heights_of_ranks(const HeightMap<T>& map, const HeightRange<T>& range,
+                                const std::vector<std::size_t>& ranks) {
+    struct Slot {
+        std::size_t before;  // points of higher bins
+        T first{};
+        std::size_t like_first = 0;
+        std::vector<T> others{};
+    };
+    const HeightBins<T> bin_of(range);
+    const T* const z = map.heights.data();
+    const auto size = static_cast<std::size_t>(map.size());
+    std::vector<std::size_t> points(HeightBins<T>::count);
+    for (std::size_t k = 0; k < size; ++k)
+        if (!std::isnan(z[k])) ++points[bin_of(z[k])];
+    std::vector<Slot> slots;
+    std::vector<std::int32_t> slot_of(points.size(), -1);
+    std::size_t before = 0;
+    auto rank = ranks.begin();
+    for (std::size_t bin = points.size(); bin-- > 0; before += points[bin])
+        for (; rank != ranks.end() && *rank < before + points[bin]; ++rank)
+            if (slot_of[bin] < 0) {
+                slot_of[bin] = static_cast<std::int32_t>(slots.size());
+                slots.push_back({.before = before});
+            }
+    for (std::size_t k = 0; k < size; ++k) {
+        if (std::isnan(z[k])) continue;
+        const std::int32_t at = slot_of[bin_of(z[k])];
+        if (at < 0) continue;
+        Slot& slot = slots[static_cast<std::size_t>(at)];
+        if (slot.like_first == 0) slot.first = z[k];
+        if (z[k] == slot.first)
+            ++slot.like_first;
+        else
+            slot.others.push_back(z[k]);
+    }
+    std::vector<T> found;
+    std::size_t at = 0;
+    for (Slot& slot : slots) {
+        std::sort(slot.others.begin(), slot.others.end(), std::greater<>());
+        const auto higher = static_cast<std::size_t>(
+            std::lower_bound(slot.others.begin(), slot.others.end(), slot.first, std::greater<>()) -
+            slot.others.begin());
+        const std::size_t end = slot.before + slot.like_first + slot.others.size();
+        for (; at < ranks.size() && ranks[at] < end; ++at) {
+            const std::size_t place = ranks[at] - slot.before;
+            found.push_back(place < higher                     ? slot.others[place]
+                            : place < higher + slot.like_first ? slot.first
+                                                               : slot.others[place - slot.like_first]);
+        }
+    }
+    return found;
+}
+
+struct LevelBands {
+    static constexpr std::size_t most_levels = 254;
+    static constexpr std::uint8_t absent = 255;  ///< of a missing point
+};
+
+/// Of every point of \p map, how many of the falling \p levels, most_levels at most, are not below it: the first level
+/// that it stands above has that number.
+template <Real T>
+std::vector<std::uint8_t> level_bands(const HeightMap<T>& map, const HeightRange<T>& range,
+                                      const std::vector<T>& levels) {
+    const HeightBins<T> bin_of(range);
+    // levels above all heights of a bin and of the higher ones
+    std::vector<std::uint8_t> least(HeightBins<T>::count);
+    std::size_t above = 0;
+    for (std::size_t bin = least.size(); bin-- > 0; least[bin] = static_cast<std::uint8_t>(above))
+        while (above < levels.size() &&
+               (levels[above] > range.high || (levels[above] >= range.low && bin_of(levels[above]) > bin)))
+            ++above;
+    std::vector<std::uint8_t> bands(static_cast<std::size_t>(map.size()), LevelBands::absent);
+    const T* const z = map.heights.data();
+    for (std::size_t k = 0; k < bands.size(); ++k) {
+        if (std::isnan(z[k])) continue;
+        std::size_t band = least[bin_of(z[k])];
+        while (band < levels.size() && levels[band] >= z[k]) ++band;
+        bands[k] = static_cast<std::uint8_t>(band);
+    }
+    return bands;
+}
+
+}  // namespace detail
 
 /// Islands against the cutting level, from the highest level to the lowest; the vectors have one length. Where no
 /// island counts, means and radius are 0.
@@ -53,10 +149,6 @@ struct IslandCurve {
         return static_cast<std::size_t>(std::max_element(density.begin(), density.end()) - density.begin());
     }
 };
-
-/// \throws domain_error for a map or an option out of range.
-template <Real T>
-[[nodiscard]] IslandCurve<T> island_curve(const HeightMap<T>& map, const IslandOptions<T>& options = {});
 
 namespace detail {
 
@@ -113,11 +205,9 @@ inline std::vector<std::size_t> middles_of_parts(std::size_t size, std::size_t p
     return places;
 }
 
-/// The curve; the totals of every tile at every level go to \p record(level, forest).
-template <Real T, class Record>
-IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
-                             const Record& record) {
-    using S = Accumulator<T>;
+/// The range of the heights of \p map. \throws domain_error for a map or an option out of range.
+template <Real T>
+HeightRange<T> checked_range(const HeightMap<T>& map, const IslandOptions<T>& options) {
     map.validate();
     if (map.size() > (std::numeric_limits<std::int32_t>::max)())
         throw domain_error("map of " + std::to_string(map.size()) + " points: must be at most 2^31 - 1");
@@ -125,12 +215,41 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     for (const T level : options.levels)
         require(std::abs(level) <= (std::numeric_limits<T>::max)(), "cutting level", level, "finite");
     const HeightRange<T> range = height_range(map);
-    const auto present = static_cast<std::size_t>(range.present);
     // sums of as many heights, and of their doubles, stay in range
     const T largest = (std::max)(std::abs(range.high), std::abs(range.low));
     require(largest <= std::sqrt((std::numeric_limits<T>::max)()), "largest height", largest,
             "at most the root of the largest number");
+    return range;
+}
 
+/// Adds the islands \p total at \p level to \p curve.
+template <Real T, Real S>
+void add_level(IslandCurve<T>& curve, T level, T bearing_area, const IslandTotal<S>& total, S reference, T cell) {
+    T area = 0, height = 0, radius = 0;
+    if (total.islands > 0) {
+        const auto islands = static_cast<S>(total.islands);
+        area = static_cast<T>(static_cast<S>(total.points) / islands) * cell;
+        height = static_cast<T>((std::max)(S(0), total.height_above(reference) / islands));
+        radius = height > T(0) ? area / (2 * numbers::pi_v<T> * height) : T(0);
+        require(radius <= (std::numeric_limits<T>::max)(), "mean island height", height,
+                "larger: the radius leaves the range of numbers");
+    }
+    curve.level.push_back(level);
+    curve.bearing_area.push_back(bearing_area);
+    curve.islands.push_back(static_cast<std::size_t>(total.islands));
+    curve.density.push_back(static_cast<T>(total.islands) / curve.nominal_area);
+    curve.mean_area.push_back(area);
+    curve.mean_height.push_back(height);
+    curve.radius.push_back(radius);
+}
+
+/// The curve; the totals of every tile at every level go to \p record(level, forest).
+template <Real T, class Record>
+IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles,
+                             const Record& record) {
+    using S = Accumulator<T>;
+    const HeightRange<T> range = checked_range(map, options);
+    const auto present = static_cast<std::size_t>(range.present);
     std::vector<T> levels = options.levels;
     std::vector<IslandPoint<T>> points;  // from the highest, where they are sorted
     if (levels.empty() && (options.quantiles == 0 || options.quantiles >= present)) {
@@ -173,23 +292,8 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
         const T level = levels[k];
         if (options.progress) options.progress("islands", above, present);
         raise_to(k);
-        const IslandTotal<S>& total = forest.total();
-        T area = 0, height = 0, radius = 0;
-        if (total.islands > 0) {
-            const auto islands = static_cast<S>(total.islands);
-            area = static_cast<T>(static_cast<S>(total.points) / islands) * cell;
-            height = static_cast<T>((std::max)(S(0), total.height_above(forest.reference(level)) / islands));
-            radius = height > T(0) ? area / (2 * numbers::pi_v<T> * height) : T(0);
-            require(radius <= (std::numeric_limits<T>::max)(), "mean island height", height,
-                    "larger: the radius leaves the range of numbers");
-        }
-        curve.level.push_back(level);
-        curve.bearing_area.push_back(static_cast<T>(above) / static_cast<T>(present));
-        curve.islands.push_back(static_cast<std::size_t>(total.islands));
-        curve.density.push_back(static_cast<T>(total.islands) / curve.nominal_area);
-        curve.mean_area.push_back(area);
-        curve.mean_height.push_back(height);
-        curve.radius.push_back(radius);
+        add_level(curve, level, static_cast<T>(above) / static_cast<T>(present), forest.total(),
+                  static_cast<S>(forest.reference(level)), cell);
         record(level, forest);
     }
     return curve;
@@ -197,8 +301,9 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
 
 }  // namespace detail
 
+/// \throws domain_error for a map or an option out of range.
 template <Real T>
-IslandCurve<T> island_curve(const HeightMap<T>& map, const IslandOptions<T>& options) {
+[[nodiscard]] IslandCurve<T> island_curve(const HeightMap<T>& map, const IslandOptions<T>& options = {}) {
     return detail::sweep_islands(map, options, 1, [](T, const detail::IslandForest<T>&) {});
 }
 

@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The waves of a map that goes on beyond its edges, by repeating itself or mirrored: real transforms along one side.
+/// Real transforms along one side of a map that repeats itself or is mirrored beyond its edges.
 ///
 ///     repeating   1, cos 2 pi k x/L, sin 2 pi k x/L          by a transform of real data
 ///     mirrored    cos pi k x/L at cell centres               by the same transform of re-ordered data (Makhoul)
 ///
-/// Mirrored lines are even about both ends, half a step outside of the last points: a line of N points has the period 2N, and
-/// its transform is the cosine transform of type II.
-///
 /// LinesTransform takes several lines at once, in the lanes of the machine's vectors (math/fft_of_lines.hpp).
 ///
-/// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform).
+/// Reference   Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform of type II)
 /// Units       those of the data
-/// Valid       2 points at least; lengths that are products of 2, 3 and 5 are fast, others take a transform of 2N or more
+/// Valid       2 points at least; lengths that are products of 2, 3 and 5 are fast, others take one of 2N or more
 /// Accuracy    that of math/fft (tests/topography/line_transform_test.cpp, tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <vector>
 
 namespace fstiff {
 
@@ -55,8 +42,7 @@ template <Real T>
     return T(wave);
 }
 
-/// What coefficient \p k of a line of \p points adds to the mean square of the line, over (c_k/N)^2: 1 of the mean and of
-/// the zigzag, else 2.
+/// Share of coefficient \p k in the mean square of a line of \p points, over (c_k/N)^2: 1 for mean and zigzag, else 2.
 template <Real T>
 [[nodiscard]] T wave_weight(std::size_t k, std::size_t points, Edges edges) {
     return k == 0 || (edges == Edges::periodic && k + 1 == points && points % 2 == 0) ? T(1) : T(2);

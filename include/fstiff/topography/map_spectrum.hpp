@@ -1,40 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The roughness spectrum of a map in shells of |q|, which Persson's theory takes as it is.
+/// Roughness spectrum of a map in shells of |q|, the input of Persson's theory, and its power spectral densities.
 ///
 ///     z - mean = sum of h_q times the waves of the map as it goes on beyond its edges,    sum of |h_q|^2 = sigma^2
-///     mirrored   waves cos pi k x/L_x cos pi l y/L_y at cell centres: those of the map and its mirror images, of period 2L
-///     periodic   waves exp(i q x) of a map that repeats itself
+///     mirrored   waves cos pi k x/L_x cos pi l y/L_y at cell centres;    periodic   waves exp(i q x)
 ///     shell i: |q| within half a wave number of i pi/L (mirrored), i 2 pi/L (periodic),  L the longer side
+///     C(q)   = L_x L_y/(2 pi)^2 <|h_q|^2>                 over the waves of a shell;  sigma^2 = 2 pi int q C dq
+///     C_x(q) = L_x/pi sum over q_y of |h_(q, q_y)|^2      one-sided, as that of a profile; C_y likewise
 ///
-/// Mirror images have no step at the edges, which a measured map has when it is repeated, and which would be taken for roughness:
-/// the gradient grows with the number of points. A window, which takes that step away too, weighs the middle of the map, so that
-/// the sum is not sigma^2: by a fifth where the longest waves are those of the map.
+/// Mirror images have no step at the edges, and unlike a window they keep sigma. radial_spectrum() is a picture: its
+/// window weighs sigma, and its shells end at the shortest wave of the coarser side. Jacobs et al.: (2 pi)^2 C, pi C_x.
 ///
-/// Reference   Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001 (shells, windows); Makhoul, IEEE Trans.
-///             Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform).
-/// Units       heights [m], q [rad/m]
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; Jacobs et al., Surf. Topogr. 5 (2017) 013001; Makhoul, IEEE
+///             Trans. Acoust. Speech Signal Process. 28 (1980) 27 (cosine transform)
+/// Units       heights [m], q [rad/m], C [m^4], C_x and C_y [m^3]
 /// Valid       maps of 4 x 4 points at least, without missing points; remove the form first
-/// Accuracy    1e-13 relative of the sum, 1e-11 of each shell of a sum of waves (tests/topography/map_spectrum_test.cpp)
+/// Accuracy    1e-13 of the sum, 1e-11 of each shell of a sum of waves, 1e-12 of C
+///             (tests/topography/map_spectrum_test.cpp, tests/topography/radial_spectrum_test.cpp)
 
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
+#include <fstiff/surface/spectrum_window.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/line_transform.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace fstiff {
 
 namespace detail {
 
-/// Calls \p use(k, l, |h_q|^2) for the waves of \p heights [m] but their mean: k along x, l along y, in units of 2 pi over the
-/// side. A cosine and a sine are a wave each.
+/// Calls \p use(k, l, |h_q|^2) for the waves of \p heights [m] but their mean: k along x, l along y, in units of 2 pi
+/// over the side. A cosine and a sine are a wave each.
 template <Real T, class Use>
 void visit_waves(GridField<T> heights, Edges edges, const Use& use) {
     const auto columns = static_cast<std::size_t>(heights.cols()), rows = static_cast<std::size_t>(heights.rows());
@@ -119,6 +115,102 @@ template <Real T>
     }
     spectrum.rms_height = std::sqrt(square);
     return spectrum;
+}
+
+/// One-sided spectrum of the sections of a map along one axis.
+template <Real T = double>
+struct SectionSpectrum {
+    std::vector<T> wavenumber;  ///< 1, 2, ... times the step, to the shortest wave [rad/m]
+    std::vector<T> value;       ///< [m^3]
+    T step{};                   ///< [rad/m]
+    bool halved{};              ///< whether the last value counts half in an integral: the number of points is even
+
+    /// int C dq [m^2].
+    [[nodiscard]] T integral() const {
+        T sum = 0;
+        for (std::size_t k = 0; k < value.size(); ++k) sum += halved && k + 1 == value.size() ? value[k] / 2 : value[k];
+        return sum * step;
+    }
+};
+
+/// The power spectrum of a map over all directions, and of its sections.
+template <Real T = double>
+struct RadialSpectrum {
+    std::vector<T> wavenumber;       ///< mean |q| of a shell [rad/m]
+    std::vector<T> value;            ///< C [m^4]
+    std::vector<std::size_t> waves;  ///< in the shell
+    SectionSpectrum<T> along_x, along_y;
+};
+
+namespace detail {
+
+/// \p map about its mean, times \p window over its rms.
+template <Real T>
+[[nodiscard]] GridField<T> windowed(const HeightMap<T>& map, SpectrumWindow window) {
+    GridField<T> heights = map.heights - map.heights.mean();
+    if (window == SpectrumWindow::none) return heights;
+    const auto weights = [window](Eigen::Index points) {  // of mean square 1
+        Eigen::Array<T, Eigen::Dynamic, 1> all(points);
+        for (Eigen::Index i = 0; i < points; ++i)
+            all[i] = window_weight<T>(window, static_cast<std::size_t>(i), static_cast<std::size_t>(points)) *
+                     std::sqrt(T(8) / 3);
+        return all;
+    };
+    heights.colwise() *= weights(map.rows());
+    heights.rowwise() *= weights(map.columns()).transpose();
+    return heights;
+}
+
+}  // namespace detail
+
+/// The spectra of \p map about its mean. \throws domain_error for missing points and what HeightMap::validate says.
+template <Real T>
+[[nodiscard]] RadialSpectrum<T> radial_spectrum(const HeightMap<T>& map, SpectrumWindow window = SpectrumWindow::hann) {
+    using Index = Eigen::Index;
+    const detail::ShellGrid<T> grid(map);
+    const Index rows = map.rows(), columns = map.columns();
+    const T end = (std::min)(grid.unit_x * T(columns), grid.unit_y * T(rows)) / 2;
+    const std::size_t shells = grid.shell_of(end);  // those behind hold no more than a part of their waves
+    std::vector<T> power(shells + 1), lengths(shells + 1);
+    std::vector<std::size_t> waves(shells + 1);
+    const auto section = [](Index points, T unit) {
+        SectionSpectrum<T> one;
+        one.step = unit;
+        one.halved = points % 2 == 0;
+        one.value.resize(static_cast<std::size_t>(points / 2));
+        for (std::size_t k = 1; k <= one.value.size(); ++k) one.wavenumber.push_back(static_cast<T>(k) * unit);
+        return one;
+    };
+    RadialSpectrum<T> result{.wavenumber = {},
+                             .value = {},
+                             .waves = {},
+                             .along_x = section(columns, grid.unit_x),
+                             .along_y = section(rows, grid.unit_y)};
+    const auto put = [](SectionSpectrum<T>& one, Index k, T square) {
+        if (k > 0) one.value[static_cast<std::size_t>(k) - 1] += square;
+    };
+    detail::visit_waves(detail::windowed(map, window), Edges::periodic, [&](T k, T l, T square) {
+        put(result.along_x, static_cast<Index>(k), square);
+        put(result.along_y, static_cast<Index>(l), square);
+        const T q = grid.wave_number(k, l);
+        const std::size_t shell = grid.shell_of(q);
+        if (q > end * (1 + 4 * std::numeric_limits<T>::epsilon()) || shell > shells) return;
+        power[shell] += square;
+        lengths[shell] += q;
+        ++waves[shell];
+    });
+    for (auto* one : {&result.along_x, &result.along_y}) {
+        for (T& value : one->value) value /= one->step;
+        if (one->halved) one->value.back() *= 2;
+    }
+    for (std::size_t k = 1; k <= shells; ++k) {
+        if (waves[k] == 0) continue;
+        const T count = static_cast<T>(waves[k]);
+        result.wavenumber.push_back(lengths[k] / count);
+        result.value.push_back(power[k] / count / grid.unit_x / grid.unit_y);
+        result.waves.push_back(waves[k]);
+    }
+    return result;
 }
 
 }  // namespace fstiff

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Spikes of a map become missing points, and missing points are filled by the harmonic surface over their holes.
+/// Spikes of a map become missing points; missing points are filled by the harmonic surface over their holes.
 ///
 ///     d = z - median of the 8 neighbours;  a spike: |d - median d| > k 1.4826 MAD(d)
-///     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, heights as they are around
-///
-/// At the edges of the map the surface goes on level across them. A hole is a set of missing points that touch along
-/// their sides; one that nothing surrounds cannot be.
+///     fill: (z_E + z_W - 2 z)/dx^2 + (z_N + z_S - 2 z)/dy^2 = 0 at every missing point, level across the edges
 ///
 /// Reference   Laplace's equation in five points; Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median and MAD)
 /// Units       heights [m]; k in standard deviations
 /// Valid       k > 0; maps of 3 points a side; at least one point exists
-/// Accuracy    fill: 1e-10 of the range of the heights, of heights that are harmonic in five points
-///             (tests/topography/repair_test.cpp); k = 5 takes less than 1e-4 of Gaussian roughness
+/// Accuracy    fill 1e-10 of the range of harmonic heights; k = 5 takes less than 1e-4 of Gaussian roughness
+///             (tests/topography/repair_test.cpp)
 
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -22,21 +19,9 @@
 
 namespace fstiff {
 
-/// \p removed points became missing; \p missing were filled, \p longest of them in the largest hole.
-struct MapRepair {
-    std::size_t removed{}, missing{}, longest{};
-};
-
 /// How many spikes \p map holds beyond \p limit; with \p remove they become missing. \throws domain_error as above.
 template <Real T>
-MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true);
-
-/// Fills the missing points of \p map. \throws domain_error where every point is missing.
-template <Real T>
-MapRepair fill_missing(HeightMap<T>& map);
-
-template <Real T>
-MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove) {
+Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool remove = true) {
     require_positive("spikes", limit);
     const Eigen::Index rows = map.rows(), columns = map.columns();
     require(rows >= 3 && columns >= 3, "points a side of a map with spikes", (std::min)(rows, columns), "at least 3");
@@ -60,63 +45,71 @@ MapRepair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool rem
             if (neighbours.size() < 3) continue;
             differences[static_cast<std::size_t>(j * columns + i)] = map.heights(j, i) - median(neighbours);
         }
-    const std::vector<bool> is_far = detail::far_from_median(differences, limit);
-    MapRepair repair;
-    for (Eigen::Index k = 0; k < map.size(); ++k)
-        if (is_far[static_cast<std::size_t>(k)]) {
-            ++repair.removed;
-            if (remove) map.heights.data()[k] = std::numeric_limits<T>::quiet_NaN();
-        }
-    return repair;
+    return detail::spikes_among(map.heights.data(), differences, limit, remove);
 }
 
+namespace detail {
+
+/// Calls \p visit(place, 1/step^2 over 1/dx^2) for the neighbours of point \p at along its sides.
+template <Real T, class Visit>
+void visit_sides(const HeightMap<T>& map, Eigen::Index at, const Visit& visit) {
+    using F = Accumulator<T>;
+    const F across = static_cast<F>(map.dx) / map.dy * (static_cast<F>(map.dx) / map.dy);
+    const Eigen::Index columns = map.columns(), j = at / columns, i = at % columns;
+    if (i > 0) visit(at - 1, F(1));
+    if (i + 1 < columns) visit(at + 1, F(1));
+    if (j > 0) visit(at - columns, across);
+    if (j + 1 < map.rows()) visit(at + columns, across);
+}
+
+/// The missing points of a map, hole by hole.
 template <Real T>
-MapRepair fill_missing(HeightMap<T>& map) {
+struct Holes {
+    std::vector<int> number;            ///< of each point in `points`; -1: it exists
+    std::vector<Eigen::Index> points;   ///< missing
+    std::size_t longest = 0;            ///< points of the largest hole
+
+    explicit Holes(const HeightMap<T>& map) : number(static_cast<std::size_t>(map.size()), -1) {
+        std::vector<Eigen::Index> stack;
+        const auto find = [&](Eigen::Index at, Accumulator<T>) {
+            if (!std::isnan(map.heights.data()[at]) || number[static_cast<std::size_t>(at)] >= 0) return;
+            number[static_cast<std::size_t>(at)] = 0;
+            stack.push_back(at);
+        };
+        for (Eigen::Index start = 0; start < map.size(); ++start) {
+            const std::size_t before = points.size();
+            for (find(start, 0); !stack.empty();) {
+                const Eigen::Index at = stack.back();
+                stack.pop_back();
+                number[static_cast<std::size_t>(at)] = static_cast<int>(points.size());
+                points.push_back(at);
+                visit_sides(map, at, find);
+            }
+            longest = (std::max)(longest, points.size() - before);
+        }
+    }
+};
+
+}  // namespace detail
+
+/// Fills the missing points of \p map. \throws domain_error where every point is missing.
+template <Real T>
+Repair fill_missing(HeightMap<T>& map) {
     using F = Accumulator<T>;
     using Index = Eigen::Index;
-    const Index rows = map.rows(), columns = map.columns();
-    MapRepair repair;
     require(map.present() > 0, "points that exist", 0, "at least 1 to fill the others");
-    std::vector<int> number(static_cast<std::size_t>(map.size()), -1);
-    std::vector<Index> holes, stack;
-    const auto neighbours = [&](Index at, const auto& visit) {  // of a point: place and 1/step^2 over 1/dx^2
-        const F across = static_cast<F>(map.dx) / map.dy * (static_cast<F>(map.dx) / map.dy);
-        const Index j = at / columns, i = at % columns;
-        if (i > 0) visit(at - 1, F(1));
-        if (i + 1 < columns) visit(at + 1, F(1));
-        if (j > 0) visit(at - columns, across);
-        if (j + 1 < rows) visit(at + columns, across);
-    };
-    for (Index start = 0; start < map.size(); ++start) {
-        if (!std::isnan(map.heights.data()[start]) || number[static_cast<std::size_t>(start)] >= 0) continue;
-        std::size_t size = 0;
-        stack.push_back(start);
-        number[static_cast<std::size_t>(start)] = 0;
-        while (!stack.empty()) {
-            const Index at = stack.back();
-            stack.pop_back();
-            number[static_cast<std::size_t>(at)] = static_cast<int>(holes.size());
-            holes.push_back(at);
-            ++size;
-            neighbours(at, [&](Index other, F) {
-                if (!std::isnan(map.heights.data()[other]) || number[static_cast<std::size_t>(other)] >= 0) return;
-                number[static_cast<std::size_t>(other)] = 0;
-                stack.push_back(other);
-            });
-        }
-        repair.longest = (std::max)(repair.longest, size);
-    }
-    repair.missing = holes.size();
-    const auto size = static_cast<Index>(holes.size());
+    const detail::Holes<T> holes(map);
+    const Repair repair{.missing = holes.points.size(), .longest = holes.longest};
+    const auto size = static_cast<Index>(holes.points.size());
     if (size < 1) return repair;
     const detail::MapHeights<T> scaled(map);
     std::vector<Eigen::Triplet<F>> entries;
     Eigen::Matrix<F, Eigen::Dynamic, 1> right = Eigen::Matrix<F, Eigen::Dynamic, 1>::Zero(size);
     for (Index n = 0; n < size; ++n) {
         F own = 0;
-        neighbours(holes[static_cast<std::size_t>(n)], [&](Index other, F weight) {
+        detail::visit_sides(map, holes.points[static_cast<std::size_t>(n)], [&](Index other, F weight) {
             own += weight;
-            if (const int m = number[static_cast<std::size_t>(other)]; m >= 0)
+            if (const int m = holes.number[static_cast<std::size_t>(other)]; m >= 0)
                 entries.emplace_back(static_cast<int>(n), m, -weight);
             else
                 right[n] += weight * (scaled.of(map.heights.data()[other]) - scaled.mean);
@@ -128,7 +121,7 @@ MapRepair fill_missing(HeightMap<T>& map) {
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<F>> solver(matrix);
     const Eigen::Matrix<F, Eigen::Dynamic, 1> heights = solver.solve(right);
     for (Index n = 0; n < size; ++n)
-        map.heights.data()[holes[static_cast<std::size_t>(n)]] =
+        map.heights.data()[holes.points[static_cast<std::size_t>(n)]] =
             static_cast<T>((heights[n] + scaled.mean) * scaled.unit + scaled.datum);
     return repair;
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The heights of two measured faces added, the lower one shifted along x and y: the gap that two rough faces leave.
+/// Sum of the heights of two measured faces, the lower one shifted along x and y: the gap of two rough faces.
 ///
 ///     z(j, i) = z_upper(j, i) + z_lower(m(j + rows), m(i + columns)),   m mirrors an index at the edges of the map
 ///
-/// Both heights count outwards from their own body, so that they add. The lower face goes on beyond its edges as its mirror
-/// image: without steps, at the price of a ridge or a valley there, and of parts that are met twice, half of it at most. Where a
-/// point of either face is missing, it is missing in the sum.
+/// Both heights count outwards from their own body. Mirroring makes no steps, but ridges and valleys at the edges. A
+/// point that is missing on either face is missing in the sum.
 ///
-/// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625.
+/// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625
 /// Units       [m]
 /// Valid       maps of one shape whose steps differ by 1e-6 of themselves at most
 /// Accuracy    exact sums (tests/topography/shifted_sum_test.cpp)
@@ -17,10 +16,6 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/topography/height_map.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <string>
 
 namespace fstiff {
 

@@ -1,30 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The summits of a map one by one: where each stands, how high, and how it is curved.
+/// Summits of a map one by one: place, height and principal curvatures.
 ///
 ///     summit      higher than all its eight neighbours
 ///     curvatures  eigenvalues k1 >= k2 of -H, H the second differences of fourth order, over five points a side
 ///     top         z + g dx + (1/2) dx H dx at dx = -H^(-1) g: one Newton step, of at most one grid step along x and y
 ///
-/// A point at the border or beside a missing one is no summit, and is not counted in the area. Of a plateau no point is a summit.
-/// A point whose paraboloid has no top, k2 <= 1e-3 k1, is left out: between two grid points of a ridge.
+/// A point at the border or beside a missing one is no summit, and not counted in the area. A paraboloid without a top,
+/// k2 <= 1e-3 k1, is left out: a point of a ridge.
 ///
-/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398; the same rule as areal_statistics.hpp.
+/// Reference   Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       heights above the mean plane and places [m], curvatures [1/m], area [m^2]
 /// Valid       maps of 3 x 3 points at least; remove the form first
-/// Accuracy    rounding for a paraboloid; what five points lose of a curvature is (8/45) (pi/samples of its wave)^4, next to an edge
-///             (1/3) (pi/samples)^2 (tests/topography/summits_test.cpp). Differences of second order find summits along ridges that
-///             are none, and K of a map that is 1.3 times too large
+/// Accuracy    rounding for a paraboloid; five points lose (8/45) (pi/samples of its wave)^4 of a curvature
+///             (tests/topography/summits_test.cpp)
 
 #include <fstiff/math/random.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace fstiff {
@@ -61,8 +56,8 @@ struct PointShape {
     T z, z_x, z_y, z_xx, z_yy, z_xy;
 };
 
-/// Differences of fourth order over the 5 x 5 points about (\p j, \p i), of second order over 3 x 3 next to an edge or a missing
-/// point; over the height there.
+/// Differences of fourth order over the 5 x 5 points about (\p j, \p i), of second order over 3 x 3 next to an edge or
+/// a missing point; over the height there.
 template <Real T, class Heights>
 [[nodiscard]] PointShape<T> shape_by_differences(const Heights& z, Eigen::Index j, Eigen::Index i) {
     const auto at = [&](Eigen::Index down, Eigen::Index right) { return static_cast<T>(z(j + down, i + right) - z(j, i)); };
@@ -81,8 +76,8 @@ template <Real T, class Heights>
     return {T(0), odd(along_x), odd(along_y), even(along_x), even(along_y), odd(slope_x)};
 }
 
-/// The top of the paraboloid of \p shape: its height, principal curvatures and place in m, with the steps \p dx and \p dy [m].
-/// The step to the top is at most \p reach grid steps along x and y. Curvatures of both signs mean that there is no top.
+/// The top of the paraboloid of \p shape: height, curvatures and place in m, with the steps \p dx and \p dy [m], at
+/// most \p reach grid steps away. Curvatures of both signs: there is no top.
 template <Real T>
 [[nodiscard]] Summit<T> top_of(const PointShape<T>& shape, T dx, T dy, T reach) {
     const auto& [z, z_x, z_y, z_xx, z_yy, z_xy] = shape;
@@ -135,8 +130,8 @@ template <Real T>
     return found;
 }
 
-/// Another map of the same surface, as far as this one tells: \p tiles by \p tiles of it, drawn with replacement. \p state is
-/// that of splitmix64, and goes on.
+/// Another map of the same surface, as far as this one tells: \p tiles by \p tiles of it, drawn with replacement. \p
+/// state is that of splitmix64, and goes on.
 template <Real T>
 [[nodiscard]] Summits<T> resampled(const Summits<T>& of, std::size_t tiles, std::uint64_t& state) {
     std::vector<std::size_t> times(tiles * tiles, 0);

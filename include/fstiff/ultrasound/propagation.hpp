@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// How reflection coefficient and stiffness of a spring-like interface move together: slopes, and the error of one from
-/// that of the other.
+/// Slopes of reflection coefficient and stiffness of a spring-like interface, and the error of one from the other.
 ///
 ///     s = K (z1+z2)/(omega z1 z2),  c = |z1-z2|/(z1+z2)
 ///     dR/dK = -(ds/dK) (s/R) (1-c^2)/(1+s^2)^2
 ///     dK/dR = -K R (1-c)(1+c) / [(1-R)(1+R) (R-c)(R+c)]
-///     error of K = |dK/dR| error of R,  error of R = |dR/dK| error of K                                  to first order
+///     error of K = |dK/dR| error of R,  error of R = |dR/dK| error of K                                 to first order
 ///
-/// Like media: c = 0 and dK/dR = -K/(R (1-R)(1+R)), so that the relative error of K is least, 2.6 times the error of R,
-/// at R = 1/sqrt(3), and grows without bound towards R = 1 (no contact) and the perfect bond. The waves may be
-/// longitudinal (z from the longitudinal velocity, K normal) or shear (z from the shear velocity, K tangential, see
-/// asperity/mindlin.hpp): the interface does not mix them at normal incidence.
+/// For like media the relative error of K is least, 2.6 times the error of R, at R = 1/sqrt(3). Shear waves take the
+/// shear impedances and the tangential K (asperity/mindlin.hpp).
 ///
-/// Reference   differentiates ultrasound/spring_interface.hpp, eq. (5.1) of Buczkowski et al. (2014) for unlike media.
+/// Reference   differentiates ultrasound/spring_interface.hpp
 /// Units       K [Pa/m], R dimensionless
 /// Valid       as spring_interface.hpp
 /// Accuracy    16 epsilon; dK/dR beyond R = c + 1e-3 (tests/ultrasound/propagation_test.cpp)
@@ -22,8 +19,7 @@
 #include <fstiff/core/estimate.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 
-#include <cmath>
-#include <limits>
+#include <optional>
 
 namespace fstiff {
 
@@ -40,8 +36,8 @@ template <Real T>
     return r > 0 || c > 0 ? -share * passed / r / angular_frequency / detail::joint_impedance(media) : T(0);
 }
 
-/// |R| of the stiffness \p stiffness [Pa/m]; its error is that of the stiffness carried on to first order, and the rounding of
-/// R. \throws domain_error as reflection.
+/// |R| of the stiffness \p stiffness [Pa/m]; its error is that of the stiffness carried on to first order, and the
+/// rounding of R. \throws domain_error as reflection.
 template <Real T>
 [[nodiscard]] Estimate<T> reflection(const Estimate<T>& stiffness, const Impedances<T>& media, T angular_frequency) {
     const T r = reflection(stiffness.value, media, angular_frequency);
@@ -77,6 +73,27 @@ template <Real T>
     const T passed = 4 * (low / high) / ((1 + low / high) * (1 + low / high));
     const T slope = -k * (passed / above) * (reflection / (reflection + c)) / ((1 - reflection) * (1 + reflection));
     return {k, -slope * reflection_error, slope, 2 * reflection_error < (std::min)(1 - reflection, above)};
+}
+
+/// Both ends, in stiffness and in reflection coefficient, which falls with the stiffness.
+template <Real T = double>
+struct ResolvableStiffness {
+    T low{}, high{};                       ///< K [Pa/m]
+    T min_reflection{}, max_reflection{};  ///< at high, at low
+};
+
+/// The range of K whose |R| lies between \p least, or 1.01 times that of the perfect bond, and \p most; none where
+/// nothing is left. \throws domain_error unless 0 < least < most < 1, and as reflection.
+template <Real T>
+[[nodiscard]] std::optional<ResolvableStiffness<T>> resolvable_stiffness(const Impedances<T>& media,
+                                                                         T angular_frequency, T least = T(0.1),
+                                                                         T most = T(0.99)) {
+    require(least > 0 && least < 1, "least", least, "greater than 0 and less than 1");
+    require(most > least && most < 1, "most", most, "greater than least and less than 1");
+    least = (std::max)(least, T(1.01) * welded_reflection(media));
+    if (least >= most) return std::nullopt;
+    return ResolvableStiffness<T>{stiffness_from_reflection(most, media, angular_frequency),
+                                  stiffness_from_reflection(least, media, angular_frequency), least, most};
 }
 
 }  // namespace fstiff

@@ -3,33 +3,24 @@
 /// \file
 /// Ultrasonic waves at an interface that acts as a spring without mass: reflection coefficient from stiffness and back.
 ///
-/// A plane wave of angular frequency omega meets the interface at normal incidence, coming from a body of impedance z1;
-/// the body beyond has z2. Amplitudes of displacement, time dependence exp(+i omega t):
-///
-///     R = (z1 - z2 + i x) / (z1 + z2 + i x),   T = 2 z1 / (z1 + z2 + i x),   x = omega z1 z2 / K
-///     |R|^2 + (z2/z1) |T|^2 = 1                                                 energy is conserved
+///     R = (z1 - z2 + i x) / (z1 + z2 + i x),   T = 2 z1 / (z1 + z2 + i x),   x = omega z1 z2 / K     normal incidence
 ///     |R| = 1 / sqrt(1 + (2K / (omega z))^2)                                    like media, eq. (5.1)
 ///     K = omega z1 z2 sqrt((1-R)(1+R)) / sqrt((R (z1+z2))^2 - (z1-z2)^2)        inverse, with R = |R|
 ///     K = (omega z/2) sqrt((1-R)(1+R)) / R                                      inverse, like media
 ///
-/// K = 0 is an open gap, R = 1; K -> infinity a perfect bond, R = (z1-z2)/(z1+z2). Towards both ends the measurement
-/// says little about K: like media dK/K = -dR / (R (1-R)(1+R)).
+/// The wave comes from the body of impedance z1; amplitudes of displacement, exp(+i omega t). |R|^2 + (z2/z1) |T|^2
+/// = 1.
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (5.1); the form for unlike media follows
-///             from continuity of traction and a jump of displacement equal to traction/K.
-/// Units       K [Pa/m] per nominal area (not the total stiffness in N/m), omega = 2 pi f [rad/s],
-///             z = density * velocity [kg/(m^2 s)], amplitudes dimensionless
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eq. (5.1); unlike media: this project
+/// Units       K [Pa/m] per nominal area, omega = 2 pi f [rad/s], z = density * velocity [kg/(m^2 s)]
 /// Valid       K >= 0, omega > 0, z > 0; inverse: |z1-z2|/(z1+z2) < R < 1, both excluded
-/// Accuracy    spring_interface_ulps, for like and unlike media, both directions and any ratio z1/z2, arguments taken
-///             as exact (tests/ultrasound/spring_interface_test.cpp)
+/// Accuracy    spring_interface_ulps, both directions and any z1/z2 (tests/ultrasound/spring_interface_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/numbers.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
-#include <limits>
 
 namespace fstiff {
 
@@ -46,43 +37,31 @@ struct Impedances {
 
 /// z = density * velocity [kg/(m^2 s)] from [kg/m^3] and [m/s]. \throws domain_error unless both are positive.
 template <Real T>
-[[nodiscard]] T acoustic_impedance(T density, T velocity);
+[[nodiscard]] T acoustic_impedance(T density, T velocity) {
+    require_positive("density", density);
+    require_positive("velocity", velocity);
+    return density * velocity;
+}
 
 /// omega = 2 pi f [rad/s] from [Hz]. \throws domain_error unless positive.
 template <Real T>
-[[nodiscard]] T angular_frequency(T frequency);
+[[nodiscard]] T angular_frequency(T frequency) {
+    require_positive("frequency", frequency);
+    return 2 * numbers::pi_v<T> * frequency;
+}
 
 /// |R| of an interface of stiffness \p stiffness [Pa/m] between two bodies of one impedance, eq. (5.1).
 /// \throws domain_error naming the argument that is out of range.
 template <Real T>
-[[nodiscard]] T reflection(T stiffness, T impedance, T angular_frequency);
-
-/// |R| between unlike bodies; the same from either side. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] T reflection(T stiffness, const Impedances<T>& media, T angular_frequency);
-
-/// |R| of the perfect bond, |z1-z2|/(z1+z2): the least reflection coefficient that any stiffness gives.
-template <Real T>
-[[nodiscard]] T welded_reflection(const Impedances<T>& media);
-
-/// Share of the energy that passes, (z2/z1)|T|^2 = 1 - |R|^2, with all its digits where |R| is close to 1.
-template <Real T>
-[[nodiscard]] T transmitted_energy(T stiffness, const Impedances<T>& media, T angular_frequency);
-
-/// R and T as complex amplitudes of displacement; K = 0 gives R = 1, T = 0.
-template <Real T>
-[[nodiscard]] std::complex<T> complex_reflection(T stiffness, const Impedances<T>& media, T angular_frequency);
-/// T of the same.
-template <Real T>
-[[nodiscard]] std::complex<T> complex_transmission(T stiffness, const Impedances<T>& media, T angular_frequency);
+[[nodiscard]] T reflection(T stiffness, T impedance, T angular_frequency) {
+    return reflection(stiffness, Impedances<T>{impedance, impedance}, angular_frequency);
+}
 
 /// K [Pa/m] from the measured \p reflection = |R|, like media. \throws domain_error unless 0 < R < 1.
 template <Real T>
-[[nodiscard]] T stiffness_from_reflection(T reflection, T impedance, T angular_frequency);
-
-/// K [Pa/m] from |R|, unlike media. \throws domain_error unless |z1-z2|/(z1+z2) < R < 1.
-template <Real T>
-[[nodiscard]] T stiffness_from_reflection(T reflection, const Impedances<T>& media, T angular_frequency);
+[[nodiscard]] T stiffness_from_reflection(T reflection, T impedance, T angular_frequency) {
+    return stiffness_from_reflection(reflection, Impedances<T>{impedance, impedance}, angular_frequency);
+}
 
 namespace detail {
 
@@ -128,26 +107,9 @@ T above_welded(T r, T low, T high) noexcept {
 
 }  // namespace detail
 
+/// |R| between unlike bodies; the same from either side. \throws domain_error as above.
 template <Real T>
-T acoustic_impedance(T density, T velocity) {
-    require_positive("density", density);
-    require_positive("velocity", velocity);
-    return density * velocity;
-}
-
-template <Real T>
-T angular_frequency(T frequency) {
-    require_positive("frequency", frequency);
-    return 2 * numbers::pi_v<T> * frequency;
-}
-
-template <Real T>
-T reflection(T stiffness, T impedance, T angular_frequency) {
-    return reflection(stiffness, Impedances<T>{impedance, impedance}, angular_frequency);
-}
-
-template <Real T>
-T reflection(T stiffness, const Impedances<T>& media, T angular_frequency) {
+[[nodiscard]] T reflection(T stiffness, const Impedances<T>& media, T angular_frequency) {
     const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
     const T welded = detail::contrast(media);
     // Divided by the larger of 1 and s, so that s may be 0 or infinite.
@@ -155,22 +117,25 @@ T reflection(T stiffness, const Impedances<T>& media, T angular_frequency) {
                   : std::hypot(1 / s, welded) / std::hypot(1 / s, T(1));
 }
 
+/// |R| of the perfect bond, |z1-z2|/(z1+z2): the least reflection coefficient that any stiffness gives.
 template <Real T>
-T welded_reflection(const Impedances<T>& media) {
+[[nodiscard]] T welded_reflection(const Impedances<T>& media) {
     detail::require_wave(media, T(1));
     return detail::contrast(media);
 }
 
+/// Share of the energy that passes, (z2/z1)|T|^2 = 1 - |R|^2, with all its digits where |R| is close to 1.
 template <Real T>
-T transmitted_energy(T stiffness, const Impedances<T>& media, T angular_frequency) {
+[[nodiscard]] T transmitted_energy(T stiffness, const Impedances<T>& media, T angular_frequency) {
     const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
     const auto [low, high] = std::minmax({media.incident, media.beyond});
     const T share = s <= 1 ? s / std::hypot(T(1), s) : 1 / std::hypot(1 / s, T(1));
     return 4 * (low / high) * (share / (1 + low / high)) * (share / (1 + low / high));
 }
 
+/// R and T as complex amplitudes of displacement; K = 0 gives R = 1, T = 0.
 template <Real T>
-std::complex<T> complex_reflection(T stiffness, const Impedances<T>& media, T angular_frequency) {
+[[nodiscard]] std::complex<T> complex_reflection(T stiffness, const Impedances<T>& media, T angular_frequency) {
     const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
     const T contrast = std::copysign(detail::contrast(media), media.incident - media.beyond);
     const T rest = 2 / (1 + media.incident / media.beyond);  // 1 - contrast
@@ -180,8 +145,9 @@ std::complex<T> complex_reflection(T stiffness, const Impedances<T>& media, T an
     return {(y * y + contrast) / (y * y + 1), rest * y / (y * y + 1)};
 }
 
+/// T of the same.
 template <Real T>
-std::complex<T> complex_transmission(T stiffness, const Impedances<T>& media, T angular_frequency) {
+[[nodiscard]] std::complex<T> complex_transmission(T stiffness, const Impedances<T>& media, T angular_frequency) {
     const T s = detail::relative_stiffness(stiffness, media, angular_frequency);
     const T welded = 2 / (1 + media.beyond / media.incident);
     if (s <= 1) return {welded * s * s / (1 + s * s), -welded * s / (1 + s * s)};
@@ -189,13 +155,9 @@ std::complex<T> complex_transmission(T stiffness, const Impedances<T>& media, T 
     return {welded / (y * y + 1), -welded * y / (y * y + 1)};
 }
 
+/// K [Pa/m] from |R|, unlike media. \throws domain_error unless |z1-z2|/(z1+z2) < R < 1.
 template <Real T>
-T stiffness_from_reflection(T reflection, T impedance, T angular_frequency) {
-    return stiffness_from_reflection(reflection, Impedances<T>{impedance, impedance}, angular_frequency);
-}
-
-template <Real T>
-T stiffness_from_reflection(T reflection, const Impedances<T>& media, T angular_frequency) {
+[[nodiscard]] T stiffness_from_reflection(T reflection, const Impedances<T>& media, T angular_frequency) {
     detail::require_wave(media, angular_frequency);
     const auto [low, high] = std::minmax({media.incident, media.beyond});
     require(reflection > 0 && reflection < 1, "reflection", reflection, "greater than 0 and less than 1");

@@ -4,7 +4,6 @@
 #include "instances/contact_instances.hpp"
 
 #include <fstiff/contact/contact_integrals.hpp>
-#include <fstiff/contact/paper_integrals.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/io/quantity.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>

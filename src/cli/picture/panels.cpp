@@ -7,7 +7,7 @@
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
-#include <fstiff/ultrasound/resolvable_stiffness.hpp>
+#include <fstiff/ultrasound/propagation.hpp>
 
 #include <algorithm>
 #include <cmath>
