@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <vector>
 
 namespace verdict_test {
 
@@ -156,11 +157,19 @@ TEST_CASE("A profile across grooves is told to be no measure of K, and its band 
                     "youngs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\npressures = [\"10 MPa\"]\n"
                     "laws = [\"hertz\"]\n[uncertainty]\nsamples = 40\n");
     };
-    CHECK_FALSE(contains(verdict_of(scene_of_profile("isotropic")), "lay"));
+    const std::string isotropic = verdict_of(scene_of_profile("isotropic"));
+    CHECK_FALSE(contains(isotropic, "lay"));
+    const auto advice_of = [](const fstiff::Profile<double>& of) {  // that of a C++ program
+        return fstiff::recommended_law(fstiff::measure(of), 205e9 / 0.91 / 2, std::vector{10e6});
+    };
+    REQUIRE(advice_of(profile).law);
+    CHECK(contains(isotropic, "believe " + std::string(name_of(*advice_of(profile).law))));
     for (std::size_t i = 0; i < profile.size(); ++i) {
         const double x = std::remainder(double(i) * 4, 256);
         profile.heights[i] += x * x / 1600 * 1e-6;
     }
+    CHECK_FALSE(advice_of(profile).law);
+    CHECK(advice_of(profile).findings.front().finding == fstiff::Finding::profile_with_lay);
     scene::Scene turned = scene_of_profile("turned");
     CHECK(turned.has_lay);
     const scene::Results with = scene::compute(turned);
