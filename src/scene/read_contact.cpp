@@ -226,8 +226,9 @@ void read_persson(Source& source, const Section& root, Scene& scene) {
     }
     if (const toml::node* node = section.find("spectrum")) {
         constexpr std::array<std::string_view, 2> sources{"map", "moments"};
-        scene.face.spectrum_of_map = source.choice(*node, section.key("spectrum"), sources) == 0;
-        if (scene.face.spectrum_of_map && !scene.face.map)
+        const bool of_map = source.choice(*node, section.key("spectrum"), sources) == 0;
+        scene.face.write([&](Face& face) { face.spectrum_of_map = of_map; });
+        if (of_map && !scene.face.map)
             source.refuse(*node, section.key("spectrum"),
                           "needs a map: surface.from, or --surface, must name the file of one");
     }
