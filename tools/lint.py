@@ -45,7 +45,6 @@ LONG_FUNCTIONS = {
     "include/fstiff/contact/law_text.hpp read_law_text": 80,
     "include/fstiff/math/least_squares.hpp least_squares": 77,
     "include/fstiff/math/root.hpp newton_bracketed": 67,
-    "include/fstiff/measured/surface_parameters.hpp map_parameters": 74,
     "include/fstiff/profile/all_lags.hpp correlate": 68,
     "include/fstiff/profile/fractal_fit.hpp detail::fit_measured": 85,
     "include/fstiff/profile/power_spectrum.hpp fit_spectrum": 62,
