@@ -135,7 +135,6 @@
 #include <fstiff/ultrasound/spring_interface.hpp>
 #include <fstiff/measured/band_parts.hpp>
 #include <fstiff/measured/cut_offs.hpp>
-#include <fstiff/measured/from_profile.hpp>
 #include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>

@@ -4,6 +4,8 @@
 #include "scene/each_contact.hpp"
 #include "document/file.hpp"
 
+#include <fstiff/measured/uncertain_sum.hpp>
+
 #include <optional>
 #include <utility>
 
@@ -40,15 +42,6 @@ double needed(const std::string& law, const char* name, const std::optional<doub
     return *value;
 }
 
-SurfaceParameters<double> parameters_of(const Roughness<double>& surface) {
-    SurfaceParameters<double> of;
-    of.rms_height.value = surface.rms_height;
-    of.peak_radius.value = surface.peak_radius;
-    of.peak_density.value = surface.peak_density;
-    of.max_peak_height.value = surface.max_peak_height;
-    return of;
-}
-
 /// Numbers as a scene with one law.
 Scene scene_of(const std::string& law, const ContactNumbers& numbers, const MeasuredSurface* measured) {
     const Law* const found = find_law(law);
@@ -66,9 +59,8 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
         of.face = face_of(std::make_shared<const MeasuredSurface>(*measured));
     } else {
         numbers.surface.validate();
-        of.face.parameters = parameters_of(numbers.surface);
-        if (const auto dimension = optional("fractal_dimension", numbers.fractal_dimension))
-            of.face.write(Parameter::fractal_dimension, *dimension);
+        of.face.parameters = stated(
+            RoughFace<double>{numbers.surface, {}, optional("fractal_dimension", numbers.fractal_dimension)});
         of.face.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
         if (numbers.kurtosis == 0 && numbers.skewness != 0) throw domain_error("skewness: needs kurtosis");
         if (numbers.kurtosis != 0) of.face.set_shape({numbers.skewness, numbers.kurtosis});

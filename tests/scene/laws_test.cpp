@@ -200,6 +200,21 @@ TEST_CASE("persson takes the spectrum of a map with its mirror images, or of one
     }
 }
 
+TEST_CASE("[persson] spectrum holds for a map and for its neighbours of lambda_s") {
+    const MapFile file;
+    for (const char* spectrum : {"map", "moments"}) {
+        const std::string text =
+            scene_of(file.surface(), "\"persson\"", "[persson]\nspectrum = \"" + std::string(spectrum) + "\"\n");
+        const scene::Face face = scene::read_scene(text, {.name = "s.toml"}).face;
+        REQUIRE(!face.neighbours.empty());
+        CHECK(face.spectrum_of_map == (std::string(spectrum) == "map"));
+        for (const scene::Face& neighbour : face.neighbours) {
+            CHECK(neighbour.map);
+            CHECK(neighbour.spectrum_of_map == face.spectrum_of_map);
+        }
+    }
+}
+
 TEST_CASE("A pressure that a law does not reach leaves its other pressures and the other laws alone") {
     const MapFile file;
     const auto at = [](std::string text, const std::string& pressures) {

@@ -321,7 +321,7 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
     for (const auto& part : parts)
         if (const Unlikeness in = unlikeness(first, part); in != Unlikeness::none)
             throw domain_error("measurements of unlike " + std::string(name_of(in)) + ": must be alike to be pooled");
-    Surface<T> whole{detail::without_errors(detail::mean_of_known(parts))};
+    Surface<T> whole{stated(detail::mean_of_known(parts))};
     whole.cut_offs = first.cut_offs;
     whole.widest_band = 0;
     std::vector<HeightStatistics<T>> heights;

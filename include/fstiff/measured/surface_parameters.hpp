@@ -235,6 +235,33 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
 
 namespace detail {
 
+/// The sums over the part \p block of \p map, whose heights \p height gives in a unit; of its summits too where \p summits.
+template <Real T, class Height>
+[[nodiscard]] HeightSums<Accumulator<T>> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
+                                                       const Height& height, bool summits) {
+    using S = Accumulator<T>;
+    using Index = Eigen::Index;
+    HeightSums<S> tile;
+    for (Index j = block.top; j < block.bottom; ++j)
+        for (Index i = block.left; i < block.right; ++i) {
+            tile.add_point(height(j, i));
+            if (i > 0 && i + 1 < map.columns())
+                tile.triples.add(height(j, i) - height(j, i - 1), height(j, i + 1) - height(j, i));
+        }
+    if (!summits) return tile;
+    const S square_of_sides = static_cast<S>(map.dx) / map.dy * (static_cast<S>(map.dx) / map.dy);
+    visit_inner_points(map, block, [&](Index j, Index i, bool summit) {
+        tile.inner += 1;
+        if (!summit) return;
+        const S here = height(j, i);
+        const S along_x = (here - height(j, i - 1)) + (here - height(j, i + 1));
+        const S along_y = (here - height(j - 1, i)) + (here - height(j + 1, i));
+        tile.summits += 1;
+        tile.summit_curvature += (along_x + along_y * square_of_sides) / 2;
+    });
+    return tile;
+}
+
 /// Of \p map, with D and G of what \p directions returns.
 template <Real T, class Directions>
 SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options,
@@ -246,31 +273,15 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     const auto& z = map.heights;
     const S unit = detail::height_scale(map), mean = static_cast<S>(mean_height(map));
     const auto height = [&](Index j, Index i) { return (static_cast<S>(z(j, i)) - mean) / unit; };
-    const S square_of_sides = static_cast<S>(map.dx) / map.dy * (static_cast<S>(map.dx) / map.dy);
     const bool summits = options.peaks == PeakSource::summits;
     const Index tiles = static_cast<Index>(options.tiles);
     std::vector<detail::HeightSums<S>> sums;
     detail::HeightSums<S> all;
     for (Index t = 0; t < tiles * tiles; ++t) {
-        const Index top = t / tiles * map.rows() / tiles, bottom = (t / tiles + 1) * map.rows() / tiles;
-        const Index left = t % tiles * map.columns() / tiles, right = (t % tiles + 1) * map.columns() / tiles;
-        detail::HeightSums<S> tile;
-        for (Index j = top; j < bottom; ++j)
-            for (Index i = left; i < right; ++i) {
-                tile.add_point(height(j, i));
-                if (i > 0 && i + 1 < map.columns())
-                    tile.triples.add(height(j, i) - height(j, i - 1), height(j, i + 1) - height(j, i));
-            }
-        if (summits)
-            detail::visit_inner_points(map, {top, bottom, left, right}, [&](Index j, Index i, bool summit) {
-                tile.inner += 1;
-                if (!summit) return;
-                const S here = height(j, i);
-                const S along_x = (here - height(j, i - 1)) + (here - height(j, i + 1));
-                const S along_y = (here - height(j - 1, i)) + (here - height(j + 1, i));
-                tile.summits += 1;
-                tile.summit_curvature += (along_x + along_y * square_of_sides) / 2;
-            });
+        const Index row = t / tiles, column = t % tiles;
+        const detail::MapBlock block{row * map.rows() / tiles, (row + 1) * map.rows() / tiles,
+                                     column * map.columns() / tiles, (column + 1) * map.columns() / tiles};
+        const detail::HeightSums<S> tile = detail::sums_of_block(map, block, height, summits);
         all.add(tile);
         if (tile.points > S(0)) sums.push_back(tile);
     }

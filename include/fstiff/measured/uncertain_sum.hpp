@@ -39,6 +39,21 @@ template <Real T>
             value(surface.theta)};
 }
 
+/// The parameters of \p face, without errors.
+template <Real T>
+[[nodiscard]] SurfaceParameters<T> stated(const RoughFace<T>& face) {
+    SurfaceParameters<T> of;
+    of.rms_height.value = face.roughness.rms_height;
+    of.peak_radius.value = face.roughness.peak_radius;
+    of.peak_density.value = face.roughness.peak_density;
+    of.max_peak_height.value = face.roughness.max_peak_height;
+    if (face.fractal_dimension) of.fractal_dimension = {*face.fractal_dimension, 0};
+    if (face.fractal_roughness) of.fractal_roughness = {*face.fractal_roughness, 0};
+    if (face.r) of.r = {*face.r, 0};
+    if (face.theta) of.theta = {*face.theta, 0};
+    return of;
+}
+
 namespace detail {
 
 /// \p face with the parameters \p drawn about its own; the moments grow with the height.
@@ -72,21 +87,6 @@ template <Real T>
     return x;
 }
 
-/// The parameters of \p face, still without errors.
-template <Real T>
-[[nodiscard]] SurfaceParameters<T> without_errors(const RoughFace<T>& face) {
-    SurfaceParameters<T> of;
-    of.rms_height.value = face.roughness.rms_height;
-    of.peak_radius.value = face.roughness.peak_radius;
-    of.peak_density.value = face.roughness.peak_density;
-    of.max_peak_height.value = face.roughness.max_peak_height;
-    if (face.fractal_dimension) of.fractal_dimension = {*face.fractal_dimension, 0};
-    if (face.fractal_roughness) of.fractal_roughness = {*face.fractal_roughness, 0};
-    if (face.r) of.r = {*face.r, 0};
-    if (face.theta) of.theta = {*face.theta, 0};
-    return of;
-}
-
 }  // namespace detail
 
 /// The sum of \p of_a and \p of_b, whose spectra have the moments \p moments_a and \p moments_b. R_p and G of it have no errors.
@@ -114,7 +114,7 @@ template <Real T>
             for (std::size_t j = 0; j < size; ++j) square[i][j] += x[i] * x[j] / T(draws);
         }
     }
-    SurfaceParameters<T> out = detail::without_errors(nominal);
+    SurfaceParameters<T> out = stated(nominal);
     if (out.fractal_dimension)
         out.dimension_window_error =
             std::hypot(share * of_a.dimension_window_error, (1 - share) * of_b.dimension_window_error);
