@@ -97,6 +97,7 @@
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/boundary_element_contact.hpp>
 #include <fstiff/contact/contact_concept.hpp>
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_integrals.hpp>
@@ -116,6 +117,7 @@
 #include <fstiff/contact/law_text.hpp>
 #include <fstiff/contact/linear_law.hpp>
 #include <fstiff/contact/load_means.hpp>
+#include <fstiff/contact/mean_over_shifts.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/peak_nodes.hpp>
 #include <fstiff/contact/peak_sums.hpp>
@@ -129,12 +131,10 @@
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/contact/tensor_integrals.hpp>
 #include <fstiff/contact/tensor_nodes.hpp>
-#include <fstiff/contact/validity.hpp>
 #include <fstiff/ultrasound/propagation.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 #include <fstiff/measured/band_parts.hpp>
 #include <fstiff/measured/cut_offs.hpp>
-#include <fstiff/measured/from_profile.hpp>
 #include <fstiff/measured/height_shape.hpp>
 #include <fstiff/measured/height_statistics.hpp>
 #include <fstiff/measured/height_sums.hpp>
@@ -152,6 +152,9 @@
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/measured/widened_band.hpp>
+#include <fstiff/validity/checks.hpp>
+#include <fstiff/validity/law_findings.hpp>
+#include <fstiff/validity/validated_ratio.hpp>
 #include <fstiff/fit/fit_concerns.hpp>
 #include <fstiff/fit/fit_problem.hpp>
 #include <fstiff/fit/identify.hpp>

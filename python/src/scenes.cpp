@@ -92,7 +92,7 @@ OneContact contact(const Scene& scene, const std::string& law, std::size_t peaks
     std::size_t place = 0;
     if (!law.empty()) {
         std::vector<std::string_view> names;
-        for (const ChosenLaw& chosen : scene.laws) names.push_back(chosen.law->name);
+        for (const Law* one : scene.laws) names.push_back(one->name);
         while (place < names.size() && names[place] != law) ++place;
         if (place == names.size())
             throw domain_error("law = \"" + law + "\": must be one of the scene's: " + list_of(names));
@@ -113,7 +113,7 @@ void add_scenes(nb::module_& m) {
         .def_prop_ro("laws",
                      [](const Scene& scene) {
                          std::vector<std::string> names;
-                         for (const ChosenLaw& chosen : scene.laws) names.emplace_back(chosen.law->name);
+                         for (const Law* one : scene.laws) names.emplace_back(one->name);
                          return names;
                      })
         .def_prop_ro("at_separations", [](const Scene& scene) { return scene.at_separations; })

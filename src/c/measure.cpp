@@ -62,22 +62,19 @@ void put(fstiff_measured& to, const Measurement<double>& from) {
     if (!to.known) to = {};
 }
 
-int write(const MeasuredSurface& from, fstiff_surface& to) {
+int write(const MeasuredSurface& surface, fstiff_surface& to) {
+    const Surface<double>& from = surface.found;
     to = {};
     to.size = sizeof to;
-    to.peaks = from.peaks;
+    to.peaks = from.peaks_counted;
     to.lambda_s = from.cut_offs.lambda_s.value_or(0);
     to.lambda_c = from.cut_offs.lambda_c.value_or(0);
-    const auto parameter = [&](fstiff_measured& one, Parameter which) {
-        const std::size_t i = index_of(which);
-        if (from.parameters.known[i]) put(one, {from.parameters.value[i], from.parameters.error[i]});
-    };
-    parameter(to.rms_height, Parameter::rms_height);
-    parameter(to.peak_radius, Parameter::peak_radius);
-    parameter(to.peak_density, Parameter::peak_density);
-    parameter(to.fractal_dimension, Parameter::fractal_dimension);
-    parameter(to.r, Parameter::r);
-    parameter(to.theta, Parameter::theta);
+    put(to.rms_height, from.rms_height);
+    put(to.peak_radius, from.peak_radius);
+    put(to.peak_density, from.peak_density);
+    if (from.fractal_dimension) put(to.fractal_dimension, *from.fractal_dimension);
+    if (from.r) put(to.r, *from.r);
+    if (from.theta) put(to.theta, *from.theta);
     if (from.max_peak_height.value > 0) put(to.max_peak_height, from.max_peak_height);
     if (from.fractal_roughness) put(to.fractal_roughness, *from.fractal_roughness);
     if (from.heights) {
@@ -87,7 +84,7 @@ int write(const MeasuredSurface& from, fstiff_surface& to) {
         to.shape_share = from.shape_share;
     }
     std::string warnings;
-    for (const std::string& one : from.warnings) warnings += (warnings.empty() ? "" : "\n") + one;
+    for (const std::string& one : surface.warnings) warnings += (warnings.empty() ? "" : "\n") + one;
     set_message(warnings);
     return FSTIFF_OK;
 }

@@ -7,6 +7,7 @@
 
 #include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/math/random.hpp>
+#include <fstiff/measured/widened_band.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,37 +23,34 @@ struct RandomStates {
 
 /// The rms gradient of \p scene drawn by its own error, over what it was; lognormal as rms height.
 double drawn_gradient(const Scene& scene, std::uint64_t& state) {
-    if (!(scene.gradient_error > 0)) return 1;
-    const double relative = scene.gradient_error / *scene.rms_gradient;
+    if (!(scene.face.gradient_error > 0)) return 1;
+    const double relative = scene.face.gradient_error / *scene.face.rms_gradient;
     return std::exp(std::sqrt(std::log1p(relative * relative)) * normal_pair<double>(state).real());
 }
 
 /// The scene with the surface \p drawn about its own. Of a map the tiles are drawn anew.
 Scene with_surface(Scene scene, const std::array<double, surface_parameter_count>& drawn, RandomStates& random) {
-    const double rms_height = scene.surface.rms_height;
+    const double rms_height = scene.face.parameters.rms_height.value;
     const auto value = [&](Parameter which) { return drawn[index_of(which)]; };
-    scene.surface.rms_height = value(Parameter::rms_height);
-    scene.surface.peak_radius = value(Parameter::peak_radius);
-    scene.surface.peak_density = value(Parameter::peak_density);
-    if (scene.fractal_dimension) scene.fractal_dimension = value(Parameter::fractal_dimension);
-    const double taller = scene.surface.rms_height / rms_height;
-    if (scene.rms_gradient) {
+    scene.face.draw(drawn);
+    const double taller = scene.face.parameters.rms_height.value / rms_height;
+    if (scene.face.rms_gradient) {
         const double steeper = drawn_gradient(scene, random.gradients);
-        *scene.rms_gradient *= taller * steeper;
-        if (scene.radius_follows) scene.surface.peak_radius /= steeper * steeper;
-        if (scene.density_follows) scene.surface.peak_density *= steeper * steeper;
+        *scene.face.rms_gradient *= taller * steeper;
+        if (scene.face.radius_follows) scene.face.parameters.peak_radius.value /= steeper * steeper;
+        if (scene.face.density_follows) scene.face.parameters.peak_density.value *= steeper * steeper;
     }
-    if (scene.map) {
-        const auto& of_shifts = scene.map->summits;
+    if (scene.face.map) {
+        const auto& of_shifts = scene.face.map->summits;
         const std::size_t shift = of_shifts.size() == 1 ? 0 : splitmix64(random.tiles) % of_shifts.size();
         MapOfSurface map{{},
                          {resampled(of_shifts[shift], 4, random.tiles)},
-                         scene.map->spectra,
-                         scene.map->bearings,
-                         scene.map->mean_square_height,
-                         scene.map->first_bearing + shift,
-                         scene.map->taller * taller};
-        scene.map = std::make_shared<const MapOfSurface>(std::move(map));
+                         scene.face.map->spectra,
+                         scene.face.map->bearings,
+                         scene.face.map->mean_square_height,
+                         scene.face.map->first_bearing + shift,
+                         scene.face.map->taller * taller};
+        scene.face.map = std::make_shared<const MapOfSurface>(std::move(map));
     }
     for (Peaks& peaks : scene.peaks)
         if (peaks.of_surface) peaks.r = value(Parameter::r), peaks.theta = value(Parameter::theta);
@@ -61,9 +59,10 @@ Scene with_surface(Scene scene, const std::array<double, surface_parameter_count
 
 /// The scene with a neighbour of its surface.
 Scene with_face(Scene scene, const Face& face) {
-    static_cast<Face&>(scene) = face;
+    scene.face = face;
     for (Peaks& peaks : scene.peaks)
-        if (peaks.of_surface && face.r) peaks.r = *face.r, peaks.theta = *face.theta;
+        if (peaks.of_surface && face.has_peaks())
+            peaks.r = face.value(Parameter::r), peaks.theta = *face.value(Parameter::theta);
     return scene;
 }
 
@@ -71,9 +70,9 @@ Scene with_face(Scene scene, const Face& face) {
 /// to 2.
 std::vector<double> stiffnesses(const Scene& scene, double modulus) {
     std::vector<double> all;
-    for_each_contact(scene, modulus, {}, [&](const Curve&, const auto& contact) {
+    for_each_contact(scene, modulus, {}, [&](const Curve& curve, const auto& contact) {
         try {
-            for (const auto& point : points_of(scene, *contact(), Quantity::pressure | Quantity::stiffness))
+            for (const auto& point : points_of(scene, *curve.law, *contact(), Quantity::pressure | Quantity::stiffness))
                 all.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
         } catch (const domain_error&) {
             all.insert(all.end(), scene.points.size(), std::numeric_limits<double>::quiet_NaN());
@@ -86,27 +85,27 @@ std::vector<double> stiffnesses(const Scene& scene, double modulus) {
 Scene lean_scene(const Scene& scene) {
     Scene lean = scene;
     lean.inputs.clear();
-    lean.measured.reset();
-    lean.heights.reset();
+    lean.face.measured.reset();
+    lean.face.heights.reset();
     lean.faces.clear();
-    lean.neighbours.clear();
-    std::erase_if(lean.laws, [](const ChosenLaw& chosen) { return !chosen.law->varies; });
-    for (ChosenLaw& chosen : lean.laws)
-        if (!chosen.law->quick_options.empty())
-            chosen.options.assign(chosen.law->quick_options.begin(), chosen.law->quick_options.end());
+    lean.face.neighbours.clear();
+    std::erase_if(lean.laws, [](const Law* law) { return !law->varies; });
+    lean.law_options.mutual = false;
     if (std::none_of(lean.laws.begin(), lean.laws.end(),
-                     [](const ChosenLaw& chosen) { return chosen.law->needs_map || chosen.law->needs_spectrum; }))
-        lean.map.reset();  // nothing takes its tiles
+                     [](const Law* law) { return law->needs_map || law->needs_spectrum; }))
+        lean.face.map.reset();  // nothing takes its tiles
     return lean;
 }
 
 /// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
 std::vector<std::vector<double>> behind_other_windows(const Scene& lean, double modulus) {
     std::vector<std::vector<double>> both;
-    if (!lean.fractal_dimension || !(lean.dimension_window_error > 0)) return both;
-    for (const double dimension : dimensions_of_other_windows(*lean.fractal_dimension, lean.dimension_window_error)) {
+    const SurfaceParameters<double>& surface = lean.face.parameters;
+    if (!surface.fractal_dimension || !(surface.dimension_window_error > 0)) return both;
+    for (const double dimension :
+         dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
         Scene other = lean;
-        other.fractal_dimension = dimension;
+        other.face.parameters.fractal_dimension->value = dimension;
         both.push_back(stiffnesses(other, modulus));
     }
     return both;
@@ -121,8 +120,8 @@ std::string dominating(const Scene& scene, const Curve& curve) {
     };
     std::string of = "the scale of the measurement";
     std::vector<double> scales;
-    for (const Face& face : scene.neighbours)
-        if (face.measured && face.measured->cut_offs.lambda_s) scales.push_back(*face.measured->cut_offs.lambda_s);
+    for (const Face& face : scene.face.neighbours)
+        if (face.lambda_s) scales.push_back(*face.lambda_s);
     const auto [low, high] = std::minmax_element(scales.begin(), scales.end());
     if (scales.size() > 1) of = "lambda_s between " + shown_length(*low, 2) + " and " + shown_length(*high, 2);
     if (scales.size() == 1) of = "lambda_s up to " + shown_length(*high, 2);
@@ -144,17 +143,17 @@ std::string dominating(const Scene& scene, const Curve& curve) {
 void add_bands(const Scene& scene, Results& results, const ProgressHook& progress) {
     const Scene lean = lean_scene(scene);
     Scene to_draw_about = lean;
-    to_draw_about.similar = std::make_shared<const SimilarHybrids<double>>(lean.bearing.get(), lean.gamma);
+    to_draw_about.similar = std::make_shared<const SimilarHybrids<double>>(lean.face.bearing.get(), lean.law_options.gamma);
     RandomStates random{scene.seed, ~scene.seed};
     const auto bands =
-        sampled_band(scene.uncertain,
+        sampled_band(scene.face.parameters,
                      [&](const auto& drawn) {
                          return stiffnesses(with_surface(to_draw_about, drawn, random), results.modulus);
                      },
                      {static_cast<std::size_t>(scene.samples), scene.seed, progress});
     const std::vector<double> quick = stiffnesses(lean, results.modulus);
     std::vector<std::vector<double>> of_neighbours;
-    for (const Face& face : scene.neighbours) {
+    for (const Face& face : scene.face.neighbours) {
         of_neighbours.push_back(stiffnesses(with_face(lean, face), results.modulus));
         if (of_neighbours.back().size() != quick.size()) of_neighbours.pop_back();  // no map, or no D: other curves
     }
@@ -166,21 +165,13 @@ void add_bands(const Scene& scene, Results& results, const ProgressHook& progres
             const std::size_t at = next + curve.places[i];
             SampledBand<double> band = bands[at];
             failed = std::max(failed, band.failed);
-            const double value = curve.states[i].stiffness.value, factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
-            if (!curve.law->quick_options.empty()) band.low *= factor, band.median *= factor, band.high *= factor;
-            if (!of_neighbours.empty()) {
-                const auto at_point = [&](const std::vector<std::vector<double>>& of) {
-                    std::vector<double> all;
-                    for (const auto& one : of) all.push_back(one[at] * factor);
-                    return all;
-                };
-                const std::vector<double> others = at_point(of_neighbours), windows = at_point(of_windows);
-                BandParts<double>& parts =
-                    curve.band_parts.emplace_back(widen(band, value, std::span<const double>(others)));
-                spread_of(value, std::span<const double>(windows), parts.window_low, parts.window_high);
-            }
-            if (scene.has_lay) widen_by_lay(band);
-            curve.band.push_back(band);
+            const double value = curve.states[i].stiffness.value;
+            const double factor = std::isfinite(quick[at]) ? value / quick[at] : 1;
+            if (curve.law->has_quick_form) band.low *= factor, band.median *= factor, band.high *= factor;
+            const WidenedBand<double> wide =
+                widened(value, band, of_neighbours, of_windows, at, scene.has_lay, factor);
+            if (!of_neighbours.empty()) curve.band_parts.push_back(wide.parts);
+            curve.band.push_back(wide.band);
         }
         next += scene.points.size();
     }

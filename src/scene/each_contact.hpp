@@ -15,10 +15,11 @@
 
 namespace fstiff::scene {
 
-/// Every point stands by itself, so that they may be computed in parts, with \p progress told between them.
-inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const AnyContact& contact, Quantity quantities,
-                                                   const ProgressHook& progress = {}) {
-    constexpr std::size_t part = 64;
+/// Every point stands by itself, so that they may be computed in parts, one by one where \p law takes seconds for each, with
+/// \p progress told between them.
+inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const Law& law, const AnyContact& contact,
+                                                   Quantity quantities, const ProgressHook& progress = {}) {
+    const std::size_t part = law.varies ? 64 : 1;
     std::vector<ContactPoint<double>> points;
     for (std::span<const double> rest = scene.points; !rest.empty();) {
         if (progress) progress("points", scene.points.size() - rest.size(), scene.points.size());
@@ -35,21 +36,23 @@ inline std::vector<ContactPoint<double>> points_of(const Scene& scene, const Any
 /// those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.
 inline std::vector<Peaks> peaks_of(const Law& law, const Scene& scene) {
     if (!law.has_peaks) return {};
-    if (!scene.default_peaks || law.needs_dimension || !has_isotropic_peaks(scene)) return scene.peaks;
-    const auto peaks = PeakDistribution<double>::isotropic(spectral_moments(scene).bandwidth());
+    if (!scene.default_peaks || law.needs_dimension || !has_isotropic_peaks(scene.face)) return scene.peaks;
+    const auto peaks = PeakDistribution<double>::isotropic(spectral_moments(scene.face).bandwidth());
     return {{.theta = peaks.theta(), .r = peaks.r(), .key = "contact.peaks."}};
 }
 
 /// The rms gradient of the surface for p*, the same for every law: known; of the surface's own r and theta; of its spectrum,
 /// where it has one; else of the last entry of contact.peaks that gives one (r = 0 gives none).
 inline std::optional<double> gradient(const Scene& scene) {
-    if (scene.rms_gradient) return scene.rms_gradient;
-    if (scene.r && scene.theta)
-        if (const auto own = rms_gradient(scene.surface, PeakDistribution<double>(*scene.r, *scene.theta))) return own;
-    if (no_spectrum(scene).empty()) return std::sqrt(2 * spectral_moments(scene).m2);
+    if (scene.face.rms_gradient) return scene.face.rms_gradient;
+    const SurfaceParameters<double>& own = scene.face.parameters;
+    if (scene.face.has_peaks())
+        if (const auto of_own = rms_gradient(scene.face.roughness(), PeakDistribution(own.r->value, own.theta->value)))
+            return of_own;
+    if (no_spectrum(scene.face).empty()) return std::sqrt(2 * spectral_moments(scene.face).m2);
     std::optional<double> of_peaks;
     for (const Peaks& peaks : scene.peaks)
-        if (const auto one = rms_gradient(scene.surface, peak_density(peaks))) of_peaks = one;
+        if (const auto one = rms_gradient(scene.face.roughness(), peak_density(peaks))) of_peaks = one;
     return of_peaks;
 }
 
@@ -57,36 +60,30 @@ inline std::optional<double> gradient(const Scene& scene) {
 /// contact.
 template <class Visit>
 void for_each_contact(const Scene& scene, double modulus, const ProgressHook& progress, const Visit& visit) {
-    ContactInputs inputs{.surface = scene.surface,
+    ContactInputs inputs{.surface = scene.face.roughness(),
                          .effective_modulus = modulus,
-                         .fractal_dimension = scene.fractal_dimension.value_or(0),
+                         .fractal_dimension = scene.face.dimension().value_or(0),
                          .interaction = interaction(scene),
-                         .moments = spectral_moments(scene),
-                         .hurst = hurst_exponent(scene),
-                         .gamma = scene.gamma,
-                         .map = scene.map.get(),
-                         .spectrum_of_map = scene.spectrum_of_map,
-                         .bearing = scene.bearing.get(),
+                         .options = scene.law_options,
+                         .moments = spectral_moments(scene.face),
+                         .hurst = hurst_exponent(scene.face),
+                         .map = scene.face.map.get(),
+                         .spectrum_of_map = scene.face.spectrum_of_map,
+                         .bearing = scene.face.bearing.get(),
                          .similar = scene.similar.get(),
                          .material = {.effective_modulus = modulus,
                                       .yield_strength = scene.yield_strength.value_or(0),
                                       .poisson_ratio = scene.softer_poisson,
                                       .hardness = scene.hardness.value_or(0)},
-                         .elements = scene.elements,
                          .progress = progress};
     const std::optional<double> slope = gradient(scene);
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law& law = *chosen.law;
-        inputs.options = chosen.options;
-        if (!law.has_peaks) {
-            visit(Curve{.law = &law, .rms_gradient = slope}, [&] { return law.contact(inputs); });
-            continue;
-        }
-        for (const Peaks& of : peaks_of(law, scene)) {
+    for (const Law* law : scene.laws) {
+        const auto make = [&] { return law->contact(inputs); };
+        if (!law->has_peaks) visit(Curve{.law = law, .rms_gradient = slope}, make);
+        for (const Peaks& of : peaks_of(*law, scene)) {
             const PeakDistribution<double> peaks = peak_density(of);
             inputs.peaks = &peaks;
-            visit(Curve{.law = &law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = slope},
-                  [&] { return law.contact(inputs); });
+            visit(Curve{.law = law, .theta = peaks.theta(), .r = peaks.r(), .rms_gradient = slope}, make);
         }
     }
 }

@@ -4,7 +4,7 @@
 #include "document/file.hpp"
 
 #include <fstiff/contact/summit_contact.hpp>
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/shifted_sum.hpp>
@@ -16,10 +16,6 @@
 
 namespace fstiff::scene {
 namespace {
-
-RoughFace<double> rough_face(const Face& face) {
-    return {face.surface, spectral_moments(face), face.fractal_dimension, face.fractal_roughness, face.r, face.theta};
-}
 
 /// The shells of both, in ascending order of |q|.
 SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const SpectrumShells<double>& b) {
@@ -34,13 +30,44 @@ SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const Spe
 /// Whether sigma, R and D_p of \p face are those that were measured.
 bool is_as_measured(const Face& face) {
     if (!face.measured) return false;
-    const auto measured = [&](Parameter which) { return face.measured->parameters.value[index_of(which)]; };
-    return face.surface.rms_height == measured(Parameter::rms_height) &&
-           face.surface.peak_radius == measured(Parameter::peak_radius) &&
-           face.surface.peak_density == measured(Parameter::peak_density);
+    return std::all_of(parameter_table.begin(), parameter_table.begin() + 3, [&](const ParameterRow& row) {
+        return face.parameters.find(row.parameter)->value == face.measured->found.find(row.parameter)->value;
+    });
 }
 
 }  // namespace
+
+Roughness<double> Face::roughness() const {
+    return {parameters.rms_height.value, parameters.peak_radius.value, parameters.peak_density.value,
+            parameters.max_peak_height.value};
+}
+
+std::optional<double> Face::value(Parameter which) const {
+    const Measurement<double>* known = parameters.find(which);
+    return known ? std::optional(known->value) : std::nullopt;
+}
+
+bool Face::has_errors() const {
+    return gradient_error > 0 ||
+           std::any_of(surface_parameter_table.begin(), surface_parameter_table.end(), [&](const ParameterRow& row) {
+               const auto* known = parameters.find(row.parameter);
+               return known && known->error > 0;
+           });
+}
+
+void Face::write(Parameter which, double value) {
+    write([&](Face& face) {
+        face.parameters.set(which, {value, 0});
+        const std::size_t i = index_of(which);
+        for (std::size_t j = 0; j < surface_parameter_count; ++j)
+            face.parameters.correlation[i][j] = face.parameters.correlation[j][i] = i == j ? 1 : 0;
+    });
+}
+
+void Face::draw(const std::array<double, surface_parameter_count>& drawn) {
+    for (const ParameterRow& row : surface_parameter_table)
+        if (auto* known = parameters.find(row.parameter)) known->value = drawn[index_of(row.parameter)];
+}
 
 void Face::set_shape(const HeightShape<double>& of) {
     shape = of;
@@ -54,11 +81,11 @@ std::string gradient_warning(const Face& face, double r) {
         gradients.push_back(gradient);
         origins.push_back(origin);
     };
-    const bool measured = face.measured && face.measured->heights && face.rms_gradient &&
-                          face.measured->heights->rms_gradient.value == *face.rms_gradient;
+    const bool measured = face.measured && face.measured->found.heights && face.rms_gradient &&
+                          face.measured->found.rms_gradient.value == *face.rms_gradient;
     if (face.rms_gradient) add(*face.rms_gradient, measured ? "measured" : "rms_gradient");
     if (!is_as_measured(face)) {
-        const auto [of_density, of_height] = implied_gradients(face.surface, r);
+        const auto [of_density, of_height] = implied_gradients(face.roughness(), r);
         add(of_density, "implied by peak_radius and peak_density");
         if (!face.rms_gradient) add(of_height, "implied by rms_height and peak_radius");
     }
@@ -67,7 +94,7 @@ std::string gradient_warning(const Face& face, double r) {
 }
 
 SpectralMoments<double> spectral_moments(const Face& face) {
-    const Roughness<double>& of = face.surface;
+    const Roughness<double> of = face.roughness();
     SpectralMoments<double> moments = moments_of_peaks(of.rms_height, of.peak_radius, of.peak_density);
     if (face.rms_gradient && face.alpha) return moments_of_gradient(of.rms_height, *face.rms_gradient, *face.alpha);
     if (face.rms_gradient) moments.m2 = *face.rms_gradient * *face.rms_gradient / 2;
@@ -77,7 +104,7 @@ SpectralMoments<double> spectral_moments(const Face& face) {
 
 double hurst_exponent(const Face& face) {
     if (face.hurst) return *face.hurst;
-    const double of_dimension = face.fractal_dimension ? 2 - *face.fractal_dimension : 0.8;
+    const double of_dimension = face.dimension() ? 2 - *face.dimension() : 0.8;
     return std::max(of_dimension, least_hurst(spectral_moments(face), face.widest_band));
 }
 
@@ -144,68 +171,57 @@ std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     return "";
 }
 
-void Face::take_uncertain() {
-    const auto value = [&](Parameter which) {
-        const std::size_t i = index_of(which);
-        return uncertain.known[i] ? std::optional(uncertain.value[i]) : std::nullopt;
-    };
-    surface.rms_height = *value(Parameter::rms_height);
-    surface.peak_radius = *value(Parameter::peak_radius);
-    surface.peak_density = *value(Parameter::peak_density);
-    fractal_dimension = value(Parameter::fractal_dimension);
-    r = value(Parameter::r);
-    theta = value(Parameter::theta);
-}
+namespace {
 
-Face face_of(const MeasuredSurface& measured) {
+/// \p found as the contact sees it.
+Face face_of(const Surface<double>& found) {
     Face face;
-    face.widest_band = measured.widest_band;
-    face.measured = measured;
-    face.uncertain = measured.parameters;
-    face.take_uncertain();
-    if (!face.r || !face.theta) face.r = face.theta = std::nullopt;
-    face.surface.max_peak_height = measured.max_peak_height.value;
-    if (measured.fractal_roughness) face.fractal_roughness = measured.fractal_roughness->value;
-    face.dimension_window_error = measured.dimension_window_error;
-    face.heights = measured.heights;
-    if (measured.heights) {
-        face.rms_gradient = measured.heights->rms_gradient.value;
-        face.alpha = measured.heights->moments.bandwidth();
-        face.set_shape(counted_shape(*measured.heights, measured.shape_share));
+    face.parameters = found;
+    face.parameters.profile_fit.reset(), face.parameters.map_fit.reset(), face.parameters.islands.reset();
+    if (!face.has_peaks()) face.parameters.r.reset(), face.parameters.theta.reset();
+    face.widest_band = found.widest_band;
+    face.lambda_s = found.cut_offs.lambda_s;
+    face.heights = found.heights;
+    if (found.heights) {
+        face.rms_gradient = found.rms_gradient.value;
+        face.alpha = found.heights->moments.bandwidth();
+        face.set_shape(counted_shape(*found.heights, found.shape_share));
     }
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
-    if (measured.map) maps.emplace_back(measured.map, &measured.map->map);
-    for (const MeasuredSurface& part : measured.parts)
+    if (found.map) maps.emplace_back(found.map, &found.map->map);
+    for (const Surface<double>& part : found.parts)
         if (part.map) maps.emplace_back(part.map, &part.map->map);
     if (!maps.empty()) face.map = map_of_surface(std::move(maps));
-    for (const MeasuredSurface& neighbour : measured.neighbours) face.neighbours.push_back(face_of(neighbour));
+    for (const Surface<double>& neighbour : found.neighbours) {
+        face.neighbours.push_back(face_of(neighbour));
+        SurfaceParameters<double>& other = face.neighbours.back().parameters;
+        if (!other.r) other.r = face.parameters.r, other.theta = face.parameters.theta;
+    }
+    return face;
+}
+
+}  // namespace
+
+Face face_of(std::shared_ptr<const MeasuredSurface> measured) {
+    Face face = face_of(measured->found);
+    face.measured = std::move(measured);
     return face;
 }
 
 Face sum_of_faces(const Face& upper, const Face& lower, int shifts, std::uint64_t seed) {
-    const RoughFace<double> a = rough_face(upper), b = rough_face(lower), sum = sum_of_faces(a, b);
+    const SpectralMoments<double> a = spectral_moments(upper), b = spectral_moments(lower), sum = a + b;
     Face face;
-    face.surface = sum.roughness;
-    face.fractal_dimension = sum.fractal_dimension;
-    face.fractal_roughness = sum.fractal_roughness;
-    face.r = sum.r;
-    face.theta = sum.theta;
+    face.parameters = uncertain_sum(upper.parameters, a, lower.parameters, b);
     if (upper.rms_gradient || lower.rms_gradient) {
-        face.rms_gradient = std::sqrt(2 * sum.moments.m2);
-        face.gradient_error = std::hypot(std::sqrt(2 * a.moments.m2) * upper.gradient_error,
-                                         std::sqrt(2 * b.moments.m2) * lower.gradient_error) /
+        face.rms_gradient = std::sqrt(2 * sum.m2);
+        face.gradient_error = std::hypot(std::sqrt(2 * a.m2) * upper.gradient_error,
+                                         std::sqrt(2 * b.m2) * lower.gradient_error) /
                               *face.rms_gradient;
     }
-    if (upper.alpha || lower.alpha) face.alpha = sum.moments.bandwidth();
+    if (upper.alpha || lower.alpha) face.alpha = sum.bandwidth();
     if (upper.hurst || lower.hurst)
-        face.hurst = (a.moments.m2 * hurst_exponent(upper) + b.moments.m2 * hurst_exponent(lower)) / sum.moments.m2;
-    face.uncertain = uncertain_sum(a, upper.uncertain, b, lower.uncertain);
-    if (face.fractal_dimension) {
-        const double share = share_of_face(a, b);
-        face.dimension_window_error =
-            std::hypot(share * upper.dimension_window_error, (1 - share) * lower.dimension_window_error);
-    }
-    const HeightShape<double> shape = sum_of_shapes(upper.shape, a.moments.m0, lower.shape, b.moments.m0);
+        face.hurst = (a.m2 * hurst_exponent(upper) + b.m2 * hurst_exponent(lower)) / sum.m2;
+    const HeightShape<double> shape = sum_of_shapes(upper.shape, a.m0, lower.shape, b.m0);
     face.set_shape(counted_shape(shape.skewness, shape.kurtosis, 1.0));
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;

@@ -5,14 +5,10 @@
 #include "scene/law.hpp"
 #include "surface/measured_surface.hpp"
 
-#include <fstiff/measured/height_shape.hpp>
-#include <fstiff/measured/height_statistics.hpp>
-#include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/roughness.hpp>
-#include <fstiff/surface/two_faces.hpp>
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -25,36 +21,45 @@ namespace fstiff::scene {
 /// The greatest D that a scene may give: K of the fractal laws, which goes as 1/(2 - D), is 67 times that of hertz there.
 inline constexpr double greatest_dimension = 1.99;
 
-/// One rough face, or the sum of two that a smooth face meets instead.
+/// One rough face, or the sum of two that a smooth face meets instead. What is written of it overrides what was measured by
+/// write() alone.
 struct Face {
-    Roughness<double> surface;
-    std::optional<double> fractal_dimension;
-    std::optional<double> fractal_roughness;           ///< [m]
-    std::optional<double> r, theta;                    ///< of the surface [1, rad]; both or none
-    std::optional<double> rms_gradient, alpha, hurst;  ///< written, or measured; alpha is Nayak's m0 m4/m2^2
-    double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least that was measured
+    SurfaceParameters<double> parameters;               ///< with their errors; without fits and islands
+    std::optional<double> rms_gradient, alpha, hurst;   ///< written, or measured; alpha is Nayak's m0 m4/m2^2
     double gradient_error = 0;  ///< standard error of rms_gradient that is independent of all others
+    double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least that was measured
     bool radius_follows = false, density_follows = false;  ///< R, D_p: of rms_height, rms_gradient and alpha
-    bool spectrum_of_map = true;                       ///< [persson] spectrum = "map", where there is one
-    std::shared_ptr<const MapOfSurface> map;           ///< where the surface was measured as a map
-    UncertainSurface<double> uncertain;                ///< the same with errors
-    double dimension_window_error = 0;                 ///< share of the window of lags in the error of D
-    std::optional<HeightStatistics<double>> heights;   ///< where the surface was measured
-    HeightShape<double> shape;                         ///< of the heights, given or as far as a measured one counts
+    bool spectrum_of_map = true;                        ///< [persson] spectrum = "map", where there is one
+    std::shared_ptr<const MapOfSurface> map;            ///< where the surface was measured as a map
+    std::optional<HeightStatistics<double>> heights;    ///< where the surface was measured
+    HeightShape<double> shape;                          ///< of the heights, given or as far as a measured one counts
     std::shared_ptr<const BearingSlope<double>> bearing;  ///< of heights over the rms height; none of Gaussian heights
-    std::optional<MeasuredSurface> measured;           ///< where surface.from says, or --surface; none of a sum
+    std::shared_ptr<const MeasuredSurface> measured;    ///< where surface.from says, or --surface; none of a sum
+    std::optional<double> lambda_s;                     ///< that it was measured with [m]
+    std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured
 
-    std::vector<Face> neighbours;  ///< behind a smaller and a greater lambda_s, where they were measured
+    [[nodiscard]] Roughness<double> roughness() const;
+    /// The parameter \p which, where it is known.
+    [[nodiscard]] std::optional<double> value(Parameter which) const;
+    /// D, where it is known.
+    [[nodiscard]] std::optional<double> dimension() const { return value(Parameter::fractal_dimension); }
+    /// Whether r and theta are known.
+    [[nodiscard]] bool has_peaks() const { return parameters.r && parameters.theta; }
+    /// Whether a band can be given: some parameter that enters has an error.
+    [[nodiscard]] bool has_errors() const;
 
-    /// Takes rms height, R, D_p, D, r and theta from `uncertain`, which holds them with their errors.
-    void take_uncertain();
+    /// Calls \p put with this face and with its neighbours, which all hold what is written.
+    template <class Write>
+    void write(const Write& put) {
+        put(*this);
+        for (Face& neighbour : neighbours) put(neighbour);
+    }
+    /// \p value without an error in place of what was measured, to which the errors of other parameters have no relation.
+    void write(Parameter which, double value);
+    /// The known parameters take the values of \p drawn, in the order of Parameter.
+    void draw(const std::array<double, surface_parameter_count>& drawn);
     /// Takes \p of, which bearing_of_moments() takes, with its bearing curve.
     void set_shape(const HeightShape<double>& of);
-    /// Whether a band can be given: some parameter that enters has an error.
-    [[nodiscard]] bool has_errors() const {
-        return gradient_error > 0 ||
-               std::any_of(uncertain.error.begin(), uncertain.error.end(), [](double error) { return error > 0; });
-    }
 };
 
 /// Moments of the spectrum of \p face: from rms gradient and alpha where they are known, else from R and D_p with eq. (4.10) and
@@ -74,7 +79,7 @@ struct Face {
 [[nodiscard]] std::string gradient_warning(const Face& face, double r);
 
 /// What was measured, as the contact sees it.
-[[nodiscard]] Face face_of(const MeasuredSurface& measured);
+[[nodiscard]] Face face_of(std::shared_ptr<const MeasuredSurface> measured);
 /// What laws take of \p maps, one at least, of one surface.
 [[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(
     std::vector<std::shared_ptr<const HeightMap<double>>> maps);

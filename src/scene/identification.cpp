@@ -47,10 +47,10 @@ std::vector<Observation<double>> observations(const MeasuredCurve& curve, const 
 
 ContactParameters<double> start_of(const Scene& scene, const PeakDistribution<double>& peaks) {
     ContactParameters<double> start;
-    start.rms_height = scene.surface.rms_height;
-    start.peak_radius = scene.surface.peak_radius;
-    start.peak_density = scene.surface.peak_density;
-    start.fractal_dimension = scene.fractal_dimension.value_or(1.5);
+    start.rms_height = scene.face.parameters.rms_height.value;
+    start.peak_radius = scene.face.parameters.peak_radius.value;
+    start.peak_density = scene.face.parameters.peak_density.value;
+    start.fractal_dimension = scene.face.dimension().value_or(1.5);
     start.effective_modulus = effective_modulus(scene.upper, scene.lower);
     start.r = peaks.r();
     start.theta = peaks.theta();
@@ -121,8 +121,7 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
                          std::vector<std::string>& warnings) {
     std::vector<Fit> fits;
     std::string skipped;
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law* law = chosen.law;
+    for (const Law* law : scene.laws) {
         if (!request.law.empty() && request.law != law->name) continue;
         if (!law->fit) {
             skipped = law->name;
@@ -167,7 +166,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     all.warnings = scene.warnings;
     all.fits = fits_of(scene, curve, request, all.warnings);
     if (std::count(request.wanted.begin(), request.wanted.end(), Parameter::fractal_dimension) > 0 &&
-        !scene.fractal_dimension)
+        !scene.face.dimension())
         throw domain_error(scene.file + ": surface.fractal_dimension: is missing; --fit D starts from it");
     IdentifyOptions<double> options;
     options.wave = all.wave;

@@ -9,17 +9,17 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/fit/identify.hpp>
-#include <fstiff/io/quantity.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/roughness.hpp>
 #include <fstiff/surface/roughness_spectrum.hpp>
 #include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/summits.hpp>
+#include <fstiff/validity/validated_ratio.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -67,12 +67,17 @@ struct PlasticRange {
     double most_radius_ratio = std::numeric_limits<double>::infinity();  ///< of a/R
 };
 
-/// What the section contact.<law> of a scene may hold for one law, such as the hardness of a plastic one.
-struct LawOption {
-    std::string_view key;
-    std::optional<io::Dimension> dimension{};  ///< none: a plain number
-    bool is_flag = false;                      ///< true or false, or 1 or 0; no other number
-    std::optional<double> otherwise{};         ///< [SI] where the scene does not say; none: the scene must say
+/// Where Persson's theory takes the spectrum of.
+enum class SpectrumSource { map, moments };
+
+/// What the sections contact.<law> of a scene say; those of persson and boundary_elements count for other laws too.
+struct LawOptions {
+    bool mutual = true;                      ///< summits push each other down
+    double gamma = 0.45;                     ///< of persson
+    std::optional<SpectrumSource> spectrum;  ///< none: what [surface] says
+    int points = 256;                        ///< of boundary_elements, a side
+    Edges edges = Edges::mirrored;           ///< of summits and spectra too
+    double hardness = 0;                     ///< [Pa]; 0: elastic
 };
 
 /// What laws take of a measured map beside its numbers.
@@ -92,13 +97,6 @@ struct MapOfSurface {
     }
 };
 
-/// The section [boundary_elements].
-struct ElementInputs {
-    Eigen::Index points = 256;      ///< a side
-    Edges edges = Edges::mirrored;  ///< of summits and spectra too
-    double hardness = 0;            ///< [Pa]; 0: elastic
-};
-
 /// What a contact is made of.
 struct ContactInputs {
     Roughness<double> surface{};
@@ -106,16 +104,15 @@ struct ContactInputs {
     const PeakDistribution<double>* peaks = nullptr;  ///< none of a law that has no joint distribution
     double fractal_dimension = 0;                     ///< of a law that needs it
     Interaction<double> interaction{};
-    std::vector<double> options{};      ///< [SI], in the order of Law::options
+    LawOptions options{};
     SpectralMoments<double> moments{};  ///< of the surface, where the spectrum is a band
-    double hurst = 0.8, gamma = 0.45;
+    double hurst = 0.8;
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
     const BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
     const SimilarHybrids<double>* similar = nullptr;  ///< of surfaces drawn for a band: K alone counts, to 1e-3
     PlasticMaterial<double> material{};  ///< of the softer body
-    ElementInputs elements{};
-    ProgressHook progress{};
+    ProgressHook progress{};             ///< called once a state where that takes seconds
 };
 
 /// A measured curve and how it is fitted.
@@ -128,7 +125,8 @@ struct FitInputs {
 
 /// One law.
 struct Law {
-    std::string_view name;
+    LawName which{};
+    std::string_view name = name_of(which);
     std::string_view nature;       ///< what it computes: the rest of a sentence "hertz is ..."
     bool needs_dimension = false;  ///< the fractal dimension of the surface
     bool has_peaks = true;         ///< one curve for each joint distribution of peaks; else one curve
@@ -139,13 +137,11 @@ struct Law {
     /// Null where the law has no derivatives. \throws as fstiff::identify.
     Identification<double> (*fit)(const FitInputs&) = nullptr;
     Quantity quantities = Quantity::all;  ///< that the law gives
-    std::span<const LawOption> options{};
     bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
     bool needs_summits = false, needs_whole_map = false;  ///< of the map; the latter of 16 points a side at least
     bool holds_when_crowded = false;  ///< peaks that push each other down are in it
     bool ends = false;                ///< has no state above some pressure: the curve ends there, with a warning
-    std::span<const double>
-        quick_options{};   ///< in place of `options` where a law is computed 400 times, for the shape of a band
+    bool has_quick_form = false;      ///< without LawOptions::mutual, for the shape of a band
     bool varies = true;    ///< can be computed of surfaces drawn about the measured one, for a band
     PlasticRange range{};  ///< of a law whose contact has means_at
 };
@@ -155,7 +151,17 @@ struct Law {
 [[nodiscard]] std::vector<std::string_view> law_names();
 /// Those that fit() has.
 [[nodiscard]] std::vector<std::string_view> fitted_law_names();
+[[nodiscard]] const Law& find_law(LawName name);
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);
 
 }  // namespace fstiff::scene
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<scene::SpectrumSource> =
+    name_list<scene::SpectrumSource>({{scene::SpectrumSource::map, "map"},
+                                      {scene::SpectrumSource::moments, "moments"}});
+
+}  // namespace fstiff

@@ -4,6 +4,8 @@
 #include "scene/each_contact.hpp"
 #include "document/file.hpp"
 
+#include <fstiff/measured/uncertain_sum.hpp>
+
 #include <optional>
 #include <utility>
 
@@ -21,7 +23,7 @@ OneContact contact_of(Scene of, double modulus, std::size_t law, std::size_t pea
     if (law >= kept.laws.size()) refuse_entry("law", law, "an entry of contact.laws");
     std::size_t wanted = peaks;
     for (std::size_t i = 0; i <= law; ++i) {
-        const Law& one_law = *kept.laws[i].law;
+        const Law& one_law = *kept.laws[i];
         const std::size_t curves = one_law.has_peaks ? peaks_of(one_law, kept).size() : 1;
         if (i < law)
             wanted += curves;
@@ -54,14 +56,14 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
         return std::optional(value);
     };
     if (measured) {
-        static_cast<Face&>(of) = face_of(*measured);
+        of.face = face_of(std::make_shared<const MeasuredSurface>(*measured));
     } else {
-        of.surface = numbers.surface;
-        of.surface.validate();
-        of.fractal_dimension = optional("fractal_dimension", numbers.fractal_dimension);
-        of.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
+        numbers.surface.validate();
+        of.face.parameters = stated(
+            RoughFace<double>{numbers.surface, {}, optional("fractal_dimension", numbers.fractal_dimension)});
+        of.face.rms_gradient = optional("rms_gradient", numbers.rms_gradient);
         if (numbers.kurtosis == 0 && numbers.skewness != 0) throw domain_error("skewness: needs kurtosis");
-        if (numbers.kurtosis != 0) of.set_shape({numbers.skewness, numbers.kurtosis});
+        if (numbers.kurtosis != 0) of.face.set_shape({numbers.skewness, numbers.kurtosis});
     }
     of.yield_strength = optional("yield_strength", numbers.yield_strength);
     of.hardness = optional("hardness", numbers.hardness);
@@ -70,21 +72,20 @@ Scene scene_of(const std::string& law, const ContactNumbers& numbers, const Meas
     require(poisson > -1 && poisson <= 0.5, "poisson_ratio", poisson, "greater than -1 and at most 0.5");
     of.softer_poisson = poisson;
     if (measured && found->has_peaks) {
-        if (!of.r) throw domain_error("law " + law + ": needs r and theta of the surface: " + measured->peaks_refusal);
-        of.peaks.push_back({.theta = *of.theta, .r = of.r});
+        if (!of.face.has_peaks())
+            throw domain_error("law " + law + ": needs r and theta of the surface: " + measured->found.why_no_peaks);
+        of.peaks.push_back({.theta = *of.face.value(Parameter::theta), .r = of.face.value(Parameter::r)});
     } else if (!measured && found->has_peaks) {
         const PeakDistribution<double> peaks(needed(law, "r", numbers.r), needed(law, "theta", numbers.theta));
-        of.r = peaks.r(), of.theta = peaks.theta();
-        of.peaks.push_back({.theta = *of.theta, .r = of.r});
+        of.face.write(Parameter::r, peaks.r()), of.face.write(Parameter::theta, peaks.theta());
+        of.peaks.push_back({.theta = peaks.theta(), .r = peaks.r()});
     }
-    if (found->needs_dimension && !of.fractal_dimension) throw domain_error("law " + law + ": needs fractal_dimension");
+    if (found->needs_dimension && !of.face.dimension()) throw domain_error("law " + law + ": needs fractal_dimension");
     if (const std::string why = refusal_of(*found, of); !why.empty()) throw domain_error("law " + law + ": " + why);
     of.reading = numbers.reading;
     of.length = InteractionLength::given;
     of.given_length = numbers.interaction_length;
-    ChosenLaw chosen{found, {}};
-    for (const LawOption& option : found->options) chosen.options.push_back(option.otherwise.value_or(0));
-    of.laws.push_back(std::move(chosen));
+    of.laws.push_back(found);
     return of;
 }
 

@@ -28,13 +28,13 @@ double error_of_line(std::span<const Row> points) {
     return worst;
 }
 
-bool has_separation(const ChosenLaw& chosen) { return has(chosen.law->quantities, Quantity::separation); }
+bool has_separation(const Law& law) { return has(law.quantities, Quantity::separation); }
 
-const ChosenLaw& law_of(const Scene& scene, const std::string& name) {
+const Law& law_of(const Scene& scene, const std::string& name) {
     std::vector<std::string_view> names;
-    for (const ChosenLaw& chosen : scene.laws) {
-        if (has_separation(chosen) && (name.empty() || name == chosen.law->name)) return chosen;
-        if (has_separation(chosen)) names.push_back(chosen.law->name);
+    for (const Law* law : scene.laws) {
+        if (has_separation(*law) && (name.empty() || name == law->name)) return *law;
+        if (has_separation(*law)) names.push_back(law->name);
     }
     if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
     throw domain_error("--law = \"" + name + "\": is no law of the scene that gives a separation; must be one of " +
@@ -52,7 +52,7 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
             "greater than --from, " + shortest(from) + " Pa; the scene may have one pressure only");
 
     Scene fine = scene;
-    fine.laws = {law_of(scene, options.law)};
+    fine.laws = {&law_of(scene, options.law)};
     if (!scene.peaks.empty()) {
         require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(), "--peaks",
                 options.peaks,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bearing curve of [surface] as it is written: skewness and kurtosis, parameters of the core, or a list of heights.
 #include "document/file.hpp"
-#include "scene/read_face.hpp"
+#include "scene/readers.hpp"
 
 #include <fstiff/surface/bearing_family.hpp>
 #include <fstiff/surface/material_ratio.hpp>
@@ -119,8 +119,11 @@ void read_bearing(Source& source, const Section& surface, Face& face) {
         chosen = i;
     }
     if (chosen == ways.size()) return;
-    if (chosen == 0) return face.set_shape(read_shape(source, surface));
-    const double rms_height = face.surface.rms_height;
+    if (chosen == 0) {
+        const HeightShape<double> shape = read_shape(source, surface);
+        return face.write([&](Face& one) { one.set_shape(shape); });
+    }
+    const double rms_height = face.parameters.rms_height.value;
     const std::string_view key = *first_of(ways[chosen]);
     const toml::node& node = *surface.find(key);
     const BearingSlope<double> curve =
@@ -130,8 +133,9 @@ void read_bearing(Source& source, const Section& surface, Face& face) {
                       });
     const auto [mean, variance, skewness, kurtosis] = normal_moments(curve);
     require_rms(source, node, surface.key(key), std::sqrt(variance), rms_height);
-    face.shape = counted_shape(skewness, kurtosis, 1.0);
-    face.bearing = std::make_shared<const BearingSlope<double>>(curve.scaled(1 / rms_height));
+    const auto of_rms = std::make_shared<const BearingSlope<double>>(curve.scaled(1 / rms_height));
+    const HeightShape<double> shape = counted_shape(skewness, kurtosis, 1.0);
+    face.write([&](Face& one) { one.shape = shape, one.bearing = of_rms; });
 }
 
 }  // namespace fstiff::scene

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/read_face.hpp"
+#include "scene/readers.hpp"
 
 #include "document/file.hpp"
 #include "surface/surface_option_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -12,10 +13,12 @@
 namespace fstiff::scene {
 namespace {
 
+using Measured = std::shared_ptr<const MeasuredSurface>;
+
 /// Measures or reads the files that surface.from or --surface names; messages begin with \p place.
-MeasuredSurface measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
-                              const Place& place, const ProgressHook& progress) {
-    return located(place, [&] {
+Measured measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
+                       const Place& place, const ProgressHook& progress) {
+    return std::make_shared<const MeasuredSurface>(located(place, [&] {
         std::error_code none;
         if (files.size() > 1 || std::filesystem::is_directory(files.front(), none))
             return measure_files(options, files, progress);
@@ -30,7 +33,7 @@ MeasuredSurface measured_from(const MeasureOptions& options, const std::vector<s
             throw domain_error(display_name(file) +
                                ": is the JSON of fstiff measure, measured already; must stand without keys of reading");
         return read_measured_document(bytes, display_name(file));
-    });
+    }));
 }
 
 /// \p file, which the scene names relative to itself; "-" is standard input.
@@ -101,7 +104,7 @@ struct OptionReader {
     }
 };
 
-MeasuredSurface read_from(Source& source, const Section& surface, const ProgressHook& progress) {
+Measured read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
     MeasureOptions options;
     options.neighbours = source.has_band;
@@ -135,19 +138,20 @@ double read_parameter(Source& source, const Section& section, const ParameterRow
     return read_angle(source, node, key);
 }
 
-/// rms_gradient, alpha and hurst, as they are written; what was measured stays where they are not.
+/// rms_gradient, alpha and hurst, as they are written.
 void read_spectrum(Source& source, const Section& surface, Face& face) {
-    const auto read = [&](std::string_view name, std::optional<double>& into, double low, double high,
+    const auto read = [&](std::string_view name, std::optional<double> Face::*into, double low, double high,
                           const char* range) {
         const toml::node* node = surface.find(name);
         if (!node) return;
-        into = source.number(*node, surface.key(name));
-        if (!(*into > low && *into <= high)) source.refuse(*node, surface.key(name), range);
+        const double value = source.number(*node, surface.key(name));
+        if (!(value > low && value <= high)) source.refuse(*node, surface.key(name), range);
+        face.write([&](Face& one) { one.*into = value; });
     };
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    read("rms_gradient", face.rms_gradient, 0, infinity, "must be greater than 0");
-    read("alpha", face.alpha, 1.5, infinity, "must be greater than 1.5, which every isotropic surface exceeds");
-    read("hurst", face.hurst, 0, 1, "must be greater than 0 and at most 1");
+    read("rms_gradient", &Face::rms_gradient, 0, infinity, "must be greater than 0");
+    read("alpha", &Face::alpha, 1.5, infinity, "must be greater than 1.5, which every isotropic surface exceeds");
+    read("hurst", &Face::hurst, 0, 1, "must be greater than 0 and at most 1");
 }
 
 /// surface.errors.rms_gradient.
@@ -160,121 +164,110 @@ void read_gradient_error(Source& source, const Section& errors, const toml::node
 }
 
 /// surface.errors: standard errors of parameters that are known.
-void read_errors(Source& source, const Section& surface, const toml::node& errors, Face& face) {
-    UncertainSurface<double>& uncertain = face.uncertain;
-    if (!errors.is_table()) source.refuse(errors, surface.key("errors"), "must be a table of standard errors");
+void read_errors(Source& source, const Section& surface, Face& face) {
+    const toml::node* errors = surface.find("errors");
+    if (!errors) return;
+    if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
     std::vector<std::string_view> keys{"rms_gradient"};
-    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) keys.push_back(row.key);
-    const Section section(source, *errors.as_table(), surface.key("errors"), keys);
-    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) {
-        const std::size_t i = index_of(row.parameter);
+    for (const ParameterRow& row : surface_parameter_table) keys.push_back(row.key);
+    const Section section(source, *errors->as_table(), surface.key("errors"), keys);
+    for (const ParameterRow& row : surface_parameter_table) {
         const toml::node* node = section.find(row.key);
         if (!node) continue;
         const std::string key = section.key(row.key);
-        if (!uncertain.known[i])
-            source.refuse(*node, key, "has no value beside it; must stand beside " + surface.key(row.key));
-        uncertain.error[i] = read_parameter(source, section, row, *node, true);
-        if (!(uncertain.error[i] >= 0 && std::isfinite(uncertain.error[i])))
+        Measurement<double>* known = face.parameters.find(row.parameter);
+        if (!known) source.refuse(*node, key, "has no value beside it; must stand beside " + surface.key(row.key));
+        known->error = read_parameter(source, section, row, *node, true);
+        if (!(known->error >= 0 && std::isfinite(known->error)))
             source.refuse(*node, key, "must be finite and not negative");
         const double half = static_cast<double>(row.high.value - row.low.value) / 2;
-        if (row.variation == Variation::between && uncertain.error[i] > half)
+        if (row.variation == Variation::between && known->error > half)
             source.refuse(*node, key,
                           "must be at most " + rounded(half, 3) + ", half the range of " + std::string(row.key));
     }
     if (const toml::node* node = section.find("rms_gradient")) read_gradient_error(source, section, *node, face);
 }
 
-/// What is written in place of what was measured of \p face holds for its \p neighbour too.
-void keep_written(const Section& surface, const Face& face, Face& neighbour) {
-    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>())
-        if (surface.find(row.key))
-            neighbour.uncertain.set(row.parameter, {face.uncertain.value[index_of(row.parameter)], 0});
-    neighbour.take_uncertain();
-    if (!neighbour.r) neighbour.r = face.r;
-    if (!neighbour.theta) neighbour.theta = face.theta;
-    if (surface.find("rms_gradient")) neighbour.rms_gradient = face.rms_gradient;
-    if (surface.find("alpha")) neighbour.alpha = face.alpha;
-    if (has_bearing(surface)) neighbour.shape = face.shape, neighbour.bearing = face.bearing;
-    neighbour.hurst = face.hurst;
-    neighbour.spectrum_of_map = face.spectrum_of_map;
+/// The keys of a face in \p table.
+std::vector<std::string_view> keys_of_face(const toml::table& table) {
+    std::vector<std::string_view> keys{"from",         "rms_height",        "peak_radius",       "peak_density",
+                                       "max_peak_height", "fractal_dimension", "fractal_roughness", "r",
+                                       "theta",        "rms_gradient",      "alpha",             "hurst",
+                                       "errors"};
+    for (const std::string_view key : bearing_keys()) keys.push_back(key);
+    if (table.contains("from"))
+        for (const SurfaceOptionRow& row : surface_option_table()) keys.push_back(row.key);
+    return keys;
+}
+
+/// Whether \p surface gives numbers in place of the spectrum of a map.
+bool writes_spectrum(const Section& surface) {
+    constexpr std::array<std::string_view, 6> keys{"rms_height",   "peak_radius", "peak_density",
+                                                   "rms_gradient", "alpha",       "hurst"};
+    return has_bearing(surface) ||
+           std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key) != nullptr; });
+}
+
+/// R or D_p of \p face as its rms height, rms gradient and alpha make it.
+void follow_moments(Source& source, const Section& surface, const ParameterRow& row, Face& face) {
+    const bool radius = row.parameter == Parameter::peak_radius;
+    (radius ? face.radius_follows : face.density_follows) = true;
+    const auto moments = moments_of_gradient(face.parameters.rms_height.value, *face.rms_gradient, *face.alpha);
+    const double value = radius ? peak_radius_of(moments) : peak_density_of(moments);
+    if (!(value > 0 && std::isfinite(value)))
+        source.refuse(surface.at("alpha"), surface.key("alpha"),
+                      "makes, with rms_height and rms_gradient, " + std::string(row.key) + " = " + shortest(value) +
+                          ", which must be finite and greater than 0");
+    face.write(row.parameter, value);
+    source.record(surface.key(row.key), "of rms_height, rms_gradient and alpha (default)", value, row.unit);
+}
+
+/// The parameters that \p surface writes; sigma, R and D_p must be known of a face that was not measured.
+void read_parameters(Source& source, const Section& surface, Face& face) {
+    for (const ParameterRow& row : surface_parameter_table) {
+        const bool needed = !face.measured && row.parameter <= Parameter::peak_density;
+        // R and D_p follow from the moments where these are complete
+        const bool follows = needed && row.parameter > Parameter::rms_height && face.rms_gradient && face.alpha;
+        const toml::node* node = needed && !follows ? &surface.at(row.key) : surface.find(row.key);
+        if (!node) {
+            if (follows) follow_moments(source, surface, row, face);
+            continue;
+        }
+        const double value = read_parameter(source, surface, row, *node);
+        if (!parameter_in_range(row.parameter, value))
+            source.refuse(*node, surface.key(row.key), "must be " + row.range());
+        if (row.parameter == Parameter::fractal_dimension) {
+            if (value > greatest_dimension)
+                source.refuse(*node, surface.key(row.key),
+                              "must be greater than 1 and at most " + rounded(greatest_dimension) +
+                                  "; K of the fractal laws goes as 1/(2 - D)");
+            face.write([](Face& one) { one.parameters.dimension_window_error = 0; });
+        }
+        face.write(row.parameter, value);
+    }
 }
 
 /// Reads the section \p path, a face.
 Face read_face(Source& source, const toml::table& table, const std::string& path, const ProgressHook& progress) {
+    const Section surface(source, table, path, keys_of_face(table));
     Face face;
-    const auto all = std::span(parameter_table).first<surface_parameter_count>();
-    const std::initializer_list<std::string_view> written_keys{"from",
-                                                               "rms_height",
-                                                               "peak_radius",
-                                                               "peak_density",
-                                                               "max_peak_height",
-                                                               "fractal_dimension",
-                                                               "fractal_roughness",
-                                                               "r",
-                                                               "theta",
-                                                               "rms_gradient",
-                                                               "alpha",
-                                                               "hurst",
-                                                               "errors"};
-    std::vector<std::string_view> valid(written_keys);
-    for (const std::string_view key : bearing_keys()) valid.push_back(key);
-    if (table.contains("from"))
-        for (const SurfaceOptionRow& row : surface_option_table()) valid.push_back(row.key);
-    const Section surface(source, table, path, valid);
     if (surface.find("from")) {
         face = face_of(read_from(source, surface, progress));
         record_measured(source, *face.measured, path);
     }
     read_spectrum(source, surface, face);
-    for (const std::string_view key : {"rms_height", "peak_radius", "peak_density", "rms_gradient", "alpha", "hurst"})
-        if (face.map && surface.find(key)) face.spectrum_of_map = false;  // numbers written by hand replace the map's
-    if (face.map && has_bearing(surface)) face.spectrum_of_map = false;
-    UncertainSurface<double>& uncertain = face.uncertain;
-    for (const ParameterRow& row : all) {
-        const std::size_t i = index_of(row.parameter);
-        // R and D_p follow from the moments where these are complete
-        const bool follows = row.parameter > Parameter::rms_height && face.rms_gradient && face.alpha;
-        const bool needed = !face.measured && row.parameter <= Parameter::peak_density && !follows;
-        const toml::node* node = needed ? &surface.at(row.key) : surface.find(row.key);
-        if (!node) {
-            if (!face.measured && row.parameter <= Parameter::peak_density) {
-                (row.parameter == Parameter::peak_radius ? face.radius_follows : face.density_follows) = true;
-                const auto moments = moments_of_gradient(uncertain.value[index_of(Parameter::rms_height)],
-                                                         *face.rms_gradient, *face.alpha);
-                const double value =
-                    row.parameter == Parameter::peak_radius ? peak_radius_of(moments) : peak_density_of(moments);
-                if (!(value > 0 && std::isfinite(value)))
-                    source.refuse(surface.at("alpha"), surface.key("alpha"),
-                                  "makes, with rms_height and rms_gradient, " + std::string(row.key) + " = " +
-                                      shortest(value) + ", which must be finite and greater than 0");
-                uncertain.set(row.parameter, {value, 0});
-                source.record(surface.key(row.key), "of rms_height, rms_gradient and alpha (default)", value,
-                              row.parameter == Parameter::peak_radius ? "m" : "1/m^2");
-            }
-            continue;
-        }
-        uncertain.set(row.parameter, {read_parameter(source, surface, row, *node), 0});
-        if (!parameter_in_range(row.parameter, uncertain.value[i]))
-            source.refuse(*node, surface.key(row.key), "must be " + row.range());
-        if (row.parameter == Parameter::fractal_dimension && uncertain.value[i] > greatest_dimension)
-            source.refuse(*node, surface.key(row.key),
-                          "must be greater than 1 and at most " + rounded(greatest_dimension) +
-                              "; K of the fractal laws goes as 1/(2 - D)");
-        for (std::size_t j = 0; j < surface_parameter_count; ++j)  // written by hand: independent of what was measured
-            uncertain.correlation[i][j] = uncertain.correlation[j][i] = i == j ? 1 : 0;
-    }
-    if (const auto* errors = surface.find("errors")) read_errors(source, surface, *errors, face);
-    face.take_uncertain();
+    if (face.map && writes_spectrum(surface)) face.write([](Face& one) { one.spectrum_of_map = false; });
+    read_parameters(source, surface, face);
+    read_errors(source, surface, face);
+    const SurfaceParameters<double>& parameters = face.parameters;
     if (const auto highest = surface.optional_positive("max_peak_height", Dimension::length))
-        face.surface.max_peak_height = *highest;
+        face.write([&](Face& one) { one.parameters.max_peak_height = {*highest, 0}; });
     if (const auto roughness = surface.optional_positive("fractal_roughness", Dimension::length))
-        face.fractal_roughness = *roughness;
-    if (face.r.has_value() != face.theta.has_value())
-        throw domain_error(source.at(table) + ": " + surface.key(face.r ? "theta" : "r") + ": is missing; " +
+        face.write([&](Face& one) { one.parameters.fractal_roughness = {*roughness, 0}; });
+    if (parameters.r.has_value() != parameters.theta.has_value())
+        throw domain_error(source.at(table) + ": " + surface.key(parameters.r ? "theta" : "r") + ": is missing; " +
                            surface.key("r") + " and " + surface.key("theta") + " stand side by side");
     read_bearing(source, surface, face);
-    if (surface.find("fractal_dimension")) face.dimension_window_error = 0;
-    for (Face& neighbour : face.neighbours) keep_written(surface, face, neighbour);
     return face;
 }
 
@@ -312,23 +305,21 @@ Face face_of_file(Source& source, const std::string& file, const ProgressHook& p
 }
 
 Face face_in_place(Source& source, const MeasuredSurface& measured) {
-    Face face = face_of(measured);
     source.record("surface.from", measured.file + " (measured before)");
     record_measured(source, measured, "surface");
-    return face;
+    return face_of(std::make_shared<const MeasuredSurface>(measured));
 }
 
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {
-    const auto put = [&](Face face) { static_cast<Face&>(scene) = std::move(face); };
     if (!table.contains("upper") && !table.contains("lower")) {
-        put(read_face(source, table, "surface", progress));
+        scene.face = read_face(source, table, "surface", progress);
         source.record("surface.lower", "smooth (default): [surface] alone is one rough face");
         return;
     }
     const Section surface(source, table, "surface", {"upper", "lower", "shifts"});
     if (!surface.find("upper") || !surface.find("lower")) {
         const char* there = surface.find("upper") ? "upper" : "lower";
-        put(read_face(source, surface.subtable(there), surface.key(there), progress));
+        scene.face = read_face(source, surface.subtable(there), surface.key(there), progress);
         source.record(surface.key(surface.find("upper") ? "lower" : "upper"), "smooth (default)");
         return;
     }
@@ -347,13 +338,10 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
     } else if (no_sum.empty()) {
         source.record(surface.key("shifts"), "4 (default)", 4);
     }
-    put(source.located(table, [&] { return sum_of_faces(upper, lower, scene.shifts, scene.seed); }));
-    const Face& sum = scene;
-    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>())
-        if (sum.uncertain.known[index_of(row.parameter)]) {
-            const double value = sum.uncertain.value[index_of(row.parameter)];
-            source.record(surface.key(row.key) + " (of the sum)", shortest(value), value, row.unit);
-        }
+    scene.face = source.located(table, [&] { return sum_of_faces(upper, lower, scene.shifts, scene.seed); });
+    for (const ParameterRow& row : surface_parameter_table)
+        if (const auto value = scene.face.value(row.parameter))
+            source.record(surface.key(row.key) + " (of the sum)", shortest(*value), *value, row.unit);
     if (upper.map && lower.map && !no_sum.empty())
         scene.warnings.push_back("no sum of the two maps is computed, for laws of a map: " + no_sum);
 }

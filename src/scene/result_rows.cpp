@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/result_rows.hpp"
 
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +39,8 @@ Units units_of(const Scene& scene, const Results& results) {
             most = std::max(most, p);
             if (p > 0) least = least > 0 ? std::min(least, p) : p;
         }
-    return {unit_of_pressure(std::sqrt(least * most)), unit_of_length(scene.surface.rms_height),
-            unit_of_density(scene.surface.peak_density)};
+    return {unit_of_pressure(std::sqrt(least * most)), unit_of_length(scene.face.parameters.rms_height.value),
+            unit_of_density(scene.face.parameters.peak_density.value)};
 }
 
 Heading heading_of(const Column& column, const Units& units) {

@@ -63,23 +63,23 @@ void require_states(const Scene& scene, const std::vector<Curve>& curves) {
 
 /// A warning for each law that lacks points. One that ends above some pressure is expected to.
 void warn_of_missed(const Scene& scene, Results& results) {
-    for (const ChosenLaw& chosen : scene.laws) {
+    for (const Law* law : scene.laws) {
         std::size_t count = 0, points = 0;
         const Curve* first = nullptr;
         for (const Curve& curve : results.curves) {
-            if (curve.law != chosen.law) continue;
+            if (curve.law != law) continue;
             points += scene.points.size();
             count += curve.missed.size();
             if (!first && !curve.missed.empty()) first = &curve;
         }
         if (count == 0) continue;
         const MissedPoint& missed = first->missed.front();
-        const std::string law = "law " + std::string(chosen.law->name),
+        const std::string name = "law " + std::string(law->name),
                           at = shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
-        const bool ends = chosen.law->ends && !first->states.empty();
-        results.warnings.push_back(ends ? law + " ends before " + at +
+        const bool ends = law->ends && !first->states.empty();
+        results.warnings.push_back(ends ? name + " ends before " + at +
                                               ": its contacts are too many or too crowded beyond"
-                                        : law + " has no result at " + std::to_string(count) + " of " +
+                                        : name + " has no result at " + std::to_string(count) + " of " +
                                               std::to_string(points) + " points, the first of them " + at + ": " +
                                               missed.reason);
         results.doubtful = results.doubtful || !ends;
@@ -136,11 +136,11 @@ std::string outside_range(const Law& law, const LoadMeans<double>& means) {
 
 /// A warning for each plastic law with a point where its peaks, each weighted by its load, are outside of its range.
 void warn_of_plastic_ranges(const Scene& scene, Results& results) {
-    for (const ChosenLaw& chosen : scene.laws) {
+    for (const Law* law : scene.laws) {
         std::size_t count = 0, points = 0;
         std::string first;
         for (const Curve& curve : results.curves) {
-            if (curve.law != chosen.law) continue;
+            if (curve.law != law) continue;
             points += curve.means.size();
             for (std::size_t i = 0; i < curve.means.size(); ++i) {
                 const std::string outside = outside_range(*curve.law, curve.means[i]);
@@ -150,7 +150,7 @@ void warn_of_plastic_ranges(const Scene& scene, Results& results) {
             }
         }
         if (count > 0)
-            results.warnings.push_back("law " + std::string(chosen.law->name) + " is outside of its range at " +
+            results.warnings.push_back("law " + std::string(law->name) + " is outside of its range at " +
                                        std::to_string(count) + " of " + std::to_string(points) +
                                        " points, and may be far off there: first " + first);
     }
@@ -184,7 +184,7 @@ void add_warnings(const Scene& scene, Results& results) {
 
 /// Bands, where the surface has errors, and the columns of every curve, which has its states.
 void finish(const Scene& scene, Results& results, const ProgressHook& progress) {
-    if (scene.needs_stiffness() && scene.samples > 0 && scene.has_errors()) add_bands(scene, results, progress);
+    if (scene.needs_stiffness() && scene.samples > 0 && scene.face.has_errors()) add_bands(scene, results, progress);
     const bool bands = has_band(results);
     for (Curve& curve : results.curves) curve.columns = columns_of(scene, curve, results.tangential_ratio, bands);
 }
@@ -212,16 +212,10 @@ std::optional<double> Curve::value_at(std::size_t place, CurveQuantity quantity,
 }
 
 std::vector<Parameter> unknown_parameters(const Scene& scene) {
-    if (scene.measured) return unknown_parameters(*scene.measured, scene.uncertain);
-    std::vector<Parameter> all;  // of a sum: what is unknown of one face may not matter beside the other
-    if (measured_faces(scene).empty()) return all;
-    for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>()) {
-        const std::size_t i = index_of(row.parameter);
-        if (scene.uncertain.known[i] &&
-            !is_known(Measurement<double>{scene.uncertain.value[i], scene.uncertain.error[i]}))
-            all.push_back(row.parameter);
-    }
-    return all;
+    if (scene.face.measured) return unknown_parameters(*scene.face.measured, scene.face.parameters);
+    if (measured_faces(scene).empty()) return {};
+    return fstiff::unknown_parameters(scene.face.parameters, false);  // of a sum: what is
+    // unknown of one face may not matter next to the other
 }
 
 bool has_band(const Results& results) {
@@ -235,7 +229,7 @@ Interaction<double> interaction(const Scene& scene) {
     if (result.reading != InteractionReading::none)
         result.length = scene.length == InteractionLength::nominal ? interaction_length_of_area(*scene.nominal_area)
                         : scene.length == InteractionLength::peak_spacing
-                            ? interaction_length_of_peaks(scene.surface.peak_density)
+                            ? interaction_length_of_peaks(scene.face.parameters.peak_density.value)
                             : scene.given_length;
     return result;
 }
@@ -254,7 +248,7 @@ std::vector<Curve> curves_of(const Scene& scene, const std::vector<MadeContact>&
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
     for (const MadeContact& made : contacts) {
         Curve& curve = results.curves.emplace_back(made.curve);
-        take_points(scene, results.modulus, curve, points_of(scene, *made.contact, wanted(scene, *curve.law)));
+        take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made.contact, wanted(scene, *curve.law)));
     }
     require_states(scene, results.curves);
     finish(scene, results, {});
@@ -266,26 +260,25 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     results.modulus = effective_modulus(scene.upper, scene.lower);
     results.warnings = scene.warnings;
     if (scene.yield_strength)
-        results.plasticity_index = plasticity_index(scene.surface, results.modulus, *scene.yield_strength);
+        results.plasticity_index = plasticity_index(scene.face.roughness(), results.modulus, *scene.yield_strength);
     results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
-    results.surface_checks = check_surface(scene.surface, results.modulus, scene.yield_strength);
+    results.surface_checks = check_surface(scene.face.roughness(), results.modulus, scene.yield_strength);
     std::size_t curves = 0;
-    for (const ChosenLaw& chosen : scene.laws)
-        curves += chosen.law->has_peaks ? peaks_of(*chosen.law, scene).size() : 1;
+    for (const Law* law : scene.laws) curves += law->has_peaks ? peaks_of(*law, scene).size() : 1;
     ProgressHook of_all;  // one bar for the points of all curves
     if (progress)
         of_all = [&](std::string_view what, std::size_t done, std::size_t all) {
             progress(what, results.curves.size() * all + done, curves * all);
         };
-    for_each_contact(scene, results.modulus, progress, [&](Curve curve, const auto& contact) {
+    for_each_contact(scene, results.modulus, {}, [&](Curve curve, const auto& contact) {
         // warnings and the verdict need the contacts and the area, whichever columns are shown
         const Quantity quantities = wanted(scene, *curve.law, Quantity::contacts | Quantity::real_area);
         const auto made = contact();
-        take_points(scene, results.modulus, curve, points_of(scene, *made, quantities, of_all));
+        take_points(scene, results.modulus, curve, points_of(scene, *curve.law, *made, quantities, of_all));
         curve.checks = check_curve<double>(curve.states,
                                            {.effective_modulus = results.modulus,
                                             .rms_gradient = curve.rms_gradient,
-                                            .max_peak_height = scene.surface.max_peak_height,
+                                            .max_peak_height = scene.face.parameters.max_peak_height.value,
                                             .nominal_area = scene.nominal_area,
                                             .yield_strength = scene.yield_strength},
                                            quantities);
@@ -293,7 +286,7 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
             return (check.concern == Concern::interacting_asperities && curve.law->holds_when_crowded) ||
                    (check.concern ==
                         Concern::not_converged &&  // the error is that of the grid, or of the shifts or files
-                    (!curve.law->varies || (scene.map && scene.map->maps.size() > 1)));
+                    (!curve.law->varies || (scene.face.map && scene.face.map->maps.size() > 1)));
         });
         std::vector<double> etas;
         for (const auto& state : curve.states) etas.push_back(state.eta);
@@ -304,8 +297,9 @@ Results compute(const Scene& scene, const ProgressHook& progress) {
     warn_of_missed(scene, results);
     finish(scene, results, progress);
     add_warnings(scene, results);
-    results.verdict = verdict(scene, results);
-    results.short_verdict = short_verdict(scene, results);
+    Verdict found = verdict(scene, results);
+    results.verdict = std::move(found.sentences);
+    results.short_verdict = std::move(found.shorter);
     return results;
 }
 

@@ -12,7 +12,7 @@
 
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/load_means.hpp>
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 #include <fstiff/core/progress.hpp>
 #include <fstiff/measured/band_parts.hpp>
 

@@ -14,21 +14,20 @@ namespace {
 /// One pressure on \p face by \p law, of bodies with the effective modulus \p how says.
 Scene scene_of(const Face& face, const Law& law, const ScalesOptions& how) {
     Scene scene;
-    static_cast<Face&>(scene) = face;
+    scene.face = face;
     scene.upper = scene.lower = {2 * how.modulus, 0.0};
     scene.points = {how.pressure};
     scene.stiffness = true;
     scene.samples = 0;
-    std::vector<double> options;
-    for (const LawOption& option : law.options) options.push_back(option.otherwise.value_or(0));
-    scene.laws = {{&law, options}};
-    if (face.r) scene.peaks = {{*face.theta, face.r, true, {}, "surface."}};
+    scene.laws = {&law};
+    if (face.has_peaks())
+        scene.peaks = {{*face.value(Parameter::theta), face.value(Parameter::r), true, {}, "surface."}};
     return scene;
 }
 
 std::optional<double> stiffness_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {
     try {
-        const Scene scene = scene_of(face_of(surface), law, how);
+        const Scene scene = scene_of(face_of(std::make_shared<const MeasuredSurface>(surface)), law, how);
         if (!refusal_of(law, scene).empty()) return {};
         const Results results = compute(scene);
         if (results.curves.empty() || results.curves.front().states.empty()) return {};
@@ -39,16 +38,16 @@ std::optional<double> stiffness_of(const MeasuredSurface& surface, const Law& la
 }
 
 const Law& law_for(const MeasuredSurface& surface) {
-    const Face face = face_of(surface);
-    if (no_spectrum(face).empty() && (face.r || face.map)) return *find_law("hybrid");
-    return *find_law(face.r ? "hertz" : "greenwood_williamson");
+    const Face face = face_of(std::make_shared<const MeasuredSurface>(surface));
+    if (no_spectrum(face).empty() && (face.has_peaks() || face.map)) return *find_law("hybrid");
+    return *find_law(face.has_peaks() ? "hertz" : "greenwood_williamson");
 }
 
 Lengths option_of(const std::optional<double>& cut_off) { return cut_off ? Lengths(*cut_off) : Lengths("none"); }
 
 /// The row of the cut-offs that \p surface has.
 Scale scale_of(const MeasuredSurface& surface, const Law& law, const ScalesOptions& how) {
-    Scale scale{.cut_offs = surface.cut_offs, .chosen = true};
+    Scale scale{.cut_offs = surface.found.cut_offs, .chosen = true};
     scale.surface = surface;
     scale.stiffness = stiffness_of(surface, law, how);
     if (!scale.stiffness) scale.refusal = "no K by " + std::string(law.name);
@@ -77,16 +76,16 @@ Scale scale_at(MeasureOptions options, const SurfaceInput& input, const CutOffs<
 Scales scales_of(const MeasuredSurface& chosen, const SurfaceInput& input, const ScalesOptions& how) {
     const Law& law = law_for(chosen);
     double step = 0, length = 0;
-    if (chosen.profile) {
-        step = chosen.profile->profile.spacing;
-        length = step * static_cast<double>(chosen.profile->profile.size());
+    if (chosen.found.profile) {
+        step = chosen.found.profile->profile.spacing;
+        length = step * static_cast<double>(chosen.found.profile->profile.size());
     } else {
-        const HeightMap<double>& map = chosen.map->map;
+        const HeightMap<double>& map = chosen.found.map->map;
         step = std::max(map.dx, map.dy);
         length = std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
     }
     std::vector<std::pair<bool, CutOffs<double>>> asked;  // whether lambda_s varies
-    const CutOffs<double>& own = chosen.cut_offs;
+    const CutOffs<double>& own = chosen.found.cut_offs;
     const double shortest = own.lambda_s.value_or(4 * step), longest = own.lambda_c.value_or(length / 2);
     const auto ask = [&](bool of_short_waves, std::optional<double> lambda_s, std::optional<double> lambda_c) {
         CutOffs<double> cut_offs;

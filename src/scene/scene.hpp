@@ -33,12 +33,6 @@ struct Input {
     std::string unit;  ///< SI unit of value; empty when it has none
 };
 
-/// A law of contact.laws, and what its section of the scene says.
-struct ChosenLaw {
-    const Law* law = nullptr;
-    std::vector<double> options{};  ///< [SI], in the order of Law::options
-};
-
 /// One peak density to compute; the values are checked when the PeakDistribution is made.
 struct Peaks {
     double theta = 0;         ///< [rad]
@@ -50,6 +44,21 @@ struct Peaks {
 
 /// \throws domain_error naming the place of the value that no peak density has.
 PeakDistribution<double> peak_density(const Peaks& peaks);
+
+/// Values between two ends, as { from, to, count, spacing } of a scene says.
+struct Range {
+    double from = 0, to = 0;
+    std::uint64_t count = 2;
+    bool log = false;  ///< equal steps of the logarithm; else of the value
+
+    /// The value at place \p i of count, the ends exactly as given.
+    [[nodiscard]] double at(std::uint64_t i) const {
+        if (i == 0) return from;
+        if (i + 1 == count) return to;
+        const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+        return log ? std::exp((1 - share) * std::log(from) + share * std::log(to)) : (1 - share) * from + share * to;
+    }
+};
 
 enum class InteractionLength { nominal, peak_spacing, given };
 
@@ -74,18 +83,18 @@ struct Waves {
     [[nodiscard]] double angular() const { return angular_frequency(frequency); }
 };
 
-/// What is asked, of the face that it is derived from: the rough one, or the sum of two.
-struct Scene : Face {
+/// What is asked of the contact of one or of two rough faces.
+struct Scene {
     std::string name;
     std::string file;    ///< as given, or "built-in scene"
     std::string sha256;  ///< of the text of the scene
 
-    /// The faces that the sum above is of, the upper one first; empty where one face is rough and the other smooth.
+    Face face;  ///< that a smooth one meets: the rough one, or the sum of two
+    /// The faces that the sum is of, the upper one first; empty where one face is rough and the other smooth.
     std::vector<Face> faces;
     int shifts = 1;  ///< of the lower map over the upper one
 
-    double gamma = 0.45;     ///< [persson] gamma
-    ElementInputs elements;  ///< [boundary_elements]
+    LawOptions law_options;
     int samples = 400;       ///< of the band; 0: no band
     std::uint64_t seed = 2014;
     std::shared_ptr<const SimilarHybrids<double>> similar;  ///< of a scene that a surface was drawn for
@@ -102,7 +111,7 @@ struct Scene : Face {
     bool at_separations = false;         ///< points are separations [m], not pressures [Pa]
     std::vector<double> points;
     std::string points_where;  ///< file, line and key for messages
-    std::vector<ChosenLaw> laws;
+    std::vector<const Law*> laws;
     std::vector<Peaks> peaks;
     bool default_peaks = false;  ///< contact.peaks was not there, and those of the surface are not known
     InteractionReading reading = InteractionReading::none;

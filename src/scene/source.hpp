@@ -174,4 +174,7 @@ private:
 /// The same of a scene. \throws domain_error for a measured surface and for a grid too, naming what reads them.
 [[nodiscard]] toml::table parse_scene(const std::string& text, const std::string& file);
 
+/// As read_scene, of the parsed \p root; the scene has no sha256. \p builtin: nobody chose its laws.
+[[nodiscard]] Scene read_table(const toml::table& root, const SceneSource& from, bool builtin = false);
+
 }  // namespace fstiff::scene

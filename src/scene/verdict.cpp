@@ -3,211 +3,217 @@
 
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/validated_ratio.hpp"
+
+#include <fstiff/validity/law_findings.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace fstiff::scene {
 namespace {
 
-bool has_law(const Scene& scene, std::string_view name) {
-    return std::any_of(scene.laws.begin(), scene.laws.end(),
-                       [&](const ChosenLaw& chosen) { return chosen.law->name == name; });
+using Question = LawQuestion<double>;
+using Found = LawFinding<double>;
+
+bool has_law(const Scene& scene, LawName name) {
+    return std::find(scene.laws.begin(), scene.laws.end(), &find_law(name)) != scene.laws.end();
 }
 
-/// "x (add "x" to contact.laws)", without the advice where it is there; empty where the scene cannot have the law.
-std::string advised(const Scene& scene, std::string_view law) {
-    if (has_law(scene, law)) return std::string(law);
-    if (!refusal_of(*find_law(law), scene).empty()) return "";
-    return std::string(law) + " (add \"" + std::string(law) + "\" to contact.laws)";
-}
-
-struct AboutHeights {
-    std::string sentence;            ///< empty for Gaussian heights
-    std::string shorter;             ///< for a picture
-    bool far_from_gaussian = false;  ///< no law over a distribution of peaks holds
-};
-
-/// Whether \p one is farther from \p gaussian than \p limit, and than two standard errors.
-bool departs(const Measurement<double>& one, double gaussian, double limit) {
-    const double distance = std::abs(one.value - gaussian);
-    return distance > limit && distance > 2 * one.error;
-}
-
-/// What can be computed in place of laws over a distribution of peaks.
-std::string without_distribution(const Scene& scene) {
-    if (!scene.map)
-        return std::string("believe boundary_elements of a map of this surface (fstiff truth)") +
-               (scene.bearing ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
-                              : "");
-    const std::string elements = advised(scene, "boundary_elements"), hybrid = advised(scene, "hybrid");
-    const std::string refused = "boundary_elements " + refusal_of(*find_law("boundary_elements"), scene);
-    const std::string own = hybrid.empty() ? "" : hybrid + ", which takes the map's own summits and bearing curve";
-    if (elements.empty()) return own.empty() ? refused : "believe " + own + "; " + refused;
-    return "believe " + elements + (own.empty() ? "" : ", then " + own);
-}
-
-/// To which side laws over Gaussian peaks are off.
-std::string side_of_error(const Measurement<double>& skewness) {
-    if (!departs(skewness, 0, 0))
-        return "K of laws over Gaussian peaks is off, and the skewness, zero within two standard errors, leaves open "
-               "to which side";
-    return std::string("K of laws over Gaussian peaks is ") +
-           (skewness.value > 0 ? "too large, 1.05 to 1.9 times at skewnesses of 0.35 to 0.9"
-                               : "too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23");
-}
-
-/// What the distribution of the heights does to every law over Gaussian peaks.
-AboutHeights about_heights(const Scene& scene) {
-    if (!scene.heights) return {};
-    const Measurement<double>&skewness = scene.heights->skewness, &kurtosis = scene.heights->kurtosis;
-    if (kurtosis.value == 0) return {};  // a document without it
-    const double highest = scene.surface.max_peak_height / scene.surface.rms_height;
-    const double summits = scene.map ? static_cast<double>(scene.map->summits.front().summits.size()) : 0;
-    const double gaussian = std::sqrt(2 * std::log(std::max(summits, 2.0)));
-    const auto with_error = [](const Measurement<double>& one) {
-        return rounded(one.value, 2) + " ± " + rounded(one.error, 2);
-    };
-    std::string numbers = "skewness " + with_error(skewness) + ", kurtosis " + with_error(kurtosis);
-    if (summits > 0 && highest > 0)
-        numbers += ", highest point " + rounded(highest, 2) + " sigma, where " + shown_count(summits, 3) +
-                   " Gaussian summits reach " + rounded(gaussian, 2);
-    const bool too_high = summits > 0 && highest > 1.6 * gaussian;
-    if (departs(skewness, 0, 1) || departs(kurtosis, 3, 2) || too_high)
-        return {"the heights are far from Gaussian (" + numbers +
-                    "): no law over a distribution of peaks is near the truth here, and K may be wrong by 5 times; " +
-                    without_distribution(scene),
-                std::string("Heights far from Gaussian: use boundary_elements") + (scene.map ? "" : " of a map") +
-                    "; other laws may be wrong by 5 times.",
-                true};
-    if (departs(skewness, 0, 0.3) || departs(kurtosis, 3, 1))
-        return {"the heights are not Gaussian (" + numbers + "): " + side_of_error(skewness) +
-                    (scene.bearing && !scene.map ? "; hybrid takes both as far as they are known" : ""),
-                "Heights not Gaussian: K of laws over peaks may be wrong by 2 to 3 times."};
-    return {};
-}
-
-/// Least and greatest p* of the scene; none where no gradient is known.
-std::optional<std::pair<double, double>> relative_pressures(const Results& results) {
-    double low = std::numeric_limits<double>::infinity(), high = 0;
+/// What \p results and their scene tell of the contact.
+Question question_of(const Scene& scene, const Results& results) {
+    Question question;
+    for (const Law& law : laws())
+        if (has_law(scene, law.which) || refusal_of(law, scene).empty()) question.available.push_back(law.which);
+    const MapOfSurface* map = scene.face.map.get();
+    const double area = scene.nominal_area ? *scene.nominal_area : map ? map->maps.front()->area() : 0;
     for (const Curve& curve : results.curves)
-        for (const auto& state : curve.states) {
-            if (!curve.rms_gradient) return std::nullopt;
-            const double p = dimensionless_pressure(state.pressure.value, results.modulus, *curve.rms_gradient);
-            low = std::min(low, p);
-            high = std::max(high, p);
+        question.add_states(curve.states, results.modulus, curve.rms_gradient, area);
+    if (scene.face.heights && scene.face.heights->kurtosis.value != 0) {  // 0: a document without it
+        question.skewness = scene.face.heights->skewness;
+        question.kurtosis = scene.face.heights->kurtosis;
+    }
+    const SurfaceParameters<double>& surface = scene.face.parameters;
+    question.highest_point = surface.max_peak_height.value / surface.rms_height.value;
+    if (map) question.summits = map->summits.front().summits.size();
+    if (scene.face.bearing && !(map && scene.face.spectrum_of_map))
+        question.heights = scene.face.measured ? HeightsKnown::measured_shape : HeightsKnown::given_shape;
+    question.has_lay = scene.has_lay;
+    question.plasticity_index = results.plasticity_index;
+    return question;
+}
+
+/// The sentences on findings.
+class Words {
+public:
+    Words(const Scene& scene, const Question& question) : scene_(scene), question_(question) {}
+
+    /// A sentence, or the part of one that is_part() of the sentence before.
+    [[nodiscard]] std::string operator()(const Found& found) const {
+        switch (found.finding) {
+            case Finding::profile_with_lay:
+                return "a profile repeats itself, so that its face has a lay: it cannot tell K, which may be up to " +
+                       rounded(found.value) +
+                       " times higher, as the bands say; believe hybrid or boundary_elements of a map";
+            case Finding::far_from_gaussian:
+                return "the heights are far from Gaussian (" + heights() +
+                       "): no law over a distribution of peaks is near the truth here, and K may be wrong by " +
+                       rounded(found.ratio.high) + " times; " + without_distribution();
+            case Finding::sums_too_stiff:
+                return not_gaussian("is too large, 1.05 to 1.9 times at skewnesses of 0.35 to 0.9");
+            case Finding::sums_too_compliant:
+                return not_gaussian("is too small, 0.3 to 0.9 of the truth at skewnesses of -0.9 to -0.23");
+            case Finding::sums_off:
+                return not_gaussian(
+                    "is off, and the skewness, zero within two standard errors, leaves open to which side");
+            case Finding::peaks_flow: return flow(found);
+            case Finding::hybrid_holds:
+                return "of elastic contacts believe " + advised(LawName::hybrid) +
+                       accuracy(found, "a quarter above p* = 0.001 and a factor of two below");
+            case Finding::hybrid_missing:
+                return "hybrid " + refusal(LawName::hybrid) + "; hertz is good to a fifth at p* of " +
+                       rounded(hertz_from) + " to " + rounded(hertz_to);
+            case Finding::crowded_peaks:
+                return "hertz and the other sums over peaks give too little K above p* = " + rounded(found.limit) +
+                       ", half at 0.1";
+            case Finding::beyond_comparison:
+                return "above p* = " + rounded(found.limit) + " hybrid and persson alone were compared, within " +
+                       std::to_string(hybrid_accuracy_percent) + " % up to " + rounded(max_compared_pressure) +
+                       ", where the contact is closed";
+            case Finding::few_contacts: return few_contacts(found);
+            case Finding::no_contact:
+                return "fewer than one contact is expected on the " + area() + " (" + rounded(found.value, 2) +
+                       "): a law over peaks is a mean over many surfaces there and says nothing of a single one";
         }
-    if (low > high) return std::nullopt;
-    return std::pair(low, high);
-}
+        return "";
+    }
 
-/// How far hybrid may be believed down to \p least p*, as docs/validation.md found, with \p below for light loads.
-std::string accuracy_of_hybrid(const Scene& scene, double least, const char* below) {
-    if (scene.bearing && !(scene.map && scene.spectrum_of_map))
-        return scene.measured ? ", to a factor of 1.5" : ", to about a quarter";
-    if (least >= min_validated_pressure)
-        return ", to about " + std::to_string(hybrid_accuracy_percent) + " %";
-    return std::string(", to about ") + (least >= 0.001 ? "a quarter" : below);
-}
+    /// The same for a picture; empty where a picture has no room for it.
+    [[nodiscard]] std::string shortly(const Found& found, bool goes_beyond) const {
+        const std::string limit = rounded(max_validated_pressure);
+        switch (found.finding) {
+            case Finding::profile_with_lay: return "A profile of a face with a lay cannot tell K: measure a map.";
+            case Finding::far_from_gaussian:
+                return "Heights far from Gaussian: use boundary_elements" + std::string(scene_.face.map ? "" : " of a map") +
+                       "; other laws may be wrong by " + rounded(found.ratio.high) + " times.";
+            case Finding::sums_too_stiff:
+            case Finding::sums_too_compliant:
+            case Finding::sums_off: return "Heights not Gaussian: K of laws over peaks may be wrong by 2 to 3 times.";
+            case Finding::peaks_flow:
+                return "The peaks flow (plasticity index " + rounded(found.value, 3) +
+                       "): a wave sees K of plastic or jackson_green.";
+            case Finding::hybrid_holds:
+                return std::string("Recommended elastic law: hybrid") +
+                       (has_law(scene_, LawName::hybrid) ? "" : " (not in contact.laws)") +
+                       accuracy(found, "a factor of two") +
+                       (goes_beyond ? "; the only one compared above p* = " + limit + "." : ".");
+            case Finding::hybrid_missing:
+                return "No elastic law is recommended: hybrid cannot be computed for this surface.";
+            case Finding::beyond_comparison: return "Above p* = " + limit + " hybrid and persson alone were compared.";
+            default: return "";
+        }
+    }
 
-/// Which elastic law holds at the pressures of the scene.
-std::string about_pressures(const Scene& scene, const Results& results) {
-    const auto range = relative_pressures(results);
-    if (!range) return "";
-    const auto [low, high] = *range;
-    std::string text = "p* = p/(E g) is " + rounded(low, 2) + " to " + rounded(high, 2) + ": ";
-    const std::string beyond = "above p* = " + rounded(max_validated_pressure) +
-                               " hybrid and persson alone were compared, within 15 % up to " +
-                               rounded(max_compared_pressure) + ", where the contact is closed";
-    if (low > max_validated_pressure) return text + beyond;
-    const std::string hybrid = advised(scene, "hybrid");
-    text += hybrid.empty() ? "hybrid " + refusal_of(*find_law("hybrid"), scene) +
-                                 "; hertz is good to a fifth at p* of 0.002 to 0.008"
-                           : "of elastic contacts believe " + hybrid +
-                                 accuracy_of_hybrid(scene, low, "a quarter above p* = 0.001 and a factor of two below");
-    if (high > 0.01) text += "; hertz and the other sums over peaks give too little K above p* = 0.01, half at 0.1";
-    return high > max_validated_pressure ? text + "; " + beyond : text;
-}
+    /// Whether \p found is about the pressures, which have one sentence.
+    [[nodiscard]] static bool is_part(const Found& found) {
+        return found.finding >= Finding::hybrid_holds && found.finding <= Finding::beyond_comparison;
+    }
+    [[nodiscard]] std::string pressures() const {
+        return "p* = p/(E g) is " + rounded(question_.least_pressure, 2) + " to " +
+               rounded(question_.greatest_pressure, 2) + ": ";
+    }
 
-std::string shortly_about_pressures(const Scene& scene, const Results& results) {
-    const auto range = relative_pressures(results);
-    if (!range) return "";
-    const auto [low, high] = *range;
-    const std::string limit = rounded(max_validated_pressure);
-    if (low > max_validated_pressure) return "Above p* = " + limit + " hybrid and persson alone were compared.";
-    if (advised(scene, "hybrid").empty())
-        return "No elastic law is recommended: hybrid cannot be computed for this surface.";
-    return std::string("Recommended elastic law: hybrid") + (has_law(scene, "hybrid") ? "" : " (not in contact.laws)") +
-           accuracy_of_hybrid(scene, low, "a factor of two") +
-           (high > max_validated_pressure ? "; the only one compared above p* = " + limit + "." : ".");
-}
+private:
+    [[nodiscard]] std::string refusal(LawName law) const { return refusal_of(find_law(law), scene_); }
+    /// "x (add "x" to contact.laws)", without the advice where it is there; empty where the scene cannot have the law.
+    [[nodiscard]] std::string advised(LawName law) const {
+        const std::string name(name_of(law));
+        if (!question_.can(law)) return "";
+        return has_law(scene_, law) ? name : name + " (add \"" + name + "\" to contact.laws)";
+    }
+    [[nodiscard]] std::string heights() const {
+        const auto with_error = [](const Measurement<double>& one) {
+            return rounded(one.value, 2) + " ± " + rounded(one.error, 2);
+        };
+        std::string numbers =
+            "skewness " + with_error(*question_.skewness) + ", kurtosis " + with_error(*question_.kurtosis);
+        if (question_.summits > 0 && question_.highest_point > 0)
+            numbers += ", highest point " + rounded(question_.highest_point, 2) + " sigma, where " +
+                       shown_count(static_cast<double>(question_.summits), 3) + " Gaussian summits reach " +
+                       rounded(highest_gaussian_summit<double>(question_.summits), 2);
+        return numbers;
+    }
+    [[nodiscard]] std::string not_gaussian(const std::string& side) const {
+        return "the heights are not Gaussian (" + heights() + "): K of laws over Gaussian peaks " + side +
+               (scene_.face.bearing && !scene_.face.map ? "; hybrid takes both as far as they are known" : "");
+    }
+    /// What can be computed in place of laws over a distribution of peaks.
+    [[nodiscard]] std::string without_distribution() const {
+        if (!scene_.face.map)
+            return std::string("believe boundary_elements of a map of this surface (fstiff truth)") +
+                   (scene_.face.bearing
+                        ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
+                        : "");
+        const std::string elements = advised(LawName::boundary_elements), hybrid = advised(LawName::hybrid);
+        const std::string own = hybrid.empty() ? "" : hybrid + ", which takes the map's own summits and bearing curve";
+        if (!elements.empty()) return "believe " + elements + (own.empty() ? "" : ", then " + own);
+        return (own.empty() ? "" : "believe " + own + "; ") + "boundary_elements " +
+               refusal(LawName::boundary_elements);
+    }
+    [[nodiscard]] std::string flow(const Found& found) const {
+        if (!found.law) return "";
+        return "the peaks flow (plasticity index " + rounded(found.value, 3) +
+               "): what a wave sees is the unloading stiffness of " + advised(*found.law) +
+               " or jackson_green, several times K of an elastic law" +
+               (found.law == LawName::plastic ? "; plastic is good to a fifth from p = 0.003 H to 0.1 H" : "");
+    }
+    /// How far hybrid may be believed, with \p at_light_loads for within_factor_of_two.
+    [[nodiscard]] static std::string accuracy(const Found& found, const std::string& at_light_loads) {
+        const double high = found.ratio.high;
+        if (high == within_half.high) return ", to a factor of 1.5";
+        return ", to about " + (high == within_hybrid_accuracy.high ? std::to_string(hybrid_accuracy_percent) + " %"
+                                : high == within_quarter.high       ? "a quarter"
+                                                                    : at_light_loads);
+    }
+    [[nodiscard]] std::string few_contacts(const Found& found) const {
+        const double scatter = found.ratio.high - 1;
+        return (found.value < 1.5 ? "as few as one contact is expected on the "
+                                  : "as few as " + shown_count(found.value) + " contacts are expected on the ") +
+               area() + ": one surface departs from a law by about " + rounded(100 * scatter, 2) + " %" +
+               (scatter > contact_scatter[2].share + 0.01 ? " or more" : "") +
+               " there (rms); its own summits or boundary elements do not";
+    }
+    [[nodiscard]] std::string area() const { return scene_.nominal_area ? "nominal area" : "map"; }
 
-std::string about_contacts(const Scene& scene, const Results& results) {
-    const double area = scene.nominal_area ? *scene.nominal_area : scene.map ? scene.map->maps.front()->area() : 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Curve& curve : results.curves)
-        for (const auto& state : curve.states)
-            if (state.contact_density.value > 0) least = std::min(least, state.contact_density.value * area);
-    if (!(area > 0) || !(least < 200)) return "";
-    if (least < 1)
-        return "fewer than one contact is expected on the " +
-               std::string(scene.nominal_area ? "nominal area" : "map") + " (" + rounded(least, 2) +
-               "): a law over peaks is a mean over many surfaces there and says nothing of a single one";
-    const char* scatter = least > 100 ? "7 %" : least > 40 ? "11 %" : least > 15 ? "16 %" : "34 % or more";
-    return (least < 1.5 ? "as few as one contact is expected on the "
-                        : "as few as " + shown_count(least) + " contacts are expected on the ") +
-           (scene.nominal_area ? "nominal area" : "map") + std::string(": one surface departs from a law by about ") +
-           scatter + " there (rms); its own summits or boundary elements do not";
-}
-
-bool peaks_flow(const Results& results) { return results.plasticity_index && *results.plasticity_index > 1; }
-
-std::string about_flow(const Scene& scene, const Results& results) {
-    std::string plastic = advised(scene, "plastic");
-    const bool of_spectrum = !plastic.empty();
-    if (!of_spectrum) plastic = advised(scene, "plastic_peaks");
-    if (!peaks_flow(results) || plastic.empty()) return "";
-    return "the peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
-           "): what a wave sees is the unloading stiffness of " + plastic +
-           " or jackson_green, several times K of an elastic law" +
-           (of_spectrum ? "; plastic is good to a fifth from p = 0.003 H to 0.1 H" : "");
-}
+    const Scene& scene_;
+    const Question& question_;
+};
 
 }  // namespace
 
-std::vector<std::string> short_verdict(const Scene& scene, const Results& results) {
-    const AboutHeights heights = about_heights(scene);
-    std::vector<std::string> sentences;
-    if (scene.has_lay) return {"A profile of a face with a lay cannot tell K: measure a map."};
-    for (std::string sentence :
-         {heights.shorter,
-          peaks_flow(results) ? "The peaks flow (plasticity index " + rounded(*results.plasticity_index, 3) +
-                                    "): a wave sees K of plastic or jackson_green."
-                              : std::string(),
-          heights.far_from_gaussian ? "" : shortly_about_pressures(scene, results)})
-        if (!sentence.empty() && sentences.size() < 2) sentences.push_back(std::move(sentence));
-    if (sentences.empty())
-        sentences.emplace_back("No law is recommended: the rms gradient of the surface is not known.");
-    return sentences;
-}
-
-std::vector<std::string> verdict(const Scene& scene, const Results& results) {
-    std::vector<std::string> sentences;
-    if (scene.has_lay)  // no law holds
-        sentences.push_back("a profile repeats itself, so that its face has a lay: it cannot tell K, which may be up to " +
-                            rounded(lay_factor) + " times higher, as the bands say; believe hybrid or boundary_elements of a map");
-    const AboutHeights heights = about_heights(scene);
-    for (std::string sentence :
-         {scene.has_lay ? "" : heights.sentence, about_flow(scene, results),
-          scene.has_lay || heights.far_from_gaussian ? "" : about_pressures(scene, results),
-          about_contacts(scene, results)})
-        if (!sentence.empty()) sentences.push_back(std::move(sentence));
-    sentences.insert(sentences.end(), results.about_band.begin(), results.about_band.end());
-    return sentences;
+Verdict verdict(const Scene& scene, const Results& results) {
+    const Question question = question_of(scene, results);
+    const Words words(scene, question);
+    const std::vector<Found> findings = law_findings(question);
+    const bool goes_beyond = std::any_of(findings.begin(), findings.end(), [](const Found& found) {
+        return found.finding == Finding::beyond_comparison;
+    });
+    Verdict all;
+    bool goes_on = false;
+    for (const Found& found : findings) {
+        const bool part = Words::is_part(found);
+        if (const std::string sentence = words(found); part && goes_on)
+            all.sentences.back() += "; " + sentence;
+        else if (!sentence.empty())
+            all.sentences.push_back((part ? words.pressures() : "") + sentence);
+        const std::string shorter = goes_on && part ? "" : words.shortly(found, goes_beyond);
+        if (!shorter.empty() && all.shorter.size() < (question.has_lay ? 1 : 2)) all.shorter.push_back(shorter);
+        goes_on = part;
+    }
+    if (all.shorter.empty())
+        all.shorter.emplace_back("No law is recommended: the rms gradient of the surface is not known.");
+    all.sentences.insert(all.sentences.end(), results.about_band.begin(), results.about_band.end());
+    return all;
 }
 
 }  // namespace fstiff::scene

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface/cleaning.hpp"
+#include "surface/surface_file.hpp"
 
 #include "io/npy.hpp"
 #include "document/shown_unit.hpp"
-#include "surface/surface_file.hpp"
 #include "instances/surface_instances.hpp"
 
 #include <fstiff/core/text.hpp>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface/cut_offs.hpp"
+#include "surface/surface_file.hpp"
 
 #include "document/shown_unit.hpp"
-#include "surface/surface_file.hpp"
 #include "instances/surface_instances.hpp"
 
 namespace fstiff::scene {

@@ -84,13 +84,13 @@ Json json_inputs(const SurfaceOptions& options, const std::string& form) {
     return inputs;
 }
 
-Json measured_document(const MeasuredSurface& surface) {
-    Json document = json_document("measure");
-    document["source"] = {
-        {"file", surface.file}, {"sha256", surface.sha256}, {"kind", surface.kind}, {"decisions", surface.decisions}};
-    put_cut_offs(document, surface.cut_offs);
+namespace {
+
+/// What was found of \p of, or of one of its neighbours.
+void put_found(Json& document, const MeasuredSurface& of, const Surface<double>& found) {
+    put_cut_offs(document, found.cut_offs);
     Json& values = document["surface"] = Json::object();
-    for (const ParameterLine& line : parameter_lines(surface)) {
+    for (const ParameterLine& line : parameter_lines(of, found)) {
         Json& entry = values[line.name] = Json::object();
         if (!line.unit.empty()) entry["quantity"] = shortest(line.measured.value) + " " + line.unit;
         entry["value"] = line.measured.value;
@@ -98,17 +98,26 @@ Json measured_document(const MeasuredSurface& surface) {
         if (!line.unit.empty()) entry["unit"] = line.unit;
         entry["how"] = line.how;
     }
-    if (surface.parameters.known[index_of(Parameter::fractal_dimension)])
-        document["fractal_dimension_window_error"] = surface.dimension_window_error;
-    if (std::isfinite(surface.widest_band)) document["widest_band"] = surface.widest_band;
-    if (surface.heights)
-        document["moments"] = {{"m0_m2", surface.heights->moments.m0},
-                               {"m2", surface.heights->moments.m2},
-                               {"m4_per_m2", surface.heights->moments.m4},
-                               {"alpha", surface.heights->moments.bandwidth()}};
-    if (surface.heights) document["shape_share"] = surface.shape_share;
-    for (const MeasuredSurface& neighbour : surface.neighbours) {
-        Json of = measured_document(neighbour);
+    if (found.fractal_dimension) document["fractal_dimension_window_error"] = found.dimension_window_error;
+    if (std::isfinite(found.widest_band)) document["widest_band"] = found.widest_band;
+    if (!found.heights) return;
+    const SpectralMoments<double>& moments = found.heights->moments;
+    document["moments"] = {
+        {"m0_m2", moments.m0}, {"m2", moments.m2}, {"m4_per_m2", moments.m4}, {"alpha", moments.bandwidth()}};
+    document["shape_share"] = found.shape_share;
+}
+
+}  // namespace
+
+Json measured_document(const MeasuredSurface& surface) {
+    const Surface<double>& found = surface.found;
+    Json document = json_document("measure");
+    document["source"] = {
+        {"file", surface.file}, {"sha256", surface.sha256}, {"kind", surface.kind}, {"decisions", surface.decisions}};
+    put_found(document, surface, found);
+    for (const Surface<double>& neighbour : found.neighbours) {
+        Json of;
+        put_found(of, surface, neighbour);
         document["neighbours"].push_back({{"lambda_s_m", of["lambda_s_m"]},
                                           {"lambda_c_m", of["lambda_c_m"]},
                                           {"surface", of["surface"]},
@@ -116,18 +125,18 @@ Json measured_document(const MeasuredSurface& surface) {
                                           {"moments", of["moments"]},
                                           {"shape_share", neighbour.shape_share}});
     }
-    if (!surface.fractal_refusal.empty()) document["no_fractal_dimension"] = surface.fractal_refusal;
-    if (!surface.peaks_refusal.empty()) document["no_r_and_theta"] = surface.peaks_refusal;
+    if (!found.why_no_dimension.empty()) document["no_fractal_dimension"] = found.why_no_dimension;
+    if (!found.why_no_peaks.empty()) document["no_r_and_theta"] = found.why_no_peaks;
     Json names = Json::array(), rows = Json::array();
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
         names.push_back(parameter_table[i].key);
         Json row = Json::array();
-        for (const double one : surface.parameters.correlation[i]) row.push_back(one);
+        for (const double one : found.correlation[i]) row.push_back(one);
         rows.push_back(std::move(row));
     }
     document["correlation_of_errors"] = {{"of", std::move(names)}, {"matrix", std::move(rows)}};
     Json& concerns = document["concerns"] = Json::array();
-    for (const MeasuredConcern concern : surface.concerns) concerns.push_back(name_of(concern));
+    for (const MeasuredConcern concern : found.concerns) concerns.push_back(name_of(concern));
     document["warnings"] = surface.warnings;
     return document;
 }
@@ -135,7 +144,7 @@ Json measured_document(const MeasuredSurface& surface) {
 RoughnessTable roughness_of(const MeasuredSurface& surface) {
     if (surface.parts.empty())
         return about_file(surface.file, [&] {
-            return surface.profile ? roughness_table(*surface.profile) : roughness_table(*surface.map);
+            return surface.found.profile ? roughness_table(*surface.found.profile) : roughness_table(*surface.found.map);
         });
     std::vector<RoughnessTable> tables;
     for (const MeasuredSurface& part : surface.parts) tables.push_back(roughness_of(part));

@@ -35,9 +35,9 @@ IslandsOfMap islands_of_map(const IslandsRequest& options, SurfaceInput& input) 
 
 std::vector<std::string> warnings_of(const SurfaceInput& input, const IslandsOfMap& result) {
     const RepresentativeIslands<double>& r = result.islands;
-    UncertainSurface<double> pair;
-    pair.set(Parameter::peak_radius, {r.radius, r.radius_error});
-    pair.set(Parameter::peak_density, {r.density, r.density_error});
+    SurfaceParameters<double> pair;
+    pair.peak_radius = {r.radius, r.radius_error};
+    pair.peak_density = {r.density, r.density_error};
     std::vector<std::string> all = peak_warnings(concerns_of(r), r.islands, pair);
     for (std::string& line :
          reading_warnings(input, "they are part of no island and of no area", result.levelled.areal.rms_gradient))

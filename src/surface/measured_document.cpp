@@ -35,12 +35,12 @@ std::vector<std::string> texts_of(const Parsed& object, const char* key) {
 }
 
 /// Parameters, moments and cut-offs of \p document, or of one of its neighbours.
-MeasuredSurface values_of(const Parsed& document, const std::string& name) {
+Surface<double> values_of(const Parsed& document, const std::string& name) {
     if (!document.is_object()) throw domain_error(name + ": must be an object");
     const auto values = document.find("surface");
     if (values == document.end() || !values->is_object())
         throw domain_error(name + ": surface: is missing; must be that of fstiff measure");
-    MeasuredSurface surface;
+    Surface<double> surface;
     const auto cut_off = [&](const char* key) -> std::optional<double> {  // absent from documents of an older fstiff
         const auto found = document.find(key);
         if (found == document.end() || found->is_null()) return {};
@@ -55,12 +55,11 @@ MeasuredSurface values_of(const Parsed& document, const std::string& name) {
         if (found == values->end()) return std::nullopt;
         return measurement_of(*found, name + ": surface." + key);
     };
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        const Parameter which = parameter_table[i].parameter;
-        const std::string key(parameter_table[i].key);
+    for (const ParameterRow& row : surface_parameter_table) {
+        const std::string key(row.key);
         if (const auto measured = read(key.c_str()))
-            surface.parameters.set(which, *measured);
-        else if (which <= Parameter::peak_density)
+            surface.set(row.parameter, *measured);
+        else if (row.parameter <= Parameter::peak_density)
             throw domain_error(name + ": surface." + key + ": is missing; must be that of fstiff measure");
     }
     surface.max_peak_height = read("max_peak_height").value_or(Measurement<double>{});
@@ -83,6 +82,7 @@ MeasuredSurface values_of(const Parsed& document, const std::string& name) {
         if (!(surface.heights->moments.m2 > 0 && surface.heights->moments.bandwidth() > 0 &&
               surface.heights->rms_gradient.value > 0))
             throw domain_error(name + ": moments: must be greater than 0, and stand beside surface.rms_gradient");
+        surface.rms_gradient = surface.heights->rms_gradient;
     }
     return surface;
 }
@@ -101,7 +101,8 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
                            ": is not the JSON of fstiff measure, whole and unchanged; must be that, or a surface");
     if (const auto version = document.find("schema_version"); version == document.end() || *version != 1)
         throw domain_error(name + ": schema_version must be 1");
-    MeasuredSurface surface = values_of(document, name);
+    MeasuredSurface surface;
+    Surface<double>& found = surface.found = values_of(document, name);
     if (const auto source = document.find("source"); source != document.end() && source->is_object()) {
         surface.file = text_of(*source, "file");
         surface.sha256 = text_of(*source, "sha256");
@@ -111,9 +112,9 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
     surface.warnings = texts_of(document, "warnings");
     for (const std::string& word :
          texts_of(document, "concerns"))  // of a later version: unknown words say nothing here
-        if (const auto concern = find_named<MeasuredConcern>(word)) surface.concerns.push_back(*concern);
-    surface.fractal_refusal = text_of(document, "no_fractal_dimension");
-    surface.peaks_refusal = text_of(document, "no_r_and_theta");
+        if (const auto concern = find_named<MeasuredConcern>(word)) found.concerns.push_back(*concern);
+    found.why_no_dimension = text_of(document, "no_fractal_dimension");
+    found.why_no_peaks = text_of(document, "no_r_and_theta");
     if (const auto correlation = document.find("correlation_of_errors");
         correlation != document.end() && correlation->is_object()) {
         const auto matrix = correlation->find("matrix");
@@ -122,14 +123,14 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
                 const bool there = matrix != correlation->end() && matrix->is_array() && i < matrix->size() &&
                                    (*matrix)[i].is_array() && j < (*matrix)[i].size() && (*matrix)[i][j].is_number();
                 if (!there) throw domain_error(name + ": correlation_of_errors.matrix: must be 6 rows of 6 numbers");
-                surface.parameters.correlation[i][j] = (*matrix)[i][j].get<double>();
+                found.correlation[i][j] = (*matrix)[i][j].get<double>();
             }
     }
     if (const auto neighbours = document.find("neighbours"); neighbours != document.end() && neighbours->is_array())
         for (std::size_t k = 0; k < neighbours->size(); ++k)
-            surface.neighbours.push_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
+            found.neighbours.push_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
     about_file(name,
-               [&] { SurfaceSampler<double>(surface.parameters, 0); });  // refuses what no sample could be drawn of
+               [&] { SurfaceSampler<double>(found, 0); });  // refuses what no sample could be drawn of
     return surface;
 }
 

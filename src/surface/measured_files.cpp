@@ -7,7 +7,6 @@
 #include <fstiff/measured/pooled_surface.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 namespace fstiff::scene {
@@ -35,50 +34,36 @@ std::vector<std::string> without_folders(const std::vector<std::string>& names) 
     return files;
 }
 
-/// Shortest and longest of the two steps; once more of a profile.
-std::pair<double, double> steps(const MeasuredSurface& one) {
-    if (one.profile) return {one.profile->profile.spacing, one.profile->profile.spacing};
-    return std::minmax(one.map->map.dx, one.map->map.dy);
-}
-
-bool differ(double a, double b) { return std::abs(a - b) > 1e-6 * std::abs(a); }
-
 /// \throws domain_error unless \p one can be pooled with \p first.
 void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, const SurfaceOptions& options) {
-    if (one.kind != first.kind)
-        throw domain_error(one.file + ": is a " + one.kind + ", and " + first.file + " a " + first.kind +
-                           "; files of one surface must be of one kind");
-    const std::string short_name = options.name("lambda_s");
-    const auto alike = [](const std::optional<double>& a, const std::optional<double>& b) {
-        return a.has_value() == b.has_value() && (!a || !differ(*a, *b));
-    };
     const auto shown = [](const std::optional<double>& a) { return a ? shown_length(*a) : std::string("none"); };
-    if (!alike(one.cut_offs.lambda_s, first.cut_offs.lambda_s))
-        throw domain_error(one.file + ": lambda_s " + shown(one.cut_offs.lambda_s) + ", that of " + first.file + " " +
-                           shown(first.cut_offs.lambda_s) + "; files of one surface must have one " + short_name);
-    if (!alike(one.cut_offs.lambda_c, first.cut_offs.lambda_c))
-        throw domain_error(one.file + ": lambda_c " + shown(one.cut_offs.lambda_c) + ", that of " + first.file + " " +
-                           shown(first.cut_offs.lambda_c) + "; files of one surface must have one " +
-                           options.name("lambda_c"));
-    if (!one.cut_offs.lambda_s &&
-        (differ(steps(one).first, steps(first).first) || differ(steps(one).second, steps(first).second)))
-        throw domain_error(one.file + ": has points " + shown_length(steps(one).first) + " apart, and " + first.file +
-                           " " + shown_length(steps(first).first) + "; files of unlike steps must have one " +
-                           short_name);
+    const auto unlike = [&](const std::string& mine, const std::string& other, std::string_view option) {
+        return domain_error(one.file + ": " + mine + first.file + " " + other + "; files of " + std::string(option));
+    };
+    const CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
+    switch (unlikeness(first.found, one.found)) {
+        case Unlikeness::none:
+            return;
+        case Unlikeness::kind:
+            throw unlike("is a " + one.kind + ", and ", "a " + first.kind, "one surface must be of one kind");
+        case Unlikeness::lambda_s:
+            throw unlike("lambda_s " + shown(a.lambda_s) + ", that of ", shown(b.lambda_s),
+                         "one surface must have one " + options.name("lambda_s"));
+        case Unlikeness::lambda_c:
+            throw unlike("lambda_c " + shown(a.lambda_c) + ", that of ", shown(b.lambda_c),
+                         "one surface must have one " + options.name("lambda_c"));
+        case Unlikeness::step:
+            throw unlike("has points " + shown_length(step_of(one.found)) + " apart, and ",
+                         shown_length(step_of(first.found)), "unlike steps must have one " + options.name("lambda_s"));
+    }
 }
 
-/// Cut-offs that the table chose differently for \p parts become the longest of them in \p options, or none where one part
-/// has none. Returns whether there are such.
-bool share_cut_offs(SurfaceOptions& options, const std::vector<MeasuredSurface>& parts) {
+/// Cut-offs that the table chose differently for \p parts become those of all in \p options. Returns whether there are such.
+bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>& parts) {
     const auto share = [&](Lengths& option, std::optional<double> CutOffs<double>::*of) {
-        if (!parse_cut_off(option, "").automatic()) return false;
-        const auto shorter = [&](const MeasuredSurface& a, const MeasuredSurface& b) {
-            return (a.cut_offs.*of).value_or(0) < (b.cut_offs.*of).value_or(0);
-        };
-        const auto [low, high] = std::minmax_element(parts.begin(), parts.end(), shorter);
-        const std::optional<double> least = low->cut_offs.*of, most = high->cut_offs.*of;
-        if (!most || (least && !differ(*least, *most))) return false;
-        option = least ? Lengths(*most) : Lengths("none");
+        const CutOff<double> asked = parse_cut_off(option, ""), shared = shared_cut_off(asked, parts, of);
+        if (!asked.automatic() || shared.automatic()) return false;
+        option = shared.length() ? Lengths(*shared.length()) : Lengths("none");
         return true;
     };
     const bool short_waves = share(options.lambda_s, &CutOffs<double>::lambda_s);
@@ -86,39 +71,10 @@ bool share_cut_offs(SurfaceOptions& options, const std::vector<MeasuredSurface>&
     return short_waves || long_waves;
 }
 
-MeasuredFace<double> measured_face(const MeasuredSurface& one) {
-    const UncertainSurface<double>& p = one.parameters;
-    const auto known = [&](Parameter which) {
-        const std::size_t i = index_of(which);
-        return p.known[i] ? std::optional(p.value[i]) : std::nullopt;
-    };
-    MeasuredFace<double> of;
-    of.face.roughness = {*known(Parameter::rms_height), *known(Parameter::peak_radius), *known(Parameter::peak_density),
-                         one.max_peak_height.value};
-    const Roughness<double>& r = of.face.roughness;
-    of.face.moments =
-        one.heights ? one.heights->moments : moments_of_peaks(r.rms_height, r.peak_radius, r.peak_density);
-    of.face.fractal_dimension = known(Parameter::fractal_dimension);
-    if (one.fractal_roughness) of.face.fractal_roughness = one.fractal_roughness->value;
-    of.face.r = known(Parameter::r);
-    of.face.theta = known(Parameter::theta);
-    of.uncertain = p;
-    of.size = one.size();
-    return of;
-}
-
-/// How much of the shape of all heights counts; where some are not kept, the mean of what counts of each.
-double share_of(const std::vector<MeasuredSurface>& parts) {
-    ShapeOfHeights<double> all;
-    double sum = 0, size = 0;
-    bool kept = true;
-    for (const MeasuredSurface& part : parts) {
-        if (part.profile) all.add(part.profile->profile);
-        if (part.map) all.add(part.map->map);
-        kept = kept && (part.profile || part.map);
-        sum += part.size() * part.shape_share, size += part.size();
-    }
-    return kept ? all.share() : size > 0 ? sum / size : 0;
+std::vector<Surface<double>> found_of(const std::vector<MeasuredSurface>& parts) {
+    std::vector<Surface<double>> all;
+    for (const MeasuredSurface& part : parts) all.push_back(part.found);
+    return all;
 }
 
 /// The names of \p files, or the first and how many more.
@@ -145,99 +101,21 @@ void gather_warnings(MeasuredSurface& whole) {
         }
 }
 
-/// The concerns of every file, and whether the pooled parameters are known.
-std::vector<MeasuredConcern> concerns_of(const MeasuredSurface& whole) {
-    std::vector<MeasuredConcern> all;
-    const auto of_peaks = [](MeasuredConcern concern) {
-        return concern == MeasuredConcern::few_peaks || concern == MeasuredConcern::radius_uncertain ||
-               concern == MeasuredConcern::density_uncertain || concern == MeasuredConcern::parameter_unknown ||
-               concern == MeasuredConcern::implausible_gradient;
-    };
-    for (const MeasuredConcern concern : whole.parts.front().concerns)
-        if (!of_peaks(concern) && std::all_of(whole.parts.begin(), whole.parts.end(), [&](const MeasuredSurface& part) {
-                return std::count(part.concerns.begin(), part.concerns.end(), concern) > 0;
-            }))
-            all.push_back(concern);
-    if (std::any_of(whole.parts.begin(), whole.parts.end(), [](const MeasuredSurface& part) {
-            return std::count(part.concerns.begin(), part.concerns.end(), MeasuredConcern::implausible_gradient) > 0;
-        }))
-        all.push_back(MeasuredConcern::implausible_gradient);
-    const auto& p = whole.parameters;
-    const auto pooled = [&](std::size_t i) { return Measurement<double>{p.value[i], p.error[i]}; };
-    detail::add_peak_concerns(all, whole.peaks, pooled(index_of(Parameter::peak_radius)),
-                              pooled(index_of(Parameter::peak_density)));
-    const bool long_waves = std::count(all.begin(), all.end(), MeasuredConcern::long_waves) > 0;
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        const bool told = long_waves && (i == index_of(Parameter::rms_height) || i == index_of(Parameter::r));
-        if (!told && p.known[i] && !is_known(pooled(i))) {
-            all.push_back(MeasuredConcern::parameter_unknown);
-            break;
-        }
-    }
-    return all;
-}
-
 MeasuredSurface pooled(std::vector<MeasuredSurface> parts) {
     MeasuredSurface whole;
     whole.parts = std::move(parts);
-    std::vector<MeasuredFace<double>> faces;
-    std::vector<HeightStatistics<double>> heights;
-    std::vector<SizedMeasurement<double>> log_roughness, highest;
-    std::vector<double> sizes;
+    whole.found = fstiff::pooled(found_of(whole.parts));
     std::string hashes;
-    for (const MeasuredSurface& part : whole.parts) {
-        faces.push_back(measured_face(part));
-        sizes.push_back(part.size());
-        if (part.heights) heights.push_back(*part.heights);
-        if (part.fractal_roughness)
-            log_roughness.push_back({{std::log(part.fractal_roughness->value),
-                                      part.fractal_roughness->error / part.fractal_roughness->value},
-                                     part.size()});
-        highest.push_back({part.max_peak_height, part.size()});
-        whole.peaks += part.peaks;
-        hashes += part.sha256 + "\n";
-    }
-    const MeasuredFace<double> mean = fstiff::pooled(faces);
-    const MeasuredSurface& first = whole.parts.front();
+    for (const MeasuredSurface& part : whole.parts) hashes += part.sha256 + "\n";
     whole.file = names_of(whole.parts);
     whole.sha256 = sha256(hashes);
-    whole.kind = first.kind;
-    whole.cut_offs = first.cut_offs;
-    whole.parameters = mean.uncertain;
-    double sizes_with_dimension = 0;
-    for (const MeasuredSurface& part : whole.parts)
-        if (part.parameters.known[index_of(Parameter::fractal_dimension)]) {
-            sizes_with_dimension += part.size();
-            whole.dimension_window_error =
-                std::hypot(whole.dimension_window_error, part.size() * part.dimension_window_error);
-        }
-    if (sizes_with_dimension > 0) whole.dimension_window_error /= sizes_with_dimension;
-    whole.max_peak_height = {mean.face.roughness.max_peak_height, pooled_error(highest)};
-    if (mean.face.fractal_roughness)
-        whole.fractal_roughness = Measurement<double>{*mean.face.fractal_roughness,
-                                                      *mean.face.fractal_roughness * pooled_error(log_roughness)};
-    else
-        whole.fractal_refusal = first.fractal_refusal;
-    if (!mean.face.r) whole.peaks_refusal = first.peaks_refusal;
-    whole.widest_band = 0;
-    for (const MeasuredSurface& part : whole.parts) whole.widest_band = std::max(whole.widest_band, part.widest_band);
-    if (heights.size() == sizes.size()) {
-        whole.heights = fstiff::pooled(heights, sizes);
-        whole.shape_share = share_of(whole.parts);
-    }
-    for (std::size_t k = 0; k < first.neighbours.size(); ++k) {
-        std::vector<MeasuredSurface> neighbours;
-        for (const MeasuredSurface& part : whole.parts)
-            if (k < part.neighbours.size()) neighbours.push_back(part.neighbours[k]);
-        if (neighbours.size() == whole.parts.size()) whole.neighbours.push_back(pooled(std::move(neighbours)));
-    }
-    whole.concerns = concerns_of(whole);
+    whole.kind = whole.parts.front().kind;
     whole.decisions = {std::to_string(whole.parts.size()) + " files pooled, each by its " +
-                           (whole.kind == "profile" ? "length" : "area") + ": " + names_of(whole.parts),
-                       sentence_of(whole.cut_offs),
+                           (whole.is_profile() ? "length" : "area") + ": " + names_of(whole.parts),
+                       sentence_of(whole.found.cut_offs),
                        "errors: those of the files, or of their scatter by Student's t where it is greater"};
     gather_warnings(whole);
-    for (std::string& line : peak_warnings(whole.concerns, whole.peaks, whole.parameters))
+    for (std::string& line : peak_warnings(whole.found.concerns, whole.found.peaks_counted, whole.found))
         if (std::count(whole.warnings.begin(), whole.warnings.end(), line) == 0)
             whole.warnings.push_back(std::move(line));
     return whole;
@@ -266,7 +144,7 @@ MeasuredSurface measure_files(MeasureOptions options, const std::vector<std::str
     };
     measure();
     const bool once = std::count(files.begin(), files.end(), "-") > 0;  // standard input is read once
-    if (!once && share_cut_offs(options.input, parts)) measure();
+    if (!once && share_cut_offs(options.input, found_of(parts))) measure();
     for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input);
     MeasuredSurface whole = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts));
     whole.warnings.insert(whole.warnings.begin(), copies.begin(), copies.end());

@@ -17,22 +17,18 @@ bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
     return std::find(concerns.begin(), concerns.end(), one) != concerns.end();
 }
 
-Measurement<double> of(const UncertainSurface<double>& surface, Parameter which) {
-    return {surface.value[index_of(which)], surface.error[index_of(which)]};
-}
-
 double gradient_of(const PreparedProfile<double>& profile) { return profile.rms_gradient; }
 double gradient_of(const PreparedMap<double>& map) { return map.areal.rms_gradient; }
 
 /// What was decided beside the reading of the file, and what is in doubt about \p found.
 template <class Prepared>
-void describe(MeasuredSurface& surface, const Surface<double>& found, const Prepared& prepared,
-              const MeasureOptions& options) {
+void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureOptions& options) {
+    const Surface<double>& found = surface.found;
     auto& said = surface.decisions;
-    const bool profile = surface.kind == "profile";
+    const bool profile = surface.is_profile();
     said.push_back("rms height " + shown_length(prepared.rms_as_read) + " as read, " + shown_length(prepared.rms) +
                    " without its form (" + form_name(prepared) + ")");
-    said.push_back(sentence_of(surface.cut_offs));
+    said.push_back(sentence_of(found.cut_offs));
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
                        std::to_string(found.peaks_counted) + " peaks of the profile");
@@ -54,8 +50,8 @@ void describe(MeasuredSurface& surface, const Surface<double>& found, const Prep
     else if (found.curved)
         warned.push_back("the structure function is no single power law over the window: D is a mean over it");
     if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
-    const bool lay = has(surface.concerns, MeasuredConcern::lay);
-    if (has(surface.concerns, MeasuredConcern::anisotropic) && !lay)
+    const bool lay = has(found.concerns, MeasuredConcern::lay);
+    if (has(found.concerns, MeasuredConcern::anisotropic) && !lay)
         warned.push_back("the map differs along x and y; the models take it for isotropic");
     if (lay)
         warned.push_back(
@@ -65,16 +61,16 @@ void describe(MeasuredSurface& surface, const Surface<double>& found, const Prep
                     : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
                           "): laws over a distribution of peaks take it for isotropic; hybrid and boundary_elements "
                           "take the map as it is");
-    if (has(surface.concerns, MeasuredConcern::long_waves))
+    if (has(found.concerns, MeasuredConcern::long_waves))
         warned.push_back(shown_percent(found.long_wave_share) +
                          " of the mean square height are waves longer than an eighth of the " + surface.kind +
                          ": sigma is that of this length, and a longer one may have more; K goes about as 1/sigma");
-    for (std::string& line : peak_warnings(surface.concerns, found.peaks_counted, surface.parameters))
+    for (std::string& line : peak_warnings(found.concerns, found.peaks_counted, found))
         warned.push_back(std::move(line));
-    if (has(surface.concerns, MeasuredConcern::implausible_gradient))
+    if (has(found.concerns, MeasuredConcern::implausible_gradient))
         warned.push_back(gradient_warning(gradient_of(prepared), "measured"));
     if (is_mostly_waviness(prepared))
-        warned.push_back("lambda_c " + shown_length(*surface.cut_offs.lambda_c) + ", chosen by the table, leaves " +
+        warned.push_back("lambda_c " + shown_length(*found.cut_offs.lambda_c) + ", chosen by the table, leaves " +
                          shown_percent(prepared.rms / prepared.rms_levelled) + " of the rms height of " +
                          shown_length(prepared.rms_levelled) +
                          ": R, D_p and K are those of the short waves alone; lambda_c none keeps the long ones");
@@ -83,10 +79,10 @@ void describe(MeasuredSurface& surface, const Surface<double>& found, const Prep
 }  // namespace
 
 std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& concerns, std::size_t peaks,
-                                       const UncertainSurface<double>& values) {
+                                       const SurfaceParameters<double>& values) {
     std::vector<std::string> lines;
     const auto add_percent = [&](MeasuredConcern concern, Parameter which) {
-        const auto one = of(values, which);
+        const Measurement<double> one = *values.find(which);
         if (has(concerns, concern) && is_known(one))  // what is not known to a factor of two is named below
             lines.push_back(std::string(row_of(which).symbol) + " is known to " +
                             shown_percent(one.error / one.value) + " only");
@@ -100,41 +96,33 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
             "the islands are densest at the highest or the lowest level: this is no maximum, and the pair R, D_p "
             "represents nothing");
     if (has(concerns, MeasuredConcern::parameter_unknown)) {
-        const bool long_waves = has(concerns, MeasuredConcern::long_waves);
         std::string names;
-        for (const ParameterRow& row : std::span(parameter_table).first<surface_parameter_count>())
-            if (values.known[index_of(row.parameter)] && !is_known(of(values, row.parameter)) &&
-                !(long_waves && (row.parameter == Parameter::rms_height || row.parameter == Parameter::r)))
-                names += (names.empty() ? "" : ", ") + std::string(row.symbol) + " (" +
-                         shown_percent(values.error[index_of(row.parameter)] / values.value[index_of(row.parameter)]) +
-                         ")";
+        for (const Parameter which : fstiff::unknown_parameters(values, has(concerns, MeasuredConcern::long_waves)))
+            names += (names.empty() ? "" : ", ") + std::string(row_of(which).symbol) + " (" +
+                     shown_percent(values.find(which)->error / values.find(which)->value) + ")";
         lines.push_back(names + ": not known to a factor of two; a result that rests on it, and its band, is in doubt");
     }
     return lines;
 }
 
-std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const UncertainSurface<double>& used) {
-    const bool no_pair = has(surface.concerns, MeasuredConcern::no_densest_level);
-    const bool long_waves = has(surface.concerns, MeasuredConcern::long_waves);
-    std::vector<Parameter> all;
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        const Parameter which = parameter_table[i].parameter;
-        const bool of_pair = which == Parameter::peak_radius || which == Parameter::peak_density;
-        if (long_waves && (which == Parameter::rms_height || which == Parameter::r)) continue;  // said by itself
-        if (used.known[i] &&
-            (!is_known(of(used, which)) || (no_pair && of_pair && used.value[i] == surface.parameters.value[i])))
-            all.push_back(which);
-    }
+std::vector<Parameter> unknown_parameters(const MeasuredSurface& surface, const SurfaceParameters<double>& used) {
+    const auto& concerns = surface.found.concerns;
+    std::vector<Parameter> all = fstiff::unknown_parameters(used, has(concerns, MeasuredConcern::long_waves));
+    if (has(concerns, MeasuredConcern::no_densest_level))
+        for (const Parameter which : {Parameter::peak_radius, Parameter::peak_density})
+            if (used.find(which)->value == surface.found.find(which)->value) all.push_back(which);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }
 
 bool is_profile_with_lay(const MeasuredSurface& surface) {
-    return surface.kind == "profile" && has(surface.concerns, MeasuredConcern::lay);
+    return surface.is_profile() && has(surface.found.concerns, MeasuredConcern::lay);
 }
 
 bool is_doubtful(const MeasuredSurface& surface) {
-    return has(surface.concerns, MeasuredConcern::implausible_gradient) || is_profile_with_lay(surface) ||
-           !unknown_parameters(surface, surface.parameters).empty();
+    return has(surface.found.concerns, MeasuredConcern::implausible_gradient) || is_profile_with_lay(surface) ||
+           !unknown_parameters(surface, surface.found).empty();
 }
 
 namespace {
@@ -183,32 +171,11 @@ MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInpu
     return surface;
 }
 
-/// \p found, which was read as \p read says, with its sentences and its neighbours.
-MeasuredSurface with_sentences(const MeasuredSurface& read, Surface<double>&& found, MeasureOptions options) {
-    MeasuredSurface surface = read;
-    surface.profile = found.profile;
-    surface.map = found.map;
-    surface.measured_size = found.size;
-    surface.cut_offs = found.cut_offs;
-    surface.concerns = found.concerns;
-    surface.peaks = found.peaks_counted;
-    surface.parameters = uncertain(found);
-    if (surface.profile) describe(surface, found, *surface.profile, options);
-    if (surface.map) describe(surface, found, *surface.map, options);
-    surface.heights = found.heights;
-    surface.shape_share = found.shape_share;
-    surface.max_peak_height = found.max_peak_height;
-    surface.dimension_window_error = found.dimension_window_error;
-    surface.widest_band = found.widest_band;
-    surface.fractal_roughness = found.fractal_roughness;
-    surface.fractal_refusal = found.why_no_dimension;
-    surface.peaks_refusal = found.why_no_peaks;
-    surface.profile_fit = std::move(found.profile_fit);
-    surface.map_fit = std::move(found.map_fit);
-    if (found.islands) surface.islands = std::move(found.islands->curve);
-    options.resamples = 2;  // as measure() takes of them
-    for (Surface<double>& neighbour : found.neighbours)
-        surface.neighbours.push_back(with_sentences(read, std::move(neighbour), options));
+/// \p surface, in which \p found was found, with the sentences on it.
+MeasuredSurface with_sentences(MeasuredSurface surface, Surface<double>&& found, const MeasureOptions& options) {
+    surface.found = std::move(found);
+    if (surface.found.profile) describe(surface, *surface.found.profile, options);
+    if (surface.found.map) describe(surface, *surface.found.map, options);
     return surface;
 }
 
@@ -234,18 +201,15 @@ MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInpu
                           options);
 }
 
-double MeasuredSurface::size() const {
-    double size = measured_size;
-    for (const MeasuredSurface& part : parts) size += part.size();
-    return size;
+std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
+    return parameter_lines(surface, surface.found);
 }
 
-std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
-    const bool profile = surface.kind == "profile";
-    const auto& p = surface.parameters;
-    const auto unknown = unknown_parameters(surface, p);
+std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surface<double>& found) {
+    const bool profile = of.is_profile();
+    const auto unknown = unknown_parameters(of, found);
     const auto line = [&](Parameter which, std::string unit, std::string how) {
-        return ParameterLine{std::string(row_of(which).key), std::move(unit), of(p, which), std::move(how),
+        return ParameterLine{std::string(row_of(which).key), std::move(unit), *found.find(which), std::move(how),
                              std::count(unknown.begin(), unknown.end(), which) == 0};
     };
     std::vector<ParameterLine> lines{
@@ -256,18 +220,18 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
     const auto add = [&](const char* name, const Measurement<double>& one, const char* how) {
         lines.push_back({name, "m", one, how, is_known(one)});
     };
-    if (surface.max_peak_height.value > 0)
-        add("max_peak_height", surface.max_peak_height, "highest point; the error is a lower bound");
-    if (p.known[index_of(Parameter::fractal_dimension)])
+    if (found.max_peak_height.value > 0)
+        add("max_peak_height", found.max_peak_height, "highest point; the error is a lower bound");
+    if (found.fractal_dimension)
         lines.push_back(line(Parameter::fractal_dimension, "",
                              profile ? "structure function, (2.5)" : "structure functions along x and y, (2.5)"));
-    if (surface.fractal_roughness) add("fractal_roughness", *surface.fractal_roughness, "the same");
-    if (p.known[index_of(Parameter::r)]) {
+    if (found.fractal_roughness) add("fractal_roughness", *found.fractal_roughness, "the same");
+    if (found.r && found.theta) {
         lines.push_back(line(Parameter::r, "", "triples of neighbours, (4.1)"));
         lines.push_back(line(Parameter::theta, "", "triples of neighbours, (4.3) [rad]"));
     }
-    if (surface.heights) {
-        const HeightStatistics<double>& heights = *surface.heights;
+    if (found.heights) {
+        const HeightStatistics<double>& heights = *found.heights;
         lines.push_back({"rms_gradient", "", heights.rms_gradient,
                          profile ? "root of twice the mean square slope" : "neighbours along x and y"});
         lines.push_back({"skewness", "", heights.skewness, "of the heights; 0 of Gaussian ones"});

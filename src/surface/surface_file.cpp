@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/surface_file.hpp"
 
-#include "surface/cleaning.hpp"
 #include "document/shown_unit.hpp"
 #include "instances/surface_instances.hpp"
 

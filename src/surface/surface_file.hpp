@@ -2,7 +2,6 @@
 #pragma once
 // A measured surface: the reading of its file, and the removal of the form.
 
-#include "surface/cut_offs.hpp"
 #include "document/file.hpp"
 #include "surface/surface_options.hpp"
 
@@ -41,6 +40,32 @@ struct SurfaceInput {
 /// where they come from. \throws domain_error for heights or steps that are no surface.
 [[nodiscard]] SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights,
                                               const std::string& origin);
+
+/// Crops, masks, takes spikes out and fills, in this order, as the options say; each is told in the details of the record.
+/// \throws domain_error, file_error for the mask.
+void clean(const SurfaceOptions& options, io::Surface& surface);
+
+/// What could have been asked of clean() and was not: of spikes and of \p missing points, with the option's name.
+[[nodiscard]] std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io::Surface& surface);
+
+/// What is known of the instrument [m]; 0: not known.
+struct Instrument {
+    double tip_radius = 0, resolution = 0;
+};
+/// \throws domain_error, which quotes the text of an option.
+[[nodiscard]] Instrument instrument_of(const SurfaceOptions& options);
+
+/// The options of the library for \p options: cut-offs, instrument and filter, without form and cleaning.
+/// \throws domain_error, which quotes the text of an option.
+[[nodiscard]] fstiff::MeasureOptions<double> library_options(const SurfaceOptions& options);
+
+/// \throws domain_error with the name of the option for a cut-off that was given and that a surface of \p step (the
+/// coarser one) and \p length (the shorter one) cannot hold.
+void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOptions<double>& given, double step,
+                      double length);
+
+/// The cut-offs and their reasons.
+[[nodiscard]] std::string sentence_of(const CutOffs<double>& cut_offs);
 
 /// The options of the library for a surface, of a profile or of a map.
 /// \throws option_error for the form of the other kind or a cut-off without its filter, domain_error when the surface

@@ -60,14 +60,14 @@ double parse_length(const Lengths& given, std::string_view name) {
 }
 
 LagWindow<double> parse_window(const Lengths& given, std::string_view name) {
-    const std::vector<std::string> parts = split_at_commas(given.text());
+    std::vector<Lengths> ends(given.metres().begin(), given.metres().end());
+    if (ends.empty())
+        for (std::string& part : split_at_commas(given.text())) ends.emplace_back(std::move(part));
     const std::string quoted = std::string(name) + " = \"" + given.text() + "\": ";
-    if (parts.size() < 2) throw option_error(quoted + "must be two lengths, such as \"1 um,100 um\"");
-    if (parts.size() > 2)
+    if (ends.size() < 2) throw option_error(quoted + "must be two lengths, such as \"1 um,100 um\"");
+    if (ends.size() > 2)
         throw option_error(quoted + "must be two lengths with one comma between them; the decimal mark is the point");
-    const bool numbers = !given.metres().empty();
-    const auto one = [&](std::size_t i) { return numbers ? Lengths(given.metres()[i]) : Lengths(parts[i]); };
-    const LagWindow<double> window{parse_length(one(0), name), parse_length(one(1), name)};
+    const LagWindow<double> window{parse_length(ends[0], name), parse_length(ends[1], name)};
     if (!(window.from < window.to)) throw option_error(quoted + "the first length must be less than the second");
     return window;
 }

@@ -5,7 +5,7 @@
 #include "document/shown_unit.hpp"
 #include "instances/surface_instances.hpp"
 
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include <algorithm>
 #include <cmath>

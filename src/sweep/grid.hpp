@@ -9,7 +9,7 @@
 //
 // The quantity that stands last in the file varies fastest; the draws of one point of the grid stand side by side.
 
-#include "scene/range.hpp"
+#include "scene/scene.hpp"
 #include "sweep/draws.hpp"
 
 #include <fstiff/core/names.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/scene_maker.hpp"
 
-#include "scene/read_table.hpp"
+#include "scene/source.hpp"
 #include "sweep/template.hpp"
 
 #include <fstiff/contact/contact_law.hpp>
@@ -23,8 +23,7 @@ constexpr std::size_t most_scenes_read = 16;  // of the cache: measured maps are
 /// A parameter of [surface], and where the contact takes it from.
 template <Parameter parameter>
 void put_parameter(Scene& scene, std::size_t, double value) {
-    scene.uncertain.value[index_of(parameter)] = value;
-    scene.take_uncertain();
+    scene.face.parameters.find(parameter)->value = value;
 }
 
 void put_point(Scene& scene, std::size_t place, double value) { scene.points[place] = value; }
@@ -92,7 +91,7 @@ void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& sce
             }
             constexpr double room = 1e-3;  // so that no end falls out by rounding
             const LawRange<double> wider{pressures[0] * (1 - room), pressures[1] * (1 + room)};
-            made.contact = std::make_unique<Tabulated>(made.contact->tabulate(wider), scene.surface.rms_height);
+            made.contact = std::make_unique<Tabulated>(made.contact->tabulate(wider), scene.face.parameters.rms_height.value);
         } catch (const domain_error&) {  // no table of this law, or not so far: point by point
         }
     }
@@ -152,10 +151,10 @@ SceneMaker::SceneMaker(const Grid& grid) : grid_(grid) {
     const auto point =
         std::find_if(setters_.begin(), setters_.end(), [](const Setter& one) { return one.put == put_point; });
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());
-    // boundary elements begin with the solution of the point before, and another law may not be computed so
+    // boundary elements take seconds a point, and another law may not be computed so
     folds_ = point != setters_.end() && first->points.size() == 1 &&
              std::all_of(first->laws.begin(), first->laws.end(),
-                         [](const scene::ChosenLaw& chosen) { return chosen.law->varies; }) &&
+                         [](const scene::Law* law) { return law->varies; }) &&
              std::none_of(grid.axes.begin(), grid.axes.end(),
                           [](const Axis& axis) { return axis.key.starts_with("contact.laws"); });
     if (grid.tabulate) find_table_range(*first);

@@ -7,6 +7,7 @@
 #include "support/skip.hpp"
 
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/measured/pooled_surface.hpp>
 #include <fstiff/measured/widened_band.hpp>
 #ifdef FSTIFF_TEST_HAS_C
 #include <fstiff.h>
@@ -193,6 +194,36 @@ TEST_CASE("The command, the headers and C find the same numbers in every file of
     }
     (void)measured_files(FSTIFF_SCENES);
     CHECK(measured_files(FSTIFF_TEST_DATA "/formats") > 0);
+}
+
+TEST_CASE("The command and the headers pool several measurements of one surface to the same numbers") {
+    test::Folder folder;
+    const auto require_pooled = [&](const std::string& kind, const std::vector<std::string>& made, auto heights) {
+        std::string names;
+        for (const std::string& how : made) {
+            scene::SurfaceOptions options;
+            options.file = folder.write(kind + std::to_string(heights.size()) + ".txt",
+                                        test::run_fstiff("generate " + kind + " " + how).out);
+            names += " '" + options.file + "'";
+            heights.push_back(std::get<typename decltype(heights)::value_type>(
+                scene::read_surface_input(options).surface.data));
+        }
+        const auto document = test::json_of("measure" + names);
+        const Surface<double> surface = measure(heights);
+        require_same(document, surface);
+        CHECK(surface.parts.size() == made.size());
+        CHECK(surface.neighbours.size() == 2);
+        std::vector<std::string> concerns;
+        for (const MeasuredConcern one : surface.concerns) concerns.emplace_back(name_of(one));
+        CHECK(document["concerns"] == concerns);
+    };
+    const std::string trace = "--longest '90 um' --hurst 0.4 --rms '0.3 um' --points ";
+    require_pooled("profile",  // the tables choose another lambda_s for the third
+                   {trace + "4096 --spacing '0.5 um'", trace + "3000 --spacing '0.5 um' --seed 2",
+                    trace + "2048 --spacing '0.6 um' --seed 3"},
+                   std::vector<Profile<double>>{});
+    const std::string map = "--spacing '0.5 um' --longest '12 um' --hurst 0.7 --rms '0.2 um' --points ";
+    require_pooled("map", {map + "96", map + "80 --seed 2"}, std::vector<HeightMap<double>>{});
 }
 
 TEST_CASE("The command and the headers find the same K and the same band of it") {

@@ -5,7 +5,7 @@
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 #include <fstiff/ultrasound/spring_interface.hpp>
 
 #include "support/accuracy.hpp"

@@ -11,8 +11,8 @@ using namespace fstiff;
 
 namespace {
 
-UncertainSurface<double> surface() {
-    UncertainSurface<double> s;
+SurfaceParameters<double> surface() {
+    SurfaceParameters<double> s;
     s.set(Parameter::rms_height, {1e-6, 2e-7});
     s.set(Parameter::peak_radius, {2e-5, 0});
     s.set(Parameter::peak_density, {3e9, 0});
@@ -68,8 +68,8 @@ TEST_CASE("The same seed gives the same band, and what is not a number is counte
 TEST_CASE("No surfaces, surfaces out of range and values that change their number are refused") {
     CHECK(test::refusal([] { (void)sampled_band(surface(), both, {.samples = 0}); }) ==
           "samples = 0: must be at least 1");
-    UncertainSurface<double> bad = surface();
-    bad.value[0] = -1;
+    SurfaceParameters<double> bad = surface();
+    bad.rms_height.value = -1;
     CHECK(test::refusal([&] { (void)sampled_band(bad, both); }).starts_with("rms_height = -1: must be"));
     std::size_t size = 0;
     CHECK(test::refusal([&] {

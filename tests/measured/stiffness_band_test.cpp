@@ -14,8 +14,8 @@ using test::relative_error;
 
 namespace {
 
-UncertainSurface<double> surface() {
-    UncertainSurface<double> s;
+SurfaceParameters<double> surface() {
+    SurfaceParameters<double> s;
     s.set(Parameter::rms_height, {0.832e-6, 0});
     s.set(Parameter::peak_radius, {40e-6, 0});
     s.set(Parameter::peak_density, {500e6, 0});
@@ -42,8 +42,14 @@ TEST_CASE("Without errors the band is K itself") {
 }
 
 TEST_CASE("The band is that of a loop over the surfaces, and of its seed") {
-    UncertainSurface<double> s = surface();
-    s.error = {0.1e-6, 4e-6, 100e6, 0.05, 0.1, 0.1};
+    SurfaceParameters<double> s = surface();
+    for (const auto& [which, error] : {std::pair{Parameter::rms_height, 0.1e-6},
+                                       {Parameter::peak_radius, 4e-6},
+                                       {Parameter::peak_density, 100e6},
+                                       {Parameter::fractal_dimension, 0.05},
+                                       {Parameter::r, 0.1},
+                                       {Parameter::theta, 0.1}})
+        s.find(which)->error = error;
     const auto band = stiffness_band(s, pressures, fractal, 112.6e9, {.samples = 101, .seed = 3});
     SurfaceSampler<double> draw(s, 3);
     std::vector<std::vector<double>> k(2);
@@ -64,8 +70,8 @@ TEST_CASE("The band is that of a loop over the surfaces, and of its seed") {
 }
 
 TEST_CASE("The band over the error of the density of peaks is that of its quantiles") {
-    UncertainSurface<double> s = surface();
-    s.error[static_cast<std::size_t>(Parameter::peak_density)] = 100e6;
+    SurfaceParameters<double> s = surface();
+    s.peak_density.error = 100e6;
     // p and K are both proportional to D_p: at a pressure p of the surface with c D_p, K = c K_1(p/c) of the surface itself
     const auto contact_of = [](const auto& drawn) { return GreenwoodWilliamson<double>(roughness_of(drawn), 112.6e9); };
     const auto band = stiffness_band(s, pressures, contact_of, {.samples = 4001, .seed = 1});
@@ -83,8 +89,8 @@ TEST_CASE("The band over the error of the density of peaks is that of its quanti
 }
 
 TEST_CASE("Surfaces that do not reach a pressure are left out there, and what cannot be is refused") {
-    UncertainSurface<double> s = surface();
-    s.error[0] = 0.2e-6;
+    SurfaceParameters<double> s = surface();
+    s.rms_height.error = 0.2e-6;
     const auto at = stiffness_band(s, std::vector{1e-287, 1e6},
                                    [](const auto& drawn) {
                                        return RoughContact(roughness_of(drawn), PeakDistribution<double>(0.6, 1.1),
@@ -93,7 +99,7 @@ TEST_CASE("Surfaces that do not reach a pressure are left out there, and what ca
                                    {.samples = 50});
     CHECK((at[0].failed > 0 && at[1].failed == 0));
 
-    s.known[static_cast<std::size_t>(Parameter::r)] = false;
+    s.r.reset();
     CHECK(test::refusal([&] { (void)stiffness_band(s, pressures, fractal, 112.6e9); }) ==
           "r and theta of the surface are not known: must be known for the density of its peaks");
     CHECK(test::refusal([&] { (void)stiffness_band(surface(), std::vector{-1.0}, fractal, 112.6e9); }) ==

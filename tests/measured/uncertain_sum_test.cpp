@@ -11,58 +11,60 @@ using namespace fstiff;
 
 namespace {
 
-RoughFace<double> face(double rms, double radius, double density, double dimension) {
-    return {{rms, radius, density, 0}, moments_of_peaks(rms, radius, density), dimension, {}, 0.3, 0.6};
-}
-
-UncertainSurface<double> with_errors(const RoughFace<double>& face, double relative) {
-    UncertainSurface<double> of;
-    of.set(Parameter::rms_height, {face.roughness.rms_height, relative * face.roughness.rms_height});
-    of.set(Parameter::peak_radius, {face.roughness.peak_radius, 2 * relative * face.roughness.peak_radius});
-    of.set(Parameter::peak_density, {face.roughness.peak_density, relative * face.roughness.peak_density});
-    of.set(Parameter::fractal_dimension, {*face.fractal_dimension, relative / 5});
-    of.set(Parameter::r, {*face.r, relative / 4});
-    of.set(Parameter::theta, {*face.theta, relative / 4});
+SurfaceParameters<double> face(double rms, double radius, double density, double dimension, double relative) {
+    SurfaceParameters<double> of;
+    of.rms_height = {rms, relative * rms};
+    of.peak_radius = {radius, 2 * relative * radius};
+    of.peak_density = {density, relative * density};
+    of.fractal_dimension = {dimension, relative / 5};
+    of.r = {0.3, relative / 4};
+    of.theta = {0.6, relative / 4};
     of.correlation[0][1] = of.correlation[1][0] = -0.6;
     return of;
+}
+
+SpectralMoments<double> moments_of(const SurfaceParameters<double>& face) {
+    return moments_of_peaks(face.rms_height.value, face.peak_radius.value, face.peak_density.value);
+}
+
+SurfaceParameters<double> sum_of(const SurfaceParameters<double>& a, const SurfaceParameters<double>& b) {
+    return uncertain_sum(a, moments_of(a), b, moments_of(b));
 }
 
 }  // namespace
 
 TEST_CASE("errors of a sum of two faces are those of its derivatives") {
-    const auto a = face(1e-6, 2e-5, 1e9, 1.3), b = face(6e-7, 5e-5, 3e9, 1.5);
-    const auto of_a = with_errors(a, 0.02), of_b = with_errors(b, 0.03);
-    const auto sum = uncertain_sum(a, of_a, b, of_b);
+    const auto a = face(1e-6, 2e-5, 1e9, 1.3, 0.02), b = face(6e-7, 5e-5, 3e9, 1.5, 0.03);
+    const auto sum = sum_of(a, b);
     // sigma: d sigma = (sigma_a d sigma_a + sigma_b d sigma_b)/sigma
     const double sigma = std::hypot(1e-6, 6e-7);
-    CHECK(test::relative_error(sum.value[0], sigma) < 1e-15);
-    CHECK(test::relative_error(sum.error[0], std::hypot(1e-6 * 2e-8, 6e-7 * 1.8e-8) / sigma) < 0.03);
+    CHECK(test::relative_error(sum.rms_height.value, sigma) < 1e-15);
+    CHECK(test::relative_error(sum.rms_height.error, std::hypot(1e-6 * 2e-8, 6e-7 * 1.8e-8) / sigma) < 0.03);
     // R^-2 adds: dR/R = R^2 (dR_a/R_a^3 + dR_b/R_b^3)
     const double R = 1 / std::sqrt(1 / 4e-10 + 1 / 25e-10);
-    CHECK(test::relative_error(sum.value[1], R) < 1e-14);
-    CHECK(test::relative_error(sum.error[1] / R, R * R * std::hypot(0.04 / 4e-10, 0.06 / 25e-10)) < 0.03);
+    CHECK(test::relative_error(sum.peak_radius.value, R) < 1e-14);
+    CHECK(test::relative_error(sum.peak_radius.error / R, R * R * std::hypot(0.04 / 4e-10, 0.06 / 25e-10)) < 0.03);
     // correlation of sigma and R: both by the same face
     const double shared =
         -0.6 * (1e-6 * 2e-8 / sigma * R * R * R * 0.04 / 4e-10 + 6e-7 * 1.8e-8 / sigma * R * R * R * 0.06 / 25e-10);
-    CHECK(std::abs(sum.correlation[0][1] - shared / (sum.error[0] * sum.error[1])) < 0.04);
-    const double share = share_of_face(a, b);
-    CHECK(test::relative_error(sum.error[3], std::hypot(share * 0.004, (1 - share) * 0.006)) < 0.03);
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) CHECK(sum.known[i]);
+    CHECK(std::abs(sum.correlation[0][1] - shared / (sum.rms_height.error * sum.peak_radius.error)) < 0.04);
+    const double share = share_of_face(rough_face(a, moments_of(a)), rough_face(b, moments_of(b)));
+    CHECK(test::relative_error(sum.fractal_dimension->error, std::hypot(share * 0.004, (1 - share) * 0.006)) < 0.03);
+    CHECK(sum.r);
+    CHECK(sum.theta);
 }
 
 TEST_CASE("beside a face that is nearly smooth the errors stay") {
-    const auto a = face(1e-6, 2e-5, 1e9, 1.3);
-    auto b = face(1e-15, 2e4, 1e9, 1.3);
-    const auto of_a = with_errors(a, 0.05), of_b = with_errors(b, 0.05);
-    const auto sum = uncertain_sum(a, of_a, b, of_b);
+    const auto a = face(1e-6, 2e-5, 1e9, 1.3, 0.05);
+    auto b = face(1e-15, 2e4, 1e9, 1.3, 0.05);
+    const auto sum = sum_of(a, b);
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        CHECK(test::relative_error(sum.value[i], of_a.value[i]) < 1e-7);
-        CHECK(test::relative_error(sum.error[i], of_a.error[i]) < 0.05);
+        const auto which = static_cast<Parameter>(i);
+        CHECK(test::relative_error(sum.find(which)->value, a.find(which)->value) < 1e-7);
+        CHECK(test::relative_error(sum.find(which)->error, a.find(which)->error) < 0.05);
     }
     b.r.reset(), b.theta.reset();
-    auto unknown = of_b;
-    unknown.known[4] = unknown.known[5] = false;
-    CHECK(!uncertain_sum(a, of_a, b, unknown).known[4]);
+    CHECK(!sum_of(a, b).r);
 }
 
 TEST_CASE("skewness and kurtosis of a sum are those of all pairs of heights") {

@@ -18,9 +18,12 @@ using Draw = std::array<double, surface_parameter_count>;
 
 std::size_t place(Parameter which) { return static_cast<std::size_t>(which); }
 
+/// The parameter \p i of \p s, which is known.
+auto& at(auto& s, std::size_t i) { return *s.find(static_cast<Parameter>(i)); }
+
 /// Everything known, errors of 5 % and so small beside the ranges that nothing is cut off, a correlation of each kind.
-UncertainSurface<double> surface() {
-    UncertainSurface<double> s;
+SurfaceParameters<double> surface() {
+    SurfaceParameters<double> s;
     s.set(Parameter::rms_height, {1e-6, 5e-8});
     s.set(Parameter::peak_radius, {2e-5, 4e-6});
     s.set(Parameter::peak_density, {3e9, 1.5e9});
@@ -36,7 +39,7 @@ UncertainSurface<double> surface() {
     return s;
 }
 
-std::vector<Draw> draws(const UncertainSurface<double>& s, int count, std::uint64_t seed = 1) {
+std::vector<Draw> draws(const SurfaceParameters<double>& s, int count, std::uint64_t seed = 1) {
     SurfaceSampler<double> sample(s, seed);
     std::vector<Draw> all;
     for (int k = 0; k < count; ++k) all.push_back(sample());
@@ -70,7 +73,7 @@ Moments moments(const std::vector<Draw>& all, const Of& of) {
     return m;
 }
 
-std::string refusal_of(const UncertainSurface<double>& s) {
+std::string refusal_of(const SurfaceParameters<double>& s) {
     return test::refusal([&] { (void)SurfaceSampler<double>(s, 1); });
 }
 
@@ -92,10 +95,10 @@ TEST_CASE("Many draws have the values, the errors and the correlation that were 
     const auto all = draws(s, count);
     const auto m = moments(all, normal_part);
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        const double relative = s.error[i] / s.value[i];
+        const double relative = at(s, i).error / at(s, i).value;
         const bool log = i < place(Parameter::fractal_dimension);
-        const double centre = log ? std::log(s.value[i]) : s.value[i];
-        const double spread = log ? std::sqrt(std::log(1 + relative * relative)) : s.error[i];
+        const double centre = log ? std::log(at(s, i).value) : at(s, i).value;
+        const double spread = log ? std::sqrt(std::log(1 + relative * relative)) : at(s, i).error;
         CAPTURE(i);
         // four standard errors of a mean, of a standard deviation and of a correlation of that many normal numbers
         CHECK(std::abs(m.mean[i] - centre) <= 4 * spread / root);
@@ -117,20 +120,20 @@ TEST_CASE("Many draws have the values, the errors and the correlation that were 
     // of the values themselves, lognormal: median v, mean v sqrt(1 + q), deviation e sqrt(1 + q), q = (e/v)^2
     const auto plain = moments(all, [](const Draw& draw, std::size_t i) { return draw[i]; });
     for (std::size_t i = 0; i < place(Parameter::fractal_dimension); ++i) {
-        const double growth = std::sqrt(1 + std::pow(s.error[i] / s.value[i], 2));
-        CHECK(std::abs(plain.mean[i] - s.value[i] * growth) <= 4 * s.error[i] * growth / root);
+        const double growth = std::sqrt(1 + std::pow(at(s, i).error / at(s, i).value, 2));
+        CHECK(std::abs(plain.mean[i] - at(s, i).value * growth) <= 4 * at(s, i).error * growth / root);
         // at an error of half the value the fourth moment is 17 times that of a normal number
-        CHECK(test::relative_error(plain.deviation[i], s.error[i] * growth) <= 0.04);
+        CHECK(test::relative_error(plain.deviation[i], at(s, i).error * growth) <= 0.04);
     }
 }
 
 TEST_CASE("Draws stay in the range of every parameter, however large the errors") {
     auto s = surface();
-    s.value[place(Parameter::fractal_dimension)] = 1.02;
-    s.value[place(Parameter::r)] = 0.0;
-    s.value[place(Parameter::theta)] = 1.5;
+    at(s, place(Parameter::fractal_dimension)).value = 1.02;
+    at(s, place(Parameter::r)).value = 0.0;
+    at(s, place(Parameter::theta)).value = 1.5;
     s.correlation = uncorrelated<double>();
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) s.error[i] = i < 3 ? 5 * s.value[i] : 0.5;
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) at(s, i).error = i < 3 ? 5 * at(s, i).value : 0.5;
     bool inside = true;
     double less = 0, below = 0;
     const int count = 20000;
@@ -139,7 +142,7 @@ TEST_CASE("Draws stay in the range of every parameter, however large the errors"
         for (std::size_t i = 0; i < surface_parameter_count; ++i)
             inside = inside && parameter_in_range(static_cast<Parameter>(i), draw[i]) && std::isfinite(draw[i]);
         less += draw[place(Parameter::r)] < 0.5 ? 1.0 / count : 0;
-        below += draw[0] < s.value[0] ? 1.0 / count : 0;
+        below += draw[0] < at(s, 0).value ? 1.0 / count : 0;
     }
     CHECK(inside);
     // cut, not folded or pressed to the border: r is half a normal number of deviation 0.5 below 1
@@ -149,13 +152,12 @@ TEST_CASE("Draws stay in the range of every parameter, however large the errors"
 
 TEST_CASE("Errors of 0 give the values, and what is not known stays 0") {
     auto s = surface();
-    s.error = {};
-    for (const auto& draw : draws(s, 10)) CHECK(draw == s.value);
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) at(s, i).error = 0;
+    for (const auto& draw : draws(s, 10)) CHECK(draw == s.values());
     s = surface();
-    s.error[place(Parameter::peak_radius)] = 0;
-    s.known[place(Parameter::r)] = s.known[place(Parameter::theta)] = false;
-    s.value[place(Parameter::r)] = nan_value;                                      // nobody asks
-    s.correlation[place(Parameter::r)][place(Parameter::rms_height)] = nan_value;  // nor for this
+    at(s, place(Parameter::peak_radius)).error = 0;
+    s.r.reset(), s.theta.reset();
+    s.correlation[place(Parameter::r)][place(Parameter::rms_height)] = nan_value;  // nobody asks
     for (const auto& draw : draws(s, 10)) {
         CHECK(draw[place(Parameter::peak_radius)] == 2e-5);
         CHECK(draw[place(Parameter::rms_height)] != 1e-6);
@@ -171,8 +173,9 @@ TEST_CASE("Errors that are wholly correlated move together") {
     s.correlation[3][4] = s.correlation[4][3] = -1;
     for (const auto& draw : draws(s, 100)) {
         const auto z = [&](std::size_t i) {
-            return i < 3 ? std::log(draw[i] / s.value[i]) / std::sqrt(std::log1p(std::pow(s.error[i] / s.value[i], 2)))
-                         : (draw[i] - s.value[i]) / s.error[i];
+            const auto [value, error] = at(s, i);
+            return i < 3 ? std::log(draw[i] / value) / std::sqrt(std::log1p(std::pow(error / value, 2)))
+                         : (draw[i] - value) / error;
         };
         // the root of rounding, 1e-16, is all that an eigenvalue of 0 may leave
         CHECK(std::abs(z(0) - z(1)) <= 1e-6);
@@ -189,8 +192,8 @@ TEST_CASE("The unit of length leaves the draws alone") {
     const double unit = GENERATE(0x1p30, 1e9, 1e-9);
     auto there = surface();
     for (const auto& [i, by] : {std::pair{0, unit}, std::pair{1, unit}, std::pair{2, 1 / unit / unit}}) {
-        there.value[static_cast<std::size_t>(i)] *= by;
-        there.error[static_cast<std::size_t>(i)] *= by;
+        at(there, static_cast<std::size_t>(i)).value *= by;
+        at(there, static_cast<std::size_t>(i)).error *= by;
     }
     const auto a = draws(surface(), 20), b = draws(there, 20);
     for (std::size_t k = 0; k < a.size(); ++k) {
@@ -209,17 +212,17 @@ TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
     CHECK(refusal_of(surface()).empty());
     const std::string positive = "must be finite and greater than 0";
     const std::string dimension = "must be between 1 and 2, both excluded";
-    CHECK(with([](auto& s) { s.value[0] = 0; }) == "rms_height = 0: " + positive);
-    CHECK(with([](auto& s) { s.value[1] = -2e-5; }) == "peak_radius = -2e-05: " + positive);
-    CHECK(with([](auto& s) { s.value[2] = std::numeric_limits<double>::infinity(); }) ==
+    CHECK(with([](auto& s) { at(s, 0).value = 0; }) == "rms_height = 0: " + positive);
+    CHECK(with([](auto& s) { at(s, 1).value = -2e-5; }) == "peak_radius = -2e-05: " + positive);
+    CHECK(with([](auto& s) { at(s, 2).value = std::numeric_limits<double>::infinity(); }) ==
           "peak_density = inf: " + positive);
-    CHECK(with([](auto& s) { s.value[3] = 1; }) == "fractal_dimension = 1: " + dimension);
-    CHECK(with([](auto& s) { s.value[3] = nan_value; }) == "fractal_dimension = nan: " + dimension);
-    CHECK(with([](auto& s) { s.value[4] = 1; }) == "r = 1: must be at least 0 and less than 1");
-    CHECK(with([](auto& s) { s.value[5] = 1.6; }) == "theta = 1.6: must be between 0 and pi/2, both excluded");
-    CHECK(with([](auto& s) { s.error[0] = -1e-9; }) == "rms_height error = -1e-09: must be finite and not negative");
-    CHECK(with([](auto& s) { s.error[4] = nan_value; }) == "r error = nan: must be finite and not negative");
-    CHECK(with([](auto& s) { s.error[5] = std::numeric_limits<double>::infinity(); }) ==
+    CHECK(with([](auto& s) { at(s, 3).value = 1; }) == "fractal_dimension = 1: " + dimension);
+    CHECK(with([](auto& s) { at(s, 3).value = nan_value; }) == "fractal_dimension = nan: " + dimension);
+    CHECK(with([](auto& s) { at(s, 4).value = 1; }) == "r = 1: must be at least 0 and less than 1");
+    CHECK(with([](auto& s) { at(s, 5).value = 1.6; }) == "theta = 1.6: must be between 0 and pi/2, both excluded");
+    CHECK(with([](auto& s) { at(s, 0).error = -1e-9; }) == "rms_height error = -1e-09: must be finite and not negative");
+    CHECK(with([](auto& s) { at(s, 4).error = nan_value; }) == "r error = nan: must be finite and not negative");
+    CHECK(with([](auto& s) { at(s, 5).error = std::numeric_limits<double>::infinity(); }) ==
           "theta error = inf: must be finite and not negative");
     CHECK(with([](auto& s) { s.correlation[0][1] = s.correlation[1][0] = 1.1; }) ==
           "correlation = 1.1: must be symmetric, between -1 and 1");
@@ -237,13 +240,13 @@ TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
     CHECK(sentence.find("least eigenvalue of the correlation = -0.") == 0);  // 1 - 2 * 0.9, but for rounding
 
     auto s = surface();  // so wide that hardly a draw lies between 1 and 2
-    s.error[3] = 1e9;
+    at(s, 3).error = 1e9;
     SurfaceSampler<double> sample(s, 1);
     CHECK(test::refusal([&] { (void)sample(); }) ==
           "errors so large that 1000 draws in a row leave the range of D, r or theta: must be smaller");
     s = surface();  // a spread of e^1000
-    s.error[0] = 1e300;
-    s.value[0] = 1e-300;
+    at(s, 0).error = 1e300;
+    at(s, 0).value = 1e-300;
     SurfaceSampler<double> wide(s, 1);
     for (int k = 0; k < 100; ++k) {
         Draw draw{};
@@ -254,24 +257,24 @@ TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
     }
 }
 
-TEST_CASE("A measured surface hands over its values, errors and correlation") {
+TEST_CASE("A surface has its parameters by name and by Parameter") {
     SurfaceParameters<double> found;
     found.rms_height = {1e-6, 1e-7};
     found.peak_radius = {2e-5, 2e-6};
     found.peak_density = {3e9, 3e8};
     found.theta = {0.5, 0.01};
     found.correlation[1][2] = found.correlation[2][1] = -0.4;
-    const auto s = uncertain(found);
-    CHECK(s.known == std::array{true, true, true, false, false, true});
-    CHECK(s.value == Draw{1e-6, 2e-5, 3e9, 0, 0, 0.5});
-    CHECK(s.error == Draw{1e-7, 2e-6, 3e8, 0, 0, 0.01});
-    CHECK(s.correlation == found.correlation);
+    CHECK(found.values() == Draw{1e-6, 2e-5, 3e9, 0, 0, 0.5});
+    CHECK(found.find(Parameter::theta) == &*found.theta);
+    CHECK(found.find(Parameter::peak_radius) == &found.peak_radius);
+    for (const Parameter which : {Parameter::fractal_dimension, Parameter::r, Parameter::offset})
+        CHECK(found.find(which) == nullptr);
     found.fractal_dimension = {1.5, 0.02};
     found.r = {0.25, 0.03};
-    CHECK(uncertain(found).value == Draw{1e-6, 2e-5, 3e9, 1.5, 0.25, 0.5});
-    CHECK(refusal_of(uncertain(found)).empty());
+    CHECK(found.values() == Draw{1e-6, 2e-5, 3e9, 1.5, 0.25, 0.5});
+    CHECK(refusal_of(found).empty());
     CHECK(test::refusal([] {
-              UncertainSurface<double>().set(Parameter::offset, {1, 1});
+              SurfaceParameters<double>().set(Parameter::offset, {1, 1});
           }) == "offset: is no parameter of a surface; must be one that SurfaceParameters holds");
 }
 
@@ -304,10 +307,10 @@ TEST_CASE("A quantile lies between the values that stand beside it") {
 }
 
 TEST_CASE("Float draws are those of double, rounded") {
-    UncertainSurface<float> s;
+    SurfaceParameters<float> s;
     const auto exact = surface();
     for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        s.set(static_cast<Parameter>(i), {static_cast<float>(exact.value[i]), static_cast<float>(exact.error[i])});
+        s.set(static_cast<Parameter>(i), {static_cast<float>(at(exact, i).value), static_cast<float>(at(exact, i).error)});
     for (std::size_t i = 0; i < surface_parameter_count; ++i)
         for (std::size_t j = 0; j < surface_parameter_count; ++j)
             s.correlation[i][j] = static_cast<float>(exact.correlation[i][j]);

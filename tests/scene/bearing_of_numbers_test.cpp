@@ -161,35 +161,35 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     };
     const std::string text = surface_of(trace(0.4));
     const scene::Scene skewed = read(text);
-    REQUIRE(skewed.measured);
-    const double share = skewed.measured->shape_share;
+    REQUIRE(skewed.face.measured);
+    const double share = skewed.face.measured->found.shape_share;
     CHECK(share > 0.8);
-    const auto& heights = *skewed.heights;
+    const auto& heights = *skewed.face.heights;
     CHECK(heights.skewness.value > 0.7);
-    CHECK(skewed.shape.skewness == share * heights.skewness.value);
-    CHECK(skewed.shape.kurtosis == 3 + share * (heights.kurtosis.value - 3));
+    CHECK(skewed.face.shape.skewness == share * heights.skewness.value);
+    CHECK(skewed.face.shape.kurtosis == 3 + share * (heights.kurtosis.value - 3));
     // the same written by hand, and the Gaussian one
     const auto found = stiffnesses(skewed);
-    const auto written = stiffnesses(text + "skewness = " + std::to_string(skewed.shape.skewness) +
-                                     "\nkurtosis = " + std::to_string(skewed.shape.kurtosis) + "\n");
+    const auto written = stiffnesses(text + "skewness = " + std::to_string(skewed.face.shape.skewness) +
+                                     "\nkurtosis = " + std::to_string(skewed.face.shape.kurtosis) + "\n");
     CHECK(largest_change(found, written) < 1e-4);
     const auto gaussian = stiffnesses(text + "skewness = 0\nkurtosis = 3\n");
     CHECK(found[0] < 0.8 * gaussian[0]);
     // of the JSON of fstiff measure the same as of the file
-    std::ofstream(folder / "measured.json") << scene::measure_json(*skewed.measured->how, *skewed.measured).str();
+    std::ofstream(folder / "measured.json") << scene::measure_json(*skewed.face.measured->how, *skewed.face.measured).str();
     const std::string json = "[surface]\nfrom = \"" + std::string(folder / "measured.json") + "\"\n";
     CHECK(largest_change(stiffnesses(json), found) < 1e-12);
     // two such faces: the sum is nearer to a Gaussian one
     const auto face = [&](const std::string& name) { return "[surface." + name + "]\n" + text.substr(text.find('\n') + 1); };
     const scene::Scene two = read(face("upper") + face("lower"));
-    CHECK(test::relative_error(two.shape.skewness, skewed.shape.skewness / std::sqrt(2.0)) < 1e-9);
-    CHECK(two.bearing);
+    CHECK(test::relative_error(two.face.shape.skewness, skewed.face.shape.skewness / std::sqrt(2.0)) < 1e-9);
+    CHECK(two.face.bearing);
     // heights of eight waves cannot know
     Profile<double> shorter = trace(0);
     shorter.heights.resize(320);
     const scene::Scene plain = read(surface_of(shorter));
-    CHECK(plain.measured->shape_share == 0);
-    CHECK_FALSE(plain.bearing);
+    CHECK(plain.face.measured->found.shape_share == 0);
+    CHECK_FALSE(plain.face.bearing);
     CHECK(stiffnesses(plain) == stiffnesses(surface_of(shorter) + "skewness = 0\nkurtosis = 3\n"));
 }
 

@@ -21,11 +21,9 @@ namespace {
 
 Face of_numbers() {
     Face face;
-    face.surface = {.rms_height = 0.8e-6, .peak_radius = 40e-6, .peak_density = 500e6};
-    const auto know = [&](Parameter which, double value) { face.uncertain.set(which, {value, 0}); };
-    know(Parameter::rms_height, face.surface.rms_height);
-    know(Parameter::peak_radius, face.surface.peak_radius);
-    know(Parameter::peak_density, face.surface.peak_density);
+    face.parameters.rms_height.value = 0.8e-6;
+    face.parameters.peak_radius.value = 40e-6;
+    face.parameters.peak_density.value = 500e6;
     return face;
 }
 
@@ -80,7 +78,7 @@ TEST_CASE("Moments of a face are those of its gradient and alpha where they are 
 TEST_CASE("The Hurst exponent is the written one, 2 - D, or 0.8, and wide enough for what was measured") {
     Face face = of_numbers();
     CHECK(hurst_exponent(face) == 0.8);
-    face.fractal_dimension = 1.375;
+    face.write(Parameter::fractal_dimension, 1.375);
     CHECK(hurst_exponent(face) == 0.625);
     face.hurst = 0.3;
     CHECK(hurst_exponent(face) == 0.3);
@@ -154,7 +152,7 @@ TEST_CASE("H of two faces is the mean over their slopes") {
 TEST_CASE("K over the shifts of two maps is their mean, with the scatter of one shift as its error") {
     const Face sum = sum_of_faces(of_maps({noise(24, 24, 1e-8, 5)}), of_maps({noise(24, 24, 1e-8, 6)}), 4, 11);
     const scene::Law& law = *scene::find_law("summits");
-    scene::ContactInputs inputs{.surface = sum.surface, .effective_modulus = 1e11, .options = {0}};
+    scene::ContactInputs inputs{.surface = sum.roughness(), .effective_modulus = 1e11, .options = {.mutual = false}};
     inputs.map = sum.map.get();
     const std::vector<double> pressures{2e6, 2e7};
     const auto all = law.contact(inputs)->at_pressures(pressures, Quantity::stiffness | Quantity::separation);

@@ -173,15 +173,15 @@ TEST_CASE("Every law of a measured surface divides by one sigma: that of the hei
     for (const auto& of : cases) {
         CAPTURE(of.surface);
         const scene::Scene scene = scene::read_scene(of.surface + rest, {.name = "s.toml"});
-        CHECK(test::relative_error(scene.surface.rms_height, of.sigma) < 1e-7);  // the file has nine digits
-        CHECK(test::relative_error(scene.map->spectrum().rms_height, scene.surface.rms_height) < 1e-12);
-        CHECK(test::relative_error(scene.map->rms_height(), scene.surface.rms_height) < 1e-12);
+        CHECK(test::relative_error(scene.face.parameters.rms_height.value, of.sigma) < 1e-7);  // the file has nine digits
+        CHECK(test::relative_error(scene.face.map->spectrum().rms_height, scene.face.parameters.rms_height.value) < 1e-12);
+        CHECK(test::relative_error(scene.face.map->rms_height(), scene.face.parameters.rms_height.value) < 1e-12);
         const auto results = scene::compute(scene);
         REQUIRE(results.curves.size() == 3);
         for (const auto& curve : results.curves)
             for (const auto& state : curve.states) {
                 CAPTURE(curve.law->name);
-                CHECK(test::relative_error(state.separation.value / state.eta, scene.surface.rms_height) < 1e-12);
+                CHECK(test::relative_error(state.separation.value / state.eta, scene.face.parameters.rms_height.value) < 1e-12);
             }
     }
 }
@@ -197,6 +197,21 @@ TEST_CASE("persson takes the spectrum of a map with its mirror images, or of one
         for (std::size_t i = 0; i < 2; ++i)
             CHECK(test::relative_error(results.curves[0].states[i].stiffness.value,
                                        persson.stiffness(i == 0 ? 1e6 : 5e6)) < 1e-6);
+    }
+}
+
+TEST_CASE("[persson] spectrum holds for a map and for its neighbours of lambda_s") {
+    const MapFile file;
+    for (const char* spectrum : {"map", "moments"}) {
+        const std::string text =
+            scene_of(file.surface(), "\"persson\"", "[persson]\nspectrum = \"" + std::string(spectrum) + "\"\n");
+        const scene::Face face = scene::read_scene(text, {.name = "s.toml"}).face;
+        REQUIRE(!face.neighbours.empty());
+        CHECK(face.spectrum_of_map == (std::string(spectrum) == "map"));
+        for (const scene::Face& neighbour : face.neighbours) {
+            CHECK(neighbour.map);
+            CHECK(neighbour.spectrum_of_map == face.spectrum_of_map);
+        }
     }
 }
 
@@ -244,7 +259,7 @@ TEST_CASE("A pressure that a law does not reach leaves its other pressures and t
     const auto hard = computed(at(scene_of(one_face, "\"boundary_elements\"", elements + "hardness = \"100 MPa\"\n"),
                                   "\"100 MPa\", \"1 MPa\""));
     CHECK(hard.curves[0].places == std::vector<std::size_t>{1});
-    CHECK(hard.curves[0].missed[0].reason == "pressure = 1e+08: must be less than boundary_elements.hardness (Pa)");
+    CHECK(hard.curves[0].missed[0].reason == "pressure = 1e+08: must be less than the hardness (Pa)");
 }
 
 TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradient, is beyond the range of double") {

@@ -77,7 +77,7 @@ TEST_CASE("every contact of a scene gives the curve of the scene") {
     std::size_t curve = 0;
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
         std::size_t peaks = 0;
-        for (; curve < results.curves.size() && results.curves[curve].law == scene.laws[law].law; ++curve) {
+        for (; curve < results.curves.size() && results.curves[curve].law == scene.laws[law]; ++curve) {
             const OneContact one = contact_of(scene, law, peaks++);
             CHECK(one.law == results.curves[curve].law);
             const auto points = one.contact->at_pressures(scene.points, Quantity::all);
@@ -99,11 +99,11 @@ TEST_CASE("what was measured of heights stands in place of the surface of a scen
     how.input = options;
     const MeasuredSurface measured = measure_surface(how, input);
     const Scene scene = read_scene(bodies, {.name = "scene", .measured = &measured});
-    CHECK(scene.surface.rms_height == measured.parameters.value[index_of(Parameter::rms_height)]);
+    CHECK(scene.face.parameters.rms_height.value == measured.found.rms_height.value);
     const Results results = compute(scene);
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
         const OneContact one =
-            contact_of(std::string(scene.laws[law].law->name), {.effective_modulus = results.modulus}, &measured);
+            contact_of(std::string(scene.laws[law]->name), {.effective_modulus = results.modulus}, &measured);
         const auto points = one.contact->at_pressures(scene.points, Quantity::stiffness);
         for (std::size_t i = 0; i < points.size(); ++i)
             CHECK(points[i].state.stiffness.value == results.curves[law].states[i].stiffness.value);

@@ -76,15 +76,40 @@ TEST_CASE("theta written next to a measured r holds for the neighbours of lambda
         "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
     const scene::Scene measured = read(text_of(from)), theta = read(text_of(from + "theta = 1.5\n")),
                        r = read(text_of(from + "r = 0.25\n"));
-    REQUIRE(measured.neighbours.size() == 2);
+    REQUIRE(measured.face.neighbours.size() == 2);
     for (std::size_t k = 0; k < 2; ++k) {
-        REQUIRE(measured.neighbours[k].r);
-        CHECK(*measured.neighbours[k].theta != 1.5);
-        CHECK(*theta.neighbours[k].theta == 1.5);
-        CHECK(*theta.neighbours[k].r == *measured.neighbours[k].r);
-        CHECK(*r.neighbours[k].r == 0.25);
-        CHECK(*r.neighbours[k].theta == *measured.neighbours[k].theta);
+        REQUIRE(measured.face.neighbours[k].parameters.r);
+        CHECK(measured.face.neighbours[k].parameters.theta->value != 1.5);
+        CHECK(theta.face.neighbours[k].parameters.theta->value == 1.5);
+        CHECK(theta.face.neighbours[k].parameters.r->value == measured.face.neighbours[k].parameters.r->value);
+        CHECK(r.face.neighbours[k].parameters.r->value == 0.25);
+        CHECK(r.face.neighbours[k].parameters.theta->value == measured.face.neighbours[k].parameters.theta->value);
     }
+}
+
+TEST_CASE("What is written next to what was measured holds for the neighbours of lambda_s too, and without an error") {
+    const test::Folder folder;
+    const std::string from =
+        "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
+    const scene::Face measured = read(text_of(from)).face,
+                      written = read(text_of(from + "rms_height = \"2 um\"\nfractal_dimension = 1.25\nalpha = 9\n"
+                                                    "hurst = 0.75\nskewness = -1\nkurtosis = 6\n"
+                                                    "errors = { rms_height = \"0.5 um\" }\n"))
+                                    .face;
+    REQUIRE(written.neighbours.size() == 2);
+    for (const scene::Face* face : {&written, &written.neighbours[0], &written.neighbours[1]}) {
+        CHECK(test::relative_error(face->parameters.rms_height.value, 2e-6) < 1e-15);
+        CHECK(face->dimension() == 1.25);
+        CHECK(face->alpha == 9);
+        CHECK(face->hurst == 0.75);
+        CHECK(face->shape.skewness == -1);
+        CHECK(face->bearing);
+        CHECK(face->parameters.correlation[0][1] == 0);
+    }
+    CHECK(test::relative_error(written.parameters.rms_height.error, 0.5e-6) < 1e-15);
+    CHECK(written.parameters.peak_radius.value == measured.parameters.peak_radius.value);
+    CHECK(written.parameters.peak_radius.error == measured.parameters.peak_radius.error);
+    CHECK(written.measured->found.rms_height.value == measured.parameters.rms_height.value);
 }
 
 TEST_CASE("Without a band nothing is measured behind other lambda_s, and all else is the same") {
@@ -95,10 +120,14 @@ TEST_CASE("Without a band nothing is measured behind other lambda_s, and all els
         return read(text_of(from, "laws = [\"hertz\"]\n[uncertainty]\nsamples = " + std::to_string(samples) + "\n"));
     };
     const scene::Scene banded = with(20), plain = with(0);
-    CHECK(banded.neighbours.size() == 2);
-    CHECK(plain.neighbours.empty());
-    CHECK(plain.uncertain.value == banded.uncertain.value);
-    CHECK(plain.uncertain.error == banded.uncertain.error);
+    CHECK(banded.face.neighbours.size() == 2);
+    CHECK(plain.face.neighbours.empty());
+    CHECK(plain.face.parameters.values() == banded.face.parameters.values());
+    for (const fstiff::ParameterRow& row : fstiff::surface_parameter_table) {
+        const auto *one = plain.face.parameters.find(row.parameter), *other = banded.face.parameters.find(row.parameter);
+        REQUIRE(!one == !other);
+        if (one) CHECK(one->error == other->error);
+    }
     CHECK(plain.warnings == banded.warnings);
 }
 
@@ -114,8 +143,8 @@ TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
     const auto with = [&](const std::string& mutual) {
         return text_of(from, "laws = [\"summits\"]\n[contact.summits]\nmutual = " + mutual + "\n");
     };
-    for (const char* yes : {"true", "1", "1.0"}) CHECK(read(with(yes)).laws.front().options.front() == 1);
-    for (const char* no : {"false", "0"}) CHECK(read(with(no)).laws.front().options.front() == 0);
+    for (const char* yes : {"true", "1", "1.0"}) CHECK(read(with(yes)).law_options.mutual);
+    for (const char* no : {"false", "0"}) CHECK_FALSE(read(with(no)).law_options.mutual);
     for (const char* other : {"-1", "0.5", "1e9", "\"yes\""}) {
         INFO(other);
         CHECK(contains(refused(with(other)), "contact.summits.mutual = "));
@@ -125,12 +154,12 @@ TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
 
 TEST_CASE("The options of persson and of boundary_elements are below contact, as those of summits, or at the root") {
     for (const char* path : {"persson", "contact.persson"}) {
-        CHECK(read(text_of(moments, "[" + std::string(path) + "]\ngamma = 0.5\n")).gamma == 0.5);
+        CHECK(read(text_of(moments, "[" + std::string(path) + "]\ngamma = 0.5\n")).law_options.gamma == 0.5);
         CHECK(contains(refused(text_of(moments, "[" + std::string(path) + "]\ngamma = 2\n")),
                        std::string(path) + ".gamma = 2"));
     }
     for (const char* path : {"boundary_elements", "contact.boundary_elements"})
-        CHECK(read(text_of(moments, "[" + std::string(path) + "]\npoints = 64\n")).elements.points == 64);
+        CHECK(read(text_of(moments, "[" + std::string(path) + "]\npoints = 64\n")).law_options.points == 64);
     CHECK(contains(refused(text_of(moments, "[persson]\ngamma = 0.5\n[contact.persson]\ngamma = 0.5\n")),
                    "must not stand next to contact.persson"));
     CHECK(contains(refused(text_of(moments, "persson = 3\n")), "contact.persson = 3: must be a section"));
@@ -140,13 +169,13 @@ TEST_CASE("D, its error and the Hurst exponent stay within what a surface can ha
     const auto of_dimension = [](const std::string& d) { return islands + "fractal_dimension = " + d + "\n"; };
     CHECK(contains(refused(text_of(of_dimension("1.9999999999999998"))), "greater than 1 and at most 1.99"));
     CHECK(contains(refused(text_of(of_dimension("1.995"))), "fractal_dimension = 1.995"));
-    CHECK(read(text_of(of_dimension("1.99"))).fractal_dimension == 1.99);
+    CHECK(read(text_of(of_dimension("1.99"))).face.dimension() == 1.99);
     const auto with_error = [&](const std::string& errors) {
         return text_of(of_dimension("1.5") + "errors = { " + errors + " }\n");
     };
     CHECK(contains(refused(with_error("fractal_dimension = 5.0")),
                    "must be at most 0.5, half the range of fractal_dimension"));
-    CHECK(read(with_error("fractal_dimension = 0.2")).uncertain.error[3] == 0.2);
+    CHECK(read(with_error("fractal_dimension = 0.2")).face.parameters.fractal_dimension->error == 0.2);
 
     const scene::Scene odd = read(text_of(of_dimension("1.62") + "hurst = 0.8\n"));
     CHECK(contains(joined(odd.warnings),
@@ -161,7 +190,7 @@ TEST_CASE("The error of rms_gradient widens the band, of R and D_p too where the
                    "must stand next to surface.rms_gradient"));
     CHECK(contains(refused(text_of(moments + "errors = { rms_gradient = -0.01 }\n")), "not negative"));
     const std::string error = "errors = { rms_gradient = 0.02 }\n";
-    CHECK(read(text_of(moments + error)).gradient_error == 0.02);
+    CHECK(read(text_of(moments + error)).face.gradient_error == 0.02);
     // p* falls with g: at a light load K of either law does, by R and D_p or by the spectrum
     CHECK(width(text_of(moments + error, "laws = [\"persson\"]\n")) > 0.0015);
     const double follows = width(text_of(moments + error, "laws = [\"hertz\"]\n"));
@@ -200,7 +229,7 @@ TEST_CASE("A file that is there twice counts once, and both names are said") {
     options.input.units = "um";
     options.neighbours = false;
     options.resamples = 20;
-    const auto error_of = [](const scene::MeasuredSurface& of) { return of.parameters.error[0]; };
+    const auto error_of = [](const scene::MeasuredSurface& of) { return of.found.rms_height.error; };
     const scene::MeasuredSurface once = scene::measure_files(options, {a}),
                                  nine = scene::measure_files(options, std::vector<std::string>(9, a));
     CHECK(nine.parts.empty());
@@ -268,7 +297,7 @@ TEST_CASE("Percents and counts are shown without an exponent") {
 }
 
 TEST_CASE("What is not known to a factor of two is said once") {
-    fstiff::UncertainSurface<double> values;
+    fstiff::SurfaceParameters<double> values;
     values.set(Parameter::rms_height, {1e-6, 1e-7});
     values.set(Parameter::peak_radius, {40e-6, 72e-6});
     values.set(Parameter::peak_density, {5e8, 2e8});

@@ -6,20 +6,27 @@
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/quantity.hpp>
+#include <fstiff/core/error.hpp>
 
 namespace fstiff {
 
-/// A contact in the scalar T: its state at a pressure [Pa] and at a separation [m], thrown out of or with a status, and
-/// log p with its slope and log K against the separation over the rms height, without interaction.
+/// A contact in the scalar T with states at a pressure [Pa] and at a separation [m], thrown out of or with a status: what
+/// curves, bands and means over shifts ask for.
 template <class C, class T>
-concept Contact = requires(const C& contact, T x, Quantity wanted) {
+concept HasStates = requires(const C& contact, T x, Quantity wanted) {
     { contact.at_pressure(x, wanted) } -> std::same_as<ContactState<T>>;
     { contact.at_separation(x, wanted) } -> std::same_as<ContactState<T>>;
     { contact.point_at_pressure(x, wanted) } -> std::same_as<ContactPoint<T>>;
     { contact.point_at_separation(x, wanted) } -> std::same_as<ContactPoint<T>>;
+    { contact.rms_height() } -> std::convertible_to<T>;
+};
+
+/// One that can be tabulated and fitted: log p with its slope and log K against the separation over the rms height,
+/// without interaction.
+template <class C, class T>
+concept Contact = HasStates<C, T> && requires(const C& contact, T x) {
     { contact.log_pressure(x) } -> std::same_as<LogSlope<T>>;
     { contact.log_stiffness(x) } -> std::same_as<Estimate<T>>;
-    { contact.rms_height() } -> std::convertible_to<T>;
     { contact.interaction() } -> std::convertible_to<Interaction<T>>;
     { contact.bulk_compliance() } -> std::convertible_to<T>;
 };
@@ -30,6 +37,15 @@ template <class C, class T>
 concept ProportionalContact = Contact<C, T> && requires(const C& contact) {
     { contact.stiffness_over_slope() } -> std::convertible_to<T>;
 };
+
+/// The state of \p point. \throws domain_error with its reason where there is none.
+template <Real T>
+[[nodiscard]] ContactState<T> state_or_throw(const ContactPoint<T>& point) {
+    if (!point.ok())
+        throw domain_error(point.reason.empty() ? "a state is beyond the range of the scalar: must be less extreme"
+                                                : point.reason);
+    return point.state;
+}
 
 namespace detail {
 

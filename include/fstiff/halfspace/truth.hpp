@@ -43,17 +43,27 @@ struct TruthPoint {
     T gap_error{};        ///< the same of the mean gap [m]
 };
 
+namespace detail {
+
+/// The grid on which \p map is solved.
+template <Real T>
+[[nodiscard]] HeightMap<T> map_for_truth(const HeightMap<T>& map, Eigen::Index points) {
+    require(points >= 16, "points", points, "at least 16 along the longer side");
+    HeightMap<T> fine = coarsened(map, points);
+    const Eigen::Index shorter = (std::min)(fine.rows(), fine.columns());
+    require(shorter >= 16, "points along the shorter side", shorter, "at least 16, for boundary elements on two grids");
+    return fine;
+}
+
+}  // namespace detail
+
 /// The contact of \p map against a smooth flat under \p pressures [Pa], in their order.
 /// \throws domain_error as BoundaryElements, and for fewer than 16 points.
 template <Real T, class Pressures>
 [[nodiscard]] std::vector<TruthPoint<T>> truth(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                                                const Pressures& pressures, const TruthOptions<T>& options = {}) {
-    require(options.points >= 16, "points", options.points, "at least 16 along the longer side");
     const BoundaryElementOptions<T> how{.edges = options.edges, .hardness = options.hardness};
-    const HeightMap<T> fine = coarsened(map, options.points);
-    const Eigen::Index shorter = (std::min)(fine.rows(), fine.columns());
-    require(shorter >= 16, "points along the shorter side", shorter, "at least 16, for boundary elements on two grids");
-    BoundaryElements<T> solver(fine, effective_modulus, how);
+    BoundaryElements<T> solver(detail::map_for_truth(map, options.points), effective_modulus, how);
     std::vector<TruthPoint<T>> points;
     for (const T pressure : pressures) {
         if (options.progress) options.progress("pressures", points.size(), std::size(pressures));

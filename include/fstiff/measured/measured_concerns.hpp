@@ -132,6 +132,19 @@ template <Real T>
     return found;
 }
 
+/// The parameters of \p surface that are not known to a factor of two; with \p long_waves, which are a concern of their own,
+/// without sigma and r.
+template <Real T>
+[[nodiscard]] std::vector<Parameter> unknown_parameters(const SurfaceParameters<T>& surface, bool long_waves) {
+    std::vector<Parameter> all;
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
+        const Parameter which = parameter_table[i].parameter;
+        if (long_waves && (which == Parameter::rms_height || which == Parameter::r)) continue;
+        if (const auto* one = surface.find(which); one && !is_known(*one)) all.push_back(which);
+    }
+    return all;
+}
+
 /// Of curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface) {
@@ -143,11 +156,7 @@ template <Real T>
     if (long_waves) found.push_back(MeasuredConcern::long_waves);
     detail::add_peak_concerns(found, surface.peaks_counted, surface.peak_radius, surface.peak_density);
     if (surface.islands && is_densest_at_end(*surface.islands)) found.push_back(MeasuredConcern::no_densest_level);
-    const auto known = [](const std::optional<Measurement<T>>& one) { return !one || is_known(*one); };
-    const bool heights = long_waves || (is_known(surface.rms_height) && known(surface.r));
-    if (!heights || !is_known(surface.peak_radius) || !is_known(surface.peak_density) ||
-        !known(surface.fractal_dimension) || !known(surface.theta))
-        found.push_back(MeasuredConcern::parameter_unknown);
+    if (!unknown_parameters(surface, long_waves).empty()) found.push_back(MeasuredConcern::parameter_unknown);
     return found;
 }
 

@@ -3,6 +3,8 @@
 /// \file
 /// Several measurements of one surface, such as traces side by side, as one.
 ///
+///     const auto surface = fstiff::measure(std::vector{first, second, third});     profiles, or maps, of one surface
+///
 ///     spectra are averaged, each weighted by its share w of the length or area: m0, m2, m4, S and the triples are means
 ///     D and r, theta    of the measurements that know them
 ///     R_p               the highest
@@ -11,33 +13,67 @@
 ///     k                 t_(n-1)(0.95)/1.645 by Student, because the scatter of a few is badly known: 3.84 of two, 1.30 of five
 ///
 /// The average of n surfaces is their sum (surface/two_faces.hpp) with each of the heights sqrt(w) times as great. sigma, R and
-/// D_p scatter by their logarithms. Correlations of the errors are means.
+/// D_p scatter by their logarithms. Correlations of the errors are means. Where the tables choose different cut-offs for the
+/// measurements, the longest counts for all, and all are measured again; none where one measurement has none.
 ///
 /// Reference   Student, Biometrika 6 (1908) 1 (math/statistics.hpp); surface/two_faces.hpp.
 /// Units       SI
-/// Valid       one measurement at least, of one kind and behind the same cut-offs; sizes > 0
-/// Accuracy    1e-13 of the formulae (tests/measured/pooled_surface_test.cpp)
+/// Valid       one measurement at least, of one kind and with the same cut-offs; sizes > 0
+/// Accuracy    1e-13 of the formulae (tests/measured/pooled_surface_test.cpp); the numbers of the command to the last digit
+///             (tests/cli/one_measurement_test.cpp)
 
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/measured/measure.hpp>
 #include <fstiff/measured/uncertain_sum.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace fstiff {
 
-/// One measurement of a surface.
-template <Real T = double>
-struct MeasuredFace {
-    RoughFace<T> face{};
-    UncertainSurface<T> uncertain{};
-    T size{};  ///< length of a profile [m], or area of a map [m^2]
-};
+/// In what two measurements of one surface differ, so that they cannot be pooled.
+enum class Unlikeness { none, kind, lambda_s, lambda_c, step };
+template <>
+inline constexpr auto names<Unlikeness> = name_list<Unlikeness>({{Unlikeness::none, "nothing"},
+                                                                 {Unlikeness::kind, "kind"},
+                                                                 {Unlikeness::lambda_s, "lambda_s"},
+                                                                 {Unlikeness::lambda_c, "lambda_c"},
+                                                                 {Unlikeness::step, "step"}});
 
-/// The same with one value only.
+/// The first of kind, lambda_s, lambda_c and, without lambda_s, the steps in which \p one differs from \p first.
+template <Real T>
+[[nodiscard]] Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one);
+
+/// Distance of neighbouring heights of a measured surface, the shorter one of a map [m].
+template <Real T>
+[[nodiscard]] T step_of(const Surface<T>& surface) {
+    return surface.profile ? surface.profile->profile.spacing
+                           : (std::min)(surface.map->map.dx, surface.map->map.dy);
+}
+
+/// The cut-off \p of that all of \p surfaces share where \p asked leaves it to the tables and these differ: the longest, or none
+/// where one has none. Else \p asked.
+template <Real T>
+[[nodiscard]] CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Surface<T>>& surfaces,
+                                       std::optional<T> CutOffs<T>::* of);
+
+/// \p parts as one surface, which keeps them. \throws domain_error for no part, parts that differ in kind or cut-offs, or
+/// parameters out of range.
+template <Real T>
+[[nodiscard]] Surface<T> pooled(std::vector<Surface<T>> parts);
+
+/// Measures several profiles of one surface, and pools them. \throws domain_error as measure() of one, and as pooled().
+template <Real T>
+[[nodiscard]] Surface<T> measure(const std::vector<Profile<T>>& profiles, const MeasureOptions<T>& options = {});
+/// The same of maps.
+template <Real T>
+[[nodiscard]] Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T>& options = {});
+
+/// One number of a measurement, which weighs as much as its length [m] or area [m^2].
 template <Real T = double>
 struct SizedMeasurement {
     Measurement<T> measured{};
@@ -61,75 +97,6 @@ template <Real T>
     if (all.size() == 1) return std::sqrt(within);
     const T k = student_quantile(normal_95<T>, static_cast<int>(all.size()) - 1) / normal_95<T>.value;
     return std::sqrt((std::max)(within, k * k * squares / (1 - squares) * scatter));
-}
-
-namespace detail {
-
-/// The average of the faces of \p all that \p knows picks.
-template <Real T, class Knows>
-[[nodiscard]] std::optional<RoughFace<T>> mean_face(const std::vector<MeasuredFace<T>>& all, const Knows& knows) {
-    T size = 0;
-    for (const auto& one : all)
-        if (knows(one.face)) size += one.size;
-    std::optional<RoughFace<T>> mean;
-    for (const auto& one : all) {
-        if (!knows(one.face)) continue;
-        const RoughFace<T> share = scaled(one.face, std::sqrt(one.size / size));
-        mean = mean ? sum_of_faces(*mean, share) : share;
-    }
-    return mean;
-}
-
-}  // namespace detail
-
-/// \p all as one. \throws domain_error for no measurement, or parameters out of range.
-template <Real T>
-[[nodiscard]] MeasuredFace<T> pooled(const std::vector<MeasuredFace<T>>& all) {
-    require(!all.empty(), "number of measurements", all.size(), "at least 1");
-    if (all.size() == 1) return all.front();
-    MeasuredFace<T> out;
-    out.face = *detail::mean_face(all, [](const RoughFace<T>&) { return true; });
-    out.face.fractal_dimension.reset(), out.face.fractal_roughness.reset();
-    out.face.r.reset(), out.face.theta.reset();
-    const auto with_dimension =
-        detail::mean_face(all, [](const auto& one) { return one.fractal_dimension.has_value(); });
-    if (with_dimension) {
-        out.face.fractal_dimension = with_dimension->fractal_dimension;
-        out.face.fractal_roughness = with_dimension->fractal_roughness;
-    }
-    if (const auto with_triples = detail::mean_face(all, [](const auto& one) { return one.r.has_value(); })) {
-        out.face.r = with_triples->r;
-        out.face.theta = with_triples->theta;
-    }
-    out.face.roughness.max_peak_height = 0;
-    for (const auto& one : all) {
-        out.size += one.size;
-        out.face.roughness.max_peak_height =
-            (std::max)(out.face.roughness.max_peak_height, one.face.roughness.max_peak_height);
-    }
-    const std::array<T, surface_parameter_count> centre = detail::coordinates(out.face);
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        const bool log = parameter_table[i].variation == Variation::log;
-        std::vector<SizedMeasurement<T>> known;  // in coordinates: logarithms where the parameter varies by a factor
-        for (const auto& one : all) {
-            if (!one.uncertain.known[i]) continue;
-            const T error = one.uncertain.error[i], relative = error / one.uncertain.value[i];
-            known.push_back(
-                {{detail::coordinates(one.face)[i], log ? std::sqrt(std::log1p(relative * relative)) : error},
-                 one.size});
-        }
-        if (known.empty()) continue;
-        const T error = pooled_error(known), value = log ? std::exp(centre[i]) : centre[i];
-        out.uncertain.set(parameter_table[i].parameter,
-                          {value, log ? value * std::sqrt(std::expm1(error * error)) : error});
-    }
-    for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            T mean = 0;
-            for (const auto& one : all) mean += one.size / out.size * one.uncertain.correlation[i][j];
-            out.uncertain.correlation[i][j] = out.uncertain.correlation[j][i] = mean;
-        }
-    return out;
 }
 
 /// Of the heights of several measurements of one surface, each about its own mean, of \p sizes.
@@ -162,6 +129,237 @@ template <Real T>
     out.kurtosis = {fourth, pooled_error(kurtosis)};
     out.rms_gradient = {std::sqrt(squares), pooled_error(gradient)};
     return out;
+}
+
+namespace detail {
+
+/// Whether two lengths differ by more than rounding.
+template <Real T>
+[[nodiscard]] bool lengths_differ(T a, T b) {
+    return std::abs(a - b) > T(1e-6) * std::abs(a);
+}
+template <Real T>
+[[nodiscard]] bool lengths_differ(const std::optional<T>& a, const std::optional<T>& b) {
+    return a.has_value() != b.has_value() || (a && lengths_differ(*a, *b));
+}
+
+/// The values of \p surface, with the moments of its heights where these are known.
+template <Real T>
+[[nodiscard]] RoughFace<T> rough_face(const Surface<T>& surface) {
+    return fstiff::rough_face<T>(
+        surface, surface.heights ? surface.heights->moments
+                                 : moments_of_peaks(surface.rms_height.value, surface.peak_radius.value,
+                                                    surface.peak_density.value));
+}
+
+/// The average of those of \p parts that \p knows picks.
+template <Real T, class Knows>
+[[nodiscard]] std::optional<RoughFace<T>> mean_face(const std::vector<Surface<T>>& parts, const Knows& knows) {
+    T size = 0;
+    for (const auto& one : parts)
+        if (knows(one)) size += one.size;
+    std::optional<RoughFace<T>> mean;
+    for (const auto& one : parts) {
+        if (!knows(one)) continue;
+        const RoughFace<T> share = scaled(rough_face(one), std::sqrt(one.size / size));
+        mean = mean ? sum_of_faces(*mean, share) : share;
+    }
+    return mean;
+}
+
+/// The average of all of \p parts, with D and G, and with r and theta, of those that know them.
+template <Real T>
+[[nodiscard]] RoughFace<T> mean_of_known(const std::vector<Surface<T>>& parts) {
+    RoughFace<T> mean = *mean_face(parts, [](const auto&) { return true; });
+    mean.fractal_dimension.reset(), mean.fractal_roughness.reset(), mean.r.reset(), mean.theta.reset();
+    if (const auto of = mean_face(parts, [](const auto& one) { return one.fractal_dimension.has_value(); }))
+        mean.fractal_dimension = of->fractal_dimension, mean.fractal_roughness = of->fractal_roughness;
+    if (const auto of = mean_face(parts, [](const auto& one) { return one.r.has_value(); }))
+        mean.r = of->r, mean.theta = of->theta;
+    mean.roughness.max_peak_height = 0;
+    for (const auto& one : parts)
+        mean.roughness.max_peak_height = (std::max)(mean.roughness.max_peak_height, one.max_peak_height.value);
+    return mean;
+}
+
+/// Gives the parameter \p row of \p whole the error of its mean over \p parts, in coordinates: logarithms where it varies by a
+/// factor.
+template <Real T>
+void pool_error(Surface<T>& whole, const std::vector<Surface<T>>& parts, const ParameterRow& row) {
+    const bool log = row.variation == Variation::log;
+    std::vector<SizedMeasurement<T>> known;
+    for (const auto& part : parts) {
+        const Measurement<T>* one = part.find(row.parameter);
+        if (!one) continue;
+        const T relative = one->error / one->value;
+        known.push_back({log ? Measurement<T>{std::log(one->value), std::sqrt(std::log1p(relative * relative))} : *one,
+                         part.size});
+    }
+    if (known.empty()) return;
+    const T error = pooled_error(known);
+    Measurement<T>& mean = *whole.find(row.parameter);
+    if (log) mean.value = std::exp(std::log(mean.value));
+    mean.error = log ? mean.value * std::sqrt(std::expm1(error * error)) : error;
+}
+
+/// The errors of \p whole, whose values are means over \p parts.
+template <Real T>
+void pool_errors(Surface<T>& whole, const std::vector<Surface<T>>& parts) {
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) pool_error(whole, parts, parameter_table[i]);
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            T mean = 0;
+            for (const auto& one : parts) mean += one.size / whole.size * one.correlation[i][j];
+            whole.correlation[i][j] = whole.correlation[j][i] = mean;
+        }
+    std::vector<SizedMeasurement<T>> highest, log_roughness;
+    T sizes = 0, window = 0;
+    for (const auto& one : parts) {
+        highest.push_back({one.max_peak_height, one.size});
+        if (one.fractal_dimension) sizes += one.size, window = std::hypot(window, one.size * one.dimension_window_error);
+        if (const auto& g = one.fractal_roughness)
+            log_roughness.push_back({{std::log(g->value), g->error / g->value}, one.size});
+    }
+    whole.max_peak_height.error = pooled_error(highest);
+    if (sizes > T(0)) whole.dimension_window_error = window / sizes;
+    if (whole.fractal_roughness) {
+        whole.log_fractal_roughness_error = pooled_error(log_roughness);
+        whole.fractal_roughness->error = whole.fractal_roughness->value * whole.log_fractal_roughness_error;
+    }
+}
+
+/// What speaks against all of \p parts, and whether the parameters of \p whole are known; one gradient that no surface has is
+/// enough.
+template <Real T>
+[[nodiscard]] std::vector<MeasuredConcern> pooled_concerns(const Surface<T>& whole, const std::vector<Surface<T>>& parts) {
+    using enum MeasuredConcern;
+    const auto has = [](const Surface<T>& one, MeasuredConcern concern) {
+        return std::find(one.concerns.begin(), one.concerns.end(), concern) != one.concerns.end();
+    };
+    std::vector<MeasuredConcern> all;
+    for (const MeasuredConcern one : parts.front().concerns) {
+        if (one == few_peaks || one == radius_uncertain || one == density_uncertain || one == parameter_unknown ||
+            one == implausible_gradient)
+            continue;
+        if (std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); })) all.push_back(one);
+    }
+    const bool told = std::find(all.begin(), all.end(), MeasuredConcern::long_waves) != all.end();
+    if (std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, implausible_gradient); }))
+        all.push_back(implausible_gradient);
+    add_peak_concerns(all, whole.peaks_counted, whole.peak_radius, whole.peak_density);
+    if (!unknown_parameters(whole, told).empty()) all.push_back(parameter_unknown);
+    return all;
+}
+
+/// How much of the shape of all heights of \p parts counts; where some are not kept, the mean of what counts of each.
+template <Real T>
+[[nodiscard]] T pooled_share(const std::vector<Surface<T>>& parts) {
+    ShapeOfHeights<T> all;
+    T sum = 0, size = 0;
+    for (const auto& part : parts) {
+        if (part.profile) all.add(part.profile->profile);
+        if (part.map) all.add(part.map->map);
+        sum += part.size * part.shape_share, size += part.size;
+    }
+    const bool kept = std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.profile || part.map; });
+    return kept ? all.share() : size > T(0) ? sum / size : T(0);
+}
+
+/// The surfaces of \p heights, each with the cut-offs of all.
+template <Real T, class Heights>
+[[nodiscard]] Surface<T> measure_several(const std::vector<Heights>& heights, MeasureOptions<T> options) {
+    const auto each = [&] {
+        std::vector<Surface<T>> parts;
+        for (const Heights& one : heights) parts.push_back(measure(one, options));
+        return parts;
+    };
+    std::vector<Surface<T>> parts = each();
+    const CutOff<T> lambda_s = shared_cut_off(options.lambda_s, parts, &CutOffs<T>::lambda_s);
+    const CutOff<T> lambda_c =
+        options.form_cut_off ? options.lambda_c : shared_cut_off(options.lambda_c, parts, &CutOffs<T>::lambda_c);
+    const bool again = lambda_s.automatic() != options.lambda_s.automatic() ||
+                       lambda_c.automatic() != options.lambda_c.automatic();
+    options.lambda_s = lambda_s, options.lambda_c = lambda_c;
+    if (again) parts = each();
+    return pooled(std::move(parts));
+}
+
+}  // namespace detail
+
+template <Real T>
+Unlikeness unlikeness(const Surface<T>& first, const Surface<T>& one) {
+    if (!first.profile != !one.profile) return Unlikeness::kind;
+    if (detail::lengths_differ(one.cut_offs.lambda_s, first.cut_offs.lambda_s)) return Unlikeness::lambda_s;
+    if (detail::lengths_differ(one.cut_offs.lambda_c, first.cut_offs.lambda_c)) return Unlikeness::lambda_c;
+    if (one.cut_offs.lambda_s || !(first.profile || (first.map && one.map))) return Unlikeness::none;
+    const auto longer_step = [](const Surface<T>& of) {
+        return of.map ? (std::max)(of.map->map.dx, of.map->map.dy) : step_of(of);
+    };
+    return detail::lengths_differ(step_of(one), step_of(first)) ||
+                   detail::lengths_differ(longer_step(one), longer_step(first))
+               ? Unlikeness::step
+               : Unlikeness::none;
+}
+
+template <Real T>
+CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Surface<T>>& surfaces,
+                         std::optional<T> CutOffs<T>::* of) {
+    if (!asked.automatic() || surfaces.empty()) return asked;
+    const auto [low, high] = std::minmax_element(surfaces.begin(), surfaces.end(), [&](const auto& a, const auto& b) {
+        return (a.cut_offs.*of).value_or(0) < (b.cut_offs.*of).value_or(0);
+    });
+    const std::optional<T> least = low->cut_offs.*of, most = high->cut_offs.*of;
+    if (!most || (least && !detail::lengths_differ(*least, *most))) return asked;
+    return CutOff<T>::of(least ? most : least);
+}
+
+template <Real T>
+Surface<T> pooled(std::vector<Surface<T>> parts) {
+    require(!parts.empty(), "number of measurements", parts.size(), "at least 1");
+    if (parts.size() == 1) return std::move(parts.front());
+    const Surface<T>& first = parts.front();
+    for (const auto& part : parts)
+        if (const Unlikeness in = unlikeness(first, part); in != Unlikeness::none)
+            throw domain_error("measurements of unlike " + std::string(name_of(in)) + ": must be alike to be pooled");
+    Surface<T> whole{stated(detail::mean_of_known(parts))};
+    whole.cut_offs = first.cut_offs;
+    whole.widest_band = 0;
+    std::vector<HeightStatistics<T>> heights;
+    std::vector<T> sizes;
+    for (const auto& part : parts) {
+        whole.size += part.size, whole.peaks_counted += part.peaks_counted, whole.blocks += part.blocks;
+        whole.widest_band = (std::max)(whole.widest_band, part.widest_band);
+        if (part.heights) heights.push_back(*part.heights);
+        sizes.push_back(part.size);
+    }
+    detail::pool_errors(whole, parts);
+    if (!whole.fractal_roughness) whole.why_no_dimension = first.why_no_dimension;
+    if (!whole.r) whole.why_no_peaks = first.why_no_peaks;
+    if (heights.size() == parts.size()) {
+        whole.heights = pooled(heights, sizes);
+        whole.rms_gradient = whole.heights->rms_gradient;
+        whole.shape_share = detail::pooled_share(parts);
+    }
+    for (const Surface<T>& neighbour : first.neighbours) {
+        std::vector<Surface<T>> alike;  // one of every part
+        for (const auto& part : parts)
+            for (const Surface<T>& one : part.neighbours)
+                if (unlikeness(neighbour, one) == Unlikeness::none) alike.push_back(one);
+        if (alike.size() == parts.size()) whole.neighbours.push_back(pooled(std::move(alike)));
+    }
+    whole.concerns = detail::pooled_concerns(whole, parts);
+    whole.parts = std::move(parts);
+    return whole;
+}
+
+template <Real T>
+Surface<T> measure(const std::vector<Profile<T>>& profiles, const MeasureOptions<T>& options) {
+    return detail::measure_several<T>(profiles, options);
+}
+
+template <Real T>
+Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T>& options) {
+    return detail::measure_several<T>(maps, options);
 }
 
 }  // namespace fstiff

@@ -51,7 +51,7 @@ struct BandOptions {
 /// it, an array in the order of Parameter, and returns the values, a container of as many each time.
 /// \throws domain_error as SurfaceSampler, for no samples, and whatever \p compute throws.
 template <Real T, class Compute>
-[[nodiscard]] std::vector<SampledBand<T>> sampled_band(const UncertainSurface<T>& surface, const Compute& compute,
+[[nodiscard]] std::vector<SampledBand<T>> sampled_band(const SurfaceParameters<T>& surface, const Compute& compute,
                                                        const BandOptions& options = {}) {
     require(options.samples >= 1, "samples", options.samples, "at least 1");
     SurfaceSampler<T> draw(surface, options.seed);

@@ -3,7 +3,7 @@
 /// \file
 /// The band of K(p) over the errors of a measured surface: between which stiffnesses 90 of 100 such surfaces lie.
 ///
-///     const auto surface = fstiff::uncertain(fstiff::surface_parameters(profile));
+///     const auto surface = fstiff::surface_parameters(profile);
 ///     const auto band = fstiff::stiffness_band(surface, pressures, [](double D) { return fstiff::FractalLaw<double>(D); },
 ///                                              112.6e9, {.samples = 400, .seed = 1});
 ///     band[0].low, band[0].median, band[0].high       K [Pa/m] at pressures[0]: 5, 50 and 95 %
@@ -39,7 +39,7 @@ template <Real T>
 /// and returns what has at_pressure.
 /// \throws domain_error for a pressure that is not finite and greater than 0, as sampled_band, and as \p contact_of.
 template <Real T, class Pressures, class ContactOf>
-[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const UncertainSurface<T>& surface, const Pressures& pressures,
+[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const SurfaceParameters<T>& surface, const Pressures& pressures,
                                                          const ContactOf& contact_of, const BandOptions& options = {}) {
     return sampled_band(
         surface,
@@ -56,12 +56,12 @@ template <Real T, class Pressures, class ContactOf>
 /// [](double D) { return FractalLaw<double>(D); }, and the modulus \p effective_modulus [Pa].
 /// \throws domain_error as above, and when r and theta of \p surface are not known.
 template <Real T, class Pressures, class LawOf>
-[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const UncertainSurface<T>& surface, const Pressures& pressures,
+[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const SurfaceParameters<T>& surface, const Pressures& pressures,
                                                          const LawOf& law_of, std::type_identity_t<T> effective_modulus,
                                                          const BandOptions& options = {},
                                                          const RoughContactOptions<T>& contact = {}) {
     const auto place = [](Parameter which) { return static_cast<std::size_t>(which); };
-    if (!surface.known[place(Parameter::r)] || !surface.known[place(Parameter::theta)])
+    if (!surface.r || !surface.theta)
         throw domain_error("r and theta of the surface are not known: must be known for the density of its peaks");
     return stiffness_band(
         surface, pressures,

@@ -37,23 +37,14 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/measured/height_sums.hpp>
-#include <fstiff/measured/lay.hpp>
 #include <fstiff/measured/long_waves.hpp>
-#include <fstiff/measured/sections.hpp>
-#include <fstiff/surface/contact_parameter.hpp>
+#include <fstiff/measured/uncertain_surface.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
-#include <fstiff/topography/island_spread.hpp>
 
 #include <array>
 
 namespace fstiff {
-
-/// A measured value and its standard deviation.
-template <Real T = double>
-struct Measurement {
-    T value{}, error{};
-};
 
 /// What counts as a peak of a map.
 enum class PeakSource {
@@ -76,48 +67,6 @@ struct SurfaceParameterOptions {
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< of the resamples; `islands` and `fit` have their own
-};
-
-/// Rows and columns are those of Parameter, of the surface.
-template <Real T>
-using ParameterCorrelation = std::array<std::array<T, surface_parameter_count>, surface_parameter_count>;
-
-/// No parameter hangs on another: the unit matrix.
-template <Real T>
-[[nodiscard]] constexpr ParameterCorrelation<T> uncorrelated() {
-    ParameterCorrelation<T> one{};
-    for (std::size_t i = 0; i < surface_parameter_count; ++i) one[i][i] = T(1);
-    return one;
-}
-
-/// The parameters of a measured surface, each with its standard error.
-template <Real T = double>
-struct SurfaceParameters {
-    Measurement<T> rms_height;       ///< sigma [m]
-    Measurement<T> peak_radius;      ///< R [m]
-    Measurement<T> peak_density;     ///< D_p [1/m^2]
-    Measurement<T> max_peak_height;  ///< R_p [m]; the error is a lower bound
-    std::optional<Measurement<T>> fractal_dimension;
-    std::optional<Measurement<T>> fractal_roughness;  ///< G [m]
-    T log_fractal_roughness_error{};                  ///< standard deviation of ln G
-    T dimension_window_error{};                       ///< share of the window of lags in the error of D
-    std::optional<Measurement<T>> r, theta;           ///< theta [rad]
-    std::string why_no_dimension, why_no_peaks;       ///< why there is no D, no r and theta; empty when there are
-    /// Of the errors; those of different origin (D; the islands of a map) are taken for independent.
-    ParameterCorrelation<T> correlation = uncorrelated<T>();
-    LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
-    T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
-    bool anisotropic{};           ///< of a map
-    Repetition<T> repetition{};   ///< of a profile
-    T texture_aspect_ratio{1};    ///< Str of a map
-    bool curved{};                ///< no clean power law in the window
-    std::size_t peaks_counted{};  ///< behind R and D_p
-    std::size_t blocks{};         ///< independent parts that the errors come from
-    T block_length{};             ///< of a profile [m]
-    std::uint64_t seed{};
-    std::optional<FractalFit<T>> profile_fit;  ///< behind D and G of a profile; none where why_no_dimension tells why
-    std::optional<DirectionalFit<T>> map_fit;  ///< behind those of a map; without x and y where neither can be fitted
-    std::optional<RepresentativeIslands<T>> islands;  ///< behind R and D_p of a map, of PeakSource::islands
 };
 
 /// Of a surface without its form, or of one as it is, of which nothing was removed.
@@ -286,6 +235,33 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
 
 namespace detail {
 
+/// The sums over the part \p block of \p map, whose heights \p height gives in a unit; of its summits too where \p summits.
+template <Real T, class Height>
+[[nodiscard]] HeightSums<Accumulator<T>> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
+                                                       const Height& height, bool summits) {
+    using S = Accumulator<T>;
+    using Index = Eigen::Index;
+    HeightSums<S> tile;
+    for (Index j = block.top; j < block.bottom; ++j)
+        for (Index i = block.left; i < block.right; ++i) {
+            tile.add_point(height(j, i));
+            if (i > 0 && i + 1 < map.columns())
+                tile.triples.add(height(j, i) - height(j, i - 1), height(j, i + 1) - height(j, i));
+        }
+    if (!summits) return tile;
+    const S square_of_sides = static_cast<S>(map.dx) / map.dy * (static_cast<S>(map.dx) / map.dy);
+    visit_inner_points(map, block, [&](Index j, Index i, bool summit) {
+        tile.inner += 1;
+        if (!summit) return;
+        const S here = height(j, i);
+        const S along_x = (here - height(j, i - 1)) + (here - height(j, i + 1));
+        const S along_y = (here - height(j - 1, i)) + (here - height(j + 1, i));
+        tile.summits += 1;
+        tile.summit_curvature += (along_x + along_y * square_of_sides) / 2;
+    });
+    return tile;
+}
+
 /// Of \p map, with D and G of what \p directions returns.
 template <Real T, class Directions>
 SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParameterOptions<T>& options,
@@ -297,31 +273,15 @@ SurfaceParameters<T> map_parameters(const HeightMap<T>& map, const SurfaceParame
     const auto& z = map.heights;
     const S unit = detail::height_scale(map), mean = static_cast<S>(mean_height(map));
     const auto height = [&](Index j, Index i) { return (static_cast<S>(z(j, i)) - mean) / unit; };
-    const S square_of_sides = static_cast<S>(map.dx) / map.dy * (static_cast<S>(map.dx) / map.dy);
     const bool summits = options.peaks == PeakSource::summits;
     const Index tiles = static_cast<Index>(options.tiles);
     std::vector<detail::HeightSums<S>> sums;
     detail::HeightSums<S> all;
     for (Index t = 0; t < tiles * tiles; ++t) {
-        const Index top = t / tiles * map.rows() / tiles, bottom = (t / tiles + 1) * map.rows() / tiles;
-        const Index left = t % tiles * map.columns() / tiles, right = (t % tiles + 1) * map.columns() / tiles;
-        detail::HeightSums<S> tile;
-        for (Index j = top; j < bottom; ++j)
-            for (Index i = left; i < right; ++i) {
-                tile.add_point(height(j, i));
-                if (i > 0 && i + 1 < map.columns())
-                    tile.triples.add(height(j, i) - height(j, i - 1), height(j, i + 1) - height(j, i));
-            }
-        if (summits)
-            detail::visit_inner_points(map, {top, bottom, left, right}, [&](Index j, Index i, bool summit) {
-                tile.inner += 1;
-                if (!summit) return;
-                const S here = height(j, i);
-                const S along_x = (here - height(j, i - 1)) + (here - height(j, i + 1));
-                const S along_y = (here - height(j - 1, i)) + (here - height(j + 1, i));
-                tile.summits += 1;
-                tile.summit_curvature += (along_x + along_y * square_of_sides) / 2;
-            });
+        const Index row = t / tiles, column = t % tiles;
+        const detail::MapBlock block{row * map.rows() / tiles, (row + 1) * map.rows() / tiles,
+                                     column * map.columns() / tiles, (column + 1) * map.columns() / tiles};
+        const detail::HeightSums<S> tile = detail::sums_of_block(map, block, height, summits);
         all.add(tile);
         if (tile.points > S(0)) sums.push_back(tile);
     }

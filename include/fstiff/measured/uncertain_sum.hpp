@@ -10,7 +10,7 @@
 ///
 /// Reference   surface/two_faces.hpp; Kendall, Stuart, The Advanced Theory of Statistics 1 (Griffin, 1977) (cumulants).
 /// Units       SI
-/// Valid       as UncertainSurface and RoughFace
+/// Valid       as SurfaceParameters and RoughFace
 /// Accuracy    errors 2 % (4000 draws); values exact (tests/measured/uncertain_sum_test.cpp)
 
 #include <fstiff/measured/height_statistics.hpp>
@@ -23,6 +23,36 @@
 #include <cstdint>
 
 namespace fstiff {
+
+/// The values of \p surface, whose spectrum has \p moments, without their errors.
+template <Real T>
+[[nodiscard]] RoughFace<T> rough_face(const SurfaceParameters<T>& surface, const SpectralMoments<T>& moments) {
+    const auto value = [](const std::optional<Measurement<T>>& one) {
+        return one ? std::optional<T>(one->value) : std::nullopt;
+    };
+    return {{surface.rms_height.value, surface.peak_radius.value, surface.peak_density.value,
+             surface.max_peak_height.value},
+            moments,
+            value(surface.fractal_dimension),
+            value(surface.fractal_roughness),
+            value(surface.r),
+            value(surface.theta)};
+}
+
+/// The parameters of \p face, without errors.
+template <Real T>
+[[nodiscard]] SurfaceParameters<T> stated(const RoughFace<T>& face) {
+    SurfaceParameters<T> of;
+    of.rms_height.value = face.roughness.rms_height;
+    of.peak_radius.value = face.roughness.peak_radius;
+    of.peak_density.value = face.roughness.peak_density;
+    of.max_peak_height.value = face.roughness.max_peak_height;
+    if (face.fractal_dimension) of.fractal_dimension = {*face.fractal_dimension, 0};
+    if (face.fractal_roughness) of.fractal_roughness = {*face.fractal_roughness, 0};
+    if (face.r) of.r = {*face.r, 0};
+    if (face.theta) of.theta = {*face.theta, 0};
+    return of;
+}
 
 namespace detail {
 
@@ -59,14 +89,14 @@ template <Real T>
 
 }  // namespace detail
 
-/// The sum of \p a and \p b, whose parameters have the errors of \p of_a and \p of_b.
+/// The sum of \p of_a and \p of_b, whose spectra have the moments \p moments_a and \p moments_b. R_p and G of it have no errors.
 /// \throws domain_error for parameters or errors out of range.
 template <Real T>
-[[nodiscard]] UncertainSurface<T> uncertain_sum(const RoughFace<T>& a, const UncertainSurface<T>& of_a,
-                                                const RoughFace<T>& b, const UncertainSurface<T>& of_b,
-                                                std::uint64_t seed = 2014) {
+[[nodiscard]] SurfaceParameters<T> uncertain_sum(const SurfaceParameters<T>& of_a, const SpectralMoments<T>& moments_a,
+                                                 const SurfaceParameters<T>& of_b, const SpectralMoments<T>& moments_b,
+                                                 std::uint64_t seed = 2014) {
     constexpr std::size_t draws = 4000, size = surface_parameter_count;
-    const RoughFace<T> nominal = sum_of_faces(a, b);
+    const RoughFace<T> a = rough_face(of_a, moments_a), b = rough_face(of_b, moments_b), nominal = sum_of_faces(a, b);
     SurfaceSampler<T> draw_a(of_a, seed), draw_b(of_b, ~seed);
     const T share = share_of_face(a, b);
     std::array<T, size> mean{};
@@ -84,23 +114,20 @@ template <Real T>
             for (std::size_t j = 0; j < size; ++j) square[i][j] += x[i] * x[j] / T(draws);
         }
     }
-    UncertainSurface<T> out;
-    const auto set = [&](Parameter which, T value) {
-        const std::size_t i = index_of(which);
-        const T variance = (std::max)(T(0), square[i][i] - mean[i] * mean[i]);
-        const bool log = parameter_table[i].variation == Variation::log;  // then s^2 = ln(1 + (error/value)^2)
-        out.set(which, {value, log ? value * std::sqrt(std::expm1(variance)) : std::sqrt(variance)});
-    };
-    set(Parameter::rms_height, nominal.roughness.rms_height);
-    set(Parameter::peak_radius, nominal.roughness.peak_radius);
-    set(Parameter::peak_density, nominal.roughness.peak_density);
-    if (nominal.fractal_dimension) set(Parameter::fractal_dimension, *nominal.fractal_dimension);
-    if (nominal.r) set(Parameter::r, *nominal.r), set(Parameter::theta, *nominal.theta);
+    SurfaceParameters<T> out = stated(nominal);
+    if (out.fractal_dimension)
+        out.dimension_window_error =
+            std::hypot(share * of_a.dimension_window_error, (1 - share) * of_b.dimension_window_error);
+    const auto variance = [&](std::size_t i) { return (std::max)(T(0), square[i][i] - mean[i] * mean[i]); };
+    for (std::size_t i = 0; i < size; ++i)
+        if (auto* known = out.find(parameter_table[i].parameter)) {
+            const bool log = parameter_table[i].variation == Variation::log;  // then s^2 = ln(1 + (error/value)^2)
+            known->error = log ? known->value * std::sqrt(std::expm1(variance(i))) : std::sqrt(variance(i));
+        }
     for (std::size_t i = 0; i < size; ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const T both = std::sqrt((square[i][i] - mean[i] * mean[i]) * (square[j][j] - mean[j] * mean[j]));
-            const T shared = square[i][j] - mean[i] * mean[j];
-            if (both > T(0) && out.error[i] > T(0) && out.error[j] > T(0))
+            const T both = std::sqrt(variance(i) * variance(j)), shared = square[i][j] - mean[i] * mean[j];
+            if (both > T(0))
                 out.correlation[i][j] = out.correlation[j][i] = std::clamp(shared / both, T(-1), T(1));
         }
     return out;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Surfaces drawn at random about the measured parameters of one, for a band about whatever is computed of them.
+/// The parameters of a surface with their standard errors, and surfaces drawn at random about them, for a band about
+/// whatever is computed of them.
 ///
 ///     x = value exp(s z),  s^2 = ln(1 + (error/value)^2)      sigma, R, D_p: lognormal, the value is the median
 ///     x = value + error z                                     D in (1, 2), r in [0, 1), theta in (0, pi/2): truncated
@@ -19,94 +20,171 @@
 
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/random.hpp>
-#include <fstiff/measured/surface_parameters.hpp>
+#include <fstiff/measured/lay.hpp>
+#include <fstiff/measured/sections.hpp>
+#include <fstiff/surface/contact_parameter.hpp>
+#include <fstiff/topography/island_spread.hpp>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
+#include <optional>
+#include <string>
 
 namespace fstiff {
 
-/// The parameters that enter the contact, with errors.
+/// A measured value and its standard deviation.
 template <Real T = double>
-struct UncertainSurface {
-    std::array<T, surface_parameter_count> value{}, error{};  ///< in the order of Parameter
-    std::array<bool, surface_parameter_count> known{};        ///< D, r and theta may not be
-    ParameterCorrelation<T> correlation = uncorrelated<T>();
-
-    /// \throws domain_error for a parameter that is not of the surface.
-    constexpr void set(Parameter which, const Measurement<T>& measured) {
-        const std::size_t i = index_of(which);
-        if (i >= surface_parameter_count)
-            throw domain_error(std::string(name_of(which)) +
-                               ": is no parameter of a surface; must be one that SurfaceParameters holds");
-        value[i] = measured.value, error[i] = measured.error, known[i] = true;
-    }
-    /// \throws domain_error naming the parameter that is out of range.
-    void validate() const;
+struct Measurement {
+    T value{}, error{};
 };
 
-/// The parameters of a measured surface.
+/// Rows and columns are those of Parameter, of the surface.
 template <Real T>
-[[nodiscard]] UncertainSurface<T> uncertain(const SurfaceParameters<T>& measured);
+using ParameterCorrelation = std::array<std::array<T, surface_parameter_count>, surface_parameter_count>;
+
+/// No parameter hangs on another: the unit matrix.
+template <Real T>
+[[nodiscard]] constexpr ParameterCorrelation<T> uncorrelated() {
+    ParameterCorrelation<T> one{};
+    for (std::size_t i = 0; i < surface_parameter_count; ++i) one[i][i] = T(1);
+    return one;
+}
+
+/// The parameters of a measured surface, each with its standard error.
+template <Real T = double>
+struct SurfaceParameters {
+    Measurement<T> rms_height;       ///< sigma [m]
+    Measurement<T> peak_radius;      ///< R [m]
+    Measurement<T> peak_density;     ///< D_p [1/m^2]
+    Measurement<T> max_peak_height;  ///< R_p [m]; the error is a lower bound
+    std::optional<Measurement<T>> fractal_dimension;
+    std::optional<Measurement<T>> fractal_roughness;  ///< G [m]
+    T log_fractal_roughness_error{};                  ///< standard deviation of ln G
+    T dimension_window_error{};                       ///< share of the window of lags in the error of D
+    std::optional<Measurement<T>> r, theta;           ///< theta [rad]
+    std::string why_no_dimension, why_no_peaks;       ///< why there is no D, no r and theta; empty when there are
+    /// Of the errors; those of different origin (D; the islands of a map) are taken for independent.
+    ParameterCorrelation<T> correlation = uncorrelated<T>();
+    LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
+    T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
+    bool anisotropic{};           ///< of a map
+    Repetition<T> repetition{};   ///< of a profile
+    T texture_aspect_ratio{1};    ///< Str of a map
+    bool curved{};                ///< no clean power law in the window
+    std::size_t peaks_counted{};  ///< behind R and D_p
+    std::size_t blocks{};         ///< independent parts that the errors come from
+    T block_length{};             ///< of a profile [m]
+    std::uint64_t seed{};
+    std::optional<FractalFit<T>> profile_fit;  ///< behind D and G of a profile; none where why_no_dimension tells why
+    std::optional<DirectionalFit<T>> map_fit;  ///< behind those of a map; without x and y where neither can be fitted
+    std::optional<RepresentativeIslands<T>> islands;  ///< behind R and D_p of a map, of PeakSource::islands
+
+    /// The parameter \p which, to read or to change; null where it is not known, or is none of a surface.
+    [[nodiscard]] const Measurement<T>* find(Parameter which) const { return find_in(*this, which); }
+    [[nodiscard]] Measurement<T>* find(Parameter which) { return find_in(*this, which); }
+    /// \throws domain_error for a parameter that is not of a surface.
+    void set(Parameter which, const Measurement<T>& measured);
+    /// In the order of Parameter; 0 where not known.
+    [[nodiscard]] std::array<T, surface_parameter_count> values() const;
+    /// \throws domain_error naming the parameter that is out of range.
+    void validate() const;
+
+private:
+    template <class Self>
+    static auto find_in(Self& self, Parameter which) -> decltype(&self.rms_height);
+};
 
 /// Draws surfaces, one a call.
 template <Real T = double>
 class SurfaceSampler {
 public:
-    /// \throws domain_error as UncertainSurface::validate().
-    SurfaceSampler(const UncertainSurface<T>& surface, std::uint64_t seed);
+    /// \throws domain_error as SurfaceParameters::validate().
+    SurfaceSampler(const SurfaceParameters<T>& surface, std::uint64_t seed);
     /// In the order of Parameter; what is not known stays 0.
     /// \throws domain_error when 1000 draws in a row leave the range of D, r or theta.
     [[nodiscard]] std::array<T, surface_parameter_count> operator()();
 
 private:
-    UncertainSurface<T> surface_;
+    std::array<std::optional<Measurement<T>>, surface_parameter_count> known_{};
     std::array<std::array<T, surface_parameter_count>, surface_parameter_count> root_{};  ///< of the correlation
     std::uint64_t state_;
 };
 
 template <Real T>
-void UncertainSurface<T>::validate() const {
+template <class Self>
+auto SurfaceParameters<T>::find_in(Self& self, Parameter which) -> decltype(&self.rms_height) {
+    const auto known = [](auto& one) { return one ? &*one : nullptr; };
+    switch (which) {
+        case Parameter::rms_height:
+            return &self.rms_height;
+        case Parameter::peak_radius:
+            return &self.peak_radius;
+        case Parameter::peak_density:
+            return &self.peak_density;
+        case Parameter::fractal_dimension:
+            return known(self.fractal_dimension);
+        case Parameter::r:
+            return known(self.r);
+        case Parameter::theta:
+            return known(self.theta);
+        default:
+            return nullptr;
+    }
+}
+
+template <Real T>
+void SurfaceParameters<T>::set(Parameter which, const Measurement<T>& measured) {
+    if (index_of(which) >= surface_parameter_count)
+        throw domain_error(std::string(name_of(which)) +
+                           ": is no parameter of a surface; must be one that SurfaceParameters holds");
+    if (which == Parameter::fractal_dimension) fractal_dimension = measured;
+    if (which == Parameter::r) r = measured;
+    if (which == Parameter::theta) theta = measured;
+    *find(which) = measured;
+}
+
+template <Real T>
+std::array<T, surface_parameter_count> SurfaceParameters<T>::values() const {
+    std::array<T, surface_parameter_count> all{};
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        if (const auto* one = find(parameter_table[i].parameter)) all[i] = one->value;
+    return all;
+}
+
+template <Real T>
+void SurfaceParameters<T>::validate() const {
+    const auto known = [&](std::size_t i) { return find(parameter_table[i].parameter); };
     for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-        if (!known[i]) continue;
+        if (!known(i)) continue;
+        const auto [value, error] = *known(i);
         const ParameterRow& row = parameter_table[i];
-        require(parameter_in_range(row.parameter, value[i]), row.key, value[i], row.range());
-        require(error[i] >= T(0) && error[i] <= (std::numeric_limits<T>::max)(), std::string(row.key) + " error",
-                error[i], "finite and not negative");
+        require(parameter_in_range(row.parameter, value), row.key, value, row.range());
+        require(error >= T(0) && error <= (std::numeric_limits<T>::max)(), std::string(row.key) + " error", error,
+                "finite and not negative");
         for (std::size_t j = 0; j < surface_parameter_count; ++j)
-            require(!known[j] || (std::abs(correlation[i][j]) <= T(1) && correlation[i][j] == correlation[j][i]),
+            require(!known(j) || (std::abs(correlation[i][j]) <= T(1) && correlation[i][j] == correlation[j][i]),
                     "correlation", correlation[i][j], "symmetric, between -1 and 1");
         require(correlation[i][i] == T(1), "correlation of a parameter with itself", correlation[i][i], "1");
     }
 }
 
 template <Real T>
-UncertainSurface<T> uncertain(const SurfaceParameters<T>& measured) {
-    UncertainSurface<T> surface;
-    surface.set(Parameter::rms_height, measured.rms_height);
-    surface.set(Parameter::peak_radius, measured.peak_radius);
-    surface.set(Parameter::peak_density, measured.peak_density);
-    if (measured.fractal_dimension) surface.set(Parameter::fractal_dimension, *measured.fractal_dimension);
-    if (measured.r) surface.set(Parameter::r, *measured.r);
-    if (measured.theta) surface.set(Parameter::theta, *measured.theta);
-    surface.correlation = measured.correlation;
-    return surface;
-}
-
-template <Real T>
-SurfaceSampler<T>::SurfaceSampler(const UncertainSurface<T>& surface, std::uint64_t seed)
-    : surface_(surface), state_(seed) {
-    surface_.validate();
+SurfaceSampler<T>::SurfaceSampler(const SurfaceParameters<T>& surface, std::uint64_t seed) : state_(seed) {
+    surface.validate();
+    for (std::size_t i = 0; i < surface_parameter_count; ++i)
+        if (const auto* one = surface.find(parameter_table[i].parameter)) known_[i] = *one;
     constexpr auto size = static_cast<Eigen::Index>(surface_parameter_count);
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> correlation(size, size);
     correlation.setIdentity();
     for (std::size_t i = 0; i < surface_parameter_count; ++i)
         for (std::size_t j = 0; j < surface_parameter_count; ++j)
-            if (surface.known[i] && surface.known[j])
+            if (known_[i] && known_[j])
                 correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = surface.correlation[i][j];
     // the symmetric root: a correlation of exactly 1, or rounded to a few digits, does it no harm
     const auto [values, vectors] = symmetric_eigen<T>(correlation);
@@ -128,9 +206,10 @@ std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
         std::array<T, surface_parameter_count> draw{};
         bool inside = true;
         for (std::size_t i = 0; i < surface_parameter_count; ++i) {
-            if (!surface_.known[i]) continue;
+            if (!known_[i]) continue;
             const T one = std::inner_product(z.begin(), z.end(), root_[i].begin(), T(0));
-            const T value = surface_.value[i], error = surface_.error[i], relative = error / value;
+            const auto [value, error] = *known_[i];
+            const T relative = error / value;
             const ParameterRow& row = parameter_table[i];
             draw[i] = row.variation == Variation::log
                           ? value * std::exp(std::sqrt(std::log1p(relative * relative)) * one)

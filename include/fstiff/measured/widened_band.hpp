@@ -34,6 +34,26 @@ struct WidenedBand {
     BandParts<T> parts;
 };
 
+/// \p band of \p stiffness widened by the neighbours and by the lay of a profile. \p of_neighbours and \p of_windows,
+/// those of D, are curves of K over many points, of which \p point counts, each times \p factor.
+template <Real T>
+[[nodiscard]] WidenedBand<T> widened(T stiffness, const SampledBand<T>& band,
+                                     const std::vector<std::vector<T>>& of_neighbours,
+                                     const std::vector<std::vector<T>>& of_windows, std::size_t point,
+                                     bool has_lay = false, T factor = T(1)) {
+    const auto at_point = [&](const std::vector<std::vector<T>>& curves) {
+        std::vector<T> all;
+        for (const auto& curve : curves) all.push_back(curve[point] * factor);
+        return all;
+    };
+    WidenedBand<T> one{stiffness, band, {}};
+    const std::vector<T> neighbours = at_point(of_neighbours), windows = at_point(of_windows);
+    if (!neighbours.empty()) one.parts = widen(one.band, stiffness, std::span<const T>(neighbours));
+    spread_of(stiffness, std::span<const T>(windows), one.parts.window_low, one.parts.window_high);
+    if (has_lay) widen_by_lay(one.band);
+    return one;
+}
+
 /// Whether \p surface is a profile that repeats itself, which cannot know K of its face.
 template <Real T>
 [[nodiscard]] bool is_profile_with_lay(const Surface<T>& surface) {
@@ -75,11 +95,10 @@ template <Real T, class Pressures, class ContactOf>
 /// The parameters of \p neighbour; r and theta of \p surface where it has none.
 template <Real T>
 [[nodiscard]] std::array<T, surface_parameter_count> values_of_neighbour(const Surface<T>& neighbour,
-                                                                         const UncertainSurface<T>& surface) {
-    const UncertainSurface<T> own = uncertain<T>(neighbour);
-    auto values = own.value;
+                                                                         const Surface<T>& surface) {
+    auto values = neighbour.values();
     for (const Parameter which : {Parameter::r, Parameter::theta})
-        if (!own.known[index_of(which)]) values[index_of(which)] = surface.value[index_of(which)];
+        if (!neighbour.find(which)) values[index_of(which)] = surface.values()[index_of(which)];
     return values;
 }
 
@@ -88,36 +107,24 @@ template <Real T>
 template <Real T, class Pressures, class ContactOf>
 std::vector<WidenedBand<T>> stiffness_band(const Surface<T>& surface, const Pressures& pressures,
                                            const ContactOf& contact_of, const BandOptions& options) {
-    const UncertainSurface<T> values = uncertain<T>(surface);
     const auto at = [&](const std::array<T, surface_parameter_count>& of) {
         return detail::stiffnesses_at(of, pressures, contact_of);
     };
-    const auto bands = sampled_band(values, at, options);
-    const std::vector<T> own = at(values.value);
+    const auto bands = sampled_band(surface, at, options);
+    const std::vector<T> own = at(surface.values());
     std::vector<std::vector<T>> of_neighbours, of_windows;
     for (const Surface<T>& neighbour : surface.neighbours)
-        of_neighbours.push_back(at(detail::values_of_neighbour(neighbour, values)));
+        of_neighbours.push_back(at(detail::values_of_neighbour(neighbour, surface)));
     if (surface.fractal_dimension && surface.dimension_window_error > T(0))
         for (const T dimension :
              dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
-            auto other = values.value;
+            auto other = surface.values();
             other[index_of(Parameter::fractal_dimension)] = dimension;
             of_windows.push_back(at(other));
         }
     std::vector<WidenedBand<T>> all;
-    for (std::size_t i = 0; i < bands.size(); ++i) {
-        WidenedBand<T> one{own[i], bands[i], {}};
-        const auto column = [i](const std::vector<std::vector<T>>& of) {
-            std::vector<T> at_pressure;
-            for (const auto& curve : of) at_pressure.push_back(curve[i]);
-            return at_pressure;
-        };
-        const std::vector<T> neighbours = column(of_neighbours), windows = column(of_windows);
-        if (!neighbours.empty()) one.parts = widen(one.band, one.stiffness, std::span<const T>(neighbours));
-        spread_of(one.stiffness, std::span<const T>(windows), one.parts.window_low, one.parts.window_high);
-        if (is_profile_with_lay(surface)) widen_by_lay(one.band);
-        all.push_back(one);
-    }
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        all.push_back(widened(own[i], bands[i], of_neighbours, of_windows, i, is_profile_with_lay(surface)));
     return all;
 }
 

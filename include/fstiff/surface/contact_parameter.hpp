@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -80,6 +81,8 @@ inline constexpr std::array parameter_table{
 
 /// How many of them are of the surface: they come first.
 inline constexpr std::size_t surface_parameter_count = static_cast<std::size_t>(Parameter::theta) + 1;
+/// Their rows.
+inline constexpr auto surface_parameter_table = std::span(parameter_table).first<surface_parameter_count>();
 
 namespace detail {
 

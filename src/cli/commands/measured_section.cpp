@@ -146,12 +146,12 @@ std::string per_length(double value) {
 /// The profile, its bearing curve and structure function. \returns its peak statistics for a table.
 TextRows profile_part(Page& page, const MeasuredSurface& surface) {
     TextRows peaks{{"peak statistics", "value"}};
-    const Profile<double>& profile = surface.profile->profile;
+    const Profile<double>& profile = surface.found.profile->profile;
     show(page, {profile_panel(profile)});
     show(page, {bearing_panel(profile.heights)}, "Height against the share of the profile that stands above.");
-    if (surface.profile_fit) {
+    if (surface.found.profile_fit) {
         Panel panel = structure_panel();
-        add_structure(panel, *surface.profile_fit, "");
+        add_structure(panel, *surface.found.profile_fit, "");
         show(page, {panel}, fit_caption);
     }
     try {
@@ -174,7 +174,8 @@ TextRows profile_part(Page& page, const MeasuredSurface& surface) {
 
 void islands_figure(Page& page, const MeasuredSurface& surface) {
     try {
-        const IslandCurve<double> curve = surface.islands ? *surface.islands : island_curve(surface.map->map);
+        const IslandCurve<double> curve =
+            surface.found.islands ? surface.found.islands->curve : island_curve(surface.found.map->map);
         const std::size_t chosen = curve.representative();
         Panel density{.title = "Density of islands",
                       .x = {.label = "bearing area [%]", .logarithmic = false, .low = 0.0, .high = 100.0},
@@ -207,12 +208,12 @@ void islands_figure(Page& page, const MeasuredSurface& surface) {
 /// The map, its bearing curve, structure functions and islands. \returns its summits for a table.
 TextRows map_part(Page& page, const MeasuredSurface& surface) {
     TextRows peaks{{"peak statistics", "value"}};
-    const HeightMap<double>& map = surface.map->map;
+    const HeightMap<double>& map = surface.found.map->map;
     show(page, map_panels(map), "Map, and the heights of its colours.");
     show(page, {bearing_panel({map.heights.data(), static_cast<std::size_t>(map.size())})},
          "Height against the share of the map that stands above.");
-    if (surface.map_fit) {
-        const DirectionalFit<double>& fit = *surface.map_fit;
+    if (surface.found.map_fit) {
+        const DirectionalFit<double>& fit = *surface.found.map_fit;
         Panel panel = structure_panel();
         if (fit.x) add_structure(panel, *fit.x, " along x");
         if (fit.y) add_structure(panel, *fit.y, " along y");
@@ -221,7 +222,7 @@ TextRows map_part(Page& page, const MeasuredSurface& surface) {
         if (!panel.lines.empty())
             show(page, {panel}, fit_caption);
     }
-    const ArealStatistics<double>& a = surface.map->areal;
+    const ArealStatistics<double>& a = surface.found.map->areal;
     peaks.insert(peaks.end(), {{"density of summits", with_unit(a.summit_density, "1/m^2")},
                                {"mean curvature of the summits", per_length(a.summit_curvature)},
                                {"mean height of the summits", with_unit(a.summit_height, "m")},
@@ -248,16 +249,16 @@ void measured_section(Page& page, const MeasuredSurface& surface) {
         rows.push_back({line.name, with_unit(line.measured.value, line.unit, 5, line.measured.error), line.how});
     page.table(rows);
     page.end("div");
-    if (!surface.fractal_refusal.empty()) page.paragraph("No D and G: " + surface.fractal_refusal);
-    if (!surface.peaks_refusal.empty()) page.paragraph("No r and θ: " + surface.peaks_refusal);
+    if (!surface.found.why_no_dimension.empty()) page.paragraph("No D and G: " + surface.found.why_no_dimension);
+    if (!surface.found.why_no_peaks.empty()) page.paragraph("No r and θ: " + surface.found.why_no_peaks);
 
     if (!surface.parts.empty()) return;  // which follow, each by itself
-    if (!surface.profile && !surface.map) {
+    if (!surface.found.profile && !surface.found.map) {
         page.paragraph("The numbers come from the JSON of fstiff measure, which holds no heights: none are drawn.");
         return;
     }
     page.begin("div class=\"pair\"");
-    const TextRows peaks = surface.profile ? profile_part(page, surface) : map_part(page, surface);
+    const TextRows peaks = surface.found.profile ? profile_part(page, surface) : map_part(page, surface);
     if (peaks.size() > 1) page.table(peaks);
     page.end("div");
 }

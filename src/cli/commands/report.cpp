@@ -12,7 +12,7 @@
 #include "scene/result_rows.hpp"
 #include "scene/results.hpp"
 
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <algorithm>
@@ -29,27 +29,21 @@ struct Options {
     std::string folder;
 };
 
-
 /// Name and value with its error of what the surface is given by.
 TextRows surface_rows(const Scene& scene) {
-    const auto& s = scene.surface;
+    const SurfaceParameters<double>& s = scene.face.parameters;
     TextRows rows;
-    const auto add = [&](const char* name, std::optional<double> value, std::string_view si, Parameter which) {
-        if (value)
-            rows.push_back({name, with_unit(*value, si, 4, scene.uncertain.error[static_cast<std::size_t>(which)])});
+    const auto add = [&](const char* name, const std::optional<Measurement<double>>& one, std::string_view si) {
+        if (one) rows.push_back({name, with_unit(one->value, si, 4, one->error)});
     };
-    add("rms height σ", s.rms_height, "m", Parameter::rms_height);
-    add("peak radius R", s.peak_radius, "m", Parameter::peak_radius);
-    add("peak density D_p", s.peak_density, "1/m^2", Parameter::peak_density);
-    add("fractal dimension D", scene.fractal_dimension, "", Parameter::fractal_dimension);
-    add("r", scene.r, "", Parameter::r);
-    add("θ", scene.theta, "rad", Parameter::theta);
-    if (scene.fractal_roughness) {
-        double error = 0;
-        if (scene.measured && scene.measured->fractal_roughness) error = scene.measured->fractal_roughness->error;
-        rows.push_back({"fractal roughness G", with_unit(*scene.fractal_roughness, "m", 4, error)});
-    }
-    if (s.max_peak_height > 0) rows.push_back({"highest peak R_p", with_unit(s.max_peak_height, "m", 4)});
+    add("rms height σ", s.rms_height, "m");
+    add("peak radius R", s.peak_radius, "m");
+    add("peak density D_p", s.peak_density, "1/m^2");
+    add("fractal dimension D", s.fractal_dimension, "");
+    add("r", s.r, "");
+    add("θ", s.theta, "rad");
+    add("fractal roughness G", s.fractal_roughness, "m");
+    if (s.max_peak_height.value > 0) rows.push_back({"highest peak R_p", with_unit(s.max_peak_height.value, "m", 4)});
     return rows;
 }
 
@@ -234,11 +228,9 @@ void inputs_section(Page& page, const Scene& scene) {
 void equations_section(Page& page, const Scene& scene, const Results& results) {
     page.heading("Equations");
     TextRows rows{{"law", "load", "stiffness", "peaks"}};
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law& law = *chosen.law;
+    for (const Law* law : scene.laws)
         rows.push_back(
-            {std::string(law.name), std::string(law.load), std::string(law.stiffness), std::string(law.peaks)});
-    }
+            {std::string(law->name), std::string(law->load), std::string(law->stiffness), std::string(law->peaks)});
     page.table(rows);
     std::string rest = "Effective modulus " + rounded(results.modulus / 1e9) +
                        " GPa from both bodies. Rms curvature of the peaks by (4.10). Interaction " +
@@ -296,10 +288,10 @@ Report execute(const Options& options) {
     keep_for_output(file);
     Scene scene = read_scene(options.scene);
     // of a map a report shows the truth beside the laws
-    const scene::Law& elements = *scene::find_law("boundary_elements");
+    const scene::Law& elements = scene::find_law(LawName::boundary_elements);
     if (refusal_of(elements, scene).empty() && !scene.at_separations &&
-        std::none_of(scene.laws.begin(), scene.laws.end(), [&](const ChosenLaw& one) { return one.law == &elements; }))
-        scene.laws.push_back({&elements, {}});
+        std::find(scene.laws.begin(), scene.laws.end(), &elements) == scene.laws.end())
+        scene.laws.push_back(&elements);
     // a report shows everything, whatever output.quantities asks of run
     scene.stiffness = scene.separation = scene.real_area = scene.contacts = true;
     if (scene.ultrasound) {

@@ -9,9 +9,9 @@
 #include "surface/documents.hpp"
 #include "scene/result_rows.hpp"
 #include "document/shown_unit.hpp"
-#include "scene/validated_ratio.hpp"
 
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
+#include <fstiff/validity/validated_ratio.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ Json json(const Scene& scene, const Results& results) {
         Json measured = measured_document(*face->measured);
         Json& place = scene.faces.empty() ? document["surface"] : document["surface"][name];
         place = {{"source", measured["source"]}, {"measured", measured["surface"]}};
-        put_cut_offs(place, face->measured->cut_offs);
+        put_cut_offs(place, face->measured->found.cut_offs);
     }
     if (has_band(results))
         document["uncertainty"] = {
@@ -74,10 +74,8 @@ Json json(const Scene& scene, const Results& results) {
         }
     }
     Json& laws = document["laws"] = Json::object();
-    for (const ChosenLaw& chosen : scene.laws) {
-        const Law& law = *chosen.law;
-        laws[law.name] = {{"load", law.load}, {"stiffness", law.stiffness}, {"peaks", law.peaks}};
-    }
+    for (const Law* law : scene.laws)
+        laws[law->name] = {{"load", law->load}, {"stiffness", law->stiffness}, {"peaks", law->peaks}};
     Json& rows = document["rows"] = Json::array();
     for (const Curve& curve : results.curves) rows_of(results, curve).append_to(rows);
     return document;
@@ -113,23 +111,18 @@ std::string believed(const Results& results) {
 
 /// The surface that the contact is of, and what was assumed of it.
 std::vector<std::string> surface_parts(const Scene& scene) {
-    const auto& s = scene.surface;
+    const SurfaceParameters<double>& s = scene.face.parameters;
     const std::vector<Parameter> unknown = unknown_parameters(scene);
     const auto digits = [&](Parameter one) { return std::count(unknown.begin(), unknown.end(), one) > 0 ? 2 : 5; };
-    std::vector<std::string> parts{"sigma " + shown_length(s.rms_height, digits(Parameter::rms_height)),
-                                   "R " + shown_length(s.peak_radius, digits(Parameter::peak_radius)),
-                                   "D_p " + with_unit(s.peak_density, "/m^2", digits(Parameter::peak_density))};
-    if (s.max_peak_height > 0) parts.push_back("R_p " + shown_length(s.max_peak_height));
-    if (scene.fractal_dimension)
-        parts.push_back("D " + rounded(*scene.fractal_dimension, digits(Parameter::fractal_dimension)));
-    if (scene.fractal_roughness) {
-        const auto& measured = scene.measured ? scene.measured->fractal_roughness : std::nullopt;
-        parts.push_back("G " + shown_length(*scene.fractal_roughness, measured && !is_known(*measured) ? 2 : 5));
-    }
-    if (scene.r) {
-        parts.push_back("r " + rounded(*scene.r, digits(Parameter::r)));
-        parts.push_back("theta " + rounded(*scene.theta, digits(Parameter::theta)));
-    }
+    std::vector<std::string> parts{"sigma " + shown_length(s.rms_height.value, digits(Parameter::rms_height)),
+                                   "R " + shown_length(s.peak_radius.value, digits(Parameter::peak_radius)),
+                                   "D_p " + with_unit(s.peak_density.value, "/m^2", digits(Parameter::peak_density))};
+    if (s.max_peak_height.value > 0) parts.push_back("R_p " + shown_length(s.max_peak_height.value));
+    if (s.fractal_dimension)
+        parts.push_back("D " + rounded(s.fractal_dimension->value, digits(Parameter::fractal_dimension)));
+    if (const auto& g = s.fractal_roughness) parts.push_back("G " + shown_length(g->value, is_known(*g) ? 5 : 2));
+    if (s.r) parts.push_back("r " + rounded(s.r->value, digits(Parameter::r)));
+    if (s.theta) parts.push_back("theta " + rounded(s.theta->value, digits(Parameter::theta)));
     for (const Assumed& one : assumed(scene))
         parts.push_back(std::string(one.symbol) + " " + rounded(one.value, 3) + " (" + one.how + ")");
     if (scene.faces.empty()) parts.push_back("the other face smooth");
@@ -208,7 +201,7 @@ std::string explanations(const Scene& scene, const Results& results) {
                 " surfaces drawn about this one by its errors, seed " + std::to_string(scene.seed) +
                 (results.about_band.empty() ? "\n" : ", widened by the spread over lambda_s\n");
     else if (scene.needs_stiffness())
-        text += scene.has_errors() ? "K has no band: the scene asks for no samples\n"
+        text += scene.face.has_errors() ? "K has no band: the scene asks for no samples\n"
                                    : "K has no band: no error of a parameter of the surface is known\n";
     return text;
 }
@@ -259,7 +252,7 @@ public:
             const auto pressure = curve.value_at(i, CurveQuantity::pressure);
             if (!pressure) return "-";  // out of the law's reach
             const double p = dimensionless_pressure(*pressure, results_.modulus, *curve.rms_gradient);
-            const auto ratio = validated_ratio(curve.law->name, p);
+            const auto ratio = validated_ratio(curve.law->which, p);
             return rounded(p, 2) + ": " + (ratio ? rounded(ratio->low, 3) + "–" + rounded(ratio->high, 3) : "-");
         });
     }
@@ -338,8 +331,8 @@ std::string blocks(const Scene& scene, const Results& results) {
 /// Each law at the points of the summary, what it is and how far it may be believed.
 std::string table(const Scene& scene, const Results& results) {
     std::string text = introduction(scene, results) + blocks(scene, results) + "\n";
-    for (const ChosenLaw& chosen : scene.laws)
-        text += "  " + std::string(chosen.law->name) + " is " + std::string(chosen.law->nature) + "\n";
+    for (const Law* law : scene.laws)
+        text += "  " + std::string(law->name) + " is " + std::string(law->nature) + "\n";
     return text + "\n" + explanations(scene, results) +
            "every point and quantity: --full, --format csv, --format json\n";
 }

@@ -14,13 +14,13 @@ using Value = std::function<std::optional<double>(const Scale&)>;
 
 Value parameter(Parameter which) {
     return [which](const Scale& scale) -> std::optional<double> {
-        if (!scale.surface || !scale.surface->parameters.known[index_of(which)]) return {};
-        return scale.surface->parameters.value[index_of(which)];
+        const auto* known = scale.surface ? scale.surface->found.find(which) : nullptr;
+        return known ? std::optional(known->value) : std::nullopt;
     };
 }
 
 std::optional<double> gradient(const Scale& scale) {
-    return scale.surface && scale.surface->heights ? std::optional(scale.surface->heights->rms_gradient.value)
+    return scale.surface && scale.surface->found.heights ? std::optional(scale.surface->found.rms_gradient.value)
                                                    : std::nullopt;
 }
 

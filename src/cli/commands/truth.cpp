@@ -7,7 +7,7 @@
 #include "input/surface_options.hpp"
 #include "surface/truth_of_map.hpp"
 
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <memory>

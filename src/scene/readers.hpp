@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The section [surface] of a scene. Private to the files that read a scene.
+// The sections of a scene, each read by a file of its own. Private to the files that read a scene.
 
-#include "scene/face.hpp"
 #include "scene/source.hpp"
 
 #include <fstiff/core/progress.hpp>
@@ -19,6 +18,11 @@ namespace fstiff::scene {
 [[nodiscard]] Face face_in_place(Source& source, const MeasuredSurface& measured);
 /// Reads [surface] into \p scene, or its two faces.
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress);
+/// The bodies, and the waves that meet the contact.
+void read_materials(Source& source, const toml::table& table, Scene& scene);
+void read_ultrasound(Source& source, const toml::table& table, Scene& scene);
+/// Reads [contact] of \p root, with the sections of its laws. \p replaced: the surface is not that of the scene.
+void read_contact(Source& source, const Section& root, Scene& scene, bool replaced);
 /// The keys of a bearing curve, and what they make of \p face, whose rms height is known; nothing where none is there.
 [[nodiscard]] std::vector<std::string_view> bearing_keys();
 [[nodiscard]] bool has_bearing(const Section& surface);

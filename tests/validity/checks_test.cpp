@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: states written by hand, whose checks can be read off; the formulas of the header, computed here once more.
-#include <fstiff/contact/validity.hpp>
+#include <fstiff/validity/checks.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
 #include <numbers>
 
-namespace validity_test {
+namespace checks_test {
 
 using namespace fstiff;
 using test::relative_error;
@@ -155,4 +155,4 @@ TEST_CASE("Gradients that are given or implied are checked for a wrong unit") {
     CHECK(name_of(Concern::implausible_gradient) == "implausible_gradient");
 }
 
-}  // namespace validity_test
+}  // namespace checks_test

@@ -54,6 +54,12 @@ inline constexpr T max_dimensionless_pressure = T(0.01);  ///< p* above which in
 template <Real T>
 inline constexpr T hardness_over_yield_strength = T(2.8);  ///< H/Y of the plasticity index
 
+template <Real T>
+inline constexpr T max_elastic_plasticity_index = T(1);  ///< psi above which the peaks yield at first loading
+
+template <Real T>
+inline constexpr T min_contacts = T(10);  ///< on the nominal area, below which a mean over peaks means little
+
 /// psi for the yield strength Y [Pa] of the softer body. \throws domain_error naming what is not positive.
 template <Real T>
 [[nodiscard]] T plasticity_index(const Roughness<T>& surface, T effective_modulus, T yield_strength) {
@@ -138,7 +144,8 @@ template <Real T>
     std::vector<Check<T>> checks;
     if (yield_strength) {
         const T psi = plasticity_index(surface, effective_modulus, *yield_strength);
-        checks.push_back(detail::surface_check(Concern::plasticity, psi, T(1), psi <= T(1)));
+        checks.push_back(detail::surface_check(Concern::plasticity, psi, max_elastic_plasticity_index<T>,
+                                               psi <= max_elastic_plasticity_index<T>));
     }
     const T product = surface.rms_height * surface.peak_radius * surface.peak_density;
     constexpr T least = min_gaussian_product<T>;
@@ -215,7 +222,7 @@ template <Real T>
     below(Concern::mean_planes_crossed, T(0), separation);
     if (limits.max_peak_height > T(0)) above(Concern::above_highest_peak, limits.max_peak_height, separation);
     if (has(known, Quantity::contacts) && limits.nominal_area)
-        below(Concern::few_contacts, T(10),
+        below(Concern::few_contacts, min_contacts<T>,
               [&](const State& state) { return std::optional(state.contact_density.value * *limits.nominal_area); });
     if (has(known, Quantity::real_area)) {
         above(Concern::area_above_nominal, T(1),

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+/// \file
+/// Boundary elements of a map as a contact: its states at pressures and at separations, with the error of the grid.
+///
+///     const fstiff::BoundaryElementContact contact(map, 112e9, {.points = 256});
+///     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7});
+///
+/// The separation is the mean gap of the deformed faces. At a separation the pressure is sought by Newton's method,
+/// with K as the slope. Each state is one solution on two grids (halfspace/truth), so that no table and no fit is made
+/// of it.
+///
+/// Reference   halfspace/truth.hpp
+/// Units       SI
+/// Valid       as truth(): a map without missing points whose form is removed, of 16 points a side at least;
+///             separations greater than 0 and less than the height of the highest point of the grid
+/// Accuracy    that of truth(), bit for bit; at a separation the pressure to 1e-7
+///             (tests/contact/boundary_element_contact_test.cpp)
+
+#include <fstiff/contact/contact_concept.hpp>
+#include <fstiff/core/text.hpp>
+#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/math/root.hpp>
+#include <fstiff/topography/height_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace fstiff {
+
+/// The elastic half space, or one with a hardness, solved on a map.
+template <Real T = double>
+class BoundaryElementContact {
+public:
+    /// Of the surface \p map against a smooth flat; options.progress is called while a state is computed.
+    /// \throws domain_error as truth().
+    BoundaryElementContact(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
+                           const TruthOptions<T>& options = {})
+        : modulus_(effective_modulus), rms_height_(fstiff::rms_height(map)), area_(map.area()), options_(options) {
+        map.require_whole("before boundary elements");
+        require_positive("effective_modulus", effective_modulus);
+        if (options.hardness != T(0)) require_positive("hardness", options.hardness);
+        map_ = detail::map_for_truth(map, options.points);
+    }
+
+    /// The state under \p pressure [Pa], of all quantities but those that a hardness leaves unknown; out of reach where
+    /// all points touch, and from the hardness on. \throws domain_error for a pressure that is not positive.
+    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity = Quantity::all) const {
+        require_positive("pressure", pressure);
+        if (options_.hardness > T(0) && !(pressure < options_.hardness))
+            return ContactPoint<T>::out_of_reach("pressure = " + shortest_text(pressure) +
+                                                 ": must be less than the hardness (Pa)");
+        const TruthPoint<T> solved = truth(map_, modulus_, std::array{pressure}, options_).front();
+        if (std::isinf(solved.state.stiffness))
+            return ContactPoint<T>::out_of_reach("all points of the map are in contact");
+        if (std::isinf(solved.stiffness_error))
+            return ContactPoint<T>::out_of_reach("all points of the grid half as fine are in contact");
+        return ContactPoint<T>::of(state_of(solved));
+    }
+    /// The state at the mean gap \p separation [m].
+    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity = Quantity::all) const {
+        const T highest = map_.heights.maxCoeff() - map_.heights.mean();
+        if (!(separation > T(0) && separation < highest))
+            return ContactPoint<T>::out_of_reach("separation = " + shortest_text(separation) +
+                                                 ": must be greater than 0 and less than the highest point (m)");
+        TruthOptions<T> one_grid = options_;
+        one_grid.grid_error = false;
+        one_grid.progress = {};
+        const auto excess = [&](T log_pressure) {  // of the gap, and its slope over log p
+            const T pressure = std::exp(log_pressure);
+            const auto [state, stiffness_error, gap_error] =
+                truth(map_, modulus_, std::array{pressure}, one_grid).front();
+            return std::pair(state.mean_gap - separation, -pressure / state.stiffness);
+        };
+        const T most = options_.hardness > T(0) ? std::log(options_.hardness) - T(1e-6) : std::log(T(1e3) * modulus_);
+        const T guess = std::log(modulus_ * rms_height_ / std::sqrt(area_)) - 3 * separation / rms_height_;
+        const auto found = newton_bracketed(excess, (std::min)(guess, most) - 60, most, guess, T(1e-8));
+        if (!found.converged())
+            return ContactPoint<T>::out_of_reach("separation = " + shortest_text(separation) +
+                                                 ": must be that of some pressure (m)");
+        return point_at_pressure(std::exp(found.root));
+    }
+    /// \throws domain_error where there is no point.
+    [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity wanted = Quantity::all) const {
+        return state_or_throw(point_at_pressure(pressure, wanted));
+    }
+    /// \throws domain_error where there is no point.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity wanted = Quantity::all) const {
+        return state_or_throw(point_at_separation(separation, wanted));
+    }
+    [[nodiscard]] T rms_height() const { return rms_height_; }  ///< of the map before it is made coarser [m]
+
+private:
+    [[nodiscard]] ContactState<T> state_of(const TruthPoint<T>& solved) const {
+        const BoundaryElementState<T>& found = solved.state;
+        ContactState<T> state;
+        state.pressure = {found.pressure, 0, 0};
+        state.separation = {found.mean_gap, solved.gap_error, found.iterations};
+        state.eta = found.mean_gap / rms_height_;
+        state.stiffness = {found.stiffness, solved.stiffness_error, found.iterations};
+        if (!(options_.hardness > T(0))) state.loading_stiffness = state.stiffness;
+        state.real_area_fraction = {found.contact_fraction, 0, 0};
+        state.contact_density = {static_cast<T>(found.spots) / area_, 0, 0};
+        return state;
+    }
+
+    T modulus_, rms_height_, area_;
+    TruthOptions<T> options_;
+    HeightMap<T> map_;
+};
+
+}  // namespace fstiff

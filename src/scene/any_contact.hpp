@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The contacts of the library behind AnyContact. Private to law.cpp.
+
+#include "scene/law.hpp"
+
+#include <fstiff/contact/contact_law.hpp>
+#include <fstiff/contact/load_means.hpp>
+#include <fstiff/contact/mean_over_shifts.hpp>
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// What ContactLaw::tabulate asks of a contact, through virtual functions: its tables are compiled once for all laws.
+class Model {
+public:
+    virtual ~Model() = default;
+    virtual ContactState<double> at_pressure(double pressure, Quantity wanted) const = 0;
+    virtual ContactState<double> at_separation(double separation, Quantity wanted) const = 0;
+    virtual LogSlope<double> log_pressure(double eta) const = 0;
+    virtual Estimate<double> log_stiffness(double eta) const = 0;
+};
+template <class Contact>
+class ModelOf final : public Model {
+public:
+    explicit ModelOf(Contact contact) : contact_(std::move(contact)) {}
+    ContactState<double> at_pressure(double pressure, Quantity wanted) const override {
+        return contact_.at_pressure(pressure, wanted);
+    }
+    ContactState<double> at_separation(double separation, Quantity wanted) const override {
+        return contact_.at_separation(separation, wanted);
+    }
+    LogSlope<double> log_pressure(double eta) const override { return contact_.log_pressure(eta); }
+    Estimate<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
+
+private:
+    Contact contact_;
+};
+
+/// A fstiff::Contact over a Model.
+class ModelContact {
+public:
+    template <class Contact>
+    explicit ModelContact(const Contact& contact)
+        : model_(std::make_shared<ModelOf<Contact>>(contact)),
+          rms_height_(contact.rms_height()),
+          has_kinks_(detail::has_kinks(contact)),
+          bulk_compliance_(contact.bulk_compliance()),
+          interaction_(contact.interaction()) {}
+    ContactState<double> at_pressure(double pressure, Quantity wanted) const {
+        return model_->at_pressure(pressure, wanted);
+    }
+    ContactState<double> at_separation(double separation, Quantity wanted) const {
+        return model_->at_separation(separation, wanted);
+    }
+    ContactPoint<double> point_at_pressure(double pressure, Quantity wanted) const {
+        return ContactPoint<double>::of(at_pressure(pressure, wanted));
+    }
+    ContactPoint<double> point_at_separation(double separation, Quantity wanted) const {
+        return ContactPoint<double>::of(at_separation(separation, wanted));
+    }
+    LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
+    Estimate<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
+    double rms_height() const { return rms_height_; }
+    bool has_kinks() const { return has_kinks_; }
+    double bulk_compliance() const { return bulk_compliance_; }
+    Interaction<double> interaction() const { return interaction_; }
+
+private:
+    std::shared_ptr<const Model> model_;
+    double rms_height_;
+    bool has_kinks_;
+    double bulk_compliance_;
+    Interaction<double> interaction_;
+};
+/// One whose K is a constant times -dp/dd.
+class ProportionalModelContact : public ModelContact {
+public:
+    template <class Contact>
+    explicit ProportionalModelContact(const Contact& contact)
+        : ModelContact(contact), stiffness_over_slope_(contact.stiffness_over_slope()) {}
+    double stiffness_over_slope() const { return stiffness_over_slope_; }
+
+private:
+    double stiffness_over_slope_;
+};
+
+/// Whether \p Contact is a mean over contacts that can be tabulated.
+template <class Contact>
+inline constexpr bool is_mean_of_tabulated = false;
+template <class One>
+inline constexpr bool is_mean_of_tabulated<MeanOverShifts<One>> = fstiff::Contact<One, double>;
+
+template <class Contact>
+class Holder : public AnyContact {
+public:
+    explicit Holder(Contact contact) : contact_(std::move(contact)) {}
+    std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures, Quantity wanted) const override {
+        return curve_at_pressures(contact_, pressures, wanted);
+    }
+    std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
+                                                     Quantity wanted) const override {
+        return curve_at_separations(contact_, separations, wanted);
+    }
+    bool has_table() const override { return fstiff::Contact<Contact, double> || is_mean_of_tabulated<Contact>; }
+    ContactLaw<double> tabulate(const LawRange<double>& range) const override {
+        if constexpr (ProportionalContact<Contact, double>)
+            return ContactLaw<double>::tabulate(ProportionalModelContact(contact_), range);
+        else if constexpr (fstiff::Contact<Contact, double>)
+            return ContactLaw<double>::tabulate(ModelContact(contact_), range);
+        else if constexpr (is_mean_of_tabulated<Contact>)
+            return contact_.tabulate(range);
+        else
+            return AnyContact::tabulate(range);
+    }
+
+protected:
+    Contact contact_;
+};
+
+/// A contact of plastic peaks, which begin to flow at omega_c = critical_over_radius R.
+template <class Contact>
+class PlasticHolder final : public Holder<Contact> {
+public:
+    PlasticHolder(Contact contact, double critical_over_radius)
+        : Holder<Contact>(std::move(contact)), critical_over_radius_(critical_over_radius) {}
+    std::vector<LoadMeans<double>> means_at(std::span<const double> etas) const override {
+        std::vector<LoadMeans<double>> means;
+        for (const double eta : etas) means.push_back(load_means(this->contact_, eta, critical_over_radius_));
+        return means;
+    }
+
+private:
+    double critical_over_radius_;
+};
+
+template <class Contact>
+std::unique_ptr<AnyContact> held(Contact contact) {
+    return std::make_unique<Holder<Contact>>(std::move(contact));
+}
+
+/// \p contacts of several shifts as their mean, one as it is.
+template <class Contact>
+std::unique_ptr<AnyContact> mean_over(std::vector<Contact> contacts) {
+    if (contacts.size() == 1) return held(std::move(contacts.front()));
+    return held(MeanOverShifts<Contact>(std::move(contacts)));
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The section [contact] of a scene, and those of its laws.
+#include "scene/law_options.hpp"
+#include "scene/readers.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace fstiff::scene {
+namespace {
+
+/// A list of quantities, or { from, to, count, spacing }. Pressures are positive; separations may have either sign.
+std::vector<double> read_points(Source& source, const toml::node& node, const std::string& key, Dimension dimension) {
+    const bool pressures = dimension == Dimension::pressure;
+    const auto one = [&](const toml::node& item, const std::string& item_key) {
+        return pressures ? source.positive(item, item_key, dimension) : source.quantity(item, item_key, dimension);
+    };
+    if (const auto* list = node.as_array()) {
+        if (list->empty()) source.refuse(node, key, "is an empty list; at least one value is needed");
+        std::vector<double> points;
+        for (std::size_t i = 0; i < list->size(); ++i)
+            points.push_back(one((*list)[i], key + "[" + std::to_string(i) + "]"));
+        return points;
+    }
+    if (!node.is_table())
+        source.refuse(node, key, "must be a list of quantities or a table { from, to, count, spacing }");
+
+    constexpr long long most = 100000;
+    constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
+    const Section range(source, *node.as_table(), key, {"from", "to", "count", "spacing"});
+    const double from = one(range.at("from"), range.key("from"));
+    const double to = one(range.at("to"), range.key("to"));
+    const toml::node& count_node = range.at("count");
+    const auto* count = count_node.as_integer();
+    if (!count || count->get() < 2 || count->get() > most)
+        source.refuse(count_node, range.key("count"), "must be a whole number from 2 to " + std::to_string(most));
+    source.record(range.key("count"), written(count_node), static_cast<double>(count->get()));
+    if (!(from < to)) source.refuse(range.at("to"), range.key("to"), "must be greater than " + range.key("from"));
+    const bool log =
+        range.find("spacing") ? source.choice(*range.find("spacing"), range.key("spacing"), spacings) == 0 : pressures;
+    if (!range.find("spacing")) source.record(range.key("spacing"), std::string(spacings[log ? 0 : 1]) + " (default)");
+    if (log && !(from > 0))
+        source.refuse(range.at("from"), range.key("from"), "must be greater than 0 for spacing = \"log\"");
+
+    const Range spaced{from, to, static_cast<std::uint64_t>(count->get()), log};
+    std::vector<double> points;
+    for (std::uint64_t i = 0; i < spaced.count; ++i) points.push_back(spaced.at(i));
+    return points;
+}
+
+/// The peak density of [surface].
+Peaks peaks_of_surface(const Scene& scene, const Place& where) {
+    return {*scene.face.value(Parameter::theta), scene.face.value(Parameter::r), true, where, "surface."};
+}
+
+Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path, const Scene& scene) {
+    if (node.is_string() && written(node) == "surface") {
+        if (!scene.face.has_peaks())
+            source.refuse(node, path,
+                          "needs surface.r and surface.theta" +
+                              (scene.face.measured ? ", which were not found: " + scene.face.measured->found.why_no_peaks : ""));
+        source.record(path, "surface");
+        return peaks_of_surface(scene, source.place(node));
+    }
+    if (!node.is_table())
+        source.refuse(node, path, "must be a table such as { theta = \"pi/4\", r = \"exponential\" }, or \"surface\"");
+    const Section section(source, *node.as_table(), path, {"theta", "r"});
+    Peaks peaks;
+    peaks.where = source.place(node);
+    peaks.key = path + ".";
+
+    peaks.theta = read_angle(source, section.at("theta"), section.key("theta"));
+    const toml::node& r = section.at("r");
+    if (r.is_string() && written(r) == "exponential")
+        source.record(section.key("r"), written(r));
+    else if (!r.is_number())
+        source.refuse(r, section.key("r"), "must be a number or \"exponential\"");
+    else
+        peaks.r = source.number(r, section.key("r"));
+    return peaks;
+}
+
+void read_interaction(Source& source, const Section& contact, Scene& scene) {
+    const toml::node* node = contact.find("interaction");
+    const std::string key = contact.key("interaction");
+    const std::string allowed =
+        "must be \"none\" or a table such as { reading = \"effective_separation\", length = \"nominal\" }";
+    if (!node) return source.record(key, "none (default)");
+    if (node->is_string()) {
+        if (written(*node) != "none") source.refuse(*node, key, allowed);
+        return source.record(key, "none");
+    }
+    if (!node->is_table()) source.refuse(*node, key, allowed);
+    const Section table(source, *node->as_table(), key, {"reading", "length"});
+    scene.reading = source.choice<InteractionReading>(table.at("reading"), table.key("reading"));
+
+    const toml::node* length = table.find("length");
+    const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
+    if (const auto by = find_named<InteractionLength>(text)) {
+        scene.length = *by;
+        source.record(table.key("length"), length ? text : "nominal (default)");
+    } else {
+        scene.length = InteractionLength::given;
+        scene.given_length = source.positive(*length, table.key("length"), Dimension::length);
+    }
+    if (scene.reading != InteractionReading::none && scene.length == InteractionLength::nominal && !scene.nominal_area)
+        throw domain_error(source.at(*node) + ": " + contact.key("nominal_area") +
+                           ": is missing; interaction length \"nominal\" is its square root");
+}
+
+void read_laws(Source& source, const Section& root, const Section& contact, Scene& scene, bool replaced) {
+    std::vector<const Law*> chosen;
+    if (const auto* node = contact.find("laws")) {
+        const auto names = law_names();
+        for (const auto i : source.choices(*node, contact.key("laws"), names)) chosen.push_back(&laws()[i]);
+    } else {
+        if (scene.face.dimension()) chosen.push_back(find_law("fractal"));
+        chosen.insert(chosen.end(), {find_law("hertz"), find_law("greenwood_williamson")});
+        source.record(contact.key("laws"), scene.face.dimension() ? "fractal, hertz, greenwood_williamson (default)"
+                                                                   : "hertz, greenwood_williamson (default)");
+    }
+    const auto lacks = [&](const Law* law) { return law->needs_dimension && !scene.face.dimension(); };
+    if (!measured_faces(scene).empty() && (source.builtin || !contact.find("laws")) &&
+        !std::count(chosen.begin(), chosen.end(), find_law("hybrid"))) {
+        if (const std::string why = no_spectrum(scene.face); why.empty())
+            chosen.insert(chosen.begin(), find_law("hybrid"));
+        else
+            scene.warnings.push_back("law hybrid is not computed: " + why);
+    }
+    if (replaced && !std::all_of(chosen.begin(), chosen.end(), lacks)) {
+        if (std::erase_if(chosen, lacks) > 0) scene.warnings.push_back("no fractal law is computed, for want of D");
+    }
+    for (const Law* law : chosen) {
+        if (lacks(law))
+            throw domain_error(source.at(*contact.find("laws")) + ": surface.fractal_dimension: is missing; law \"" +
+                               std::string(law->name) + "\" needs it" +
+                               (scene.face.measured && !scene.face.measured->found.why_no_dimension.empty()
+                                    ? "; it was not found: " + scene.face.measured->found.why_no_dimension
+                                    : ""));
+        if (const std::string why = refusal_of(*law, scene); !why.empty())
+            throw domain_error((contact.find("laws") ? source.at(*contact.find("laws")) : source.file) + ": " +
+                               contact.key("laws") + ": \"" + std::string(law->name) + "\" " + why);
+        scene.laws.push_back(law);
+        if (!is_shared(law->which)) read_law_options(source, root, law->which, scene);
+    }
+}
+
+void read_peaks(Source& source, const Section& contact, Scene& scene, bool replaced) {
+    const toml::node* peaks = contact.find("peaks");
+    if (scene.face.has_peaks() && (replaced || !peaks)) {
+        scene.peaks.push_back(peaks_of_surface(scene, {.file = source.file}));
+        source.record(contact.key("peaks"), replaced ? "surface (--surface)" : "surface (default)");
+    } else if (peaks) {
+        if (peaks->is_string())
+            scene.peaks.push_back(read_one_peaks(source, *peaks, contact.key("peaks"), scene));
+        else if (!peaks->is_array() || peaks->as_array()->empty())
+            source.refuse(*peaks, contact.key("peaks"),
+                          "must be \"surface\" or a list of tables such as { theta = \"pi/4\", r = \"exponential\" }");
+        else
+            for (std::size_t i = 0; i < peaks->as_array()->size(); ++i)
+                scene.peaks.push_back(read_one_peaks(source, (*peaks->as_array())[i],
+                                                     contact.key("peaks") + "[" + std::to_string(i) + "]", scene));
+    } else {
+        for (const char* theta : {"pi/4", "pi/3"})
+            scene.peaks.push_back(
+                {io::parse_angle(theta, "theta"), std::nullopt, false, {.file = source.file}, "contact.peaks."});
+        scene.default_peaks = true;
+        const bool isotropic = has_isotropic_peaks(scene.face);
+        source.record(contact.key("peaks"), isotropic ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws theta = pi/4 "
+                                                        "and pi/3, r = exponential (default)"
+                                                      : "theta = pi/4 and pi/3, r = exponential (default)");
+    }
+}
+
+}  // namespace
+
+void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
+    for (const LawName law : laws_with_options())
+        if (is_shared(law)) read_law_options(source, root, law, scene);
+    if (const auto spectrum = scene.law_options.spectrum)
+        scene.face.write([&](Face& face) { face.spectrum_of_map = spectrum == SpectrumSource::map; });
+    std::vector<std::string_view> keys{"nominal_area", "pressures", "separations", "laws", "peaks", "interaction"};
+    for (const LawName law : laws_with_options()) keys.push_back(name_of(law));
+    const Section contact(source, root.subtable("contact"), "contact", keys);
+    scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
+
+    const toml::node* pressures = contact.find("pressures");
+    const toml::node* separations = contact.find("separations");
+    if (pressures && separations)
+        throw domain_error(source.at(*separations) + ": " + contact.key("separations") +
+                           ": must not stand beside contact.pressures; give one of the two");
+    scene.at_separations = separations != nullptr;
+    const toml::node& points =
+        separations ? *separations
+                    : contact.at("pressures", "is missing; the scene needs contact.pressures or contact.separations");
+    const std::string key = contact.key(separations ? "separations" : "pressures");
+    scene.points = read_points(source, points, key, separations ? Dimension::length : Dimension::pressure);
+    scene.points_where = source.at(points) + ": " + key + ": ";
+
+    read_laws(source, root, contact, scene, replaced);
+    read_peaks(source, contact, scene, replaced);
+    read_interaction(source, contact, scene);
+}
+
+}  // namespace fstiff::scene

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options of laws are one table: every row is in docs/scene.md with its kind and range, and is read.
+#include "scene/law_options.hpp"
+
+#include "cli/command.hpp"
+#include "support/accuracy.hpp"
+
+#include <fstiff/core/text.hpp>
+
+namespace law_options_test {
+
+namespace scene = fstiff::scene;
+
+namespace {
+
+/// A scene with \p option among its sections of laws.
+std::string with(const std::string& option) {
+    return "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 8\n[material.upper]\nyoungs_modulus = \"2 GPa\"\n"
+           "poisson_ratio = 0\n[contact]\npressures = [\"1 MPa\"]\nlaws = [\"hertz\"]\n" +
+           option;
+}
+/// What a row is in docs/scene.md: kind and range; a value that it may have, and one that it may not.
+struct Expected {
+    std::string cells, good, bad;
+};
+Expected expected(const scene::LawOption& row) {
+    const std::string low = fstiff::shortest_text(row.low), high = fstiff::shortest_text(row.high), key(row.key);
+    switch (row.field.index()) {
+        case 0: return {"true or false, or 1 or 0 | ", "false", "0.5"};
+        case 1:
+            return row.dimension ? Expected{"pressure | > 0", "\"5 MPa\"", "\"0 MPa\""}
+                                 : Expected{"number | " + low + " < " + key + " <= " + high, "0.5", "1.5"};
+        case 2: return {"whole number | " + low + " to " + high, "64", "8"};
+        case 3: return {"text | `\"mirrored\"`, `\"periodic\"`", "\"periodic\"", "\"closed\""};
+        default: return {"text | `\"map\"`, `\"moments\"`", "\"moments\"", "\"map\""};  // there is no map
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses what is out of its range") {
+    const std::string page = test::read(FSTIFF_SCENES "/../docs/scene.md");
+    for (const scene::LawOption& row : scene::law_option_table()) {
+        const std::string section = "contact." + std::string(name_of(row.law)), key = section + "." + std::string(row.key);
+        INFO(key);
+        const auto [cells, good, bad] = expected(row);
+        CHECK(test::contains(page, "| `" + key + "` | " + cells));
+        if (!scene::is_shared(row.law)) continue;  // is read where its law is computed: read_scene_test.cpp
+        const auto read = [&](const std::string& value) {
+            return scene::read_scene(with("[" + section + "]\n" + std::string(row.key) + " = " + value + "\n"),
+                                     {.name = "s.toml"});
+        };
+        const scene::Scene changed = read(good);
+        std::visit(
+            [&](auto field) { CHECK_FALSE(changed.law_options.*field == scene::LawOptions{}.*field); }, row.field);
+        CHECK(changed.inputs.end() != std::find_if(changed.inputs.begin(), changed.inputs.end(),
+                                                   [&](const scene::Input& one) { return one.key == key; }));
+        CHECK(test::contains(test::refusal([&] { (void)read(bad); }), key + " = "));
+    }
+}
+
+TEST_CASE("The table of laws is in the order of their names") {
+    for (const auto& [law, word] : fstiff::names<fstiff::LawName>) {
+        CHECK(scene::find_law(law).which == law);
+        CHECK(scene::find_law(word) == &scene::find_law(law));
+    }
+    CHECK(scene::find_law("linear") == nullptr);
+}
+
+}  // namespace law_options_test
