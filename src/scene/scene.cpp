@@ -18,14 +18,16 @@ std::vector<Assumed> assumed(const Scene& scene) {
                                [](const ChosenLaw& chosen) { return chosen.law->needs_spectrum; }))
         return all;
     if (!scene.face.hurst) {
-        const double hurst = hurst_exponent(scene.face), least = least_hurst(spectral_moments(scene.face), scene.face.widest_band);
+        const double hurst = hurst_exponent(scene.face),
+                     least = least_hurst(spectral_moments(scene.face), scene.face.widest_band);
         all.push_back({"hurst", "H",
                        hurst == least ? "of a band as wide as what was measured"
                        : scene.face.dimension() ? "2 - D" : "assumed, since D is not known",
                        hurst});
     }
     if (!scene.face.alpha)
-        all.push_back({"alpha", "alpha", scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
+        all.push_back({"alpha", "alpha",
+                       scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
                        spectral_moments(scene.face).bandwidth()});
     return all;
 }

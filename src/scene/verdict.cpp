@@ -42,7 +42,8 @@ bool departs(const Measurement<double>& one, double gaussian, double limit) {
 std::string without_distribution(const Scene& scene) {
     if (!scene.face.map)
         return std::string("believe boundary_elements of a map of this surface (fstiff truth)") +
-               (scene.face.bearing ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
+               (scene.face.bearing
+                    ? "; nearest comes hybrid, which takes skewness and kurtosis as far as they are known"
                               : "");
     const std::string elements = advised(scene, "boundary_elements"), hybrid = advised(scene, "hybrid");
     const std::string refused = "boundary_elements " + refusal_of(*find_law("boundary_elements"), scene);
@@ -147,7 +148,9 @@ std::string shortly_about_pressures(const Scene& scene, const Results& results) 
 }
 
 std::string about_contacts(const Scene& scene, const Results& results) {
-    const double area = scene.nominal_area ? *scene.nominal_area : scene.face.map ? scene.face.map->maps.front()->area() : 0;
+    const double area = scene.nominal_area ? *scene.nominal_area
+                        : scene.face.map   ? scene.face.map->maps.front()->area()
+                                           : 0;
     double least = std::numeric_limits<double>::infinity();
     for (const Curve& curve : results.curves)
         for (const auto& state : curve.states)
