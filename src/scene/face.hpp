@@ -21,13 +21,13 @@ namespace fstiff::scene {
 /// The greatest D that a scene may give: K of the fractal laws, which goes as 1/(2 - D), is 67 times that of hertz there.
 inline constexpr double greatest_dimension = 1.99;
 
-/// One rough face, or the sum of two that a smooth face meets instead. What is written of it overrides what was measured by
-/// write() alone.
+/// One rough face, or the sum of two that a smooth face meets instead. What is written of it overrides what was
+/// measured by write() alone.
 struct Face {
     SurfaceParameters<double> parameters;               ///< with their errors; without fits and islands
     std::optional<double> rms_gradient, alpha, hurst;   ///< written, or measured; alpha is Nayak's m0 m4/m2^2
     double gradient_error = 0;  ///< standard error of rms_gradient that is independent of all others
-    double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least that was measured
+    double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least, as measured
     bool radius_follows = false, density_follows = false;  ///< R, D_p: of rms_height, rms_gradient and alpha
     bool spectrum_of_map = true;                        ///< [persson] spectrum = "map", where there is one
     std::shared_ptr<const MapOfSurface> map;            ///< where the surface was measured as a map
@@ -54,7 +54,8 @@ struct Face {
         put(*this);
         for (Face& neighbour : neighbours) put(neighbour);
     }
-    /// \p value without an error in place of what was measured, to which the errors of other parameters have no relation.
+    /// \p value without an error in place of what was measured, to which the errors of other parameters have no
+    /// relation.
     void write(Parameter which, double value);
     /// The known parameters take the values of \p drawn, in the order of Parameter.
     void draw(const std::array<double, surface_parameter_count>& drawn);

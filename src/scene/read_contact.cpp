@@ -58,7 +58,9 @@ Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& 
         if (!scene.face.has_peaks())
             source.refuse(node, path,
                           "needs surface.r and surface.theta" +
-                              (scene.face.measured ? ", which were not found: " + scene.face.measured->found.why_no_peaks : ""));
+                              (scene.face.measured
+                                   ? ", which were not found: " + scene.face.measured->found.why_no_peaks
+                                   : ""));
         source.record(path, "surface");
         return peaks_of_surface(scene, source.place(node));
     }

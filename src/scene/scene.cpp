@@ -2,105 +2,14 @@
 #include "scene/scene.hpp"
 
 #include "document/file.hpp"
-#include "scene/readers.hpp"
-
-#include <fstiff/core/error.hpp>
-#include <fstiff/io/quantity.hpp>
-#include <fstiff/surface/fractal.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <initializer_list>
-#include <limits>
-#include <string_view>
 
 namespace fstiff::scene {
-namespace {
-
-void read_output(Source& source, const toml::table* table, Scene& scene) {
-    constexpr std::array<std::string_view, 8> names{"stiffness",        "separation",           "real_area",
-                                                    "contacts",         "tangential_stiffness", "reflection",
-                                                    "shear_reflection", "loading_stiffness"};
-    const std::array<bool*, 8> flags{&scene.stiffness,        &scene.separation,           &scene.real_area,
-                                     &scene.contacts,         &scene.tangential_stiffness, &scene.reflection,
-                                     &scene.shear_reflection, &scene.loading_stiffness};
-    static const toml::table none;
-    const Section output(source, table ? *table : none, "output", {"quantities"});
-    const bool shear = scene.ultrasound && scene.ultrasound->shear;
-    if (const auto* quantities = output.find("quantities")) {
-        const std::string key = output.key("quantities");
-        for (const auto i : source.choices(*quantities, key, names)) *flags[i] = true;
-        if ((scene.reflection || scene.shear_reflection) && !scene.ultrasound)
-            throw domain_error(source.at(*quantities) + ": " + key + ": needs the section ultrasound for " +
-                               (scene.reflection ? "\"reflection\"" : "\"shear_reflection\""));
-        if (scene.shear_reflection && !shear)
-            throw domain_error(source.at(*quantities) + ": " + key +
-                               ": needs ultrasound.upper.shear_impedance or shear_velocity for \"shear_reflection\"");
-    } else {
-        const std::size_t count = shear ? 7 : scene.ultrasound ? 6 : 4;
-        std::string text;
-        for (std::size_t i = 0; i < count; ++i) {
-            *flags[i] = true;
-            text += (i ? ", " : "") + std::string(names[i]);
-        }
-        source.record(output.key("quantities"), text + " (default)");
-    }
-}
-
-void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
-    const Section section(source, table, "uncertainty", {"samples", "seed"});
-    const auto whole = [&](std::string_view name, long long most) -> std::optional<long long> {
-        const toml::node* node = section.find(name);
-        if (!node) return std::nullopt;
-        const auto* number = node->as_integer();
-        if (!number || number->get() < 0 || number->get() > most)
-            source.refuse(*node, section.key(name), "must be a whole number from 0 to " + std::to_string(most));
-        source.record(section.key(name), written(*node), static_cast<double>(number->get()));
-        return number->get();
-    };
-    if (const auto samples = whole("samples", 100000)) {
-        if (*samples > 0 && *samples < 20)
-            source.refuse(*section.find("samples"), section.key("samples"), "must be 0 for no band, or at least 20");
-        scene.samples = static_cast<int>(*samples);
-    }
-    if (const auto seed = whole("seed", (1LL << 53) - 1)) scene.seed = static_cast<std::uint64_t>(*seed);
-}
-
-/// Of a Hurst exponent and a fractal dimension that do not belong together.
-void warn_of_hurst(const Face& face, const std::string& path, std::vector<std::string>& warnings) {
-    const auto& dimension = face.parameters.fractal_dimension;
-    if (!face.hurst || !dimension) return;
-    const double of_dimension = 2 - dimension->value, error = dimension->error;
-    if (std::abs(*face.hurst - of_dimension) <= std::max(0.05, 2 * error)) return;
-    warnings.push_back(path + ".hurst = " + shortest(*face.hurst) + " contradicts the fractal dimension " +
-                       rounded(dimension->value) + ", of which H = 2 - D is " + rounded(of_dimension, 3) +
-                       ": hybrid and persson take hurst, the fractal laws D");
-}
-
-/// Every rough face of \p scene, called surface, or upper and lower.
 std::vector<NamedFace> rough_faces(const Scene& scene) {
     if (scene.faces.empty()) return {{"surface", &scene.face}};
     return {{"upper", &scene.faces[0]}, {"lower", &scene.faces[1]}};
 }
-
-/// Warns of rms gradients that no surface has, unless the warnings of what was measured do.
-void warn_of_gradients(Scene& scene) {
-    double r = 0;  // the greatest, 1/2 where none is written
-    for (const Peaks& peaks : scene.peaks) r = std::max(r, peaks.r.value_or(0.5));
-    for (const auto& [name, face] : rough_faces(scene)) {
-        const bool told = face->measured && std::count(face->measured->found.concerns.begin(),
-                                                       face->measured->found.concerns.end(),
-                                                       MeasuredConcern::implausible_gradient) > 0;
-        const std::string line = told ? "" : gradient_warning(*face, r);
-        if (told || !line.empty()) scene.implausible = true;
-        if (!line.empty())
-            scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + line);
-    }
-}
-
-}  // namespace
 
 std::vector<Assumed> assumed(const Scene& scene) {
     std::vector<Assumed> all;
@@ -109,14 +18,16 @@ std::vector<Assumed> assumed(const Scene& scene) {
                                [](const Law* law) { return law->needs_spectrum; }))
         return all;
     if (!scene.face.hurst) {
-        const double hurst = hurst_exponent(scene.face), least = least_hurst(spectral_moments(scene.face), scene.face.widest_band);
+        const double hurst = hurst_exponent(scene.face),
+                     least = least_hurst(spectral_moments(scene.face), scene.face.widest_band);
         all.push_back({"hurst", "H",
                        hurst == least ? "of a band as wide as what was measured"
                        : scene.face.dimension() ? "2 - D" : "assumed, since D is not known",
                        hurst});
     }
     if (!scene.face.alpha)
-        all.push_back({"alpha", "alpha", scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
+        all.push_back({"alpha", "alpha",
+                       scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
                        spectral_moments(scene.face).bandwidth()});
     return all;
 }
@@ -156,70 +67,6 @@ std::string refusal_of(const Law& law, const Scene& scene) {
         return "needs material.upper.hardness or material.upper.yield_strength (hardness = 2.8 times it)";
     if (law.needs_yield && !scene.yield_strength) return "needs material.upper.yield_strength";
     return "";
-}
-
-Scene read_scene(const std::string& text, const SceneSource& from) {
-    Scene scene = read_table(parse_scene(text, from.name), from, text == builtin_scene);
-    scene.sha256 = sha256(text);
-    return scene;
-}
-
-/// Whether a law of \p root takes D of a map, or what Persson's theory takes of its numbers.
-static bool needs_dimension_of_maps(const toml::table& root) {
-    const toml::array* names = root["contact"]["laws"].as_array();
-    if (!names || root["persson"]["spectrum"]) return true;
-    return std::any_of(names->begin(), names->end(), [](const toml::node& name) {
-        const Law* law = find_law(name.value_or(std::string_view()));
-        return !law || law->needs_dimension;
-    });
-}
-
-Scene read_table(const toml::table& root, const SceneSource& from, bool builtin) {
-    const std::string &file = from.name, &surface = from.surface;
-    Source source{file, {}, builtin, from.has_band && root["uncertainty"]["samples"].value<std::int64_t>() != 0,
-                  needs_dimension_of_maps(root)};
-    Scene scene;
-    scene.file = file;
-
-    const Section top(source, root, "",
-                      {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound",
-                       "uncertainty", "output"});
-    if (const auto* name = top.find("name"))
-        scene.name = source.text(*name, "name");
-    else
-        scene.name = std::filesystem::path(file).stem().string();
-    const bool replaced = from.measured || !surface.empty();
-    if (from.surface_of) {
-        scene.face = from.surface_of->face;
-        scene.faces = from.surface_of->faces;
-        scene.shifts = from.surface_of->shifts;
-    } else if (!replaced) {
-        read_surface(source, top.subtable("surface"), scene, from.progress);
-    } else {
-        scene.face =
-            from.measured ? face_in_place(source, *from.measured) : face_of_file(source, surface, from.progress);
-        // no longer what the scene was named for
-        const std::string& measured = scene.face.measured->file;
-        scene.name =
-            measured.find(',') == std::string::npos ? std::filesystem::path(measured).filename().string() : measured;
-    }
-    for (const auto& [name, face] : measured_faces(scene))
-        for (const std::string& warning : face->measured->warnings)
-            scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + warning);
-    for (const auto& [name, face] : measured_faces(scene))
-        scene.has_lay = scene.has_lay || is_profile_with_lay(*face->measured);
-    if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
-    read_materials(source, top.subtable("material"), scene);
-    read_contact(source, top, scene, replaced);
-    for (const Assumed& one : assumed(scene))
-        source.record("surface." + std::string(one.key), one.how + " (default)", one.value);
-    for (const auto& [name, face] : rough_faces(scene))
-        warn_of_hurst(*face, (scene.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
-    warn_of_gradients(scene);
-    if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
-    read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
-    scene.inputs.swap(source.inputs), scene.files.swap(source.files);
-    return scene;
 }
 
 }  // namespace fstiff::scene

@@ -133,11 +133,12 @@ struct Scene {
     std::vector<Input> inputs;  ///< every key that was written or filled in by a default
 };
 
-/// Every measured surface of \p scene, called surface, or upper and lower.
 struct NamedFace {
     std::string_view name;
     const Face* face;
 };
+/// Every rough face of \p scene, called surface, or upper and lower; and those that were measured.
+[[nodiscard]] std::vector<NamedFace> rough_faces(const Scene& scene);
 [[nodiscard]] std::vector<NamedFace> measured_faces(const Scene& scene);
 
 /// H or alpha of a spectrum that is a band: not given, so taken from other numbers or for a usual one.

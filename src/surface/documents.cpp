@@ -144,7 +144,8 @@ Json measured_document(const MeasuredSurface& surface) {
 RoughnessTable roughness_of(const MeasuredSurface& surface) {
     if (surface.parts.empty())
         return about_file(surface.file, [&] {
-            return surface.found.profile ? roughness_table(*surface.found.profile) : roughness_table(*surface.found.map);
+            const Surface<double>& found = surface.found;
+            return found.profile ? roughness_table(*found.profile) : roughness_table(*found.map);
         });
     std::vector<RoughnessTable> tables;
     for (const MeasuredSurface& part : surface.parts) tables.push_back(roughness_of(part));

@@ -58,7 +58,8 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
     }
 }
 
-/// Cut-offs that the table chose differently for \p parts become those of all in \p options. Returns whether there are such.
+/// Cut-offs that the table chose differently for \p parts become those of all in \p options. Returns whether there are
+/// such.
 bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>& parts) {
     const auto share = [&](Lengths& option, std::optional<double> CutOffs<double>::*of) {
         const CutOff<double> asked = parse_cut_off(option, ""), shared = shared_cut_off(asked, parts, of);

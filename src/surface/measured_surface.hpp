@@ -28,8 +28,8 @@ struct MeasureOptions {
 struct MeasuredSurface {
     std::string file, sha256, kind;  ///< of the measured file; kind: profile or map
     std::vector<std::string> decisions, warnings;
-    /// Without profile and map where the numbers come from the JSON of fstiff measure, without heights where that is of an
-    /// older fstiff. R_p of 0 is not known.
+    /// Without profile and map where the numbers come from the JSON of fstiff measure, without heights where that is
+    /// of an older fstiff. R_p of 0 is not known.
     Surface<double> found;
     std::shared_ptr<const MeasureOptions> how;  ///< it was measured; none: of the JSON, or of several files
     std::vector<MeasuredSurface> parts;         ///< of a surface measured from several files: each of them

@@ -41,7 +41,8 @@ struct SurfaceInput {
 [[nodiscard]] SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights,
                                               const std::string& origin);
 
-/// Crops, masks, takes spikes out and fills, in this order, as the options say; each is told in the details of the record.
+/// Crops, masks, takes spikes out and fills, in this order, as the options say; each is told in the details of the
+/// record.
 /// \throws domain_error, file_error for the mask.
 void clean(const SurfaceOptions& options, io::Surface& surface);
 

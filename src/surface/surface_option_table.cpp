@@ -146,4 +146,9 @@ std::string with_dashes(std::string_view key) {
     return text;
 }
 
+std::string SurfaceOptions::name(std::string_view key) const {
+    if (prefix.empty()) return std::string(key);
+    return key == "format" ? std::string(format_name) : std::string(prefix) + with_dashes(key);
+}
+
 }  // namespace fstiff::scene

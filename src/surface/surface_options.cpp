@@ -2,7 +2,6 @@
 #include "surface/surface_options.hpp"
 
 #include "document/file.hpp"
-#include "surface/surface_option_table.hpp"
 
 #include <fstiff/io/quantity.hpp>
 
@@ -45,11 +44,6 @@ std::string Lengths::text() const {
     std::string all;
     for (const double one : metres_) all += (all.empty() ? "" : ",") + shortest_text(one) + " m";
     return all;
-}
-
-std::string SurfaceOptions::name(std::string_view key) const {
-    if (prefix.empty()) return std::string(key);
-    return key == "format" ? std::string(format_name) : std::string(prefix) + with_dashes(key);
 }
 
 double parse_length(const Lengths& given, std::string_view name) {

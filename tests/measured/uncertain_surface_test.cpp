@@ -220,7 +220,8 @@ TEST_CASE("Surfaces that nothing can be drawn of are refused in a sentence") {
     CHECK(with([](auto& s) { at(s, 3).value = nan_value; }) == "fractal_dimension = nan: " + dimension);
     CHECK(with([](auto& s) { at(s, 4).value = 1; }) == "r = 1: must be at least 0 and less than 1");
     CHECK(with([](auto& s) { at(s, 5).value = 1.6; }) == "theta = 1.6: must be between 0 and pi/2, both excluded");
-    CHECK(with([](auto& s) { at(s, 0).error = -1e-9; }) == "rms_height error = -1e-09: must be finite and not negative");
+    CHECK(with([](auto& s) { at(s, 0).error = -1e-9; }) ==
+          "rms_height error = -1e-09: must be finite and not negative");
     CHECK(with([](auto& s) { at(s, 4).error = nan_value; }) == "r error = nan: must be finite and not negative");
     CHECK(with([](auto& s) { at(s, 5).error = std::numeric_limits<double>::infinity(); }) ==
           "theta error = inf: must be finite and not negative");
@@ -310,7 +311,8 @@ TEST_CASE("Float draws are those of double, rounded") {
     SurfaceParameters<float> s;
     const auto exact = surface();
     for (std::size_t i = 0; i < surface_parameter_count; ++i)
-        s.set(static_cast<Parameter>(i), {static_cast<float>(at(exact, i).value), static_cast<float>(at(exact, i).error)});
+        s.set(static_cast<Parameter>(i),
+              {static_cast<float>(at(exact, i).value), static_cast<float>(at(exact, i).error)});
     for (std::size_t i = 0; i < surface_parameter_count; ++i)
         for (std::size_t j = 0; j < surface_parameter_count; ++j)
             s.correlation[i][j] = static_cast<float>(exact.correlation[i][j]);

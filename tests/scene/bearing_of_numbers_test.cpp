@@ -176,7 +176,8 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     const auto gaussian = stiffnesses(text + "skewness = 0\nkurtosis = 3\n");
     CHECK(found[0] < 0.8 * gaussian[0]);
     // of the JSON of fstiff measure the same as of the file
-    std::ofstream(folder / "measured.json") << scene::measure_json(*skewed.face.measured->how, *skewed.face.measured).str();
+    const scene::MeasuredSurface& measured = *skewed.face.measured;
+    std::ofstream(folder / "measured.json") << scene::measure_json(*measured.how, measured).str();
     const std::string json = "[surface]\nfrom = \"" + std::string(folder / "measured.json") + "\"\n";
     CHECK(largest_change(stiffnesses(json), found) < 1e-12);
     // two such faces: the sum is nearer to a Gaussian one

@@ -124,7 +124,8 @@ TEST_CASE("Without a band nothing is measured behind other lambda_s, and all els
     CHECK(plain.face.neighbours.empty());
     CHECK(plain.face.parameters.values() == banded.face.parameters.values());
     for (const fstiff::ParameterRow& row : fstiff::surface_parameter_table) {
-        const auto *one = plain.face.parameters.find(row.parameter), *other = banded.face.parameters.find(row.parameter);
+        const auto* one = plain.face.parameters.find(row.parameter);
+        const auto* other = banded.face.parameters.find(row.parameter);
         REQUIRE(!one == !other);
         if (one) CHECK(one->error == other->error);
     }

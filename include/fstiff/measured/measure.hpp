@@ -44,7 +44,7 @@ struct Surface : SurfaceParameters<T> {
     std::shared_ptr<const PreparedProfile<T>> profile{};  ///< what was measured; null for a map
     std::shared_ptr<const PreparedMap<T>> map{};          ///< null for a profile, and for a neighbour without keep_maps
     std::vector<Surface> neighbours{};                    ///< with a shorter and a longer lambda_s, without errors
-    std::vector<Surface> parts{};  ///< of a surface pooled from several measurements (measured/pooled_surface): each of them
+    std::vector<Surface> parts{};                         ///< that were pooled (measured/pooled_surface); empty for one
 };
 
 /// Measures \p profile, which is taken for a section of an isotropic surface.

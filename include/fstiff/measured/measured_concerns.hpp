@@ -132,8 +132,8 @@ template <Real T>
     return found;
 }
 
-/// The parameters of \p surface that are not known to a factor of two; with \p long_waves, which are a concern of their own,
-/// without sigma and r.
+/// The parameters of \p surface that are not known to a factor of two; with \p long_waves, which are a concern of
+/// their own, without sigma and r.
 template <Real T>
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const SurfaceParameters<T>& surface, bool long_waves) {
     std::vector<Parameter> all;

@@ -13,14 +13,14 @@
 ///     k                 t_(n-1)(0.95)/1.645 by Student, because the scatter of a few is badly known: 3.84 of two, 1.30 of five
 ///
 /// The average of n surfaces is their sum (surface/two_faces.hpp) with each of the heights sqrt(w) times as great. sigma, R and
-/// D_p scatter by their logarithms. Correlations of the errors are means. Where the tables choose different cut-offs for the
-/// measurements, the longest counts for all, and all are measured again; none where one measurement has none.
+/// D_p scatter by their logarithms. Correlations of the errors are means. Where the tables choose different cut-offs
+/// for the measurements, the longest counts for all, and all are measured again; none where one measurement has none.
 ///
 /// Reference   Student, Biometrika 6 (1908) 1 (math/statistics.hpp); surface/two_faces.hpp.
 /// Units       SI
 /// Valid       one measurement at least, of one kind and with the same cut-offs; sizes > 0
-/// Accuracy    1e-13 of the formulae (tests/measured/pooled_surface_test.cpp); the numbers of the command to the last digit
-///             (tests/cli/one_measurement_test.cpp)
+/// Accuracy    1e-13 of the formulae (tests/measured/pooled_surface_test.cpp); the numbers of the command to the last
+///             digit (tests/cli/one_measurement_test.cpp)
 
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measured/measure.hpp>
@@ -55,14 +55,14 @@ template <Real T>
                            : (std::min)(surface.map->map.dx, surface.map->map.dy);
 }
 
-/// The cut-off \p of that all of \p surfaces share where \p asked leaves it to the tables and these differ: the longest, or none
-/// where one has none. Else \p asked.
+/// The cut-off \p of that all of \p surfaces share where \p asked leaves it to the tables and these differ: the
+/// longest, or none where one has none. Else \p asked.
 template <Real T>
 [[nodiscard]] CutOff<T> shared_cut_off(const CutOff<T>& asked, const std::vector<Surface<T>>& surfaces,
                                        std::optional<T> CutOffs<T>::* of);
 
-/// \p parts as one surface, which keeps them. \throws domain_error for no part, parts that differ in kind or cut-offs, or
-/// parameters out of range.
+/// \p parts as one surface, which keeps them. \throws domain_error for no part, parts that differ in kind or cut-offs,
+/// or parameters out of range.
 template <Real T>
 [[nodiscard]] Surface<T> pooled(std::vector<Surface<T>> parts);
 
@@ -182,8 +182,8 @@ template <Real T>
     return mean;
 }
 
-/// Gives the parameter \p row of \p whole the error of its mean over \p parts, in coordinates: logarithms where it varies by a
-/// factor.
+/// Gives the parameter \p row of \p whole the error of its mean over \p parts, in coordinates: logarithms where it
+/// varies by a factor.
 template <Real T>
 void pool_error(Surface<T>& whole, const std::vector<Surface<T>>& parts, const ParameterRow& row) {
     const bool log = row.variation == Variation::log;
@@ -216,7 +216,8 @@ void pool_errors(Surface<T>& whole, const std::vector<Surface<T>>& parts) {
     T sizes = 0, window = 0;
     for (const auto& one : parts) {
         highest.push_back({one.max_peak_height, one.size});
-        if (one.fractal_dimension) sizes += one.size, window = std::hypot(window, one.size * one.dimension_window_error);
+        if (one.fractal_dimension)
+            sizes += one.size, window = std::hypot(window, one.size * one.dimension_window_error);
         if (const auto& g = one.fractal_roughness)
             log_roughness.push_back({{std::log(g->value), g->error / g->value}, one.size});
     }
@@ -228,10 +229,11 @@ void pool_errors(Surface<T>& whole, const std::vector<Surface<T>>& parts) {
     }
 }
 
-/// What speaks against all of \p parts, and whether the parameters of \p whole are known; one gradient that no surface has is
-/// enough.
+/// What speaks against all of \p parts, and whether the parameters of \p whole are known; one gradient that no surface
+/// has is enough.
 template <Real T>
-[[nodiscard]] std::vector<MeasuredConcern> pooled_concerns(const Surface<T>& whole, const std::vector<Surface<T>>& parts) {
+[[nodiscard]] std::vector<MeasuredConcern> pooled_concerns(const Surface<T>& whole,
+                                                           const std::vector<Surface<T>>& parts) {
     using enum MeasuredConcern;
     const auto has = [](const Surface<T>& one, MeasuredConcern concern) {
         return std::find(one.concerns.begin(), one.concerns.end(), concern) != one.concerns.end();
@@ -241,7 +243,8 @@ template <Real T>
         if (one == few_peaks || one == radius_uncertain || one == density_uncertain || one == parameter_unknown ||
             one == implausible_gradient)
             continue;
-        if (std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); })) all.push_back(one);
+        if (std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, one); }))
+            all.push_back(one);
     }
     const bool told = std::find(all.begin(), all.end(), MeasuredConcern::long_waves) != all.end();
     if (std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return has(part, implausible_gradient); }))
@@ -261,7 +264,8 @@ template <Real T>
         if (part.map) all.add(part.map->map);
         sum += part.size * part.shape_share, size += part.size;
     }
-    const bool kept = std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.profile || part.map; });
+    const bool kept =
+        std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.profile || part.map; });
     return kept ? all.share() : size > T(0) ? sum / size : T(0);
 }
 

@@ -39,7 +39,8 @@ template <Real T>
 /// and returns what has at_pressure.
 /// \throws domain_error for a pressure that is not finite and greater than 0, as sampled_band, and as \p contact_of.
 template <Real T, class Pressures, class ContactOf>
-[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const SurfaceParameters<T>& surface, const Pressures& pressures,
+[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const SurfaceParameters<T>& surface,
+                                                         const Pressures& pressures,
                                                          const ContactOf& contact_of, const BandOptions& options = {}) {
     return sampled_band(
         surface,
@@ -56,7 +57,8 @@ template <Real T, class Pressures, class ContactOf>
 /// [](double D) { return FractalLaw<double>(D); }, and the modulus \p effective_modulus [Pa].
 /// \throws domain_error as above, and when r and theta of \p surface are not known.
 template <Real T, class Pressures, class LawOf>
-[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const SurfaceParameters<T>& surface, const Pressures& pressures,
+[[nodiscard]] std::vector<SampledBand<T>> stiffness_band(const SurfaceParameters<T>& surface,
+                                                         const Pressures& pressures,
                                                          const LawOf& law_of, std::type_identity_t<T> effective_modulus,
                                                          const BandOptions& options = {},
                                                          const RoughContactOptions<T>& contact = {}) {

@@ -235,7 +235,8 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
 
 namespace detail {
 
-/// The sums over the part \p block of \p map, whose heights \p height gives in a unit; of its summits too where \p summits.
+/// The sums over the part \p block of \p map, whose heights \p height gives in a unit; where \p summits
+/// of its summits, too.
 template <Real T, class Height>
 [[nodiscard]] HeightSums<Accumulator<T>> sums_of_block(const HeightMap<T>& map, const MapBlock& block,
                                                        const Height& height, bool summits) {

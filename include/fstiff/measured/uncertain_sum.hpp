@@ -89,7 +89,8 @@ template <Real T>
 
 }  // namespace detail
 
-/// The sum of \p of_a and \p of_b, whose spectra have the moments \p moments_a and \p moments_b. R_p and G of it have no errors.
+/// The sum of \p of_a and \p of_b, whose spectra have the moments \p moments_a and \p moments_b. R_p and G of it have
+/// no errors.
 /// \throws domain_error for parameters or errors out of range.
 template <Real T>
 [[nodiscard]] SurfaceParameters<T> uncertain_sum(const SurfaceParameters<T>& of_a, const SpectralMoments<T>& moments_a,

@@ -166,7 +166,8 @@ Panel stiffness_panel(const Scene& scene, const Results& results) {
         // a straight line on logarithmic axes: two points are enough
         PlotLine reference{.label = "p/(0.48 σ)", .x = {pressures.low}, .y = {}};
         if (pressures.low < pressures.high) reference.x.push_back(pressures.high);
-        for (const double p : reference.x) reference.y.push_back(linear_stiffness(p, scene.face.parameters.rms_height.value));
+        const double rms_height = scene.face.parameters.rms_height.value;
+        for (const double p : reference.x) reference.y.push_back(linear_stiffness(p, rms_height));
         reference.colour = neutral;
         reference.stroke = Stroke::dashed;
         panel.lines.push_back(std::move(reference));
@@ -205,7 +206,8 @@ Figure results_figure(const Scene& scene, const Results& results) {
                   .verdict = results.short_verdict,
                   .panels = {stiffness_panel(scene, results)}};
     for (Panel& panel : reflection_panels(scene, results)) figure.panels.push_back(std::move(panel));
-    figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " + with_unit(scene.face.parameters.rms_height.value, "m", 4);
+    figure.note = "fstiff " FSTIFF_VERSION ", " + scene.file + ", σ = " +
+                  with_unit(scene.face.parameters.rms_height.value, "m", 4);
     if (const std::string some = left_out(results); !some.empty())
         figure.note += "; " + some + ", fstiff run --format csv has the numbers of all";
     return figure;
