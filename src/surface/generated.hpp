@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Surfaces of known D or H: Weierstrass-Mandelbrot profiles, self-affine Gaussian profiles and maps.
+
+#include "surface/request.hpp"
+#include "surface/surface_options.hpp"
+
+#include <fstiff/io/surface_file.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// wm: Weierstrass-Mandelbrot profile; the others are self-affine and Gaussian.
+enum class GeneratedKind { wm, profile, map };
+
+}  // namespace fstiff::scene
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<scene::GeneratedKind> =
+    name_list<scene::GeneratedKind>({{scene::GeneratedKind::wm, "wm"},
+                                     {scene::GeneratedKind::profile, "profile"},
+                                     {scene::GeneratedKind::map, "map"}});
+
+}  // namespace fstiff
+
+namespace fstiff::scene {
+
+/// What is made. Of wm: dimension, roughness, gamma; of the others hurst, rms, long_waves; rows of a map.
+struct GenerateRequest {
+    /// Of one surface: 2^22 heights are some 90 MB of text.
+    static constexpr std::size_t min_side = 16, max_points = std::size_t(1) << 22;
+
+    GeneratedKind kind = GeneratedKind::profile;
+    std::size_t points = 0, rows = 0;  ///< of a row, and how many rows; 0: 4096, of a map 256, and as many rows as points
+    Lengths spacing;
+    std::optional<double> dimension;  ///< D
+    Lengths roughness;                ///< G
+    double gamma = 1.5;               ///< ratio of neighbouring wavelengths
+    std::optional<double> hurst;      ///< H
+    Lengths rms, longest, shortest;   ///< wavelengths: the longest side and two spacings by default
+    LongWaves long_waves = LongWaves::plateau;
+    std::uint64_t seed = 1;
+    std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
+
+    template <class Take>
+    void each_option(const Take& take) {
+        take("kind", kind);
+        take("points", points);
+        take("rows", rows);
+        take("spacing", spacing);
+        take("dimension", dimension);
+        take("roughness", roughness);
+        take("gamma", gamma);
+        take("hurst", hurst);
+        take("rms", rms);
+        take("longest", longest);
+        take("shortest", shortest);
+        take("long_waves", long_waves);
+        take("seed", seed);
+    }
+};
+
+struct Generated {
+    io::ProfileOrMap surface;
+    std::vector<std::pair<std::string, std::string>> parameters;  ///< all of them, as they were used
+
+    /// "made by fstiff 0.1.0 generate (kind profile, H 0.5, ...)", worded so that no reader takes it for a size or a unit.
+    [[nodiscard]] std::string origin() const;
+};
+
+/// \throws option_error for an option that the kind has no use for, or that it misses; domain_error for values out of range.
+[[nodiscard]] Generated generate(const GenerateRequest& request);
+
+}  // namespace fstiff::scene

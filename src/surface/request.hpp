@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the requests of commands share: quantities as people or programs give them, and one list of options each. A request
+// hands its options, by key, to whatever reads them (the command line, Python, C):
+//
+//     template <class Take>
+//     void each_option(const Take& take) { take("of", of); take("taper", taper); }
+
+#include "document/json.hpp"
+
+#include <fstiff/io/quantity.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// A quantity of an option: a text with its unit, such as "7 MHz", or a number in SI. It is read where it is needed, so that a
+/// refusal quotes it.
+class Amount {
+public:
+    Amount() = default;  ///< none
+    Amount(std::string text) : text_(std::move(text)) {}
+    Amount(const char* text) : text_(text) {}
+    Amount(double si) : si_(si) {}
+
+    [[nodiscard]] bool empty() const { return text_.empty() && !si_; }
+    /// As it was written; a number by its fewest digits.
+    [[nodiscard]] std::string text() const;
+    /// [SI]. \throws domain_error, which names the option \p name, for a text that is no such quantity.
+    [[nodiscard]] double value(io::Dimension dimension, std::string_view name) const;
+    /// The same as value(), greater than 0. \throws domain_error as above.
+    [[nodiscard]] double positive(io::Dimension dimension, std::string_view name) const;
+
+private:
+    std::string text_;
+    std::optional<double> si_;
+};
+
+/// How messages call the option of \p key: "reflection_error", or behind the prefix of a command line "--reflection-error".
+[[nodiscard]] std::string option_name(std::string_view prefix, std::string_view key);
+
+/// Named numbers: a line of CSV under a header, keys of a JSON document.
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+[[nodiscard]] std::string csv(const NamedNumbers& numbers);
+void put(Json& document, const NamedNumbers& numbers);
+
+/// What a command makes: its document without the warnings, these, and whether the result is one to doubt.
+struct Answer {
+    Json document;
+    std::vector<std::string> warnings{};
+    bool doubtful = false;
+};
+
+}  // namespace fstiff::scene
