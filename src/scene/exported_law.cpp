@@ -113,6 +113,7 @@ PressureTableOptions options_of(const ExportRequest& request) {
             .from = pressure(request.from, "from"),
             .to = pressure(request.until, "until"),
             .tolerance = share_of(request),
+            .prefix = request.prefix,
             .progress = request.progress};
 }
 

@@ -25,8 +25,10 @@ double impedance_of(const BodyRequest& body, const ReflectionRequest& request, c
                               body.velocity.positive(io::Dimension::velocity, name("velocity")));
 }
 
-/// The number that \p text is; none: the name of a file. "nan" and "inf" are numbers, so that they are refused as such.
-std::optional<double> as_number(const std::string& text) {
+/// The number that \p given is; none: the name of a file. "nan" and "inf" are numbers, so that they are refused as such.
+std::optional<double> as_number(const Amount& given) {
+    if (given.number()) return given.number();
+    const std::string text = given.text();
     const std::string word = io::detail::lower_case(text);
     if (word == "nan" || word == "inf" || word == "-inf")
         throw domain_error("reflection = " + text + ": must be greater than 0 and less than 1");
@@ -98,13 +100,12 @@ Reflected at_one(const ReflectionRequest& request, const Impedances<double>& med
     return one;
 }
 
-/// The curve in the file that \p request names.
-MeasuredCurve curve_of(const ReflectionRequest& request, const std::string& name) {
+/// The curve in \p file.
+MeasuredCurve curve_of(const std::string& file, const std::string& name) {
     std::error_code ignored;
-    if (request.reflection != "-" && !std::filesystem::exists(request.reflection, ignored))
-        throw domain_error(name + " = \"" + request.reflection +
-                           "\": must be a number or an existing file of measured reflections");
-    return read_measured_curve(request.reflection);
+    if (file != "-" && !std::filesystem::exists(file, ignored))
+        throw domain_error(name + " = \"" + file + "\": must be a number or an existing file of measured reflections");
+    return read_measured_curve(file);
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
     std::optional<double> given;
     if (of_reflection && !curve) {
         given = as_number(request.reflection);
-        if (!given) curve = curve_of(request, name("reflection"));
+        if (!given) curve = curve_of(request.reflection.text(), name("reflection"));
     }
     all.welded = welded_reflection(all.media);
     if (curve)

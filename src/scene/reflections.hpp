@@ -24,7 +24,7 @@ struct BodyRequest {
 /// One of a stiffness, a reflection, a file of reflections and a curve of them; the wave; and both bodies.
 struct ReflectionRequest {
     Amount stiffness;                        ///< K per nominal area
-    std::string reflection;                  ///< |R|, or the file of a measured curve
+    Amount reflection;                       ///< |R|, or the file of a measured curve
     std::optional<double> reflection_error;  ///< standard error of |R|, where no curve has its own
     Amount frequency;
     BodyRequest incident, beyond;  ///< of the wave; beyond: as incident where nothing of it is given

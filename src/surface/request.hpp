@@ -28,6 +28,8 @@ public:
     Amount(double si) : si_(si) {}
 
     [[nodiscard]] bool empty() const { return text_.empty() && !si_; }
+    /// The number that it was given as, in SI.
+    [[nodiscard]] std::optional<double> number() const { return si_; }
     /// As it was written; a number by its fewest digits.
     [[nodiscard]] std::string text() const;
     /// [SI]. \throws domain_error, which names the option \p name, for a text that is no such quantity.
