@@ -105,8 +105,8 @@ inline Found found(scene::Json document, const std::vector<std::string>& warning
     document["warnings"] = warnings;
     return {document.str(), doubtful, std::move(measured)};
 }
-inline Found found(scene::Answer answer) {
-    return found(std::move(answer.document), answer.warnings, answer.doubtful);
+inline Found found(const scene::Answer& answer) {
+    return {answer.with_warnings().str(), answer.doubtful};
 }
 
 }  // namespace fstiff::python

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "document/json.hpp"
 
+#include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -109,6 +112,41 @@ void Json::update(const Json& object) {
 const std::string& Json::text() const {
     if (kind_ != Kind::text) throw std::logic_error("a JSON value that is no text");
     return rest_->text;
+}
+
+const Json* Json::at(std::string_view path) const {
+    if (path.empty()) return this;
+    const std::size_t end = std::min(path.find('.'), path.size());
+    const std::string_view key = path.substr(0, end), rest = path.substr(std::min(end + 1, path.size()));
+    std::size_t place = 0;
+    if (kind_ == Kind::object)
+        place = static_cast<std::size_t>(std::find(rest_->keys.begin(), rest_->keys.end(), key) - rest_->keys.begin());
+    else if (const char* const last = key.data() + key.size();
+             kind_ != Kind::array || std::from_chars(key.data(), last, place).ptr != last)
+        return nullptr;
+    return place < rest_->items.size() ? rest_->items[place].at(rest) : nullptr;
+}
+
+std::vector<double> Json::numbers() const {
+    switch (kind_) {
+        case Kind::null:
+            return {std::numeric_limits<double>::quiet_NaN()};
+        case Kind::negative:
+            return {-static_cast<double>(whole_)};
+        case Kind::whole:
+            return {static_cast<double>(whole_)};
+        case Kind::real:
+            return {real_};
+        default:
+            break;
+    }
+    if (kind_ != Kind::array) throw domain_error("is neither a number nor an array of them");
+    std::vector<double> all;
+    for (const Json& item : rest_->items) {
+        const std::vector<double> one = item.numbers();
+        all.insert(all.end(), one.begin(), one.end());
+    }
+    return all;
 }
 
 std::string Json::str() const {

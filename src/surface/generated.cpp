@@ -5,9 +5,11 @@
 #include "instances/surface_instances.hpp"
 
 #include <fstiff/core/version.hpp>
+#include <fstiff/io/write.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include <algorithm>
+#include <sstream>
 
 namespace fstiff::scene {
 namespace {
@@ -113,6 +115,20 @@ Generated generate(const GenerateRequest& given) {
                                                    {"shortest wave", in_metres(waves.shortest)},
                                                    {"seed", std::to_string(request.seed)}});
     return made;
+}
+
+std::string file_of(const Generated& generated, GeneratedForm form) {
+    std::ostringstream stream;
+    if (form == GeneratedForm::csv) stream << "# " << generated.origin() << "\n";
+    std::visit(
+        [&](const auto& surface) {
+            if (form == GeneratedForm::csv)
+                io::write_csv(stream, surface);
+            else
+                io::write_sdf(stream, surface, {.binary = form == GeneratedForm::sdf});
+        },
+        generated.surface);
+    return std::move(stream).str();
 }
 
 }  // namespace fstiff::scene

@@ -19,6 +19,8 @@ namespace fstiff::scene {
 
 /// wm: Weierstrass-Mandelbrot profile; the others are self-affine and Gaussian.
 enum class GeneratedKind { wm, profile, map };
+/// The form of the file; sdf is binary.
+enum class GeneratedForm { csv, sdf, sdf_text };
 
 }  // namespace fstiff::scene
 
@@ -29,6 +31,11 @@ inline constexpr auto names<scene::GeneratedKind> =
     name_list<scene::GeneratedKind>({{scene::GeneratedKind::wm, "wm"},
                                      {scene::GeneratedKind::profile, "profile"},
                                      {scene::GeneratedKind::map, "map"}});
+template <>
+inline constexpr auto names<scene::GeneratedForm> =
+    name_list<scene::GeneratedForm>({{scene::GeneratedForm::csv, "csv"},
+                                     {scene::GeneratedForm::sdf, "sdf"},
+                                     {scene::GeneratedForm::sdf_text, "sdf-text"}});
 
 }  // namespace fstiff
 
@@ -49,6 +56,7 @@ struct GenerateRequest {
     Lengths rms, longest, shortest;   ///< wavelengths: the longest side and two spacings by default
     LongWaves long_waves = LongWaves::plateau;
     std::uint64_t seed = 1;
+    GeneratedForm format = GeneratedForm::csv;
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
@@ -66,6 +74,7 @@ struct GenerateRequest {
         take("shortest", shortest);
         take("long_waves", long_waves);
         take("seed", seed);
+        take("format", format);
     }
 };
 
@@ -79,5 +88,7 @@ struct Generated {
 
 /// \throws option_error for an option that the kind has no use for, or that it misses; domain_error for values out of range.
 [[nodiscard]] Generated generate(const GenerateRequest& request);
+/// The file, which fstiff reads back; the CSV has the origin in its first line.
+[[nodiscard]] std::string file_of(const Generated& generated, GeneratedForm form);
 
 }  // namespace fstiff::scene

@@ -37,4 +37,10 @@ void put(Json& document, const NamedNumbers& numbers) {
     for (const auto& [key, value] : numbers) document[key] = value;
 }
 
+Json Answer::with_warnings() const {
+    Json all = document;
+    all["warnings"] = warnings;
+    return all;
+}
+
 }  // namespace fstiff::scene

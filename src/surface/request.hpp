@@ -55,6 +55,9 @@ struct Answer {
     Json document;
     std::vector<std::string> warnings{};
     bool doubtful = false;
+
+    /// The document with the warnings as its last key.
+    [[nodiscard]] Json with_warnings() const;
 };
 
 }  // namespace fstiff::scene

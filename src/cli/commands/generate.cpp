@@ -4,10 +4,7 @@
 #include "commands/commands.hpp"
 #include "surface/generated.hpp"
 
-#include <fstiff/io/write.hpp>
-
 #include <memory>
-#include <sstream>
 
 namespace fstiff::cli {
 namespace generate_command {
@@ -16,25 +13,13 @@ namespace {
 struct Options {
     OutputOptions output;
     GenerateRequest request;
-    std::string form = "csv";
 };
 
 Report execute(const Options& options) {
     const Generated generated = generate(options.request);
-    Report report;
-    std::ostringstream stream;
-    std::visit(
-        [&](const auto& surface) {
-            if (options.form == "csv") {
-                stream << "# " << generated.origin() << "\n";
-                io::write_csv(stream, surface);
-            } else {
-                io::write_sdf(stream, surface, {.binary = options.form == "sdf"});
-            }
-        },
-        generated.surface);
-    report.document = std::move(stream).str();
-    if (options.form != "csv") report.diagnostics.push_back(generated.origin());  // there is no room for it in the file
+    Report report{.document = file_of(generated, options.request.format), .diagnostics = {}};
+    if (options.request.format != GeneratedForm::csv)
+        report.diagnostics.push_back(generated.origin());  // there is no room for it in the file
     return report;
 }
 
@@ -69,9 +54,8 @@ Command add_generate(CLI::App& app) {
     command.option("--long-waves", request.long_waves,
                    "waves beyond the longest wavelength: plateau (default), as strong as it, or none");
     command.option("--seed", request.seed, "seed of the random phases or amplitudes; the default is 1");
-    command.option("--format", options->form, "form of the file: csv (default), sdf (binary) or sdf-text")
-        .type_name("FORMAT")
-        .one_of({"csv", "sdf", "sdf-text"});
+    command.option("--format", request.format, "form of the file: csv (default), sdf (binary) or sdf-text")
+        .type_name("FORMAT");
     add_output_option(command, options->output);
     command.footer(
         "The parameters and the seed stand in the first line of the CSV, on standard error for SDF.\n"
