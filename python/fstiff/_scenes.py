@@ -199,7 +199,7 @@ def export(
     law        of the scene, its first that gives a separation by default
     peaks      which of contact.peaks, from 1 on
     """
-    given = {"to": to, "units": units, "law": law, "peaks": peaks}
+    given: dict[str, Any] = {"to": to, "units": units, "law": law, "peaks": peaks}
     given["tolerance"] = repr(tolerance) if isinstance(tolerance, (int, float)) else tolerance
     given["from"], given["until"] = pressures or (None, None)
     made, warnings, doubtful = _core.export(scene_of(scene, surface)._core, options_of(given))
