@@ -24,6 +24,7 @@ public:
     static constexpr long long most_seed = (1LL << 53) - 1;
 
     explicit Given(const nb::dict& options) : options_(options) {}
+    [[nodiscard]] bool has(const std::string& key) const { return options_.contains(key.c_str()); }
     template <class T>
     void take(const char* key, T& to) const {
         if (options_.contains(key) && !nb::try_cast<T>(options_[key], to)) refuse(key);
@@ -89,7 +90,11 @@ scene::SurfaceOptions surface_options(const Given& given);
 template <class Request>
 Request request_of(const Given& given) {
     Request request;
-    request.each_option([&](const char* key, auto& to) { given.take(key, to); });
+    request.each_option([&](const std::string& key, auto& to, const std::string&, const scene::OptionTraits& of = {}) {
+        if (!given.has(key)) return;
+        given.take(key.c_str(), to);
+        of.check(key, to);
+    });
     return request;
 }
 

@@ -43,12 +43,14 @@ public:
                 throw domain_error("options: " + key + " is there twice");
         }
     }
-    void read(std::string_view key, auto& to) {
+    /// Whether the option \p key is there.
+    bool read(std::string_view key, auto& to) {
         known_ += (known_.empty() ? "" : ", ") + std::string(key);
         const auto found = values_.find(key);
-        if (found == values_.end()) return;
+        if (found == values_.end()) return false;
         put(found->second, key, to);
         values_.erase(found);
+        return true;
     }
     void read(SurfaceOptions& to) {
         read("file", to.file);
@@ -58,7 +60,9 @@ public:
     template <class Request>
     Request request() {
         Request request;
-        request.each_option([&](std::string_view key, auto& to) { read(key, to); });
+        request.each_option([&](const std::string& key, auto& to, const std::string&, const OptionTraits& of = {}) {
+            if (read(key, to)) of.check(key, to);
+        });
         return request;
     }
     /// \throws domain_error for an option that nobody has read.

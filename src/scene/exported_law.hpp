@@ -38,14 +38,16 @@ struct ExportRequest {
     ProgressHook progress{};
 
     template <class Take>
-    void each_option(const Take& take) {
-        take("to", to);
-        take("units", units);
-        take("tolerance", tolerance);
-        take("from", from);
-        take("until", until);
-        take("law", law);
-        take("peaks", peaks);
+    void each_option(Take take) {
+        take("to", to,
+             "program whose input is written; law: the tabulated law itself, for C, C++, Python and Fortran",
+             {.required = true});
+        take("units", units, "units of the model, length, force and pressure, such as m,N,Pa", {.shows_default = true});
+        take("tolerance", tolerance, "largest error of the pressure between two rows", {.shows_default = true});
+        take("from", from, "least pressure of the table; the default is that of the scene");
+        take("until", until, "greatest pressure of the table; the default is that of the scene");
+        take("law", law, "law of the scene; the default is its first that gives a separation");
+        take("peaks", peaks, "which of the scene's contact.peaks, from 1 on", {.shows_default = true});
     }
 };
 

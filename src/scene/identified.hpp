@@ -44,11 +44,17 @@ struct IdentifyRequest {
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
-    void each_option(const Take& take) {
-        take("measured", measured);
-        take("fit", fit);
-        take("law", law);
-        take("wave", wave);
+    void each_option(Take take) {
+        std::string names;
+        for (const std::string_view name : parameter_short_names) names += (names.empty() ? "" : ", ") + std::string(name);
+        take("measured", measured,
+             "file (CSV) of pressure and stiffness or reflection, with their errors if they are known",
+             {.required = true, .type = "FILE"});
+        take("fit", fit,
+             "parameters to fit, among " + names + " (offset: of the pressure); the others keep their values",
+             {.required = true, .type = "NAME,..."});
+        take("law", law, "fit only this law of the scene", {.words = fitted_law_names()});
+        take("wave", wave, "kind of wave whose reflection coefficients were measured: longitudinal (default) or shear");
     }
 };
 

@@ -31,17 +31,23 @@ struct ReflectionRequest {
     std::string prefix{};          ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
-    void each_option(const Take& take) {
-        take("stiffness", stiffness);
-        take("reflection", reflection);
-        take("reflection_error", reflection_error);
-        take("frequency", frequency);
-        take("impedance", incident.impedance);
-        take("density", incident.density);
-        take("velocity", incident.velocity);
-        take("impedance2", beyond.impedance);
-        take("density2", beyond.density);
-        take("velocity2", beyond.velocity);
+    void each_option(Take take) {
+        take("stiffness", stiffness, "normal contact stiffness K per nominal area, such as \"1.764 GPa/um\"");
+        take("reflection", reflection,
+             "reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, reflection "
+             "and, if known, reflection_error, to K(p); - is standard input");
+        take("reflection_error", reflection_error,
+             "standard error of the reflection coefficient, where a file has no column of it");
+        take("frequency", frequency, "frequency of the wave, such as \"7 MHz\"", {.required = true});
+        const auto take_body = [&](BodyRequest& body, const std::string& suffix, const std::string& which) {
+            take("impedance" + suffix, body.impedance, "impedance of " + which + ", such as \"46 MRayl\"");
+            take("density" + suffix, body.density,
+                 "density of that body, such as \"7850 kg/m^3\"; needs --velocity" + suffix);
+            take("velocity" + suffix, body.velocity,
+                 "velocity of sound in that body, such as \"5900 m/s\"; needs --density" + suffix);
+        };
+        take_body(incident, "", "the body that the wave comes from");
+        take_body(beyond, "2", "the body beyond (default: the same)");
     }
 };
 

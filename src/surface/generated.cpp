@@ -39,9 +39,8 @@ GenerateRequest with_points(GenerateRequest request) {
     if (request.points == 0) request.points = map ? 256 : 4096;
     check_options(request);
     if (request.rows == 0) request.rows = map ? request.points : 1;
-    for (const std::size_t side : {request.points, map ? request.rows : request.points})
-        require(side >= GenerateRequest::min_side, "points", side, "at least 16");
-    if (request.points > GenerateRequest::max_points || request.rows > GenerateRequest::max_points / request.points)
+    constexpr std::size_t most = GenerateRequest::max_points;
+    if (request.points > most || request.rows > most / request.points)
         throw domain_error("points = " + std::to_string(request.points) + " x " + std::to_string(request.rows) +
                            ": must be at most 2^22 (4194304) in all");
     return request;

@@ -44,7 +44,7 @@ namespace fstiff::scene {
 /// What is made. Of wm: dimension, roughness, gamma; of the others hurst, rms, long_waves; rows of a map.
 struct GenerateRequest {
     /// Of one surface: 2^22 heights are some 90 MB of text.
-    static constexpr std::size_t min_side = 16, max_points = std::size_t(1) << 22;
+    static constexpr int min_side = 16, max_points = 1 << 22;
 
     GeneratedKind kind = GeneratedKind::profile;
     std::size_t points = 0, rows = 0;  ///< of a row, and how many rows; 0: 4096, of a map 256, and as many rows as points
@@ -60,21 +60,25 @@ struct GenerateRequest {
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
-    void each_option(const Take& take) {
-        take("kind", kind);
-        take("points", points);
-        take("rows", rows);
-        take("spacing", spacing);
-        take("dimension", dimension);
-        take("roughness", roughness);
-        take("gamma", gamma);
-        take("hurst", hurst);
-        take("rms", rms);
-        take("longest", longest);
-        take("shortest", shortest);
-        take("long_waves", long_waves);
-        take("seed", seed);
-        take("format", format);
+    void each_option(Take take) {
+        const OptionTraits side{.low = min_side, .high = max_points};
+        take("kind", kind, "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic",
+             {.required = true, .positional = true});
+        take("points", points,
+             "number of points of the profile (default 4096) or of a row of the map (default 256)", side);
+        take("rows", rows, "number of rows of the map; the default is the number of points", side);
+        take("spacing", spacing, "distance of neighbouring points, such as \"0.5 um\"");
+        take("dimension", dimension, "fractal dimension D of a wm profile, between 1 and 2");
+        take("roughness", roughness, "fractal roughness G of a wm profile, such as \"12 nm\"");
+        take("gamma", gamma, "ratio of neighbouring wavelengths of a wm profile; default 1.5");
+        take("hurst", hurst, "Hurst exponent H of a profile or map, between 0 and 1; a section has D = 2 - H");
+        take("rms", rms, "rms height (Rq or Sq) of the profile or map, such as \"1 um\"");
+        take("longest", longest, "longest wavelength; the default is the longest side");
+        take("shortest", shortest, "shortest wavelength; the default is two spacings");
+        take("long_waves", long_waves,
+             "waves beyond the longest wavelength: plateau (default), as strong as it, or none");
+        take("seed", seed, "seed of the random phases or amplitudes; the default is 1");
+        take("format", format, "form of the file: csv (default), sdf (binary) or sdf-text", {.type = "FORMAT"});
     }
 };
 

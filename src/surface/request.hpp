@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // What the requests of commands share: quantities as people or programs give them, and one list of options each. A request
-// hands its options, by key, to whatever reads them (the command line, Python, C):
+// hands its options, by key and with the help of the command line, to whatever reads them (the command line, Python, C):
 //
 //     template <class Take>
-//     void each_option(const Take& take) { take("of", of); take("taper", taper); }
+//     void each_option(Take take) { take("points", points, "points of a row; the default is 256", {.low = 16, .high = 4096}); }
 
 #include "document/json.hpp"
 
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/io/quantity.hpp>
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,6 +43,24 @@ public:
 private:
     std::string text_;
     std::optional<double> si_;
+};
+
+/// What else is said of one option.
+struct OptionTraits {
+    double low = 0, high = 0;  ///< of a number, both allowed; equal: any
+    bool required = false, positional = false, shows_default = false;  ///< on the command line
+    std::string_view type{};                                           ///< there: how its help calls the value
+    std::vector<std::string_view> words{};                             ///< of a text: those that are allowed
+
+    [[nodiscard]] bool has_range() const { return low < high; }
+    /// \throws domain_error for a value of the option \p key out of range.
+    template <class Value>
+    void check(std::string_view key, const Value& value) const {
+        if constexpr (std::is_arithmetic_v<Value>)
+            if (has_range())
+                require(static_cast<double>(value) >= low && static_cast<double>(value) <= high, key, value,
+                        "from " + shortest_text(low) + " to " + shortest_text(high));
+    }
 };
 
 /// How messages call the option of \p key: "reflection_error", or behind the prefix of a command line "--reflection-error".

@@ -2,6 +2,7 @@
 // fstiff export: the law of a scene as the table of a contact in a finite-element program, or as the text of a tabulated law.
 #include "commands/commands.hpp"
 #include "input/progress.hpp"
+#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "scene/exported_law.hpp"
 
@@ -41,14 +42,7 @@ Command add_export(CLI::App& app) {
         command, options->scene,
         "scene file (TOML); - is standard input; without it the fine sand-blasted surface of the paper",
         "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
-    command.option("--to", request.to, "program whose input is written; law: the tabulated law itself, for C, C++, Python and Fortran").required();
-    command.option("--units", request.units, "units of the model, length, force and pressure, such as m,N,Pa")
-        .show_default();
-    command.option("--tolerance", request.tolerance, "largest error of the pressure between two rows").show_default();
-    command.option("--from", request.from, "least pressure of the table; the default is that of the scene");
-    command.option("--until", request.until, "greatest pressure of the table; the default is that of the scene");
-    command.option("--law", request.law, "law of the scene; the default is its first that gives a separation");
-    command.option("--peaks", request.peaks, "which of the scene's contact.peaks, from 1 on").show_default();
+    add_request_options(command, request);
     add_output_option(command, options->output);
     command.footer(
         "A file that fstiff did not make is not replaced.\n"

@@ -2,6 +2,7 @@
 // fstiff identify: parameters of a scene from a measured K(p) or R(p), one fit per law and peak density.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "picture/panels.hpp"
 #include "scene/identified.hpp"
@@ -272,22 +273,7 @@ Command add_identify(CLI::App& app) {
     add_scene_options(command, options->scene,
                       "scene file (TOML) with the starting values; - is standard input; without it the fine "
                       "sand-blasted surface of the paper");
-    command
-        .option("--measured", request.measured,
-                "file (CSV) of pressure and stiffness or reflection, with their errors if they are known")
-        .required()
-        .type_name("FILE");
-    std::string fitted;
-    for (const std::string_view name : parameter_short_names) fitted += (fitted.empty() ? "" : ", ") + std::string(name);
-    command
-        .option("--fit", request.fit,
-                "parameters to fit, among " + fitted + " (offset: of the pressure); the others keep their values")
-        .required()
-        .delimiter(',')
-        .type_name("NAME,...");
-    command.option("--law", request.law, "fit only this law of the scene").one_of(fitted_law_names());
-    command.option("--wave", request.wave,
-                   "kind of wave whose reflection coefficients were measured: longitudinal (default) or shear");
+    add_request_options(command, request);
     add_output_options(command, options->output);
     add_picture_option(command, options->picture, "draw the fit and its residuals");
     command.footer(

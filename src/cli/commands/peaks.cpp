@@ -2,6 +2,7 @@
 // fstiff peaks: the density of peak heights and curvatures, its moments and its height marginal.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "input/request_options.hpp"
 #include "input/surface_options.hpp"
 #include "surface/peak_density.hpp"
 #include "document/shown_unit.hpp"
@@ -63,19 +64,10 @@ Command add_peaks(CLI::App& app) {
     PeakDensityRequest& request = options->request;
     request.profile = "--profile";
     Arguments command(app, "peaks", "Density of peak heights and curvatures: parameters, moments, height marginal");
-    command.option("--r", request.r,
-                   "correlation r of heights and curvatures, at least 0 and less than 1; needs --theta");
-    command.option("--theta", request.theta,
-                   "angle theta of the sampling: a number of radians, \"pi/4\" or \"45 deg\"");
-    command.flag("--exponential", request.exponential,
-                 "take the r that belongs to --theta for an exponential autocorrelation");
-    command.option("--rho1", request.rho1, "autocorrelation at one sampling step, with --rho2");
-    command.option("--rho2", request.rho2, "autocorrelation at two sampling steps");
+    add_request_options(command, request);
     command.option("--profile", request.surface.file,
                    "measured profile, as fstiff formats lists them; - is standard input");
     add_surface_options(command, request.surface, SurfaceKind::profile);
-    command.option("--heights", request.heights,
-                   "FROM,TO,COUNT: print a table of the probability density of the height alone (Fig. 2)");
     add_output_options(command, options->output);
     command.footer(
         "Heights are in rms heights, curvatures in rms curvatures of the ordinates.\n"

@@ -2,6 +2,7 @@
 // fstiff spectrum: the power spectral density or the autocorrelation of a measured profile or map, as numbers and as a picture.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "input/request_options.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
 #include "picture/plot.hpp"
@@ -137,11 +138,7 @@ Command add_spectrum(CLI::App& app) {
     Arguments command(app, "spectrum", "Power spectral density or autocorrelation of a measured profile or map");
     command.option("file", options->request.surface.file, "profile or map, as fstiff formats lists them; - is standard input")
         .required();
-    command.option("--of", options->request.of,
-                   "psd (default), the power spectral density, or acf, the autocorrelation function");
-    command.option("--taper", options->request.taper,
-                   "window that the heights are multiplied by before a psd: hann (default), or none for a surface that "
-                   "repeats itself");
+    add_request_options(command, options->request);
     add_surface_options(command, options->request.surface);
     add_output_options(command, options->output);
     add_picture_option(command, options->picture, "draw the curves");

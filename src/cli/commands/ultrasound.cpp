@@ -2,6 +2,7 @@
 // fstiff ultrasound: reflection of an interface from its stiffness, or the stiffness from measured reflections.
 #include "commands/commands.hpp"
 #include "document/document.hpp"
+#include "input/request_options.hpp"
 #include "scene/reflections.hpp"
 
 #include <fstiff/core/version.hpp>
@@ -49,14 +50,6 @@ Report execute(const Options& options) {
                   options.output.format);
 }
 
-void add_body(Arguments& command, BodyRequest& body, const std::string& suffix, const std::string& which) {
-    command.option("--impedance" + suffix, body.impedance, "impedance of " + which + ", such as \"46 MRayl\"");
-    command.option("--density" + suffix, body.density,
-                   "density of that body, such as \"7850 kg/m^3\"; needs --velocity" + suffix);
-    command.option("--velocity" + suffix, body.velocity,
-                   "velocity of sound in that body, such as \"5900 m/s\"; needs --density" + suffix);
-}
-
 }  // namespace
 }  // namespace ultrasound_command
 
@@ -66,17 +59,7 @@ Command add_ultrasound(CLI::App& app) {
     ReflectionRequest& request = options->request;
     request.prefix = "--";
     Arguments command(app, "ultrasound", "Ultrasonic reflection from the stiffness of an interface, or back");
-    command.option("--stiffness", request.stiffness,
-                   "normal contact stiffness K per nominal area, such as \"1.764 GPa/um\"");
-    command.option(
-        "--reflection", request.reflection,
-        "reflection coefficient |R| of displacement amplitudes, less than 1; or a file (CSV) of pressure, reflection "
-        "and, if known, reflection_error, to K(p); - is standard input");
-    command.option("--reflection-error", request.reflection_error,
-                   "standard error of the reflection coefficient, where a file has no column of it");
-    command.option("--frequency", request.frequency, "frequency of the wave, such as \"7 MHz\"").required();
-    add_body(command, request.incident, "", "the body that the wave comes from");
-    add_body(command, request.beyond, "2", "the body beyond (default: the same)");
+    add_request_options(command, request);
     add_output_options(command, options->output);
     command.footer(
         "A file begins with its columns and their units: pressure [MPa], reflection, reflection_error. Shear waves: "
