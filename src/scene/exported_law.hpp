@@ -31,8 +31,8 @@ struct ExportRequest {
     Solver to = Solver::calculix;
     std::string units = "mm,N,MPa";  ///< of the model: length, force and pressure
     std::string tolerance = "1%";    ///< of the pressure between two rows: a share, or per cent
-    Amount from, until;              ///< pressures; empty: the least and the greatest of the scene
-    std::string law;                 ///< of the scene; empty: its first that has a separation
+    Amount from{}, until{};              ///< pressures; empty: the least and the greatest of the scene
+    std::string law{};                 ///< of the scene; empty: its first that has a separation
     int peaks = 1;                   ///< which of contact.peaks, from 1 on
     std::string_view prefix{};       ///< of the names of options in messages: "--" on a command line
     ProgressHook progress{};

@@ -37,9 +37,9 @@ inline constexpr auto parameter_short_names = [] {
 }();
 
 struct IdentifyRequest {
-    std::string measured;          ///< file of the curve
-    std::vector<std::string> fit;  ///< parameters, by their short names or their keys in a scene
-    std::string law;               ///< this law of the scene alone; empty: every one that has derivatives
+    std::string measured{};          ///< file of the curve
+    std::vector<std::string> fit{};  ///< parameters, by their short names or their keys in a scene
+    std::string law{};               ///< this law of the scene alone; empty: every one that has derivatives
     WaveKind wave = WaveKind::longitudinal;
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 

@@ -17,17 +17,17 @@ namespace fstiff::scene {
 
 /// A body: its acoustic impedance, or the density and velocity that give it.
 struct BodyRequest {
-    Amount impedance, density, velocity;
+    Amount impedance{}, density{}, velocity{};
     [[nodiscard]] bool given() const { return !impedance.empty() || !density.empty() || !velocity.empty(); }
 };
 
 /// One of a stiffness, a reflection, a file of reflections and a curve of them; the wave; and both bodies.
 struct ReflectionRequest {
-    Amount stiffness;                        ///< K per nominal area
-    Amount reflection;                       ///< |R|, or the file of a measured curve
-    std::optional<double> reflection_error;  ///< standard error of |R|, where no curve has its own
-    Amount frequency;
-    BodyRequest incident, beyond;  ///< of the wave; beyond: as incident where nothing of it is given
+    Amount stiffness{};                        ///< K per nominal area
+    Amount reflection{};                       ///< |R|, or the file of a measured curve
+    std::optional<double> reflection_error{};  ///< standard error of |R|, where no curve has its own
+    Amount frequency{};
+    BodyRequest incident{}, beyond{};  ///< of the wave; beyond: as incident where nothing of it is given
     std::string prefix{};          ///< of the names of options in messages: "--" on a command line
 
     template <class Take>

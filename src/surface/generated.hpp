@@ -48,12 +48,12 @@ struct GenerateRequest {
 
     GeneratedKind kind = GeneratedKind::profile;
     std::size_t points = 0, rows = 0;  ///< of a row, and how many rows; 0: 4096, of a map 256, and as many rows as points
-    Lengths spacing;
-    std::optional<double> dimension;  ///< D
-    Lengths roughness;                ///< G
+    Lengths spacing{};
+    std::optional<double> dimension{};  ///< D
+    Lengths roughness{};                ///< G
     double gamma = 1.5;               ///< ratio of neighbouring wavelengths
-    std::optional<double> hurst;      ///< H
-    Lengths rms, longest, shortest;   ///< wavelengths: the longest side and two spacings by default
+    std::optional<double> hurst{};      ///< H
+    Lengths rms{}, longest{}, shortest{};   ///< wavelengths: the longest side and two spacings by default
     LongWaves long_waves = LongWaves::plateau;
     std::uint64_t seed = 1;
     GeneratedForm format = GeneratedForm::csv;

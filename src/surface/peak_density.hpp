@@ -18,13 +18,13 @@ namespace fstiff::scene {
 
 /// One of: r and theta, theta and exponential, rho1 and rho2, a profile. And where the density of the height alone is wanted.
 struct PeakDensityRequest {
-    SurfaceOptions surface;            ///< of a profile, or without a file; its prefix is that of all options
+    SurfaceOptions surface{};            ///< of a profile, or without a file; its prefix is that of all options
     std::string_view profile = "profile";  ///< how messages call its file
-    std::optional<double> r;           ///< correlation of heights and curvatures, 0 <= r < 1
-    Amount theta;                      ///< angle of the sampling
+    std::optional<double> r{};           ///< correlation of heights and curvatures, 0 <= r < 1
+    Amount theta{};                      ///< angle of the sampling
     bool exponential = false;          ///< r is that of an exponential autocorrelation
-    std::optional<double> rho1, rho2;  ///< autocorrelation at one sampling step, and at two
-    std::string heights;               ///< "FROM,TO,COUNT" in rms heights, -30 to 30; empty: none
+    std::optional<double> rho1{}, rho2{};  ///< autocorrelation at one sampling step, and at two
+    std::string heights{};               ///< "FROM,TO,COUNT" in rms heights, -30 to 30; empty: none
 
     template <class Take>
     void each_option(Take take) {

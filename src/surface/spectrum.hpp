@@ -31,7 +31,7 @@ namespace fstiff::scene {
 
 /// How a file is read, and what is computed.
 struct SpectrumRequest {
-    SurfaceOptions surface;
+    SurfaceOptions surface{};
     SpectrumKind of = SpectrumKind::psd;
     SpectrumWindow taper = SpectrumWindow::hann;  ///< of a psd
 
