@@ -159,7 +159,8 @@ Found peaks(const nb::dict& options, const std::optional<Heights>& heights) {
     auto how = request_of<PeakDensityRequest>(given);
     how.surface = surface_options(given);
     const nb::gil_scoped_release free;
-    return found(answer_of(how, peak_density_of(how, heights ? std::optional(input_of(how.surface, *heights)) : std::nullopt)));
+    auto input = heights ? std::optional(input_of(how.surface, *heights)) : std::nullopt;
+    return found(answer_of(how, peak_density_of(how, std::move(input))));
 }
 
 /// Heights, dx and dy (0 of a profile).

@@ -68,7 +68,8 @@ public:
     /// \throws domain_error for an option that nobody has read.
     void require_known() const {
         if (!values_.empty())
-            throw domain_error("options: " + values_.begin()->first.substr(0, 40) + " is none; must be among " + known_);
+            throw domain_error("options: " + values_.begin()->first.substr(0, 40) + " is none; must be among " +
+                               known_);
     }
 
 private:

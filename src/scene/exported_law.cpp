@@ -48,7 +48,8 @@ ModelUnits units_of(const ExportRequest& request) {
 double share_of(const ExportRequest& request) {
     const std::string& text = request.tolerance;
     const bool percent = text.ends_with('%');
-    const double number = io::parse_number(text.substr(0, text.size() - (percent ? 1 : 0)), option_name(request.prefix, "tolerance"));
+    const std::string number_alone = text.substr(0, text.size() - (percent ? 1 : 0));
+    const double number = io::parse_number(number_alone, option_name(request.prefix, "tolerance"));
     return percent ? number / 100 : number;
 }
 
@@ -129,7 +130,9 @@ ExportedLaw export_law(const Scene& scene, const ExportRequest& request) {
     const PressureTableOptions wanted = options_of(request);
     if (request.to == Solver::law) return {.text = law_text(scene, wanted)};
     const PressureTable table = pressure_table(scene, wanted);
-    ExportedLaw made{.text = document_of(scene, table, request, units), .warnings = table.warnings, .doubtful = table.doubtful};
+    ExportedLaw made{.text = document_of(scene, table, request, units),
+                     .warnings = table.warnings,
+                     .doubtful = table.doubtful};
     if (!is_stiffness(table.slope_over_stiffness))
         made.warnings.push_back("the slope of the table is " + slope_of(table) + ", which fstiff run prints");
     return made;

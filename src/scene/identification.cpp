@@ -105,7 +105,8 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
 std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
     const std::string name = option_name(request.prefix, "wave");
     if (!curve.is_reflection) {
-        if (request.shear) throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
+        if (request.shear)
+            throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
         return std::nullopt;
     }
     if (!scene.ultrasound)
@@ -115,8 +116,8 @@ std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& cur
         throw domain_error(scene.file +
                            ": ultrasound.upper.shear_impedance: is missing; " + name + " shear needs it, or "
                            "density and shear_velocity");
-    return Wave<double>{request.shear ? *scene.ultrasound->shear : scene.ultrasound->longitudinal, scene.ultrasound->angular(),
-                        request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
+    return Wave<double>{request.shear ? *scene.ultrasound->shear : scene.ultrasound->longitudinal,
+                        scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
 }
 
 /// The fits that are asked for, still without what they find.
@@ -171,8 +172,8 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     all.fits = fits_of(scene, curve, request, all.warnings);
     if (std::count(request.wanted.begin(), request.wanted.end(), Parameter::fractal_dimension) > 0 &&
         !scene.fractal_dimension)
-        throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " + option_name(request.prefix, "fit") +
-                           " D starts from it");
+        throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " +
+                           option_name(request.prefix, "fit") + " D starts from it");
     IdentifyOptions<double> options;
     options.wave = all.wave;
     for (Fit& fit : all.fits) {

@@ -83,7 +83,8 @@ std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
             return name == row.short_name || name == row.key;
         });
         if (found == parameter_table.end())
-            throw option_error(option + ": \"" + name + "\" is no parameter; must be one of " + list_of(parameter_short_names));
+            throw option_error(option + ": \"" + name + "\" is no parameter; must be one of " +
+                               list_of(parameter_short_names));
         if (std::count(wanted.begin(), wanted.end(), found->parameter) > 0)
             throw option_error(option + ": \"" + name + "\" is there twice; each may be named once");
         wanted.push_back(found->parameter);

@@ -46,7 +46,8 @@ struct IdentifyRequest {
     template <class Take>
     void each_option(Take take) {
         std::string names;
-        for (const std::string_view name : parameter_short_names) names += (names.empty() ? "" : ", ") + std::string(name);
+        for (const std::string_view name : parameter_short_names)
+            names += (names.empty() ? "" : ", ") + std::string(name);
         take("measured", measured,
              "file (CSV) of pressure and stiffness or reflection, with their errors if they are known",
              {.required = true, .type = "FILE"});

@@ -39,15 +39,18 @@ const ChosenLaw& law_of(const Scene& scene, const PressureTableOptions& options)
         if (has_separation(chosen)) names.push_back(chosen.law->name);
     }
     if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
-    throw domain_error(option_name(options.prefix, "law") + " = \"" + name + "\": is no law of the scene that gives a separation; must be one of " +
+    throw domain_error(option_name(options.prefix, "law") + " = \"" + name +
+                       "\": is no law of the scene that gives a separation; must be one of " +
                        list_of(names));
 }
 
 /// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows.
 Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
-    const std::string least_name = option_name(options.prefix, "from"), most_name = option_name(options.prefix, "until");
+    const std::string least_name = option_name(options.prefix, "from");
+    const std::string most_name = option_name(options.prefix, "until");
     if (scene.at_separations && !(options.from && options.to))
-        throw domain_error("the scene has separations; " + least_name + " and " + most_name + " must give the range of pressures");
+        throw domain_error("the scene has separations; " + least_name + " and " + most_name +
+                           " must give the range of pressures");
     const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end());
     const double from = options.from ? *options.from : *least, to = options.to ? *options.to : *greatest;
     require_positive(least_name, from);

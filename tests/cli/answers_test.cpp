@@ -47,7 +47,7 @@ std::vector<double> numbers_at(const Document& document, const std::string& path
 
 }  // namespace
 
-TEST_CASE("The C interface generates the files of the command, and its spectra and peaks of them are those of the command") {
+TEST_CASE("The C interface generates the files of the command, and has its spectra and peaks") {
     const std::string of_map = "kind = map\npoints = 32\nrows = 24\nspacing = 1e-6\nhurst = 0.8\nrms = 0.1 um";
     const auto map = made_by([&](auto made) { return fstiff_generate(of_map.c_str(), made); });
     const auto written =
@@ -109,7 +109,8 @@ TEST_CASE("The C interface reflects, identifies and exports what the command doe
     CHECK(fstiff_document_is_doubtful(found.get()) == (fit.status == 4));
 
     const auto law = made_by([&](auto made) {
-        return fstiff_export(scene.c_str(), scene.size(), file.c_str(), "to = abaqus\ntolerance = 5%\nuntil = 50e6", made);
+        return fstiff_export(scene.c_str(), scene.size(), file.c_str(), "to = abaqus\ntolerance = 5%\nuntil = 50e6",
+                             made);
     });
     CHECK(text_of(law) ==
           test::run_fstiff("export '" + file + "' --to abaqus --tolerance 5% --until '50 MPa'").out);

@@ -136,7 +136,9 @@ Command add_spectrum(CLI::App& app) {
     using namespace spectrum_command;
     auto options = std::make_shared<Options>();
     Arguments command(app, "spectrum", "Power spectral density or autocorrelation of a measured profile or map");
-    command.option("file", options->request.surface.file, "profile or map, as fstiff formats lists them; - is standard input")
+    command
+        .option("file", options->request.surface.file,
+                "profile or map, as fstiff formats lists them; - is standard input")
         .required();
     add_request_options(command, options->request);
     add_surface_options(command, options->request.surface);
