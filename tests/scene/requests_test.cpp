@@ -10,6 +10,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
 #include <algorithm>
@@ -124,10 +125,10 @@ TEST_CASE("A density of peaks needs one source, and a curve of a contact gives i
           }).starts_with("give one of r and theta"));
 
     const auto builtin = scene::read_scene(scene::builtin_scene, {.name = "built-in scene"});
-    const Roughness<double> rougher{1.1 * builtin.surface.rms_height, builtin.surface.peak_radius,
-                                    builtin.surface.peak_density};
-    const auto of = scene::peak_density(builtin.peaks.front());
-    const RoughContact contact(rougher, of, HertzLaw<double>{}, effective_modulus(builtin.upper, builtin.lower));
+    const Roughness<double> rougher{1.1 * 0.832e-6, 40e-6, 500e6};  // than that scene
+    const auto of = PeakDistribution<double>::exponential(std::numbers::pi / 4);
+    const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
+    const RoughContact contact(rougher, of, HertzLaw<double>{}, modulus);
     const std::vector<double> pressures{1e6, 3e6, 1e7, 3e7};
     std::vector<double> stiffness;
     for (const double p : pressures) stiffness.push_back(contact.at_pressure(p).stiffness.value);
