@@ -15,7 +15,7 @@
 module fstiff
     use, intrinsic :: iso_c_binding
     implicit none
-    private :: c_strlen, text_of
+    private :: c_strlen, text_by, text_of
 
     integer, parameter, private :: size_ = c_size_t
 
@@ -75,6 +75,19 @@ module fstiff
         real(c_double) :: lambda_s = 0, lambda_c = 0, shape_share = 0
         type(fstiff_measured) :: rms_height, peak_radius, peak_density, max_peak_height, fractal_dimension, &
             fractal_roughness, r, theta, rms_gradient, skewness, kurtosis
+    end type
+
+    type, bind(c) :: fstiff_heights
+        integer(c_size_t) :: size = 48
+        type(c_ptr) :: heights = c_null_ptr
+        integer(c_size_t) :: rows = 0, columns = 0
+        real(c_double) :: dx = 0, dy = 0
+    end type
+    type, bind(c) :: fstiff_curve
+        integer(c_size_t) :: size = 48
+        type(c_ptr) :: pressures = c_null_ptr, values = c_null_ptr, errors = c_null_ptr
+        integer(c_size_t) :: count = 0
+        integer(c_int) :: is_reflection = 0
     end type
 
     interface
@@ -200,6 +213,74 @@ module fstiff
             type(fstiff_roughness), intent(inout) :: roughness
             integer(c_int) :: status
         end function
+        ! Options end with c_null_char, and have achar(10) between their lines; heights and curve are c_loc of a target, or c_null_ptr.
+        function fstiff_spectrum(heights, options, made) bind(c) result(status)
+            import
+            type(c_ptr), value :: heights
+            character(kind=c_char), intent(in) :: options(*)
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_peaks(profile, options, made) bind(c) result(status)
+            import
+            type(c_ptr), value :: profile
+            character(kind=c_char), intent(in) :: options(*)
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_generate(options, made) bind(c) result(status)
+            import
+            character(kind=c_char), intent(in) :: options(*)
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_ultrasound(curve, options, made) bind(c) result(status)
+            import
+            type(c_ptr), value :: curve
+            character(kind=c_char), intent(in) :: options(*)
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_identify(scene, length, name, curve, options, made) bind(c) result(status)
+            import
+            character(kind=c_char), intent(in) :: scene(*), name(*), options(*)
+            integer(c_size_t), value :: length
+            type(c_ptr), value :: curve
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_export(scene, length, name, options, made) bind(c) result(status)
+            import
+            character(kind=c_char), intent(in) :: scene(*), name(*), options(*)
+            integer(c_size_t), value :: length
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_document_text(document, buffer, capacity, length) bind(c) result(status)
+            import
+            type(c_ptr), value :: document, buffer
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out) :: length
+            integer(c_int) :: status
+        end function
+        function fstiff_document_numbers(document, path, values, capacity, count) bind(c) result(status)
+            import
+            type(c_ptr), value :: document
+            character(kind=c_char), intent(in) :: path(*)
+            real(c_double), intent(out) :: values(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out) :: count
+            integer(c_int) :: status
+        end function
+        function fstiff_document_is_doubtful(document) bind(c) result(doubtful)
+            import
+            type(c_ptr), value :: document
+            integer(c_int) :: doubtful
+        end function
+        subroutine fstiff_document_free(document) bind(c)
+            import
+            type(c_ptr), value :: document
+        end subroutine
         function fstiff_version_c() bind(c, name="fstiff_version") result(text)
             import
             type(c_ptr) :: text
@@ -246,16 +327,29 @@ contains
         status = fstiff_law_of_text(text, len(text, size_), made)
     end function
 
-    ! The text of a law; empty where it has none, and fstiff_message() says why.
+    ! The text of a law, and that of a document; empty where there is none, and fstiff_message() says why.
     function fstiff_text_of_law(law) result(text)
         type(c_ptr), intent(in) :: law
+        character(:), allocatable :: text
+        text = text_by(fstiff_law_text, law)
+    end function
+
+    function fstiff_text_of_document(document) result(text)
+        type(c_ptr), intent(in) :: document
+        character(:), allocatable :: text
+        text = text_by(fstiff_document_text, document)
+    end function
+
+    function text_by(get, from) result(text)
+        procedure(fstiff_law_text) :: get
+        type(c_ptr), intent(in) :: from
         character(:), allocatable :: text
         character(kind=c_char), allocatable, target :: buffer(:)
         integer(c_size_t) :: length, i
         text = ""
-        if (fstiff_law_text(law, c_null_ptr, 0_size_, length) /= FSTIFF_OK) return
+        if (get(from, c_null_ptr, 0_size_, length) /= FSTIFF_OK) return
         allocate (buffer(length + 1))
-        if (fstiff_law_text(law, c_loc(buffer), length + 1, length) /= FSTIFF_OK) return
+        if (get(from, c_loc(buffer), length + 1, length) /= FSTIFF_OK) return
         deallocate (text)
         allocate (character(length) :: text)
         do i = 1, length

@@ -231,6 +231,69 @@ FSTIFF_API int fstiff_measure_map(const double* heights, size_t rows, size_t col
 /** What fstiff_contact_make takes of a measurement. Both sizes must be set. */
 FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* roughness);
 
+/* ---- What the other commands compute, as documents ---- */
+
+/** What a command prints, whose numbers can be taken out. Every function below takes its options as a text of lines
+ * "key = value", which name the options of the command of that name (`fstiff spectrum --help`) without their dashes, such as
+ * "of = acf\nlambda_s = 1 um"; a number without a unit is in SI. NULL: the defaults. A key that the function does not know is
+ * refused. What the result warns of is in fstiff_last_message() afterwards. */
+typedef struct fstiff_document fstiff_document;
+
+/** Heights [m], row after row; NaN marks a missing point. Where a function takes NULL in place of them, the option `file` names a
+ * file. */
+typedef struct fstiff_heights {
+    size_t size;           /**< sizeof(fstiff_heights) */
+    const double* heights; /**< rows * columns */
+    size_t rows, columns;  /**< rows 0: a profile of `columns` points */
+    double dx, dy;         /**< distance of the points of a row, and of the rows [m] */
+} fstiff_heights;
+
+/** A measured curve. Where a function takes NULL in its place, an option names the file. */
+typedef struct fstiff_curve {
+    size_t size;             /**< sizeof(fstiff_curve) */
+    const double* pressures; /**< [Pa], > 0 */
+    const double* values;    /**< K [Pa/m], > 0, or |R| */
+    const double* errors;    /**< their standard errors; NULL: not known */
+    size_t count;
+    int is_reflection; /**< 1: the values are |R|; 0: K */
+} fstiff_curve;
+
+/** Power spectral density or autocorrelation. Options: of, taper, file and all of `fstiff spectrum` that read a surface.
+ * Numbers: "psd.wavenumber_rad_per_m", "psd.psd_m3" of a profile, "psd.psd_m4" of a map, "acf.lag_m", "acf.acf" ... */
+FSTIFF_API int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made);
+/** Density of peak heights and curvatures. Options: r and theta, or theta and exponential = true, or rho1 and rho2, or a profile
+ * with the options that read it; heights = FROM,TO,COUNT. Numbers: "r", "theta", "mean_height", "heights.density" ... */
+FSTIFF_API int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made);
+/** A surface of known D or H. Options: kind (wm, profile, map), spacing, points, rows, hurst, rms, dimension, roughness, gamma,
+ * longest, shortest, long_waves, seed; format of the text. Numbers: "heights_m", row after row, "rows", "columns", "dx_m",
+ * "dy_m". The text is the file that the command writes. */
+FSTIFF_API int fstiff_generate(const char* options, fstiff_document** made);
+/** Reflection of a stiffness, or stiffness of a reflection or of a curve of them. Options: stiffness, or reflection (a number or
+ * the name of a file); reflection_error; frequency; impedance, or density and velocity; the same with 2 for the body beyond.
+ * Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve "rows.0.stiffness_Pa_per_m", "rows.1..." */
+FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made);
+/** Parameters of a scene, `length` bytes of TOML (NULL: the built-in scene), from a measured curve. name is as in
+ * fstiff_contact_of_scene(). Options: fit, the names of the parameters with commas between them; law; wave; measured, the file of
+ * the curve. Numbers: "fits.0.parameters.0.value", "fits.0.chi_squared", "fits.0.covariance" ... */
+FSTIFF_API int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve,
+                               const char* options, fstiff_document** made);
+/** The law of a scene (as above) for a finite-element program: its text is the file. Options: to (calculix, abaqus, law), units,
+ * tolerance, from, until, law, peaks. It has no numbers. */
+FSTIFF_API int fstiff_export(const char* scene, size_t length, const char* name, const char* options,
+                             fstiff_document** made);
+
+/** What the command prints, of the first four JSON. buffer, capacity and length are those of fstiff_law_text(). */
+FSTIFF_API int fstiff_document_text(const fstiff_document* document, char* buffer, size_t capacity, size_t* length);
+/** The number, or the array of numbers, at path: keys, and places in arrays from 0, with points between them. *count becomes
+ * how many they are; values of `capacity` numbers takes all of them; where they do not fit, nothing is written and
+ * FSTIFF_BAD_ARGUMENT returned; values NULL with capacity 0 asks for *count alone. What the JSON has as null is 0. A list of
+ * lists, such as a covariance, is one row after the other. */
+FSTIFF_API int fstiff_document_numbers(const fstiff_document* document, const char* path, double* values,
+                                       size_t capacity, size_t* count);
+/** 1 where the command would end with exit code 4, the result is one to doubt; else 0. */
+FSTIFF_API int fstiff_document_is_doubtful(const fstiff_document* document);
+FSTIFF_API void fstiff_document_free(fstiff_document* document);
+
 #ifdef __cplusplus
 }
 #endif

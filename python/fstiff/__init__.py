@@ -17,29 +17,57 @@ from __future__ import annotations
 from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names
 from ._core import version as __version__
 from ._errors import FileError
-from ._scenes import Curves, Scene, run
-from ._surfaces import Fit, Islands, Measurement, Surface, Truth, fit, islands, measure, open_surface, truth
+from ._measured_curves import Identification, Ultrasound, identify, ultrasound
+from ._scenes import Curves, Export, Scene, export, run
+from ._surfaces import (
+    Fit,
+    Islands,
+    Measurement,
+    Peaks,
+    Spectrum,
+    Surface,
+    Truth,
+    fit,
+    generate,
+    islands,
+    measure,
+    open_surface,
+    peaks,
+    spectrum,
+    truth,
+)
 
 __all__ = [
     "Contact",
     "Curves",
+    "Export",
     "FileError",
     "Fit",
+    "Identification",
     "Islands",
     "Law",
     "Measurement",
+    "Peaks",
     "Points",
     "Scene",
+    "Spectrum",
     "Surface",
     "Truth",
+    "Ultrasound",
     "__version__",
     "effective_modulus",
+    "export",
     "fit",
+    "generate",
     "hybrid",
+    "identify",
     "islands",
     "law_names",
     "measure",
     "open_surface",
+    "peaks",
     "run",
+    "spectrum",
     "truth",
+    "ultrasound",
 ]

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
 from ._contacts import Contact
 from ._errors import named
 from ._results import Table, axes, frame, label_axes, lines_of, shown, text_table
-from ._surfaces import Measurement
+from ._surfaces import Measurement, options_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -156,3 +156,53 @@ def run(
 ) -> Curves:
     """The curves of a scene, a file or a text, as `fstiff run` computes them; see Scene and Curves."""
     return Scene(scene, surface=surface).run()
+
+
+def scene_of(scene: Scene | str | os.PathLike[str] | None, surface: str | os.PathLike[str] | Measurement | None) -> Scene:
+    """The scene that a function was given, or what Scene() takes."""
+    if not isinstance(scene, Scene):
+        return Scene(scene, surface=surface)
+    if surface is not None:
+        raise ValueError("surface: must not be given for a Scene, which has its own")
+    return scene
+
+
+class Export(str):
+    """The text that `fstiff export` writes: a contact of a finite-element program, or a tabulated law.
+
+    warnings   sentences on what may not hold
+    doubtful   the command would have ended with exit code 4
+    """
+
+    warnings: list[str]
+    doubtful: bool
+
+
+def export(
+    scene: Scene | str | os.PathLike[str] | None = None,
+    to: Literal["calculix", "abaqus", "law"] = "calculix",
+    *,
+    units: str | None = None,
+    tolerance: float | str | None = None,
+    pressures: tuple[float | str, float | str] | None = None,
+    law: str | None = None,
+    peaks: int = 1,
+    surface: str | os.PathLike[str] | Measurement | None = None,
+) -> Export:
+    """The law of a scene as the contact law of a finite-element program, as `fstiff export` writes it.
+
+    scene      a Scene, or what Scene() takes with `surface`
+    to         the program; "law": the tabulated law itself, for Law.from_text
+    units      of the model: length, force and pressure, "mm,N,MPa" by default
+    tolerance  largest error of the pressure between two rows, 0.01 by default
+    pressures  from and until which the table reaches [Pa]; the least and the greatest of the scene by default
+    law        of the scene, its first that gives a separation by default
+    peaks      which of contact.peaks, from 1 on
+    """
+    given: dict[str, Any] = {"to": to, "units": units, "law": law, "peaks": peaks}
+    given["tolerance"] = repr(tolerance) if isinstance(tolerance, (int, float)) else tolerance
+    given["from"], given["until"] = pressures or (None, None)
+    made, warnings, doubtful = _core.export(scene_of(scene, surface)._core, options_of(given))
+    text = Export(made)
+    text.warnings, text.doubtful = warnings, doubtful
+    return text

@@ -193,7 +193,7 @@ def open_surface(file: str | os.PathLike[str], channel: str | int | None = None,
     if channel is not None:
         options["channel"] = channel
     try:
-        heights, dx, dy, decisions, warnings = _core.read(_options(options, {"file": path}))
+        arrays, decisions, warnings = _core.read(options_of({**options, "file": path}))
     except FileError:
         raise
     except ValueError as refused:
@@ -206,9 +206,14 @@ def open_surface(file: str | os.PathLike[str], channel: str | int | None = None,
             raise refused from None
         surface.decisions = [f"format: {type(topography).__name__}, by SurfaceTopography, since {refused}"]
         return surface
-    surface = Surface(heights, dx, name=path) if heights.ndim == 1 else Surface(heights, dx=dx, dy=dy, name=path)
+    surface = _surface_of(arrays, path)
     surface.decisions, surface.warnings = decisions, warnings
     return surface
+
+
+def _surface_of(arrays: tuple[Numbers, float, float], name: str) -> Surface:
+    heights, dx, dy = arrays
+    return Surface(heights, dx, name=name) if heights.ndim == 1 else Surface(heights, dx=dx, dy=dy, name=name)
 
 
 def _by_surface_topography(path: str, channel: str | int | None) -> Any:
@@ -228,9 +233,9 @@ def _by_surface_topography(path: str, channel: str | int | None) -> Any:
         return None
 
 
-def _options(options: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
-    """The options as the compiled part takes them."""
-    made = dict(more)
+def options_of(options: dict[str, Any]) -> dict[str, Any]:
+    """The options as the compiled part takes them: without those that are None."""
+    made = {}
     for name, value in options.items():
         if value is None:
             continue
@@ -256,7 +261,7 @@ def _of(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict
     if files:
         if isinstance(options.get("spacing"), (tuple, list)):
             raise ValueError("spacing: of a file must be one length; dx and dy are of a map")
-        return _options({**options, **own}, {"file": files[0]}), files, _core.Heights(None, 0.0, 0.0, "")
+        return options_of({**options, **own, "file": files[0]}), files, _core.Heights(None, 0.0, 0.0, "")
     useless = OF_FILES & set(options)
     if useless:
         raise ValueError(f"{sorted(useless)[0]}: is an option of files; must not be given for an array")
@@ -273,7 +278,7 @@ def _of(source: Any, options: dict[str, Any], own: dict[str, Any]) -> tuple[dict
     if steps:
         raise ValueError(f"{next(iter(steps))}: must not be given for a surface that has its own")
     heights = _core.Heights(surface.heights, surface.dx, surface.dy or 0.0, origin)
-    return _options({**options, **own}, {"file": surface.name}), [], heights
+    return options_of({**options, **own, "file": surface.name}), [], heights
 
 
 def _with_arrays(value: Any) -> Any:
@@ -419,6 +424,52 @@ class Truth(Document):
         return f"<fstiff.Truth of {self['map']}>\n{text_table(rows)}" + lines_of(self.warnings)
 
 
+class Spectrum(Document):
+    """The power spectral density or the autocorrelation: the keys of the JSON of `fstiff spectrum`."""
+
+    @property
+    def of(self) -> str:
+        """"psd" or "acf", which is the key of the columns."""
+        return str(self["inputs"]["of"])
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The columns of the CSV; of a map all directions, the sections along x and along y. NaN fills the shorter ones."""
+        return frame(dict(self[self.of])).astype(float)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws the curve of all directions, of a profile the only one; returns the axes."""
+        ax = axes(ax)
+        (x_key, x), (y_key, y), *_ = self[self.of].items()
+        if self.of == "psd":
+            ax.loglog(x, y)
+        else:
+            ax.plot(x, [float("nan") if one is None else one for one in y])
+        ax.set_xlabel(x_key)
+        ax.set_ylabel(y_key)
+        return ax
+
+    def __repr__(self) -> str:
+        columns = self[self.of]
+        return (
+            f"<fstiff.Spectrum of {self['source']['file']}: {self.of}, {len(next(iter(columns.values())))} rows>\n"
+            f"  columns: {', '.join(columns)}" + lines_of(self.warnings)
+        )
+
+
+class Peaks(Document):
+    """The density of peak heights and curvatures: the keys of the JSON of `fstiff peaks`."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The density of the height alone, where `heights` asked for it."""
+        if "heights" not in self:
+            raise ValueError('heights: must be given to peaks(), such as "-4,4,81"')
+        return frame(dict(self["heights"]))
+
+    def __repr__(self) -> str:
+        numbers = ("r", "theta", "peak_ratio", "mean_height", "height_variance")
+        return f"<fstiff.Peaks from {self['from']}: " + ", ".join(f"{key} = {shown(self[key], 5)}" for key in numbers) + ">"
+
+
 def measure(
     surface: Source,
     *,
@@ -526,3 +577,78 @@ def truth(
 
     made, heights = _one(surface, dict(options), {"points": points, "edges": edges, "hardness": hardness})
     return Truth(_core.truth(made, heights, np.atleast_1d(numbers(pressures, "pressures")), effective_modulus))
+
+
+def spectrum(
+    surface: Source,
+    *,
+    of: Literal["psd", "acf"] = "psd",
+    taper: Literal["hann", "none"] = "hann",
+    **options: Unpack[SurfaceOptions],
+) -> Spectrum:
+    """The power spectral density or the autocorrelation of a profile or a map, as `fstiff spectrum` computes it.
+
+    `taper` is the window of a psd, "none" for a surface that repeats itself. `surface` and `options` are those of measure().
+    """
+    made, heights = _one(surface, dict(options), {"of": of, "taper": taper})
+    return Spectrum(_core.spectrum(made, heights))
+
+
+def peaks(
+    profile: Source | None = None,
+    *,
+    r: float | None = None,
+    theta: float | str | None = None,
+    exponential: bool = False,
+    rho1: float | None = None,
+    rho2: float | None = None,
+    heights: str | tuple[float, float, int] | None = None,
+    **options: Unpack[SurfaceOptions],
+) -> Peaks:
+    """The density of peak heights and curvatures, its moments and the density of the height alone, as `fstiff peaks` gives them.
+
+    profile       as the surface of measure(), with its `options`; or one of:
+    r, theta      correlation of heights and curvatures, and the angle of the sampling [rad], or a text such as "pi/4"
+    exponential   with theta: r is that of an exponential autocorrelation
+    rho1, rho2    autocorrelation at one sampling step and at two
+    heights       (from, to, count), in rms heights: where the density of the height is wanted
+    """
+    rest = heights if heights is None or isinstance(heights, str) else ",".join(repr(one) for one in heights)
+    own = {"r": r, "theta": theta, "exponential": exponential, "rho1": rho1, "rho2": rho2, "heights": rest}
+    if profile is None:
+        return Peaks(_core.peaks(options_of({**options, **own}), None))
+    made, of = _one(profile, dict(options), own)
+    return Peaks(_core.peaks(made, of))
+
+
+def generate(
+    kind: Literal["wm", "profile", "map"],
+    spacing: Length,
+    *,
+    points: int | None = None,
+    rows: int | None = None,
+    dimension: float | None = None,
+    roughness: Length | None = None,
+    gamma: float | None = None,
+    hurst: float | None = None,
+    rms: Length | None = None,
+    longest: Length | None = None,
+    shortest: Length | None = None,
+    long_waves: Literal["plateau", "none"] | None = None,
+    seed: int | None = None,
+) -> Surface:
+    """A surface of known D or H, with the heights that `fstiff generate` writes; its decisions name all parameters.
+
+    kind                 "wm": Weierstrass-Mandelbrot profile; "profile", "map": self-affine Gaussian, periodic
+    points, rows         of a row, and how many rows of a map: 4096 of a profile, 256 x 256 of a map
+    dimension, roughness, gamma    of a wm profile: D, G and the ratio of neighbouring wavelengths, 1.5
+    hurst, rms, long_waves         of the others: H, Rq or Sq, and the waves beyond the longest one
+    longest, shortest    wavelengths: the longest side and two spacings
+    """
+    own = {"kind": kind, "spacing": spacing, "points": points, "rows": rows, "dimension": dimension, "roughness": roughness}
+    own |= {"gamma": gamma, "hurst": hurst, "rms": rms, "longest": longest, "shortest": shortest}
+    own |= {"long_waves": long_waves, "seed": seed}
+    arrays, origin = _core.generate(options_of(own))
+    surface = _surface_of(arrays, kind)
+    surface.decisions = [origin]
+    return surface

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes: their curves as columns, and their contacts.
-#include "module.hpp"
+// Scenes: their curves as columns, their contacts, their laws for other programs, and parameters of measured curves.
+#include "given.hpp"
 
+#include "scene/exported_law.hpp"
+#include "scene/identified.hpp"
 #include "scene/one_contact.hpp"
+#include "scene/reflections.hpp"
 #include "scene/result_rows.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -100,6 +103,34 @@ OneContact contact(const Scene& scene, const std::string& law, std::size_t peaks
     return contact_of(scene, place, peaks, until_interrupted());
 }
 
+MeasuredCurve curve(const In& pressures, const In& values, const std::optional<In>& errors, bool is_reflection) {
+    return curve_of_numbers(numbers_of(pressures), numbers_of(values),
+                            errors ? numbers_of(*errors) : std::span<const double>(), is_reflection, "measured");
+}
+
+Found identified(const Scene& scene, const nb::dict& options, const std::optional<MeasuredCurve>& curve) {
+    const auto how = request_of<IdentifyRequest>(Given(options));
+    const nb::gil_scoped_release free;
+    return found(answer_of(scene, identify_scene(scene, how, curve)));
+}
+
+Found ultrasound(const nb::dict& options, const std::optional<MeasuredCurve>& curve) {
+    const auto how = request_of<ReflectionRequest>(Given(options));
+    const nb::gil_scoped_release free;
+    return found(answer_of(reflection_of(how, curve)));
+}
+
+/// The text of the file, warnings, and whether they are ones to doubt the law.
+nb::tuple exported(const Scene& scene, const nb::dict& options) {
+    auto how = request_of<ExportRequest>(Given(options));
+    how.progress = until_interrupted();
+    const ExportedLaw made = [&] {
+        const nb::gil_scoped_release free;
+        return export_law(scene, how);
+    }();
+    return nb::make_tuple(made.text, made.warnings, made.doubtful);
+}
+
 }  // namespace
 
 void add_scenes(nb::module_& m) {
@@ -119,6 +150,11 @@ void add_scenes(nb::module_& m) {
         .def_prop_ro("at_separations", [](const Scene& scene) { return scene.at_separations; })
         .def_prop_ro(
             "points", [](const Scene& scene) { return NewArray(scene.points).take(); }, nb::rv_policy::automatic);
+    nb::class_<MeasuredCurve>(m, "Curve", "A measured curve of stiffnesses or reflections.");
+    m.def("curve", &curve, nb::arg("pressures"), nb::arg("values"), nb::arg("errors").none(), nb::arg("is_reflection"));
+    m.def("identify", &identified, nb::arg("scene"), nb::arg("options"), nb::arg("curve").none());
+    m.def("ultrasound", &ultrasound, nb::arg("options"), nb::arg("curve").none());
+    m.def("export", &exported, nb::arg("scene"), nb::arg("options"));
     m.attr("builtin_scene") = std::string(builtin_scene);
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measured surfaces, from files and from arrays, and what is found of them: the JSON documents of the command.
-#include "module.hpp"
+#include "given.hpp"
 
 #include "surface/documents.hpp"
 #include "surface/fractal.hpp"
 #include "surface/islands_of_map.hpp"
-#include "surface/measured_surface.hpp"
-#include "surface/surface_option_table.hpp"
+#include "surface/generated.hpp"
+#include "surface/peak_density.hpp"
+#include "surface/spectrum.hpp"
 #include "surface/truth_of_map.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -16,19 +17,9 @@
 #include <variant>
 
 namespace fstiff::python {
-namespace {
 
 using namespace scene;
 
-/// Heights of the caller [m], and what a message calls them.
-struct Heights {
-    std::optional<In> array;  ///< none: a file
-    double dx = 0, dy = 0;    ///< [m]
-    std::string origin;
-};
-
-/// The lengths of the option \p key: of a number [m], a text, or a sequence of them.
-/// \throws domain_error for any other \p value.
 Lengths lengths_of(const nb::handle& value, const std::string& key) {
     std::string text;
     double metres = 0;
@@ -49,61 +40,6 @@ Lengths lengths_of(const nb::handle& value, const std::string& key) {
     return texts ? Lengths(text) : Lengths(numbers);
 }
 
-/// The options as the package was given them.
-class Given {
-public:
-    explicit Given(const nb::dict& options) : options_(options) {}
-    template <class T>
-    void take(const char* key, T& to) const {
-        if (options_.contains(key) && !nb::try_cast<T>(options_[key], to)) refuse(key);
-    }
-    template <class Enum>
-    void word(const char* key, Enum& to) const {
-        std::string text;
-        take(key, text);
-        if (!text.empty()) to = parse<Enum>(text, key);
-    }
-    /// A whole number within its range.
-    template <class T>
-    void whole(const char* key, T& to, long long least, long long most, const char* allowed) const {
-        if (!options_.contains(key)) return;
-        long long given = 0;
-        if (!nb::try_cast<long long>(options_[key], given)) refuse(key);
-        require(given >= least && given <= most, key, given, allowed);
-        to = static_cast<T>(given);
-    }
-
-    /// One option of a surface.
-    void read(const SurfaceOptionRow& row, Lengths& to) const {
-        if (options_.contains(row.key.data())) to = lengths_of(options_[row.key.data()], row.key.data());
-    }
-    void read(const SurfaceOptionRow& row, int& to) const {
-        whole(row.key.data(), to, row.more.low, row.more.high, row.range().c_str());
-    }
-    template <NamedEnum Enum>
-    void read(const SurfaceOptionRow& row, Enum& to) const {
-        word(row.key.data(), to);
-    }
-    template <NamedEnum Enum>
-    void read(const SurfaceOptionRow& row, std::optional<Enum>& to) const {
-        if (options_.contains(row.key.data())) word(row.key.data(), to.emplace());
-    }
-    template <class Plain>
-    void read(const SurfaceOptionRow& row, Plain& to) const {
-        take(row.key.data(), to);
-    }
-
-private:
-    [[noreturn]] void refuse(const char* key) const {
-        throw domain_error(std::string(key) + " = " + nb::cast<std::string>(nb::repr(options_[key])).substr(0, 40) +
-                           ": is of a wrong type");
-    }
-
-    const nb::dict& options_;
-};
-
-constexpr long long most_seed = (1LL << 53) - 1;
-
 SurfaceOptions surface_options(const Given& given) {
     SurfaceOptions to;
     given.take("file", to.file);
@@ -111,6 +47,15 @@ SurfaceOptions surface_options(const Given& given) {
         row.visit(to, [&](auto& value) { given.read(row, value); });
     return to;
 }
+
+namespace {
+
+/// Heights of the caller [m], and what a message calls them.
+struct Heights {
+    std::optional<In> array;  ///< none: a file
+    double dx = 0, dy = 0;    ///< [m]
+    std::string origin;
+};
 
 /// Reads the file, or copies the heights. Without the GIL.
 SurfaceInput input_of(const SurfaceOptions& options, const Heights& heights) {
@@ -133,25 +78,12 @@ SurfaceInput input_of(const SurfaceOptions& options, const Heights& heights) {
         heights.origin);
 }
 
-/// A document as the command prints it, and whether the command would call it doubtful.
-struct Found {
-    std::string json;
-    bool doubtful = false;
-    std::shared_ptr<const MeasuredSurface> measured{};
-};
-
-Found found(Json document, const std::vector<std::string>& warnings, bool doubtful,
-            std::shared_ptr<const MeasuredSurface> measured = {}) {
-    document["warnings"] = warnings;
-    return {document.str(), doubtful, std::move(measured)};
-}
-
 Found measure(const nb::dict& options, const std::vector<std::string>& files, const Heights& heights) {
     const Given given(options);
     scene::MeasureOptions how;
     how.input = surface_options(given);
     given.whole("resamples", how.resamples, 2, 100000, "from 2 to 100000");
-    given.whole("seed", how.seed, 0, most_seed, "from 0 to 2^53 - 1");
+    given.whole("seed", how.seed, 0, Given::most_seed, "from 0 to 2^53 - 1");
     const nb::gil_scoped_release free;
     const auto surface = std::make_shared<const MeasuredSurface>(
         heights.array ? measure_surface(how, input_of(how.input, heights), until_interrupted())
@@ -163,8 +95,8 @@ Found fit(const nb::dict& options, const Heights& heights) {
     const Given given(options);
     FractalOptions how;
     how.surface = surface_options(given);
-    given.word("convention", how.convention);
-    given.whole("seed", how.seed, 0, most_seed, "from 0 to 2^53 - 1");
+    given.take("convention", how.convention);
+    given.whole("seed", how.seed, 0, Given::most_seed, "from 0 to 2^53 - 1");
     given.whole("resamples", how.resamples, 0, 100000, "from 0 to 100000");
     given.take("all_lags", how.all_lags);
     how.progress = until_interrupted();
@@ -183,14 +115,14 @@ Found islands(const nb::dict& options, const Heights& heights) {
     how.surface = surface_options(given);
     given.take("neighbours", how.neighbours);
     require(how.neighbours == 4 || how.neighbours == 8, "neighbours", how.neighbours, "4 or 8");
-    given.word("border", how.border);
-    given.word("island_height", how.height);
+    given.take("border", how.border);
+    given.take("island_height", how.height);
     constexpr long long most = 1000000000;
     given.whole("least_points", how.min_points, 1, most, "at least 1");
     given.whole("levels", how.levels, 0, most, "at least 0");
     given.whole("tiles", how.spread.tiles, 1, 100000, "at least 1");
     given.whole("resamples", how.spread.resamples, 2, 100000, "from 2 to 100000");
-    given.whole("seed", how.spread.seed, 0, most_seed, "from 0 to 2^53 - 1");
+    given.whole("seed", how.spread.seed, 0, Given::most_seed, "from 0 to 2^53 - 1");
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     SurfaceInput input = input_of(how.surface, heights);
@@ -205,14 +137,52 @@ Found truth(const nb::dict& options, const Heights& heights, const In& pressures
     how.pressures.assign(numbers_of(pressures).begin(), numbers_of(pressures).end());
     given.take("hardness", how.hardness);
     given.whole("points", how.points, 16, 4096, "from 16 to 4096");
-    given.word("edges", how.edges);
+    given.take("edges", how.edges);
     how.progress = until_interrupted();
     const nb::gil_scoped_release free;
     const TruthOfMap solved = truth_of_map(how, input_of(how.surface, heights));
     return found(truth_json(solved), warnings_of(solved), solved.doubtful());
 }
 
-/// Heights, dx and dy (0 of a profile), what was decided, and warnings.
+Found spectrum(const nb::dict& options, const Heights& heights) {
+    const Given given(options);
+    auto how = request_of<SpectrumRequest>(given);
+    how.surface = surface_options(given);
+    const nb::gil_scoped_release free;
+    const SurfaceInput input = input_of(how.surface, heights);
+    return found(answer_of(how, input, spectrum_of(how, input)));
+}
+
+/// Of heights; by numbers, where \p heights are none.
+Found peaks(const nb::dict& options, const std::optional<Heights>& heights) {
+    const Given given(options);
+    auto how = request_of<PeakDensityRequest>(given);
+    how.surface = surface_options(given);
+    const nb::gil_scoped_release free;
+    auto input = heights ? std::optional(input_of(how.surface, *heights)) : std::nullopt;
+    return found(answer_of(how, peak_density_of(how, std::move(input))));
+}
+
+/// Heights, dx and dy (0 of a profile).
+nb::tuple arrays_of(const io::ProfileOrMap& surface) {
+    if (const auto* profile = std::get_if<Profile<double>>(&surface))
+        return nb::make_tuple(NewArray(profile->heights).take(), profile->spacing, 0.);
+    const auto& map = std::get<HeightMap<double>>(surface);
+    const std::size_t rows = static_cast<std::size_t>(map.rows()), columns = static_cast<std::size_t>(map.columns());
+    return nb::make_tuple(NewArray({map.heights.data(), rows * columns}, {rows, columns}).take(), map.dx, map.dy);
+}
+
+/// Heights, dx and dy, and how they were made.
+nb::tuple generated(const nb::dict& options) {
+    const auto how = request_of<GenerateRequest>(Given(options));
+    const Generated made = [&] {
+        const nb::gil_scoped_release free;
+        return generate(how);
+    }();
+    return nb::make_tuple(arrays_of(made.surface), made.origin());
+}
+
+/// Heights, dx and dy, what was decided, and warnings.
 nb::tuple read(const nb::dict& options) {
     const SurfaceOptions how = surface_options(Given(options));
     const SurfaceInput input = [&] {
@@ -220,15 +190,7 @@ nb::tuple read(const nb::dict& options) {
         return read_surface_input(how);
     }();
     const io::SurfaceRecord& record = input.surface.record;
-    if (input.surface.is_profile()) {
-        const Profile<double>& profile = input.surface.profile();
-        return nb::make_tuple(NewArray(profile.heights).take(), profile.spacing, 0., record.sentences(),
-                              record.warnings);
-    }
-    const HeightMap<double>& map = input.surface.map();
-    const std::size_t rows = static_cast<std::size_t>(map.rows()), columns = static_cast<std::size_t>(map.columns());
-    return nb::make_tuple(NewArray({map.heights.data(), rows * columns}, {rows, columns}).take(), map.dx, map.dy,
-                          record.sentences(), record.warnings);
+    return nb::make_tuple(arrays_of(input.surface.data), record.sentences(), record.warnings);
 }
 
 }  // namespace
@@ -249,6 +211,9 @@ void add_surfaces(nb::module_& m) {
     m.def("measure", &measure, nb::arg("options"), nb::arg("files"), nb::arg("heights"));
     m.def("fit", &fit, nb::arg("options"), nb::arg("heights"));
     m.def("islands", &islands, nb::arg("options"), nb::arg("heights"));
+    m.def("spectrum", &spectrum, nb::arg("options"), nb::arg("heights"));
+    m.def("peaks", &peaks, nb::arg("options"), nb::arg("heights").none());
+    m.def("generate", &generated, nb::arg("options"));
     m.def("truth", &truth, nb::arg("options"), nb::arg("heights"), nb::arg("pressures"), nb::arg("modulus"));
     m.def(
         "parse_length",

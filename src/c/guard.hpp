@@ -52,6 +52,9 @@ T& sized(T* pointer, const char* name) {
 /// \throws argument_error for an array that is null, empty or longer than memory.
 void require_array(const double* array, std::size_t count, const char* name);
 
+/// \p text and its closing 0 into a buffer of the caller, as fstiff_law_text() describes it.
+int text_into(const std::string& text, char* buffer, std::size_t capacity, std::size_t* length);
+
 /// Runs \p make and gives what it returns, a handle, to \p made.
 template <class T, class Make>
 int made_by(T** made, const Make& make) noexcept {

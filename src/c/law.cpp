@@ -115,17 +115,7 @@ int fstiff_law_of_text(const char* text, size_t length, fstiff_law** made) {
 }
 
 int fstiff_law_text(const fstiff_law* law, char* buffer, size_t capacity, size_t* length) {
-    return guarded([&] {
-        const std::string text = not_null(law, "law").law.to_text();
-        not_null(length, "length") = text.size();
-        if (!buffer && capacity == 0) return FSTIFF_OK;
-        not_null(buffer, "buffer");
-        if (capacity <= text.size())
-            throw argument_error("capacity = " + std::to_string(capacity) + ": must be at least " +
-                                 std::to_string(text.size() + 1));
-        std::memcpy(buffer, text.c_str(), text.size() + 1);
-        return FSTIFF_OK;
-    });
+    return guarded([&] { return text_into(not_null(law, "law").law.to_text(), buffer, capacity, length); });
 }
 
 void fstiff_law_free(fstiff_law* law) { delete law; }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -66,6 +67,17 @@ void require_array(const double* array, std::size_t count, const char* name) {
     if (count == 0) throw argument_error(std::string(name) + ": must have at least one number");
     constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
     if (count > most) throw argument_error(std::string(name) + ": must not be longer than memory can be");
+}
+
+int text_into(const std::string& text, char* buffer, std::size_t capacity, std::size_t* length) {
+    not_null(length, "length") = text.size();
+    if (!buffer && capacity == 0) return FSTIFF_OK;
+    not_null(buffer, "buffer");
+    if (capacity <= text.size())
+        throw argument_error("capacity = " + std::to_string(capacity) + ": must be at least " +
+                             std::to_string(text.size() + 1));
+    std::memcpy(buffer, text.c_str(), text.size() + 1);
+    return FSTIFF_OK;
 }
 
 }  // namespace fstiff::c

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "document/json.hpp"
 
+#include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace fstiff::scene {
@@ -94,6 +97,37 @@ std::string json_text(std::string_view value) {
         at += 5;
     }
     return text;
+}
+
+const Json* Json::at(std::string_view path) const {
+    if (path.empty()) return this;
+    const std::size_t end = std::min(path.find('.'), path.size());
+    const std::string_view key = path.substr(0, end), rest = path.substr(std::min(end + 1, path.size()));
+    if (const auto* members = std::get_if<Members>(&value_)) {
+        const auto found =
+            std::find_if(members->begin(), members->end(), [&](const auto& one) { return one.first == key; });
+        return found == members->end() ? nullptr : found->second.at(rest);
+    }
+    const auto* items = std::get_if<Items>(&value_);
+    std::size_t place = 0;
+    const char* const last = key.data() + key.size();
+    if (!items || std::from_chars(key.data(), last, place).ptr != last || place >= items->size()) return nullptr;
+    return (*items)[place].at(rest);
+}
+
+std::vector<double> Json::numbers() const {
+    if (std::holds_alternative<std::nullptr_t>(value_)) return {std::numeric_limits<double>::quiet_NaN()};
+    if (const auto* real = std::get_if<double>(&value_)) return {*real};
+    if (const auto* whole = std::get_if<std::int64_t>(&value_)) return {static_cast<double>(*whole)};
+    if (const auto* count = std::get_if<std::uint64_t>(&value_)) return {static_cast<double>(*count)};
+    const auto* items = std::get_if<Items>(&value_);
+    if (!items) throw domain_error("is neither a number nor an array of them");
+    std::vector<double> all;
+    for (const Json& item : *items) {
+        const std::vector<double> one = item.numbers();
+        all.insert(all.end(), one.begin(), one.end());
+    }
+    return all;
 }
 
 Json json_document(std::string_view command) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/identification.hpp"
 
+#include "surface/request.hpp"
+
 #include "document/file.hpp"
 #include "scene/results.hpp"
 #include "document/shown_unit.hpp"
@@ -100,20 +102,22 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
     return {};
 }
 
-std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, bool shear) {
+std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
+    const std::string name = option_name(request.prefix, "wave");
     if (!curve.is_reflection) {
-        if (shear) throw option_error("--wave shear is for measured reflections; " + curve.name + " holds stiffnesses");
+        if (request.shear)
+            throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
         return std::nullopt;
     }
     if (!scene.ultrasound)
         throw domain_error(scene.file + ": ultrasound: is missing; the reflections of " + curve.name +
                            " need the section");
-    if (shear && !scene.ultrasound->shear)
+    if (request.shear && !scene.ultrasound->shear)
         throw domain_error(scene.file +
-                           ": ultrasound.upper.shear_impedance: is missing; --wave shear needs it, or "
+                           ": ultrasound.upper.shear_impedance: is missing; " + name + " shear needs it, or "
                            "density and shear_velocity");
-    return Wave<double>{shear ? *scene.ultrasound->shear : scene.ultrasound->longitudinal, scene.ultrasound->angular(),
-                        shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
+    return Wave<double>{request.shear ? *scene.ultrasound->shear : scene.ultrasound->longitudinal,
+                        scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
 }
 
 /// The fits that are asked for, still without what they find.
@@ -140,7 +144,7 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
     if (fits.empty())
         throw domain_error(scene.file + ": contact.laws: must name " +
                            (skipped.empty()
-                                ? "\"" + request.law + "\", which --law asks for"
+                                ? "\"" + request.law + "\", which " + option_name(request.prefix, "law") + " asks for"
                                 : joined(fitted_law_names(), " or ") + "; " + skipped + " has no derivatives"));
     if (std::erase_if(fits, [](const Fit& fit) { return fit.points.empty(); }) > 0 && fits.empty())
         throw domain_error(curve.name + ": holds " + std::to_string(curve.computed.size()) +
@@ -162,12 +166,13 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
                            ": contact.interaction: must be \"none\" to identify parameters: the derivatives are those "
                            "of the interface alone");
     Fits all;
-    all.wave = wave_of(scene, curve, request.shear);
+    all.wave = wave_of(scene, curve, request);
     all.warnings = scene.warnings;
     all.fits = fits_of(scene, curve, request, all.warnings);
     if (std::count(request.wanted.begin(), request.wanted.end(), Parameter::fractal_dimension) > 0 &&
         !scene.face.dimension())
-        throw domain_error(scene.file + ": surface.fractal_dimension: is missing; --fit D starts from it");
+        throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " +
+                           option_name(request.prefix, "fit") + " D starts from it");
     IdentifyOptions<double> options;
     options.wave = all.wave;
     for (Fit& fit : all.fits) {

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fstiff::scene {
@@ -19,6 +20,7 @@ struct FitRequest {
     std::vector<Parameter> wanted;
     std::string law{};   ///< this law of the scene alone; empty: every one that has derivatives
     bool shear = false;  ///< measured reflections are of shear waves
+    std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
 };
 
 struct Fit {

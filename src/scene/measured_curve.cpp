@@ -244,4 +244,27 @@ MeasuredCurve read_measured_curve(const std::string& file) {
     return curve;
 }
 
+MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<const double> values,
+                               std::span<const double> errors, bool is_reflection, const std::string& name) {
+    MeasuredCurve curve{.name = name, .sha256 = {}, .is_reflection = is_reflection, .has_errors = !errors.empty()};
+    if (pressures.empty()) throw domain_error(name + ": has no point; at least one is needed");
+    if (values.size() != pressures.size() || (curve.has_errors && errors.size() != pressures.size()))
+        throw domain_error(name + ": pressures, values and errors must be as many");
+    std::string bytes;
+    for (const auto& list : {pressures, values, errors})
+        bytes.append(reinterpret_cast<const char*>(list.data()), list.size_bytes());
+    curve.sha256 = sha256(bytes);
+    for (std::size_t i = 0; i < pressures.size(); ++i) {
+        const double error = curve.has_errors ? errors[i] : 0;
+        located(Place{.file = name, .line = i + 1, .before_line = ":"}, [&] {
+            require_positive("pressure", pressures[i]);
+            require_positive(is_reflection ? "reflection" : "stiffness", values[i]);
+            require(error >= 0 && error <= std::numeric_limits<double>::max(), "error", error,
+                    "finite and not negative");
+        });
+        curve.points.push_back({.pressure = pressures[i], .value = values[i], .error = error, .line = i + 1});
+    }
+    return curve;
+}
+
 }  // namespace fstiff::scene

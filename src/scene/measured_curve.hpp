@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,5 +43,11 @@ struct MeasuredCurve {
 /// stiffness is taken before the reflection, and no error is read.
 /// \throws domain_error naming file, line and what must be there.
 [[nodiscard]] MeasuredCurve read_measured_curve(const std::string& file);
+/// A curve that no file holds: the values, reflections or else stiffnesses, at \p pressures, with their standard errors unless
+/// there are none. Messages call it \p name, and its first point line 1. \throws domain_error for lists of unlike lengths, and
+/// for numbers that a file may not hold.
+[[nodiscard]] MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<const double> values,
+                                             std::span<const double> errors, bool is_reflection,
+                                             const std::string& name);
 
 }  // namespace fstiff::scene

@@ -4,6 +4,7 @@
 #include "document/file.hpp"
 #include "scene/one_contact.hpp"
 #include "scene/results.hpp"
+#include "surface/request.hpp"
 
 #include <fstiff/contact/contact_law.hpp>
 
@@ -30,31 +31,37 @@ double error_of_line(std::span<const Row> points) {
 
 bool has_separation(const Law& law) { return has(law.quantities, Quantity::separation); }
 
-const Law& law_of(const Scene& scene, const std::string& name) {
+const Law& law_of(const Scene& scene, const PressureTableOptions& options) {
+    const std::string& name = options.law;
     std::vector<std::string_view> names;
     for (const Law* law : scene.laws) {
         if (has_separation(*law) && (name.empty() || name == law->name)) return *law;
         if (has_separation(*law)) names.push_back(law->name);
     }
     if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
-    throw domain_error("--law = \"" + name + "\": is no law of the scene that gives a separation; must be one of " +
+    throw domain_error(option_name(options.prefix, "law") + " = \"" + name +
+                       "\": is no law of the scene that gives a separation; must be one of " +
                        list_of(names));
 }
 
 /// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows.
 Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
+    const std::string least_name = option_name(options.prefix, "from");
+    const std::string most_name = option_name(options.prefix, "until");
     if (scene.at_separations && !(options.from && options.to))
-        throw domain_error("the scene has separations; --from and --until must give the range of pressures");
+        throw domain_error("the scene has separations; " + least_name + " and " + most_name +
+                           " must give the range of pressures");
     const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end());
     const double from = options.from ? *options.from : *least, to = options.to ? *options.to : *greatest;
-    require_positive("--from", from);
-    require(to > from, "--until", to,
-            "greater than --from, " + shortest(from) + " Pa; the scene may have one pressure only");
+    require_positive(least_name, from);
+    require(to > from, most_name, to,
+            "greater than " + least_name + ", " + shortest(from) + " Pa; the scene may have one pressure only");
 
     Scene fine = scene;
-    fine.laws = {&law_of(scene, options.law)};
+    fine.laws = {&law_of(scene, options)};
     if (!scene.peaks.empty()) {
-        require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(), "--peaks",
+        require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(),
+                option_name(options.prefix, "peaks"),
                 options.peaks,
                 "between 1 and " + std::to_string(scene.peaks.size()) + ", as many as contact.peaks has");
         fine.peaks = {scene.peaks[static_cast<std::size_t>(options.peaks) - 1]};
@@ -108,7 +115,8 @@ std::string law_text(const Scene& scene, const PressureTableOptions& options) {
 }
 
 PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options) {
-    require(options.tolerance >= 1e-5 && options.tolerance <= 0.2, "--tolerance", options.tolerance,
+    require(options.tolerance >= 1e-5 && options.tolerance <= 0.2, option_name(options.prefix, "tolerance"),
+            options.tolerance,
             "between 0.001 % and 20 %");
     const Results results = compute(fine_scene(scene, options), options.progress);
     const Curve& curve = results.curves.front();

@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fstiff::scene {
@@ -26,6 +27,7 @@ struct PressureTableOptions {
     int peaks = 1;                       ///< which of contact.peaks, from 1 on
     std::optional<double> from{}, to{};  ///< [Pa]; none: the least and the greatest pressure of the scene
     double tolerance = 0.01;             ///< of the interpolated pressure, relative; 1e-5 to 0.2
+    std::string_view prefix{};           ///< of the names of options in messages: "--" on a command line
     ProgressHook progress{};
 };
 

@@ -30,5 +30,13 @@ int main(void) {
         fstiff_law_free(law);
     }
     fstiff_contact_free(contact);
+
+    fstiff_document* wave; /* and what a command computes, here fstiff ultrasound */
+    double reflection;
+    size_t count;
+    if (fstiff_ultrasound(NULL, "stiffness = 3.18e13\nfrequency = 7 MHz\nimpedance = 46 MRayl", &wave) == FSTIFF_OK &&
+        fstiff_document_numbers(wave, "reflection", &reflection, 1, &count) == FSTIFF_OK)
+        printf("|R| = %.5f\n", reflection);
+    fstiff_document_free(wave);
     return 0;
 }

@@ -9,7 +9,11 @@ program fortran_test
     type(fstiff_law_facts) :: facts
     type(fstiff_measure_options) :: options
     type(fstiff_surface) :: surface
-    type(c_ptr) :: contact, law, same
+    type(c_ptr) :: contact, law, same, document
+    type(fstiff_heights), target :: array
+    type(fstiff_curve) :: curve
+    real(c_double), allocatable, target :: generated(:)
+    integer(c_size_t) :: count
     real(c_double), allocatable :: pressures(:), wanted(:), heights(:)
     real(c_double), target :: stiffness(7), separation(7)
     integer(c_int), target :: status(7)
@@ -22,7 +26,8 @@ program fortran_test
     call get_command_argument(1, numbers)
     call get_command_argument(2, law_file)
     call check(fine%size == c_sizeof(fine) .and. body%size == c_sizeof(body) .and. points%size == c_sizeof(points) .and. &
-        facts%size == c_sizeof(facts) .and. options%size == c_sizeof(options) .and. surface%size == c_sizeof(surface), "sizes")
+        facts%size == c_sizeof(facts) .and. options%size == c_sizeof(options) .and. surface%size == c_sizeof(surface) .and. &
+        array%size == c_sizeof(array) .and. curve%size == c_sizeof(curve), "sizes")
 
     fine = fstiff_roughness(rms_height=0.832d-6, peak_radius=40d-6, peak_density=500d6, r=0.5d0, theta=1d0)
     body = fstiff_body(effective_modulus=112.6d9)
@@ -68,13 +73,29 @@ program fortran_test
     call check(bits(surface%rms_height%value) == bits(wanted(1)) .and. bits(surface%theta%error) == bits(wanted(14)), "measured")
     call check(fstiff_measured_roughness(surface, measured) == FSTIFF_OK .and. measured%rms_height > 0, "roughness")
 
+    text = "kind = profile"//achar(10)//"hurst = 0.7"//achar(10)//"rms = 1e-6"//achar(10)//"spacing = 1 um"//c_null_char
+    call check(fstiff_generate(text, document) == FSTIFF_OK, "generate")
+    allocate (generated(size(heights)))
+    call check(fstiff_document_numbers(document, "heights_m"//c_null_char, generated, size(generated, kind=c_size_t), count) &
+        == FSTIFF_OK .and. count == size(heights), "heights of a document")
+    call check(all(bits(generated) == bits(heights)), "generated heights")
+    call check(index(fstiff_text_of_document(document), "# made by fstiff") == 1, "text of a document")
+    call fstiff_document_free(document)
+    array%heights = c_loc(generated)
+    array%columns = count
+    array%dx = 1d-6
+    call check(fstiff_spectrum(c_loc(array), "of = acf"//c_null_char, document) == FSTIFF_OK, "spectrum")
+    call check(fstiff_document_numbers(document, "acf.acf.0"//c_null_char, batch_p, 1_c_size_t, count) == FSTIFF_OK .and. &
+        bits(batch_p(1)) == bits(1d0), "autocorrelation at lag 0")
+    call fstiff_document_free(document)
+
     fine%rms_height = -1
     call check(fstiff_make_contact("hertz", fine, body, contact) == FSTIFF_REFUSED, "refusal")
     call check(index(fstiff_message(), "rms_height = -1: must be") > 0 .and. .not. c_associated(contact), "message")
     call check(fstiff_error_text(FSTIFF_OK) == "no error", "words of a status")
     text = fstiff_version()
     call check(len(text) >= 5, "version")
-    deallocate (pressures, wanted, heights, text) ! those of a main program are kept, which a leak sanitizer reports
+    deallocate (pressures, wanted, heights, generated, text) ! those of a main program are kept, which a leak sanitizer reports
     if (failures > 0) error stop 1
     print *, "fortran: 0 failures"
 

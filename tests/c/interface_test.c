@@ -332,6 +332,33 @@ static void test_measurement(void) {
     free(sides);
 }
 
+/* ---- Documents ---- */
+
+/* Truth: the profile of C++, whose mean square is the power under its spectrum. */
+static void test_documents(void) {
+    size_t count, found;
+    double* heights = numbers_of("profile", &count);
+    fstiff_document* made;
+    CHECK(fstiff_generate("kind = profile\nhurst = 0.7\nrms = 1 um\n\nspacing=1e-6", &made) == FSTIFF_OK);
+    double* again = malloc(count * sizeof *again);
+    if (!again) exit(1);
+    CHECK(fstiff_document_numbers(made, "heights_m", again, count, &found) == FSTIFF_OK && found == count);
+    CHECK(memcmp(heights, again, count * sizeof *again) == 0 && !fstiff_document_is_doubtful(made));
+    fstiff_document_free(made);
+    const fstiff_heights of = {sizeof of, heights, 0, count, 1e-6, 0};
+    CHECK(fstiff_spectrum(&of, "taper = none\nlambda_s = none\nlambda_c = none", &made) == FSTIFF_OK);
+    double rms, power = 0;
+    CHECK(fstiff_document_numbers(made, "rms_height_m", &rms, 1, &found) == FSTIFF_OK && found == 1);
+    CHECK(fstiff_document_numbers(made, "psd.psd_m3", again, count, &found) == FSTIFF_OK && found == count / 2);
+    again[found - 1] /= 2; /* the wave at two samples is its own mirror image */
+    for (size_t i = 0; i < found; ++i) power += again[i] * 2 * 3.14159265358979323846 / ((double)count * 1e-6);
+    CHECK(fabs(power / (rms * rms) - 1) < 1e-12);
+    fstiff_document_free(made);
+    fstiff_document_free(NULL);
+    free(heights);
+    free(again);
+}
+
 /* ---- Refusals ---- */
 
 #define REFUSES(wanted, words, call)                         \
@@ -627,6 +654,7 @@ int main(int argc, char** argv) {
         test_law(argv[3]);
         test_law_of_a_map();
         test_measurement();
+        test_documents();
         free(text);
     } else if (strcmp(part, "refusals") == 0)
         test_refusals();

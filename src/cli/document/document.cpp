@@ -2,16 +2,6 @@
 #include "document/document.hpp"
 
 namespace fstiff::cli {
-std::string csv(const Numbers& numbers) {
-    Rows rows;
-    for (const auto& [key, value] : numbers) rows.repeat({key}, value, 1);
-    return rows.csv();
-}
-
-void put(Json& document, const Numbers& numbers) {
-    for (const auto& [key, value] : numbers) document[key] = value;
-}
-
 Report report(const Document& document, Format format) {
     Report made;
     made.status = document.status;
@@ -30,6 +20,16 @@ Report report(const Document& document, Format format) {
     }
     for (const std::string& warning : document.warnings) made.diagnostics.push_back("warning: " + warning);
     return made;
+}
+
+Report report(const Answer& answer, const std::function<std::string()>& table, const std::function<std::string()>& csv,
+              Format format) {
+    return report({.table = table,
+                   .csv = csv,
+                   .json = [&] { return answer.document; },
+                   .warnings = answer.warnings,
+                   .status = answer.doubtful ? doubtful_result : success},
+                  format);
 }
 
 }  // namespace fstiff::cli

@@ -3,6 +3,7 @@
 // The documents of a subcommand: the table for people, the CSV and the JSON.
 
 #include "document/output.hpp"
+#include "surface/request.hpp"
 
 #include <functional>
 #include <string>
@@ -10,11 +11,6 @@
 #include <vector>
 
 namespace fstiff::cli {
-
-/// Named numbers: a line of CSV under a header, keys of a JSON document.
-using Numbers = std::vector<std::pair<std::string, double>>;
-[[nodiscard]] std::string csv(const Numbers& numbers);
-void put(Json& document, const Numbers& numbers);
 
 /// A document in all of its forms, of which one is made. Warnings stand at the end of the table, as the last key of the
 /// JSON, and on standard error beside CSV and JSON.
@@ -27,5 +23,8 @@ struct Document {
     bool json_warnings = true;  ///< whether the JSON has the key
 };
 [[nodiscard]] Report report(const Document& document, Format format);
+/// The same of what a request was answered.
+[[nodiscard]] Report report(const Answer& answer, const std::function<std::string()>& table,
+                            const std::function<std::string()>& csv, Format format);
 
 }  // namespace fstiff::cli

@@ -4,6 +4,7 @@
 
 #include <fstiff/core/names.hpp>
 
+#include <concepts>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -59,6 +60,12 @@ public:
             target = *find_named<Enum>(word);
         };
         return option(name, take, help).one_of(choices<Enum>());
+    }
+    /// A quantity that keeps its text.
+    template <std::constructible_from<std::string> Quantity>
+    Option option(const std::string& name, Quantity& target, const std::string& help) {
+        const std::function<void(const std::string&)> take = [&target](const std::string& text) { target = text; };
+        return option(name, take, help);
     }
     void flag(const std::string& name, bool& target, const std::string& help);
     /// Below the list of options.

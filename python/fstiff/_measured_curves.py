@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measured curves of stiffness or reflection: what they are of a scene, and what a reflection is of a stiffness."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, Union
+
+from . import _core
+from ._contacts import numbers
+from ._errors import named
+from ._results import frame, lines_of, shown, text_table
+from ._scenes import Scene, scene_of
+from ._surfaces import Document, Measurement, options_of
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    import pandas as pd
+    from typing_extensions import TypeAlias
+
+    Curve: TypeAlias = Union[str, os.PathLike[str], Mapping[str, npt.ArrayLike]]
+    Amount: TypeAlias = Union[float, str]
+
+#: The columns of a curve in memory.
+COLUMNS = ("pressure", "stiffness", "reflection", "error")
+
+
+def _curve(given: Mapping[str, Any]) -> _core.Curve:
+    """A curve in memory: the columns of a file by their names, in SI, and "error" of either."""
+    unknown = set(given) - set(COLUMNS)
+    if unknown or "pressure" not in given or ("stiffness" in given) == ("reflection" in given):
+        raise ValueError("measured: must have the columns pressure, one of stiffness and reflection, and error if it is known")
+    key = "reflection" if "reflection" in given else "stiffness"
+    error = numbers(given["error"], "error") if "error" in given else None
+    return _core.curve(numbers(given["pressure"], "pressure"), numbers(given[key], key), error, key == "reflection")
+
+
+class Identification(Document):
+    """Parameters of a scene from a measured curve, a fit for each law and peak density: the keys of the JSON of `fstiff identify`."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """A parameter of a fit a row."""
+        return frame([{"law": fit["law"], "theta": fit["theta"], "r": fit["r"], **one} for fit, one in self._parameters()])
+
+    def _parameters(self) -> list[tuple[dict[str, Any], dict[str, Any]]]:
+        return [(fit, one) for fit in self["fits"] for one in fit["parameters"]]
+
+    def __repr__(self) -> str:
+        rows = [["fit", "status", "parameter", "value", "+-", "unit"]]
+        for fit, one in self._parameters():
+            value, error = (shown(one[key], 5) if one.get(key) is not None else "-" for key in ("value", "standard_error"))
+            rows.append([fit["law"], fit["status"], one["name"], value, error, one["unit"]])
+        return f"<fstiff.Identification from {self['measured']['file']}>\n{text_table(rows)}" + lines_of(self.warnings)
+
+
+class Ultrasound(Document):
+    """What a wave does at an interface: the keys of the JSON of `fstiff ultrasound`."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The stiffness of a measured curve, a pressure a row."""
+        if "rows" not in self:
+            raise ValueError("reflection: only a measured curve has rows")
+        return frame(self["rows"])
+
+    def __repr__(self) -> str:
+        if "rows" in self:
+            return f"<fstiff.Ultrasound of {self['file']['name']}: {len(self['rows'])} rows>" + lines_of(self.warnings)
+        return f"<fstiff.Ultrasound: K = {shown(self['stiffness_Pa_per_m'], 5)} Pa/m, |R| = {shown(self['reflection'], 5)}>"
+
+
+def identify(
+    scene: Scene | str | os.PathLike[str] | None,
+    measured: Curve,
+    fit: Sequence[str],
+    *,
+    law: str | None = None,
+    wave: Literal["longitudinal", "shear"] = "longitudinal",
+    surface: str | os.PathLike[str] | Measurement | None = None,
+) -> Identification:
+    """Parameters of a scene from a measured stiffness or reflection against pressure, as `fstiff identify` fits them.
+
+    scene      a Scene, or what Scene() takes with `surface`
+    measured   a file, or a mapping with the columns "pressure" [Pa], "stiffness" [Pa/m] or "reflection", and "error" if known
+    fit        names of parameters, such as ["sigma", "Dp"]; the others keep their values
+    law        this law of the scene alone
+    wave       the kind of wave whose reflections were measured
+    """
+    if isinstance(fit, str):
+        raise ValueError("fit: must be a list of names")
+    made = scene_of(scene, surface)
+    own: dict[str, Any] = {"fit": list(fit), "law": law, "wave": wave}
+    if isinstance(measured, (str, os.PathLike)):
+        return Identification(_core.identify(made._core, options_of({**own, "measured": named(measured, "measured")}), None))
+    return Identification(_core.identify(made._core, options_of(own), _curve(measured)))
+
+
+def ultrasound(
+    *,
+    stiffness: Amount | None = None,
+    reflection: float | Curve | None = None,
+    reflection_error: float | None = None,
+    frequency: Amount,
+    impedance: Amount | None = None,
+    density: Amount | None = None,
+    velocity: Amount | None = None,
+    impedance2: Amount | None = None,
+    density2: Amount | None = None,
+    velocity2: Amount | None = None,
+) -> Ultrasound:
+    """The reflection of an interface from its stiffness, or back, as `fstiff ultrasound` computes them.
+
+    stiffness          K per nominal area [Pa/m]; or
+    reflection         |R| of displacement amplitudes, or a curve as identify() takes it, which becomes K(p)
+    reflection_error   standard error of |R|, where no curve has its own
+    frequency          [Hz]
+    impedance          of the body that the wave comes from [kg/(m^2 s)]; or its density [kg/m^3] and velocity of sound [m/s]
+    impedance2 ...     of the body beyond; the same where nothing of it is given
+    """
+    own = {"stiffness": stiffness, "reflection_error": reflection_error, "frequency": frequency, "impedance": impedance}
+    own |= {"density": density, "velocity": velocity, "impedance2": impedance2, "density2": density2, "velocity2": velocity2}
+    if isinstance(reflection, Mapping):
+        return Ultrasound(_core.ultrasound(options_of(own), _curve(reflection)))
+    given = named(reflection, "reflection") if isinstance(reflection, (str, os.PathLike)) else reflection
+    return Ultrasound(_core.ultrasound(options_of({**own, "reflection": given}), None))

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What commands answer to requests, as documents.
+#include "c/guard.hpp"
+
+#include "io/number.hpp"
+#include "scene/exported_law.hpp"
+#include "scene/identified.hpp"
+#include "scene/reflections.hpp"
+#include "surface/generated.hpp"
+#include "surface/peak_density.hpp"
+#include "surface/spectrum.hpp"
+#include "surface/surface_option_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <sstream>
+
+struct fstiff_document {
+    std::string text;
+    fstiff::scene::Json numbers{};
+    bool doubtful = false;
+};
+
+namespace fstiff::c {
+namespace {
+
+using namespace scene;
+
+/// The options of a request, as lines "key = value".
+class TextOptions {
+public:
+    explicit TextOptions(const char* text) {
+        std::istringstream lines(text ? text : "");
+        for (std::string line; std::getline(lines, line);) {
+            const std::size_t sign = line.find('=');
+            const std::string key(io::detail::trimmed(std::string_view(line).substr(0, sign)));
+            if (key.empty() && sign == std::string::npos) continue;
+            if (key.empty() || sign == std::string::npos)
+                throw domain_error("options: \"" + line.substr(0, 40) + "\": must be key = value");
+            if (!values_.emplace(key, io::detail::trimmed(std::string_view(line).substr(sign + 1))).second)
+                throw domain_error("options: " + key + " is there twice");
+        }
+    }
+    /// Whether the option \p key is there.
+    bool read(std::string_view key, auto& to) {
+        known_ += (known_.empty() ? "" : ", ") + std::string(key);
+        const auto found = values_.find(key);
+        if (found == values_.end()) return false;
+        put(found->second, key, to);
+        values_.erase(found);
+        return true;
+    }
+    void read(SurfaceOptions& to) {
+        read("file", to.file);
+        for (const SurfaceOptionRow& row : surface_option_table())
+            row.visit(to, [&](auto& value) { read(row.key, value); });
+    }
+    template <class Request>
+    Request request() {
+        Request request;
+        request.each_option([&](const std::string& key, auto& to, const std::string&, const OptionTraits& of = {}) {
+            if (read(key, to)) of.check(key, to);
+        });
+        return request;
+    }
+    /// \throws domain_error for an option that nobody has read.
+    void require_known() const {
+        if (!values_.empty())
+            throw domain_error("options: " + values_.begin()->first.substr(0, 40) + " is none; must be among " +
+                               known_);
+    }
+
+private:
+    static std::optional<double> number(const std::string& text) {
+        const auto found = io::detail::leading_number(text);
+        if (found.length != text.size() || found.status != io::detail::NumberStatus::ok) return std::nullopt;
+        return found.value;
+    }
+    static void put(const std::string& text, std::string_view, std::string& to) { to = text; }
+    static void put(const std::string& text, std::string_view, std::vector<std::string>& to) {
+        std::istringstream parts(text);
+        for (std::string part; std::getline(parts, part, ',');) to.push_back(part);
+    }
+    static void put(const std::string& text, std::string_view key, double& to) { to = io::parse_number(text, key); }
+    static void put(const std::string& text, std::string_view key, bool& to) {
+        if (text != "true" && text != "false")
+            throw domain_error({.parameter = key, .value = "\"" + text + "\"", .allowed = "true or false"});
+        to = text == "true";
+    }
+    template <std::integral Whole>
+    static void put(const std::string& text, std::string_view key, Whole& to) {
+        const double value = io::parse_number(text, key);
+        constexpr double most = std::is_same_v<Whole, int> ? 0x1p31 - 1 : 0x1p53 - 1;
+        require(value == std::floor(value) && value >= 0 && value <= most, key, value, "a whole number, not negative");
+        to = static_cast<Whole>(value);
+    }
+    template <NamedEnum Enum>
+    static void put(const std::string& text, std::string_view key, Enum& to) {
+        to = parse<Enum>(text, key);
+    }
+    template <class Value>
+    static void put(const std::string& text, std::string_view key, std::optional<Value>& to) {
+        put(text, key, to.emplace());
+    }
+    /// Lengths and other quantities: a number without a unit is in SI.
+    template <class Value>
+    requires std::constructible_from<Value, double> && std::constructible_from<Value, std::string>
+    static void put(const std::string& text, std::string_view, Value& to) {
+        const auto si = number(text);
+        to = si ? Value(*si) : Value(text);
+    }
+
+    std::map<std::string, std::string, std::less<>> values_;
+    std::string known_;
+};
+
+SurfaceInput input_of(const SurfaceOptions& options, const fstiff_heights& from) {
+    const std::size_t rows = std::max<std::size_t>(from.rows, 1);
+    if (from.columns > static_cast<std::size_t>(-1) / rows)
+        throw argument_error("rows times columns: must not be longer than memory can be");
+    require_array(from.heights, rows * from.columns, "heights");
+    if (from.rows == 0)
+        return surface_of_heights(options, Profile<double>{{from.heights, from.heights + from.columns}, from.dx},
+                                  "an array");
+    using Array = HeightMap<double>::Array;
+    return surface_of_heights(
+        options,
+        HeightMap<double>{Eigen::Map<const Array>(from.heights, static_cast<Eigen::Index>(rows),
+                                                  static_cast<Eigen::Index>(from.columns)),
+                          from.dx, from.dy},
+        "an array");
+}
+
+/// The heights, or the file that \p options name.
+std::optional<SurfaceInput> surface_of(SurfaceOptions& options, const fstiff_heights* heights) {
+    if (!heights) return options.file.empty() ? std::nullopt : std::optional(read_surface_input(options));
+    if (!options.file.empty()) throw domain_error("file: must not be given beside heights");
+    options.file = "heights";
+    return input_of(options, sized(heights, "heights"));
+}
+
+std::optional<MeasuredCurve> curve_of(const fstiff_curve* given) {
+    if (!given) return std::nullopt;
+    const fstiff_curve& from = sized(given, "curve");
+    require_array(from.pressures, from.count, "pressures");
+    require_array(from.values, from.count, "values");
+    const auto list = [&](const double* array) {
+        return array ? std::span(array, from.count) : std::span<const double>();
+    };
+    return curve_of_numbers(list(from.pressures), list(from.values), list(from.errors), from.is_reflection != 0,
+                            "curve");
+}
+
+Scene scene_of(const char* text, std::size_t length, const char* name) {
+    if (!text) return read_scene(builtin_scene, {.name = "built-in scene"});
+    return read_scene(std::string(text, length), {.name = name ? name : "scene"});
+}
+
+/// The document \p made, of which the warnings become the message.
+fstiff_document* warned(fstiff_document made, const std::vector<std::string>& warnings) {
+    std::string lines;
+    for (const std::string& one : warnings) lines += (lines.empty() ? "" : "\n") + one;
+    set_message(lines);
+    return new fstiff_document(std::move(made));
+}
+fstiff_document* document_of(const Answer& answer) {
+    Json whole = answer.with_warnings();
+    std::string text = whole.str();
+    return warned({std::move(text), std::move(whole), answer.doubtful}, answer.warnings);
+}
+
+Json arrays_of(const io::ProfileOrMap& surface) {
+    if (const auto* profile = std::get_if<Profile<double>>(&surface))
+        return {{"heights_m", profile->heights}, {"columns", profile->size()}, {"rows", 1}, {"dx_m", profile->spacing}};
+    const auto& map = std::get<HeightMap<double>>(surface);
+    return {{"heights_m", std::vector<double>(map.heights.data(), map.heights.data() + map.size())},
+            {"columns", map.columns()},
+            {"rows", map.rows()},
+            {"dx_m", map.dx},
+            {"dy_m", map.dy}};
+}
+
+}  // namespace
+}  // namespace fstiff::c
+
+using namespace fstiff::c;
+
+int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made) {
+    return made_by(made, [&] {
+        TextOptions given(options);
+        auto how = given.request<fstiff::scene::SpectrumRequest>();
+        given.read(how.surface);
+        given.require_known();
+        const auto input = surface_of(how.surface, heights);
+        if (!input) throw fstiff::domain_error("file: is missing; heights or the option file must be given");
+        return document_of(answer_of(how, *input, spectrum_of(how, *input)));
+    });
+}
+
+int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made) {
+    return made_by(made, [&] {
+        TextOptions given(options);
+        auto how = given.request<fstiff::scene::PeakDensityRequest>();
+        given.read(how.surface);
+        given.require_known();
+        auto input = surface_of(how.surface, profile);
+        return document_of(answer_of(how, peak_density_of(how, std::move(input))));
+    });
+}
+
+int fstiff_generate(const char* options, fstiff_document** made) {
+    return made_by(made, [&] {
+        TextOptions given(options);
+        const auto how = given.request<fstiff::scene::GenerateRequest>();
+        given.require_known();
+        const auto surface = generate(how);
+        return warned({file_of(surface, how.format), arrays_of(surface.surface)}, {});
+    });
+}
+
+int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made) {
+    return made_by(made, [&] {
+        TextOptions given(options);
+        const auto how = given.request<fstiff::scene::ReflectionRequest>();
+        given.require_known();
+        return document_of(answer_of(reflection_of(how, curve_of(curve))));
+    });
+}
+
+int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve, const char* options,
+                    fstiff_document** made) {
+    return made_by(made, [&] {
+        TextOptions given(options);
+        const auto how = given.request<fstiff::scene::IdentifyRequest>();
+        given.require_known();
+        const auto read = scene_of(scene, length, name);
+        return document_of(answer_of(read, identify_scene(read, how, curve_of(curve))));
+    });
+}
+
+int fstiff_export(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
+    return made_by(made, [&] {
+        TextOptions given(options);
+        const auto how = given.request<fstiff::scene::ExportRequest>();
+        given.require_known();
+        auto law = export_law(scene_of(scene, length, name), how);
+        return warned({std::move(law.text), {}, law.doubtful}, law.warnings);
+    });
+}
+
+int fstiff_document_text(const fstiff_document* document, char* buffer, size_t capacity, size_t* length) {
+    return guarded([&] { return text_into(not_null(document, "document").text, buffer, capacity, length); });
+}
+
+int fstiff_document_numbers(const fstiff_document* document, const char* path, double* values, size_t capacity,
+                            size_t* count) {
+    return guarded([&] {
+        const std::string key = &not_null(path, "path");
+        const auto* found = not_null(document, "document").numbers.at(key);
+        if (!found) throw argument_error(key + ": is no path of the document");
+        const auto numbers = fstiff::located(fstiff::Place{.file = key}, [&] { return found->numbers(); });
+        not_null(count, "count") = numbers.size();
+        if (!values && capacity == 0) return FSTIFF_OK;
+        not_null(values, "values");
+        if (capacity < numbers.size())
+            throw argument_error("capacity = " + std::to_string(capacity) + ": must be at least " +
+                                 std::to_string(numbers.size()) + " for " + key);
+        std::transform(numbers.begin(), numbers.end(), values, [](double one) { return std::isnan(one) ? 0 : one; });
+        return FSTIFF_OK;
+    });
+}
+
+int fstiff_document_is_doubtful(const fstiff_document* document) { return document && document->doubtful; }
+
+void fstiff_document_free(fstiff_document* document) { delete document; }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The options of a request on the command line.
+
+#include "input/arguments.hpp"
+#include "surface/request.hpp"
+#include "surface/surface_option_table.hpp"
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace fstiff::cli {
+
+/// Adds every option of \p request, whose fields are the targets.
+template <class Request>
+void add_request_options(Arguments& command, Request& request) {
+    request.each_option([&](std::string_view key, auto& to, const std::string& help,
+                            const scene::OptionTraits& traits = {}) {
+        using Value = std::remove_reference_t<decltype(to)>;
+        const std::string name = (traits.positional ? "" : "--") + scene::with_dashes(key);
+        if constexpr (std::is_same_v<Value, bool>) {
+            command.flag(name, to, help);
+        } else {
+            Option option = command.option(name, to, help);
+            if (traits.required) option.required();
+            if (!traits.type.empty()) option.type_name(std::string(traits.type));
+            if (!traits.words.empty()) option.one_of(traits.words);
+            if (traits.shows_default) option.show_default();
+            if constexpr (std::is_same_v<Value, std::vector<std::string>>) option.delimiter(',');
+            if constexpr (std::is_arithmetic_v<Value>)
+                if (traits.has_range()) option.between(static_cast<Value>(traits.low), static_cast<Value>(traits.high));
+        }
+    });
+}
+
+}  // namespace fstiff::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The law of a scene as the table of a contact in a finite-element program, or as the text of a tabulated law.
+
+#include "scene/overclosure.hpp"
+#include "surface/request.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// The program whose input is written; law: the tabulated law itself.
+enum class Solver { calculix, abaqus, law };
+
+}  // namespace fstiff::scene
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<scene::Solver> = name_list<scene::Solver>({{scene::Solver::calculix, "calculix"},
+                                                                       {scene::Solver::abaqus, "abaqus"},
+                                                                       {scene::Solver::law, "law"}});
+
+}  // namespace fstiff
+
+namespace fstiff::scene {
+
+struct ExportRequest {
+    Solver to = Solver::calculix;
+    std::string units = "mm,N,MPa";  ///< of the model: length, force and pressure
+    std::string tolerance = "1%";    ///< of the pressure between two rows: a share, or per cent
+    Amount from{}, until{};              ///< pressures; empty: the least and the greatest of the scene
+    std::string law{};                 ///< of the scene; empty: its first that has a separation
+    int peaks = 1;                   ///< which of contact.peaks, from 1 on
+    std::string_view prefix{};       ///< of the names of options in messages: "--" on a command line
+    ProgressHook progress{};
+
+    template <class Take>
+    void each_option(Take take) {
+        take("to", to,
+             "program whose input is written; law: the tabulated law itself, for C, C++, Python and Fortran",
+             {.required = true});
+        take("units", units, "units of the model, length, force and pressure, such as m,N,Pa", {.shows_default = true});
+        take("tolerance", tolerance, "largest error of the pressure between two rows", {.shows_default = true});
+        take("from", from, "least pressure of the table; the default is that of the scene");
+        take("until", until, "greatest pressure of the table; the default is that of the scene");
+        take("law", law, "law of the scene; the default is its first that gives a separation");
+        take("peaks", peaks, "which of the scene's contact.peaks, from 1 on", {.shows_default = true});
+    }
+};
+
+/// What goes into the file of the program.
+struct ExportedLaw {
+    std::string text;
+    std::vector<std::string> warnings{};
+    bool doubtful = false;
+};
+
+/// \throws domain_error for units that are not consistent and a tolerance that is none; as pressure_table() and law_text().
+[[nodiscard]] ExportedLaw export_law(const Scene& scene, const ExportRequest& request);
+/// \throws domain_error for what export_law() refuses of any scene.
+void check(const ExportRequest& request);
+
+}  // namespace fstiff::scene

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Surfaces of known D or H: Weierstrass-Mandelbrot profiles, self-affine Gaussian profiles and maps.
+
+#include "surface/request.hpp"
+#include "surface/surface_options.hpp"
+
+#include <fstiff/io/surface_file.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// wm: Weierstrass-Mandelbrot profile; the others are self-affine and Gaussian.
+enum class GeneratedKind { wm, profile, map };
+/// The form of the file; sdf is binary.
+enum class GeneratedForm { csv, sdf, sdf_text };
+
+}  // namespace fstiff::scene
+
+namespace fstiff {
+
+template <>
+inline constexpr auto names<scene::GeneratedKind> =
+    name_list<scene::GeneratedKind>({{scene::GeneratedKind::wm, "wm"},
+                                     {scene::GeneratedKind::profile, "profile"},
+                                     {scene::GeneratedKind::map, "map"}});
+template <>
+inline constexpr auto names<scene::GeneratedForm> =
+    name_list<scene::GeneratedForm>({{scene::GeneratedForm::csv, "csv"},
+                                     {scene::GeneratedForm::sdf, "sdf"},
+                                     {scene::GeneratedForm::sdf_text, "sdf-text"}});
+
+}  // namespace fstiff
+
+namespace fstiff::scene {
+
+/// What is made. Of wm: dimension, roughness, gamma; of the others hurst, rms, long_waves; rows of a map.
+struct GenerateRequest {
+    /// Of one surface: 2^22 heights are some 90 MB of text.
+    static constexpr int min_side = 16, max_points = 1 << 22;
+
+    GeneratedKind kind = GeneratedKind::profile;
+    std::size_t points = 0, rows = 0;  ///< of a row, and how many rows; 0: 4096, of a map 256, and as many rows as points
+    Lengths spacing{};
+    std::optional<double> dimension{};  ///< D
+    Lengths roughness{};                ///< G
+    double gamma = 1.5;               ///< ratio of neighbouring wavelengths
+    std::optional<double> hurst{};      ///< H
+    Lengths rms{}, longest{}, shortest{};   ///< wavelengths: the longest side and two spacings by default
+    LongWaves long_waves = LongWaves::plateau;
+    std::uint64_t seed = 1;
+    GeneratedForm format = GeneratedForm::csv;
+    std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
+
+    template <class Take>
+    void each_option(Take take) {
+        const OptionTraits side{.low = min_side, .high = max_points};
+        take("kind", kind, "wm: Weierstrass-Mandelbrot profile; profile, map: self-affine Gaussian, periodic",
+             {.required = true, .positional = true});
+        take("points", points,
+             "number of points of the profile (default 4096) or of a row of the map (default 256)", side);
+        take("rows", rows, "number of rows of the map; the default is the number of points", side);
+        take("spacing", spacing, "distance of neighbouring points, such as \"0.5 um\"");
+        take("dimension", dimension, "fractal dimension D of a wm profile, between 1 and 2");
+        take("roughness", roughness, "fractal roughness G of a wm profile, such as \"12 nm\"");
+        take("gamma", gamma, "ratio of neighbouring wavelengths of a wm profile; default 1.5");
+        take("hurst", hurst, "Hurst exponent H of a profile or map, between 0 and 1; a section has D = 2 - H");
+        take("rms", rms, "rms height (Rq or Sq) of the profile or map, such as \"1 um\"");
+        take("longest", longest, "longest wavelength; the default is the longest side");
+        take("shortest", shortest, "shortest wavelength; the default is two spacings");
+        take("long_waves", long_waves,
+             "waves beyond the longest wavelength: plateau (default), as strong as it, or none");
+        take("seed", seed, "seed of the random phases or amplitudes; the default is 1");
+        take("format", format, "form of the file: csv (default), sdf (binary) or sdf-text", {.type = "FORMAT"});
+    }
+};
+
+struct Generated {
+    io::ProfileOrMap surface;
+    std::vector<std::pair<std::string, std::string>> parameters;  ///< all of them, as they were used
+
+    /// "made by fstiff 0.1.0 generate (kind profile, H 0.5, ...)", worded so that no reader takes it for a size or a unit.
+    [[nodiscard]] std::string origin() const;
+};
+
+/// \throws option_error for an option that the kind has no use for, or that it misses; domain_error for values out of range.
+[[nodiscard]] Generated generate(const GenerateRequest& request);
+/// The file, which fstiff reads back; the CSV has the origin in its first line.
+[[nodiscard]] std::string file_of(const Generated& generated, GeneratedForm form);
+
+}  // namespace fstiff::scene

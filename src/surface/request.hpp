@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What the requests of commands share: quantities as people or programs give them, and one list of options each. A request
+// hands its options, by key and with the help of the command line, to whatever reads them (the command line, Python, C):
+//
+//     template <class Take>
+//     void each_option(Take take) { take("points", points, "points of a row; the default is 256", {.low = 16, .high = 4096}); }
+
+#include "document/json.hpp"
+
+#include <fstiff/core/error.hpp>
+#include <fstiff/core/text.hpp>
+#include <fstiff/io/quantity.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace fstiff::scene {
+
+/// A quantity of an option: a text with its unit, such as "7 MHz", or a number in SI. It is read where it is needed, so that a
+/// refusal quotes it.
+class Amount {
+public:
+    Amount() = default;  ///< none
+    Amount(std::string text) : text_(std::move(text)) {}
+    Amount(const char* text) : text_(text) {}
+    Amount(double si) : si_(si) {}
+
+    [[nodiscard]] bool empty() const { return text_.empty() && !si_; }
+    /// The number that it was given as, in SI.
+    [[nodiscard]] std::optional<double> number() const { return si_; }
+    /// As it was written; a number by its fewest digits.
+    [[nodiscard]] std::string text() const;
+    /// [SI]. \throws domain_error, which names the option \p name, for a text that is no such quantity.
+    [[nodiscard]] double value(io::Dimension dimension, std::string_view name) const;
+    /// The same as value(), greater than 0. \throws domain_error as above.
+    [[nodiscard]] double positive(io::Dimension dimension, std::string_view name) const;
+
+private:
+    std::string text_;
+    std::optional<double> si_;
+};
+
+/// What else is said of one option.
+struct OptionTraits {
+    double low = 0, high = 0;  ///< of a number, both allowed; equal: any
+    bool required = false, positional = false, shows_default = false;  ///< on the command line
+    std::string_view type{};                                           ///< there: how its help calls the value
+    std::vector<std::string_view> words{};                             ///< of a text: those that are allowed
+
+    [[nodiscard]] bool has_range() const { return low < high; }
+    /// \throws domain_error for a value of the option \p key out of range.
+    template <class Value>
+    void check(std::string_view key, const Value& value) const {
+        if constexpr (std::is_arithmetic_v<Value>)
+            if (has_range())
+                require(static_cast<double>(value) >= low && static_cast<double>(value) <= high, key, value,
+                        "from " + shortest_text(low) + " to " + shortest_text(high));
+    }
+};
+
+/// How messages call the option of \p key: "reflection_error", or behind the prefix of a command line "--reflection-error".
+[[nodiscard]] std::string option_name(std::string_view prefix, std::string_view key);
+
+/// Named numbers: a line of CSV under a header, keys of a JSON document.
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+[[nodiscard]] std::string csv(const NamedNumbers& numbers);
+void put(Json& document, const NamedNumbers& numbers);
+
+/// What a command makes: its document without the warnings, these, and whether the result is one to doubt.
+struct Answer {
+    Json document;
+    std::vector<std::string> warnings{};
+    bool doubtful = false;
+
+    /// The document with the warnings as its last key.
+    [[nodiscard]] Json with_warnings() const;
+};
+
+}  // namespace fstiff::scene
